@@ -1,0 +1,102 @@
+// The replay's inside: plays stretches, and does with every row what is wanted of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/replay/contact_tracker.h"
+#include "sim/replay/kernel.h"
+#include "sim/replay/replay.h"
+#include "sim/replay/rest_watch.h"
+#include "sim/scenario/frame_clock.h"
+
+namespace hyrax {
+
+/// Rows that come again and again: whole periods, as many as fit a block.
+struct Cycle {
+  std::int64_t period = 0;
+  RowBlock rows;
+  StretchLog log;  ///< Of one period.
+
+  [[nodiscard]] Row row(std::int64_t offset) const {
+    return rows.row(static_cast<std::size_t>(offset % period));
+  }
+};
+
+class Replay::Player {
+ public:
+  Player(const Scenario& scenario, RowSink& sink, ReplayOptions options);
+  Player(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options);
+
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] const Keyframe& now() const { return now_; }
+  void play_to(std::int64_t step);
+  RunSummary finish();
+
+ private:
+  Player(const Scenario& scenario, const Keyframe& from, std::uint8_t contact_before, RowSink& sink,
+         ReplayOptions options);
+
+  // Where the search for a repetition stands: a state is compared with the anchor, which moves on
+  // by a window that grows with the run, so that any period up to a block is found in the end.
+  struct Search {
+    Body anchor;
+    std::int64_t step = 0;
+    std::int64_t window = 256;
+  };
+
+  [[nodiscard]] std::int64_t step() const { return now_.row.step; }
+  [[nodiscard]] Body body() const;
+  [[nodiscard]] Stretch stretch(std::int64_t frames);
+  void apply_events();
+  void apply(const Action& action);
+  void play_hitch();
+  void play_even_stretch(std::int64_t end);
+  void play_uneven_stretch(std::int64_t end);
+  void play_batch(const Stretch& stretch);
+  void cut_to_first_non_finite(Stretch stretch, Body start, std::size_t rows_before);
+  void take_in(std::size_t first_row);
+  void see(const Row& row);
+  void see_bounds(const Row& row);
+  void record(const Row& row);
+  void flush_rows();
+  void close_block(std::int64_t count = 1);
+
+  // In repetition.cpp: the rest of a stretch that repeats with the period found.
+  void repeat(std::int64_t period, std::int64_t end);
+  [[nodiscard]] Cycle make_cycle(std::int64_t period);
+  [[nodiscard]] Row row_in(const Cycle& cycle, std::int64_t at) const;
+  [[nodiscard]] Keyframe keyframe_in(const Cycle& cycle, std::int64_t at) const;
+  void repeat_clamps(const Cycle& cycle, std::int64_t end);
+  void repeat_contacts(const Cycle& cycle, std::int64_t end);
+  void repeat_contacts_of(const Cycle& cycle, std::int64_t first, std::int64_t last);
+  void repeat_rest(const Cycle& cycle, std::int64_t end);
+  void repeat_rows(const Cycle& cycle, std::int64_t end);
+  void repeat_blocks(const Cycle& cycle, std::int64_t end);
+
+  const Scenario& scenario_;
+  RowSink& sink_;
+  RowSink::Wants wants_;
+  ReplayOptions options_;
+  FrameClock clock_;
+  std::int64_t steps_;
+  std::vector<std::int64_t> event_frames_;
+  std::size_t next_event_ = 0;
+  std::optional<double> hitch_dt_s_;
+
+  Keyframe now_;
+  RowBlock block_;
+  Keyframe block_keyframe_;
+  std::int64_t next_recorded_step_ = 0;
+  Columns recorded_;
+  std::vector<double> dt_s_;
+  StretchLog log_;
+
+  StateHash hash_;
+  ContactTracker contacts_;
+  RestWatch rest_;
+  RunSummary summary_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,69 @@
+#include "sim/scenario/frame_clock.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "sim/scenario/split_mix64.h"
+
+namespace hyrax {
+namespace {
+
+double uniform_dt_s(double dt_s, double fraction, std::uint64_t seed, std::uint64_t frame) {
+  return dt_s * (1.0 + fraction * (2.0 * split_mix64_unit(seed, frame) - 1.0));
+}
+
+// Irwin-Hall: the sum of twelve uniform draws has mean 6 and variance 1.
+double normal_dt_s(double dt_s, double sigma_s, std::uint64_t seed, std::uint64_t frame) {
+  double sum = 0.0;
+  for (std::uint64_t draw = 0; draw < 12; ++draw) sum += split_mix64_unit(seed, 12 * frame + draw);
+  const double jittered_s = dt_s + sigma_s * (sum - 6.0);
+  return jittered_s <= 0.0 ? 0.0 : jittered_s;
+}
+
+double missed_frames_dt_s(double dt_s, double probability, std::uint64_t seed, std::uint64_t frame) {
+  return split_mix64_unit(seed, frame) < probability ? dt_s * 2.0 : dt_s;
+}
+
+}  // namespace
+
+double base_dt_s(const Clock& clock) {
+  if (const auto* rate = std::get_if<FixedRate>(&clock.base)) return 1.0 / rate->rate_hz;
+  return std::get<FixedStep>(clock.base).dt_s;
+}
+
+double jittered_dt_s(double dt_s, const Jitter& jitter, std::int64_t frame) {
+  const auto index = static_cast<std::uint64_t>(frame);
+  double jittered_s = dt_s;
+  switch (jitter.kind) {
+    case Jitter::Kind::uniform:
+      jittered_s = uniform_dt_s(dt_s, jitter.amount, jitter.seed, index);
+      break;
+    case Jitter::Kind::normal:
+      jittered_s = normal_dt_s(dt_s, jitter.amount, jitter.seed, index);
+      break;
+    case Jitter::Kind::missed_frames:
+      jittered_s = missed_frames_dt_s(dt_s, jitter.amount, jitter.seed, index);
+      break;
+  }
+  return jittered_s > kFrameMax_s ? kFrameMax_s : jittered_s;
+}
+
+std::int64_t step_count(const Scenario& scenario) {
+  if (const auto* trace = std::get_if<RecordedSteps>(&scenario.clock.base))
+    return static_cast<std::int64_t>(trace->dt_s.size());
+  if (const auto* steps = std::get_if<std::int64_t>(&scenario.length)) return *steps;
+  const double frames = std::ceil(std::get<double>(scenario.length) / base_dt_s(scenario.clock) - 1e-9);
+  if (!(frames <= static_cast<double>(kStepsMax))) return kStepsMax + 1;
+  return frames < 0.0 ? 0 : static_cast<std::int64_t>(frames);
+}
+
+FrameClock::FrameClock(const Clock& clock) {
+  if (const auto* trace = std::get_if<RecordedSteps>(&clock.base)) {
+    trace_ = &trace->dt_s;
+    return;
+  }
+  base_dt_s_ = hyrax::base_dt_s(clock);
+  if (clock.jitter) jitter_ = &*clock.jitter;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,45 @@
+// The dt of every frame, before a hitch replaces it.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// The clock's base dt in s: 1.0 / rate_hz, or dt_s.
+/// REQUIRES: the clock is not a recorded trace.
+[[nodiscard]] double base_dt_s(const Clock& clock);
+
+/// One jittered frame. Operations in the order of the format's table, each rounded; + - * and
+/// comparison only, so that every machine draws the same bits. At most kFrameMax_s.
+[[nodiscard]] double jittered_dt_s(double dt_s, const Jitter& jitter, std::int64_t frame);
+
+/// Frames to play: `steps`, or ceil(duration_s / dt - 1e-9), or the trace's length.
+/// REQUIRES: a duration stands only with a dt > 0. A duration beyond kStepsMax frames gives kStepsMax + 1.
+[[nodiscard]] std::int64_t step_count(const Scenario& scenario);
+
+/// dt of frame 0, 1, 2, ... of one clock. Refers to the clock: it must outlive this.
+class FrameClock {
+ public:
+  explicit FrameClock(const Clock& clock);
+
+  /// Whether every frame has the same dt.
+  [[nodiscard]] bool is_fixed() const { return trace_ == nullptr && jitter_ == nullptr; }
+  /// dt in s of a frame, the jitter drawn.
+  [[nodiscard]] double dt_s(std::int64_t frame) const {
+    if (trace_ != nullptr) return (*trace_)[static_cast<std::size_t>(frame)];
+    return jitter_ == nullptr ? base_dt_s_ : jittered_dt_s(base_dt_s_, *jitter_, frame);
+  }
+  /// dt in s that the tolerance of `at_s` is taken from: the base, or the frame's in a trace.
+  [[nodiscard]] double nominal_dt_s(std::int64_t frame) const {
+    return trace_ != nullptr ? (*trace_)[static_cast<std::size_t>(frame)] : base_dt_s_;
+  }
+
+ private:
+  double base_dt_s_ = 0.0;
+  const Jitter* jitter_ = nullptr;
+  const std::vector<double>* trace_ = nullptr;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,151 @@
+// One scripted fling as a plain value, with the limits its numbers must keep.
+//
+// The file format `hyrax-scenario/1` says the same in JSON; tools/files reads and writes it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hyrax {
+
+inline constexpr std::int64_t kWindowSideMax_px = 1'000'000;
+inline constexpr std::int64_t kSpriteSideMin_px = 1;
+inline constexpr std::int64_t kSpriteSideMax_px = 1'000'000;
+inline constexpr double kCoordinateMax_px = 1e12;  ///< Also the limit of speeds, in px/s.
+inline constexpr double kSpeedMax_px_per_s = 1e12;
+inline constexpr double kRateMax_hz = 1e9;
+inline constexpr double kFrameMax_s = 1e9;  ///< The longest dt, a jittered one too.
+inline constexpr std::int64_t kStepsMax = 1'000'000'000'000;
+inline constexpr std::int64_t kNameLengthMax = 64;
+
+struct Size {
+  std::int32_t width_px = 0;
+  std::int32_t height_px = 0;
+  bool operator==(const Size&) const = default;
+};
+
+/// Top left corner of the sprite.
+struct Position {
+  double x_px = 0.0;
+  double y_px = 0.0;
+  bool operator==(const Position&) const = default;
+};
+
+struct Velocity {
+  double vx_px_per_s = 0.0;
+  double vy_px_per_s = 0.0;
+  bool operator==(const Velocity&) const = default;
+};
+
+struct Jitter {
+  enum class Kind { uniform, normal, missed_frames };
+  Kind kind = Kind::uniform;
+  double amount =
+      0.0;  ///< uniform: fraction 0 .. 1; normal: sigma in s, 0 .. 1e9; missed_frames: probability 0 .. 1.
+  std::uint64_t seed = 0;
+  bool operator==(const Jitter&) const = default;
+};
+
+struct FixedRate {
+  double rate_hz = 60.0;  ///< > 0, at most kRateMax_hz; dt = 1.0 / rate.
+  bool operator==(const FixedRate&) const = default;
+};
+struct FixedStep {
+  double dt_s = 0.0;  ///< 0 .. kFrameMax_s.
+  bool operator==(const FixedStep&) const = default;
+};
+/// A recorded trace: one dt a frame, each 0 .. kFrameMax_s, at least one.
+struct RecordedSteps {
+  std::vector<double> dt_s;
+  bool operator==(const RecordedSteps&) const = default;
+};
+
+struct Clock {
+  std::variant<FixedRate, FixedStep, RecordedSteps> base;
+  std::optional<Jitter> jitter;  ///< Not with RecordedSteps.
+  bool operator==(const Clock&) const = default;
+};
+
+struct Fling {
+  Velocity velocity;
+  bool operator==(const Fling&) const = default;
+};
+struct Place {
+  Position position;
+  bool operator==(const Place&) const = default;
+};
+struct Stop {
+  bool operator==(const Stop&) const = default;
+};
+struct Resize {
+  std::optional<Size> window;  ///< At least one of the two.
+  std::optional<Size> sprite;
+  bool operator==(const Resize&) const = default;
+};
+struct Hitch {
+  double dt_s = 0.0;  ///< 0 .. kFrameMax_s; replaces the frame's dt.
+  bool operator==(const Hitch&) const = default;
+};
+struct Grab {
+  bool operator==(const Grab&) const = default;
+};
+struct Release {
+  Velocity velocity;
+  bool operator==(const Release&) const = default;
+};
+using Action = std::variant<Fling, Place, Stop, Resize, Hitch, Grab, Release>;
+
+struct Event {
+  std::variant<std::int64_t, double> when;  ///< Frame number, or a time in s.
+  Action action;
+  bool operator==(const Event&) const = default;
+};
+
+/// Both ends inclusive.
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+  bool operator==(const Interval&) const = default;
+};
+
+/// What the author means to hold; each rule only where it is set.
+struct Expect {
+  std::optional<bool> in_bounds;
+  std::optional<bool> finite;
+  std::optional<Interval> final_x_px;
+  std::optional<Interval> final_y_px;
+  std::optional<Interval> at_rest_since_s;
+  struct Contacts {
+    std::optional<Interval> left, right, top, ground;
+    bool operator==(const Contacts&) const = default;
+  } contacts;
+  std::optional<std::string> state_hash;  ///< 32 lower-case hex digits.
+  std::optional<double> implementation_px_max;
+  std::optional<double> truncation_px_max;
+  std::optional<double> energy_drift_rel_max;
+  bool operator==(const Expect&) const = default;
+};
+
+struct Scenario {
+  std::string name;  ///< [a-z0-9-]{1,64}.
+  std::optional<std::string> description;
+  std::optional<std::string> schema;  ///< `$schema`, for editors.
+  Size window;
+  Size sprite;
+  Position start;
+  Velocity start_velocity;
+  Clock clock;
+  /// Frames to play, or seconds from which they follow; neither where the trace's length says it.
+  std::variant<std::monostate, std::int64_t, double> length;
+  std::vector<Event> events;
+  std::int64_t record_every = 1;  ///< Rows 0, K, 2K, ... and the last one are recorded.
+  std::optional<Expect> expect;
+};
+
+/// Whether two scenarios play the same run: all but name, description, expect and schema.
+[[nodiscard]] bool plays_the_same(const Scenario& a, const Scenario& b);
+
+}  // namespace hyrax

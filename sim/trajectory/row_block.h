@@ -1,0 +1,77 @@
+// Rows as the state hash sees them: 41 bytes each, up to 4,096 of them.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "sim/trajectory/row.h"
+
+namespace hyrax {
+
+inline constexpr std::size_t kBlockRows = 4096;
+inline constexpr std::size_t kPackedRowBytes = 41;
+
+/// A double to and from little-endian binary64.
+[[nodiscard]] inline std::uint64_t little_endian_bits(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  if constexpr (std::endian::native == std::endian::big) return __builtin_bswap64(bits);
+  return bits;
+}
+[[nodiscard]] inline double from_little_endian(const std::byte* bytes) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, bytes, sizeof bits);
+  if constexpr (std::endian::native == std::endian::big) bits = __builtin_bswap64(bits);
+  return std::bit_cast<double>(bits);
+}
+
+/// Writes one packed row: little-endian binary64 dt, x, y, vx, vy and the contact byte.
+inline void pack_row(std::byte* at, double dt_s, double x_px, double y_px, double vx_px_per_s,
+                     double vy_px_per_s, std::uint8_t contact) {
+  const std::uint64_t words[5] = {little_endian_bits(dt_s), little_endian_bits(x_px),
+                                  little_endian_bits(y_px), little_endian_bits(vx_px_per_s),
+                                  little_endian_bits(vy_px_per_s)};
+  std::memcpy(at, words, sizeof words);
+  at[40] = std::byte{contact};
+}
+
+/// Consecutive packed rows.
+class RowBlock {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t room() const { return kBlockRows - size_; }
+  [[nodiscard]] const std::byte* data() const { return bytes_.data(); }
+
+  /// Makes room for `count` further rows and returns where they begin. REQUIRES: count <= room().
+  [[nodiscard]] std::byte* extend(std::size_t count) {
+    std::byte* const begin = bytes_.data() + size_ * kPackedRowBytes;
+    size_ += count;
+    return begin;
+  }
+  /// Keeps the first `size` rows. REQUIRES: size <= size().
+  void shrink(std::size_t size) { size_ = size; }
+
+  /// Appends rows `first` .. `first + count - 1` of another block. REQUIRES: they fit.
+  void append(const RowBlock& other, std::size_t first, std::size_t count) {
+    std::memcpy(extend(count), other.bytes_.data() + first * kPackedRowBytes, count * kPackedRowBytes);
+  }
+
+  /// Row `index` of the block, without its step and time. REQUIRES: index < size().
+  [[nodiscard]] Row row(std::size_t index) const {
+    const std::byte* bytes = bytes_.data() + index * kPackedRowBytes;
+    return {.dt_s = from_little_endian(bytes),
+            .x_px = from_little_endian(bytes + 8),
+            .y_px = from_little_endian(bytes + 16),
+            .vx_px_per_s = from_little_endian(bytes + 24),
+            .vy_px_per_s = from_little_endian(bytes + 32),
+            .contact = std::to_integer<std::uint8_t>(bytes[40])};
+  }
+
+ private:
+  std::vector<std::byte> bytes_ = std::vector<std::byte>(kBlockRows * kPackedRowBytes);
+  std::size_t size_ = 0;
+};
+
+}  // namespace hyrax

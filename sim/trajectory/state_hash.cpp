@@ -1,0 +1,60 @@
+#include "sim/trajectory/state_hash.h"
+
+#include <algorithm>
+#include <new>
+#include <vector>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace hyrax {
+namespace {
+
+Digest canonical(XXH128_hash_t hash) {
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, hash);
+  Digest digest;
+  std::copy(std::begin(bytes.digest), std::end(bytes.digest), digest.begin());
+  return digest;
+}
+
+}  // namespace
+
+Digest digest(std::span<const std::byte> bytes) {
+  return canonical(XXH3_128bits(bytes.data(), bytes.size()));
+}
+
+Digest digest(const RowBlock& block) {
+  return digest(std::span(block.data(), block.size() * kPackedRowBytes));
+}
+
+std::string hex(const Digest& digest) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+struct StateHash::State {
+  XXH3_state_t xxh;
+};
+
+StateHash::StateHash() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->xxh); }
+StateHash::~StateHash() = default;
+StateHash::StateHash(StateHash&&) noexcept = default;
+StateHash& StateHash::operator=(StateHash&&) noexcept = default;
+
+void StateHash::add(const Digest& block, std::int64_t count) {
+  constexpr std::int64_t kBatch = 4096;
+  std::vector<Digest> batch(static_cast<std::size_t>(std::min(count, kBatch)), block);
+  for (; count > 0; count -= kBatch)
+    XXH3_128bits_update(&state_->xxh, batch.data(),
+                        static_cast<std::size_t>(std::min(count, kBatch)) * sizeof(Digest));
+}
+
+Digest StateHash::value() const { return canonical(XXH3_128bits_digest(&state_->xxh)); }
+
+}  // namespace hyrax

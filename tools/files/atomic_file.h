@@ -1,0 +1,31 @@
+// A file that is there whole or not at all.
+#pragma once
+
+#include <string>
+
+namespace hyrax {
+
+/// A new file is written beside its place, as `.NAME.XXXXXX.part`, and renamed when it is whole.
+/// What is given up, by an exception too, leaves the file at its place as it was.
+class AtomicFile {
+ public:
+  /// Makes the part file, empty. A symbolic link at `path` is followed: its target is replaced.
+  /// ERRORS: Failure(cannot_access) where `path` is a folder or its folder cannot be written to.
+  explicit AtomicFile(const std::string& path);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  [[nodiscard]] const std::string& part_path() const { return part_path_; }
+  /// Puts the part file in its place. ERRORS: Failure(cannot_access).
+  void commit();
+
+ private:
+  std::string path_;
+  std::string part_path_;
+};
+
+/// "PATH: cannot be written: REASON" for the error number that the system gave.
+[[noreturn]] void fail_to_write(const std::string& path, int error_number);
+
+}  // namespace hyrax

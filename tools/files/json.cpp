@@ -1,0 +1,267 @@
+#include "tools/files/json.h"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tools/files/failure.h"
+
+namespace hyrax {
+namespace {
+
+constexpr int kNestingMax = 100;
+
+struct Place {
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+// Of the byte before offset `end`, counted in bytes.
+Place place_of(std::string_view text, std::size_t end) {
+  Place place;
+  const std::size_t last = std::min(end, text.size());
+  for (std::size_t at = 0; at + 1 < last; ++at) {
+    if (text[at] == '\n')
+      place = {place.line + 1, 1};
+    else
+      ++place.column;
+  }
+  return place;
+}
+
+[[noreturn]] void fail(std::string_view text, const std::string& source, std::size_t end,
+                       const std::string& sentence) {
+  const Place place = place_of(text, end);
+  throw Failure(ExitCode::bad_input, source + ": line " + std::to_string(place.line) + ", column " +
+                                         std::to_string(place.column) + ": " + sentence);
+}
+
+// nlohmann-json reports "[json.exception...] parse error at line 1, column 2: syntax error ...".
+std::string plain_reason(std::string_view what) {
+  const std::size_t syntax = what.find("syntax error");
+  if (syntax != std::string_view::npos) return "not JSON: " + std::string(what.substr(syntax));
+  const std::size_t bracket = what.find("] ");
+  return bracket == std::string_view::npos ? std::string(what) : std::string(what.substr(bracket + 2));
+}
+
+class Builder : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  Builder(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+
+  Json take() { return std::move(document_); }
+
+  bool null() override { return add(Json()); }
+  bool boolean(bool value) override { return add(value); }
+  // The only integer text that is signed and zero is "-0": the double it means keeps its sign.
+  bool number_integer(std::int64_t value) override { return value == 0 ? add(-0.0) : add(value); }
+  bool number_unsigned(std::uint64_t value) override { return add(value); }
+  bool number_float(double value, const std::string&) override { return add(value); }
+  bool string(std::string& value) override { return add(std::move(value)); }
+  bool binary(nlohmann::json::binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(Json::Object()); }
+  bool key(std::string& value) override {
+    key_ = std::move(value);
+    return true;
+  }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(Json::Array()); }
+  bool end_array() override { return close(); }
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::json::exception& error) override {
+    fail(text_, source_, position, plain_reason(error.what()));
+  }
+
+ private:
+  bool add(Json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(Json container) {
+    if (open_.size() >= kNestingMax)
+      throw Failure(ExitCode::bad_input,
+                    source_ + ": nested more than " + std::to_string(kNestingMax) + " levels");
+    open_.push_back(place(std::move(container)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+  // Elements never move while their parent's last element is open, so the address stays good.
+  Json* place(Json value) {
+    if (open_.empty()) {
+      document_ = std::move(value);
+      return &document_;
+    }
+    if (auto* array = open_.back()->get<Json::Array>()) return &array->emplace_back(std::move(value));
+    return &open_.back()->get<Json::Object>()->emplace_back(std::move(key_), std::move(value)).second;
+  }
+
+  std::string_view text_;
+  const std::string& source_;
+  Json document_;
+  std::vector<Json*> open_;
+  std::string key_;
+};
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+class Writer {
+ public:
+  explicit Writer(JsonLayout layout) : layout_(layout) {}
+
+  std::string take() { return std::move(text_); }
+
+  void write(const Json& json, int depth) {
+    if (const auto* array = json.get<Json::Array>())
+      write_members('[', ']', *array, depth, [&](const Json& element) { write(element, depth + 1); });
+    else if (const auto* object = json.get<Json::Object>())
+      write_members('{', '}', *object, depth, [&](const auto& member) {
+        text_ += quoted(member.first) + ": ";
+        write(member.second, depth + 1);
+      });
+    else
+      text_ += scalar(json);
+  }
+
+ private:
+  static std::string scalar(const Json& json) {
+    if (const auto* truth = json.get<bool>()) return *truth ? "true" : "false";
+    if (const auto* text = json.get<std::string>()) return quoted(*text);
+    if (const auto* integer = json.get<std::int64_t>()) return std::to_string(*integer);
+    if (const auto* integer = json.get<std::uint64_t>()) return std::to_string(*integer);
+    if (const auto* number = json.get<double>()) {
+      if (std::isfinite(*number)) return to_text(*number);
+      return std::isnan(*number) ? "\"NaN\"" : *number > 0.0 ? "\"Infinity\"" : "\"-Infinity\"";
+    }
+    return "null";
+  }
+
+  template <class Members, class WriteMember>
+  void write_members(char open, char close, const Members& members, int depth,
+                     const WriteMember& write_member) {
+    const bool is_indented = depth < layout_.depth_indented && !members.empty();
+    const bool has_space = open == '{' && !is_indented && !members.empty();
+    text_ += open;
+    bool is_first = true;
+    for (const auto& member : members) {
+      if (!is_first) text_ += is_indented ? "," : ", ";
+      is_first = false;
+      if (is_indented) new_line(depth + 1);
+      if (has_space && &member == &members.front()) text_ += ' ';
+      write_member(member);
+    }
+    if (is_indented) new_line(depth);
+    if (has_space) text_ += ' ';
+    text_ += close;
+  }
+
+  void new_line(int depth) {
+    text_ += '\n';
+    text_.append(static_cast<std::size_t>(2 * depth), ' ');
+  }
+
+  JsonLayout layout_;
+  std::string text_;
+};
+
+std::vector<std::string> tokens_of(std::string_view pointer) {
+  std::vector<std::string> tokens;
+  for (const char c : pointer) {
+    if (c == '/')
+      tokens.emplace_back();
+    else if (tokens.empty())
+      throw Failure(ExitCode::bad_input,
+                    std::string(pointer) + ": is no JSON Pointer; it begins with '/', as in /clock/rate_hz");
+    else
+      tokens.back() += c;
+  }
+  for (std::string& token : tokens) {
+    for (const auto& [from, to] : {std::pair{"~1", "/"}, std::pair{"~0", "~"}})
+      for (std::size_t at = token.find(from); at != std::string::npos; at = token.find(from, at + 1))
+        token.replace(at, 2, to);
+  }
+  return tokens;
+}
+
+Json* element_at(Json::Array& array, const std::string& token) {
+  if (token == "-") return &array.emplace_back();
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+  const bool is_index = error == std::errc() && end == token.data() + token.size();
+  return is_index && index < array.size() ? &array[index] : nullptr;
+}
+
+Json* member_at(Json& parent, const std::string& token) {
+  if (parent.is_null()) parent = Json::Object();
+  if (auto* array = parent.get<Json::Array>()) return element_at(*array, token);
+  auto* object = parent.get<Json::Object>();
+  if (object == nullptr) return nullptr;
+  for (auto& [key, value] : *object)
+    if (key == token) return &value;
+  return &object->emplace_back(token, Json()).second;
+}
+
+}  // namespace
+
+double Json::number() const {
+  if (const auto* value = get<double>()) return *value;
+  if (const auto* value = get<std::int64_t>()) return static_cast<double>(*value);
+  return static_cast<double>(*get<std::uint64_t>());
+}
+
+const Json* Json::find(std::string_view key) const {
+  const auto* object = get<Object>();
+  if (object == nullptr) return nullptr;
+  for (const auto& [name, value] : *object)
+    if (name == key) return &value;
+  return nullptr;
+}
+
+Json parse_json(std::string_view text, const std::string& source) {
+  if (text.starts_with("\xEF\xBB\xBF"))
+    fail(text, source, 1, "begins with a byte-order mark; save it as UTF-8 without one");
+  Builder builder(text, source);
+  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+std::string to_text(const Json& json, JsonLayout layout) {
+  Writer writer(layout);
+  writer.write(json, 0);
+  return writer.take();
+}
+
+std::string to_text(double value) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+  return std::string(text, end);
+}
+
+std::string pointer_to(const std::string& pointer, std::string_view token) {
+  std::string text = pointer + "/";
+  for (const char c : token) {
+    if (c == '~')
+      text += "~0";
+    else if (c == '/')
+      text += "~1";
+    else
+      text += c;
+  }
+  return text;
+}
+
+void set_at(Json& document, std::string_view pointer, Json value) {
+  Json* at = &document;
+  for (const std::string& token : tokens_of(pointer)) {
+    at = member_at(*at, token);
+    if (at == nullptr)
+      throw Failure(ExitCode::bad_input,
+                    std::string(pointer) + ": leads nowhere: there is no '" + token + "'");
+  }
+  *at = std::move(value);
+}
+
+}  // namespace hyrax

@@ -1,0 +1,136 @@
+#include "tools/files/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kShownMax = 60;
+
+// The value as it is told in a sentence.
+std::string shown(const Json& json) {
+  std::string text = to_text(json);
+  if (text.size() <= kShownMax) return text;
+  text.resize(kShownMax);
+  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80u) != 0) text.pop_back();
+  return text + "...";
+}
+
+std::string sentence_of(const NumberRule& rule) {
+  const bool has_low = std::isfinite(rule.low);
+  const bool has_high = std::isfinite(rule.high);
+  if (has_low && rule.excludes_low)
+    return "must be greater than " + to_text(rule.low) +
+           (has_high ? " and at most " + to_text(rule.high) : "");
+  if (has_low && has_high) return "must be " + to_text(rule.low) + " .. " + to_text(rule.high);
+  if (has_low) return "must be at least " + to_text(rule.low);
+  return "must be a number";
+}
+
+std::string joined(std::initializer_list<std::string_view> keys) {
+  std::string text;
+  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
+  return text;
+}
+
+}  // namespace
+
+void JsonPlace::wrong(const std::string& sentence) const { problems_->push_back({pointer_, sentence}); }
+
+void JsonPlace::breaks_rule(const std::string& rule) const { wrong(rule + ", is " + shown(*json_)); }
+
+bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const {
+  if (!is_there()) return false;
+  const auto* object = json_->get<Json::Object>();
+  if (object == nullptr) {
+    breaks_rule("must be an object");
+    return false;
+  }
+  for (auto at = object->begin(); at != object->end(); ++at) {
+    const JsonPlace here(&at->second, pointer_to(pointer_, at->first), *problems_);
+    if (std::find(keys.begin(), keys.end(), at->first) == keys.end())
+      here.wrong("is no key that may stand here; these may: " + joined(keys));
+    const auto same_key = [&](const auto& other) { return other.first == at->first; };
+    if (std::find_if(object->begin(), at, same_key) != at) here.wrong("stands twice; keep one of the two");
+  }
+  return true;
+}
+
+JsonPlace JsonPlace::member(std::string_view key) const {
+  return {is_there() ? json_->find(key) : nullptr, pointer_to(pointer_, key), *problems_};
+}
+
+JsonPlace JsonPlace::required(std::string_view key) const {
+  const JsonPlace here = member(key);
+  if (!here.is_there()) here.wrong("is missing");
+  return here;
+}
+
+std::optional<std::vector<JsonPlace>> JsonPlace::elements() const {
+  if (!is_there()) return std::nullopt;
+  const auto* array = json_->get<Json::Array>();
+  if (array == nullptr) {
+    breaks_rule("must be an array");
+    return std::nullopt;
+  }
+  std::vector<JsonPlace> places;
+  places.reserve(array->size());
+  for (const Json& element : *array)
+    places.emplace_back(&element, pointer_to(pointer_, std::to_string(places.size())), *problems_);
+  return places;
+}
+
+std::optional<double> JsonPlace::number(const NumberRule& rule) const {
+  if (!is_there()) return std::nullopt;
+  if (!json_->is_number()) {
+    breaks_rule("must be a number");
+    return std::nullopt;
+  }
+  const double value = json_->number();
+  const bool is_low = rule.excludes_low ? !(value > rule.low) : !(value >= rule.low);
+  if (!std::isfinite(value) || is_low || value > rule.high) {
+    breaks_rule(sentence_of(rule));
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<std::int64_t> JsonPlace::integer(std::int64_t low, std::int64_t high) const {
+  if (!is_there()) return std::nullopt;
+  const std::string rule = "must be a whole number " + std::to_string(low) + " .. " + std::to_string(high);
+  const bool is_whole = json_->is_number() && std::floor(json_->number()) == json_->number();
+  // Bounds are far below 2^53, so a double tells whether it is within them.
+  if (!is_whole || json_->number() < static_cast<double>(low) ||
+      json_->number() > static_cast<double>(high)) {
+    breaks_rule(rule);
+    return std::nullopt;
+  }
+  return static_cast<std::int64_t>(json_->number());
+}
+
+std::optional<std::uint64_t> JsonPlace::seed() const {
+  if (!is_there()) return std::nullopt;
+  if (const auto* whole = json_->get<std::uint64_t>()) return *whole;
+  const auto* real = json_->get<double>();
+  if (real != nullptr && *real >= 0.0 && *real < 0x1p64 && std::floor(*real) == *real)
+    return static_cast<std::uint64_t>(*real);
+  breaks_rule("must be a whole number 0 .. 18446744073709551615");
+  return std::nullopt;
+}
+
+std::optional<bool> JsonPlace::boolean() const {
+  if (!is_there()) return std::nullopt;
+  if (const auto* truth = json_->get<bool>()) return *truth;
+  breaks_rule("must be true or false");
+  return std::nullopt;
+}
+
+std::optional<std::string> JsonPlace::text() const {
+  if (!is_there()) return std::nullopt;
+  if (const auto* text = json_->get<std::string>()) return *text;
+  breaks_rule("must be a text in double quotes");
+  return std::nullopt;
+}
+
+}  // namespace hyrax

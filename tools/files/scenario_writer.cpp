@@ -1,0 +1,146 @@
+#include "tools/files/scenario_writer.h"
+
+#include <cmath>
+
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+using Object = Json::Object;
+
+Json to_json(const Size& size) {
+  return Object{{"width_px", static_cast<std::int64_t>(size.width_px)},
+                {"height_px", static_cast<std::int64_t>(size.height_px)}};
+}
+Json to_json(const Velocity& velocity) {
+  return Object{{"vx_px_per_s", velocity.vx_px_per_s}, {"vy_px_per_s", velocity.vy_px_per_s}};
+}
+Json to_json(const Position& position) { return Object{{"x_px", position.x_px}, {"y_px", position.y_px}}; }
+
+Json to_json(const Jitter& jitter) {
+  switch (jitter.kind) {
+    case Jitter::Kind::uniform:
+      return Object{{"kind", "uniform"}, {"fraction", jitter.amount}, {"seed", jitter.seed}};
+    case Jitter::Kind::normal:
+      return Object{{"kind", "normal"}, {"sigma_s", jitter.amount}, {"seed", jitter.seed}};
+    case Jitter::Kind::missed_frames:
+      return Object{{"kind", "missed_frames"}, {"probability", jitter.amount}, {"seed", jitter.seed}};
+  }
+  return {};
+}
+
+Json to_json(const Clock& clock) {
+  Object object;
+  if (const auto* rate = std::get_if<FixedRate>(&clock.base)) object.emplace_back("rate_hz", rate->rate_hz);
+  if (const auto* step = std::get_if<FixedStep>(&clock.base)) object.emplace_back("dt_s", step->dt_s);
+  if (const auto* trace = std::get_if<RecordedSteps>(&clock.base))
+    object.emplace_back("dt_s", Json::Array(trace->dt_s.begin(), trace->dt_s.end()));
+  if (clock.jitter) object.emplace_back("jitter", to_json(*clock.jitter));
+  return object;
+}
+
+struct ActionMember {
+  std::pair<std::string, Json> operator()(const Fling& fling) const {
+    return {"fling", to_json(fling.velocity)};
+  }
+  std::pair<std::string, Json> operator()(const Place& place) const {
+    return {"place", to_json(place.position)};
+  }
+  std::pair<std::string, Json> operator()(const Stop&) const { return {"stop", Object{}}; }
+  std::pair<std::string, Json> operator()(const Resize& resize) const {
+    Object object;
+    if (resize.window) object.emplace_back("window", to_json(*resize.window));
+    if (resize.sprite) object.emplace_back("sprite", to_json(*resize.sprite));
+    return {"resize", object};
+  }
+  std::pair<std::string, Json> operator()(const Hitch& hitch) const {
+    return {"hitch", Object{{"dt_s", hitch.dt_s}}};
+  }
+  std::pair<std::string, Json> operator()(const Grab&) const { return {"grab", Object{}}; }
+  std::pair<std::string, Json> operator()(const Release& release) const {
+    return {"release", to_json(release.velocity)};
+  }
+};
+
+Json to_json(const Event& event) {
+  Object object;
+  if (const auto* step = std::get_if<std::int64_t>(&event.when))
+    object.emplace_back("step", *step);
+  else
+    object.emplace_back("at_s", std::get<double>(event.when));
+  object.push_back(std::visit(ActionMember{}, event.action));
+  return object;
+}
+
+Json to_json(const Interval& interval) {
+  if (interval.low == interval.high || std::isinf(interval.low)) return interval.high;
+  return Json::Array{interval.low, interval.high};
+}
+
+// A bound from below as well: [v, v] must not become the number v, which means "at most v".
+Json bounds_to_json(const Interval& interval) {
+  if (std::isinf(interval.low)) return interval.high;
+  return Json::Array{interval.low, interval.high};
+}
+
+template <class Value>
+void add(Object& object, std::string_view key, const std::optional<Value>& value) {
+  if (value) object.emplace_back(key, Json(*value));
+}
+
+Json to_json(const Expect& expect) {
+  Object object;
+  add(object, "in_bounds", expect.in_bounds);
+  add(object, "finite", expect.finite);
+  if (expect.final_x_px) object.emplace_back("final_x_px", bounds_to_json(*expect.final_x_px));
+  if (expect.final_y_px) object.emplace_back("final_y_px", bounds_to_json(*expect.final_y_px));
+  if (expect.at_rest_since_s) object.emplace_back("at_rest_since_s", bounds_to_json(*expect.at_rest_since_s));
+  Object contacts;
+  if (expect.contacts.left) contacts.emplace_back("left", to_json(*expect.contacts.left));
+  if (expect.contacts.right) contacts.emplace_back("right", to_json(*expect.contacts.right));
+  if (expect.contacts.top) contacts.emplace_back("top", to_json(*expect.contacts.top));
+  if (expect.contacts.ground) contacts.emplace_back("ground", to_json(*expect.contacts.ground));
+  if (!contacts.empty()) object.emplace_back("contacts", contacts);
+  add(object, "state_hash", expect.state_hash);
+  add(object, "implementation_px_max", expect.implementation_px_max);
+  add(object, "truncation_px_max", expect.truncation_px_max);
+  add(object, "energy_drift_rel_max", expect.energy_drift_rel_max);
+  return object;
+}
+
+Json start_to_json(const Scenario& scenario) {
+  return Object{{"x_px", scenario.start.x_px},
+                {"y_px", scenario.start.y_px},
+                {"vx_px_per_s", scenario.start_velocity.vx_px_per_s},
+                {"vy_px_per_s", scenario.start_velocity.vy_px_per_s}};
+}
+
+}  // namespace
+
+Json to_json(const Scenario& scenario) {
+  Object document;
+  add(document, "$schema", scenario.schema);
+  document.emplace_back("format", kScenarioFormat);
+  document.emplace_back("name", scenario.name);
+  add(document, "description", scenario.description);
+  document.emplace_back("window", to_json(scenario.window));
+  document.emplace_back("sprite", to_json(scenario.sprite));
+  document.emplace_back("start", start_to_json(scenario));
+  document.emplace_back("clock", to_json(scenario.clock));
+  if (const auto* steps = std::get_if<std::int64_t>(&scenario.length)) document.emplace_back("steps", *steps);
+  if (const auto* duration_s = std::get_if<double>(&scenario.length))
+    document.emplace_back("duration_s", *duration_s);
+  Json::Array events;
+  for (const Event& event : scenario.events) events.push_back(to_json(event));
+  if (!events.empty()) document.emplace_back("events", std::move(events));
+  if (scenario.record_every != 1) document.emplace_back("record", Object{{"every", scenario.record_every}});
+  if (scenario.expect) document.emplace_back("expect", to_json(*scenario.expect));
+  return document;
+}
+
+std::string scenario_file_text(const Scenario& scenario) {
+  return to_text(to_json(scenario), {.depth_indented = 1}) + "\n";
+}
+
+}  // namespace hyrax

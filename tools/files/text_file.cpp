@@ -1,0 +1,47 @@
+#include "tools/files/text_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "tools/files/atomic_file.h"
+#include "tools/files/failure.h"
+
+namespace hyrax {
+namespace {
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+[[noreturn]] void fail_to_read(const std::string& path, int error_number) {
+  throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(error_number));
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path) {
+  if (std::filesystem::is_directory(path)) fail_to_read(path, EISDIR);
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) fail_to_read(path, errno);
+  std::string text;
+  char part[65536];
+  for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, file.get())) > 0;)
+    text.append(part, size);
+  if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
+  return text;
+}
+
+void write_text_file(const std::string& path, std::string_view text) {
+  AtomicFile target(path);
+  File file(std::fopen(target.part_path().c_str(), "wb"));
+  if (!file) fail_to_write(path, errno);
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
+  if (std::fclose(file.release()) != 0 || !is_written) fail_to_write(path, errno);
+  target.commit();
+}
+
+}  // namespace hyrax

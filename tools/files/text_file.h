@@ -1,0 +1,15 @@
+// Whole text files: reading, and writing that leaves the old file or the whole new one.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hyrax {
+
+/// ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON".
+[[nodiscard]] std::string read_text_file(const std::string& path);
+
+/// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it was.
+void write_text_file(const std::string& path, std::string_view text);
+
+}  // namespace hyrax
