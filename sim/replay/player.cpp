@@ -229,7 +229,7 @@ void Replay::Player::flush_rows() {
 void Replay::Player::close_block(std::int64_t count) {
   const Digest block_digest = digest(block_);
   hash_.add(block_digest, count);
-  if (wants_.blocks) sink_.block({block_keyframe_.row.step, block_digest, block_keyframe_}, count);
+  if (wants_.blocks) sink_.block({block_digest, block_keyframe_, block_}, count);
   block_.shrink(0);
 }
 

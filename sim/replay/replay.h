@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim/replay/run_summary.h"
+#include "sim/trajectory/run_summary.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/row_sink.h"
 

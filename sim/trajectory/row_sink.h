@@ -10,11 +10,11 @@
 
 namespace hyrax {
 
-/// 4,096 consecutive rows (the last block may be shorter) in 16 bytes, with the state of the first.
+/// 4,096 consecutive rows (the last block may be shorter), with the state of the first.
 struct Block {
-  std::int64_t first_step = 0;
   Digest digest{};
-  Keyframe keyframe;  ///< At row first_step.
+  Keyframe keyframe;  ///< At the block's first row.
+  const RowBlock& rows;
 };
 
 /// Receives rows, contacts and blocks in order; what it does not want, it leaves as it is. A

@@ -1,6 +1,7 @@
 #include "tools/files/atomic_file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -41,6 +42,13 @@ AtomicFile::AtomicFile(const std::string& path) : path_(behind_links(path)) {
 
 AtomicFile::~AtomicFile() {
   if (!part_path_.empty()) unlink(part_path_.c_str());
+}
+
+void AtomicFile::write(std::string_view text) const {
+  std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
+  if (file == nullptr) fail_to_write(path_, errno);
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);
 }
 
 void AtomicFile::commit() {

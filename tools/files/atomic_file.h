@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace hyrax {
 
@@ -17,6 +18,8 @@ class AtomicFile {
   ~AtomicFile();
 
   [[nodiscard]] const std::string& part_path() const { return part_path_; }
+  /// Fills the part file. ERRORS: Failure(cannot_access).
+  void write(std::string_view text) const;
   /// Puts the part file in its place. ERRORS: Failure(cannot_access).
   void commit();
 

@@ -36,12 +36,9 @@ std::string read_text_file(const std::string& path) {
 }
 
 void write_text_file(const std::string& path, std::string_view text) {
-  AtomicFile target(path);
-  File file(std::fopen(target.part_path().c_str(), "wb"));
-  if (!file) fail_to_write(path, errno);
-  const bool is_written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
-  if (std::fclose(file.release()) != 0 || !is_written) fail_to_write(path, errno);
-  target.commit();
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace hyrax

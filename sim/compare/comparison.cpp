@@ -1,0 +1,58 @@
+#include "sim/compare/comparison.h"
+
+#include <algorithm>
+
+namespace hyrax {
+namespace {
+
+bool is_same(const Contact& a, const Contact& b) {
+  return a.step == b.step && a.last_step == b.last_step && a.wall == b.wall;
+}
+
+bool is_before(const Contact& a, const Contact& b) {
+  if (a.step != b.step) return a.step < b.step;
+  return a.wall != b.wall ? a.wall < b.wall : a.last_step < b.last_step;
+}
+
+// The contacts of `a` at that wall that `b` does not have.
+std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector<Contact>& b, Wall wall) {
+  std::vector<Contact> missing;
+  auto other = b.begin();
+  for (const Contact& contact : a) {
+    if (contact.wall != wall) continue;
+    other = std::find_if_not(other, b.end(), [&](const Contact& c) { return is_before(c, contact); });
+    if (other == b.end() || !is_same(*other, contact)) missing.push_back(contact);
+  }
+  return missing;
+}
+
+}  // namespace
+
+std::string_view name_of(DifferenceClass difference) {
+  switch (difference) {
+    case DifferenceClass::bits:
+      return "bits";
+    case DifferenceClass::contacts:
+      return "contacts";
+    case DifferenceClass::shape:
+      return "shape";
+  }
+  return "";
+}
+
+ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  ContactChanges changes;
+  for (const Wall wall : kWalls) {
+    const std::vector<Contact> gone = missing_in(a, b, wall);
+    const std::vector<Contact> come = missing_in(b, a, wall);
+    const std::size_t pairs = std::min(gone.size(), come.size());
+    for (std::size_t pair = 0; pair < pairs; ++pair) changes.moved.push_back({gone[pair], come[pair]});
+    changes.only_a.insert(changes.only_a.end(), gone.begin() + static_cast<std::ptrdiff_t>(pairs),
+                          gone.end());
+    changes.only_b.insert(changes.only_b.end(), come.begin() + static_cast<std::ptrdiff_t>(pairs),
+                          come.end());
+  }
+  return changes;
+}
+
+}  // namespace hyrax

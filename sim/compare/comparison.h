@@ -1,0 +1,73 @@
+// What comparing two runs found.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row.h"
+
+namespace hyrax {
+
+/// Of a difference, the worst that applies.
+enum class DifferenceClass {
+  bits,      ///< Same contacts at the same steps, only rounding differs.
+  contacts,  ///< A contact moved, appeared or vanished.
+  shape,     ///< Other length, missing data, another scenario or physics model.
+};
+[[nodiscard]] std::string_view name_of(DifferenceClass difference);
+
+/// The fields of a row, in the order in which a difference is looked for.
+struct RowField {
+  std::string_view name;
+  double (*value)(const Row&);
+};
+inline constexpr std::array<RowField, 7> kRowFields = {{
+    {"t", [](const Row& row) { return row.t_s; }},
+    {"dt", [](const Row& row) { return row.dt_s; }},
+    {"x", [](const Row& row) { return row.x_px; }},
+    {"y", [](const Row& row) { return row.y_px; }},
+    {"vx", [](const Row& row) { return row.vx_px_per_s; }},
+    {"vy", [](const Row& row) { return row.vy_px_per_s; }},
+    {"contact", [](const Row& row) { return static_cast<double>(row.contact); }},
+}};
+
+/// Where two runs part.
+struct Divergence {
+  std::int64_t step = 0;           ///< Row number.
+  std::string field;               ///< One of kRowFields, or "state" where only a digest tells.
+  std::optional<double> expected;  ///< Not known where only a row check or a digest tells.
+  std::optional<double> actual;
+  std::optional<std::uint64_t> ulps;
+};
+
+/// How the contacts of two runs differ. A moved contact is one of the same wall at another step.
+struct ContactChanges {
+  struct Moved {
+    Contact from;
+    Contact to;
+  };
+  std::vector<Moved> moved;
+  std::vector<Contact> only_a;
+  std::vector<Contact> only_b;
+  [[nodiscard]] bool is_none() const { return moved.empty() && only_a.empty() && only_b.empty(); }
+};
+
+struct Comparison {
+  bool agrees = true;
+  std::optional<DifferenceClass> difference;  ///< Where they do not agree.
+  std::string shape;                          ///< What differs in shape, a sentence.
+  std::optional<Divergence> first;
+  ContactChanges contacts;
+  std::vector<Row> expected_around;  ///< Rows near the first divergence, as far as they are known.
+  std::vector<Row> actual_around;
+};
+
+/// The changes from contacts `a` to `b`, both in order of their first step.
+[[nodiscard]] ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b);
+
+}  // namespace hyrax

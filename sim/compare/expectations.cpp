@@ -1,0 +1,77 @@
+#include "sim/compare/expectations.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace hyrax {
+namespace {
+
+std::string text_of(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string text_of(const Interval& interval) {
+  if (interval.low == interval.high) return text_of(interval.high);
+  if (std::isinf(interval.low)) return "at most " + text_of(interval.high);
+  return text_of(interval.low) + " .. " + text_of(interval.high);
+}
+
+class Judge {
+ public:
+  std::vector<Expectation> take() { return std::move(verdicts_); }
+
+  void is(const char* rule, const std::optional<bool>& wanted, bool measured) {
+    if (wanted) verdicts_.push_back({rule, *wanted ? "true" : "false", *wanted == measured, measured});
+  }
+  // What was not measured, as the moment of rest of a run that does not rest, is never within.
+  void within(const char* rule, const std::optional<Interval>& wanted,
+              const std::optional<double>& measured) {
+    if (!wanted) return;
+    Expectation verdict{rule, text_of(*wanted), false, {}};
+    if (measured) {
+      verdict.holds = *measured >= wanted->low && *measured <= wanted->high;
+      verdict.measured = *measured;
+    }
+    verdicts_.push_back(std::move(verdict));
+  }
+  void at_most(const char* rule, const std::optional<double>& wanted, double measured) {
+    if (wanted) verdicts_.push_back({rule, "at most " + text_of(*wanted), measured <= *wanted, measured});
+  }
+  void equals(const char* rule, const std::optional<std::string>& wanted, const std::string& measured) {
+    if (wanted) verdicts_.push_back({rule, *wanted, *wanted == measured, measured});
+  }
+
+ private:
+  std::vector<Expectation> verdicts_;
+};
+
+}  // namespace
+
+std::vector<Expectation> judge(const Expect& expect, const RunSummary& summary,
+                               const std::optional<RunErrors>& errors) {
+  Judge judge;
+  const auto count = [&](Wall wall) { return static_cast<double>(summary.contacts[wall_index(wall)]); };
+  judge.is("in_bounds", expect.in_bounds, !summary.out_of_bounds_step);
+  judge.is("finite", expect.finite, !summary.non_finite_step);
+  judge.within("final_x_px", expect.final_x_px, summary.final.x_px);
+  judge.within("final_y_px", expect.final_y_px, summary.final.y_px);
+  judge.within("at_rest_since_s", expect.at_rest_since_s, summary.at_rest_since_s);
+  judge.within("contacts/left", expect.contacts.left, count(Wall::left));
+  judge.within("contacts/right", expect.contacts.right, count(Wall::right));
+  judge.within("contacts/top", expect.contacts.top, count(Wall::top));
+  judge.within("contacts/ground", expect.contacts.ground, count(Wall::ground));
+  judge.equals("state_hash", expect.state_hash, hex(summary.state_hash));
+  if (errors) {
+    judge.at_most("implementation_px_max", expect.implementation_px_max, errors->implementation_px);
+    judge.at_most("truncation_px_max", expect.truncation_px_max, errors->truncation_px);
+    judge.at_most("energy_drift_rel_max", expect.energy_drift_rel_max, errors->energy_drift_rel);
+  }
+  return judge.take();
+}
+
+bool bounds_errors(const Expect& expect) {
+  return expect.implementation_px_max || expect.truncation_px_max || expect.energy_drift_rel_max;
+}
+
+}  // namespace hyrax

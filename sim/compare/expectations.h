@@ -1,0 +1,36 @@
+// What a scenario's author means to hold, against what the run came to.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/run_summary.h"
+
+namespace hyrax {
+
+/// The three errors of a run that `expect` may bound; see sim/reference.
+struct RunErrors {
+  double implementation_px = 0.0;
+  double truncation_px = 0.0;
+  double energy_drift_rel = 0.0;
+};
+
+struct Expectation {
+  std::string rule;    ///< The key in `expect`, as "contacts/left".
+  std::string wanted;  ///< "true", "1069 .. 1070", "at most 3".
+  bool holds = false;
+  std::variant<std::monostate, bool, double, std::string> measured;  ///< Nothing where there is none.
+};
+
+/// A verdict for each rule that is set, in the format's order.
+/// REQUIRES: the summary looked for bounds if in_bounds is set; `errors` where an error is bounded.
+[[nodiscard]] std::vector<Expectation> judge(const Expect& expect, const RunSummary& summary,
+                                             const std::optional<RunErrors>& errors = {});
+
+/// Whether `expect` bounds an error against the reference.
+[[nodiscard]] bool bounds_errors(const Expect& expect);
+
+}  // namespace hyrax

@@ -1,0 +1,173 @@
+#include "sim/compare/run_comparer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "sim/compare/ulps.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kRowsAround = 2;
+
+template <class Value>
+bool is_same_column(const std::vector<Value>& kept, std::size_t first, const std::vector<Value>& batch) {
+  return first + batch.size() <= kept.size() &&
+         std::memcmp(kept.data() + first, batch.data(), batch.size() * sizeof(Value)) == 0;
+}
+
+bool is_same(const Columns& kept, std::size_t first, const Columns& batch) {
+  return is_same_column(kept.step, first, batch.step) && is_same_column(kept.t_s, first, batch.t_s) &&
+         is_same_column(kept.dt_s, first, batch.dt_s) && is_same_column(kept.x_px, first, batch.x_px) &&
+         is_same_column(kept.y_px, first, batch.y_px) &&
+         is_same_column(kept.vx_px_per_s, first, batch.vx_px_per_s) &&
+         is_same_column(kept.vy_px_per_s, first, batch.vy_px_per_s) &&
+         is_same_column(kept.contact, first, batch.contact);
+}
+
+bool has_same_bits(const Contact& a, const Contact& b) {
+  const auto same = [&](double Contact::*value) { return same_bits(a.*value, b.*value); };
+  return a.step == b.step && a.last_step == b.last_step && a.wall == b.wall && same(&Contact::t_s) &&
+         same(&Contact::x_px) && same(&Contact::y_px) && same(&Contact::vx_before_px_per_s) &&
+         same(&Contact::vy_before_px_per_s) && same(&Contact::vx_after_px_per_s) &&
+         same(&Contact::vy_after_px_per_s) && same(&Contact::overshoot_px);
+}
+
+}  // namespace
+
+std::optional<Divergence> first_difference(const Row& expected, const Row& actual) {
+  for (const RowField& field : kRowFields) {
+    const double a = field.value(expected);
+    const double b = field.value(actual);
+    if (!same_bits(a, b) || std::isnan(a))
+      return Divergence{actual.step, std::string(field.name), a, b, ulps_between(a, b)};
+  }
+  return std::nullopt;
+}
+
+void RunComparer::rows(const Columns& batch) {
+  const auto first = static_cast<std::size_t>(rows_seen_);
+  rows_seen_ += static_cast<std::int64_t>(batch.size());
+  if (result_.first || is_same(kept_.rows, first, batch)) return;
+  for (std::size_t index = 0; index < batch.size() && first + index < kept_.rows.size(); ++index) {
+    result_.first = first_difference(kept_.rows.row(first + index), batch.row(index));
+    if (result_.first) return look_around(batch, index);
+  }
+}
+
+void RunComparer::look_around(const Columns& batch, std::size_t index) {
+  const std::size_t first = index < kRowsAround ? 0 : index - kRowsAround;
+  for (std::size_t at = first; at < std::min(batch.size(), index + kRowsAround + 1); ++at) {
+    const auto kept = static_cast<std::size_t>(batch.step[at]);
+    result_.actual_around.push_back(batch.row(at));
+    if (kept < kept_.rows.size()) result_.expected_around.push_back(kept_.rows.row(kept));
+  }
+}
+
+void RunComparer::block(const Block& block, std::int64_t count) {
+  while (count > 0 && !result_.first && kept_block_ < kept_.blocks.size()) {
+    const StoredBlock& kept = kept_.blocks[kept_block_];
+    const std::int64_t first_step =
+        kept.keyframe.row.step + kept_block_used_ * static_cast<std::int64_t>(kBlockRows);
+    if (kept.digest != block.digest) return find_row(kept, block, first_step);
+    if (kept_block_used_ == 0) check_upkeep(kept, block);
+    const std::int64_t used = std::min(count, kept.count - kept_block_used_);
+    count -= used;
+    kept_block_used_ += used;
+    if (kept_block_used_ == kept.count) {
+      ++kept_block_;
+      kept_block_used_ = 0;
+    }
+  }
+}
+
+// Where the digests agree, all that is kept beside them must agree as well.
+void RunComparer::check_upkeep(const StoredBlock& kept, const Block& block) {
+  if (!is_same_keyframe(kept.keyframe, block.keyframe)) damage_ = "keyframes";
+  for (std::size_t index = 0; index < kept.checks.size(); ++index)
+    if (index >= block.rows.size() || check_of(block.rows.row(index)) != kept.checks[index])
+      damage_ = "row checks";
+}
+
+void RunComparer::find_row(const StoredBlock& kept, const Block& block, std::int64_t first_step) {
+  const RowBlock expected = expand_ ? expand_(kept) : RowBlock();
+  if (expected.size() > 0 && digest(expected) == kept.digest && find_row_in(expected, block)) return;
+  if (find_row_by_checks(kept, block)) return;
+  result_.first = Divergence{first_step, "state", std::nullopt, std::nullopt, std::nullopt};
+}
+
+bool RunComparer::find_row_in(const RowBlock& expected, const Block& block) {
+  const auto row_of = [&](const RowBlock& rows, std::size_t index) {
+    Row row = rows.row(index);
+    row.step = block.keyframe.row.step + static_cast<std::int64_t>(index);
+    return row;
+  };
+  for (std::size_t index = 0; index < std::min(expected.size(), block.rows.size()); ++index) {
+    result_.first = first_difference(row_of(expected, index), row_of(block.rows, index));
+    if (result_.first) return true;
+  }
+  return false;
+}
+
+bool RunComparer::find_row_by_checks(const StoredBlock& kept, const Block& block) {
+  constexpr std::size_t kFirstField = 1;  // Checks have no t; else they are in the fields' order.
+  for (std::size_t index = 0; index < std::min(kept.checks.size(), block.rows.size()); ++index) {
+    Row actual = block.rows.row(index);
+    actual.step = block.keyframe.row.step + static_cast<std::int64_t>(index);
+    const RowCheck check = check_of(actual);
+    const auto differing = std::mismatch(check.begin(), check.end(), kept.checks[index].begin()).first;
+    if (differing == check.end()) continue;
+    const RowField& field = kRowFields[kFirstField + static_cast<std::size_t>(differing - check.begin())];
+    result_.first =
+        Divergence{actual.step, std::string(field.name), std::nullopt, field.value(actual), std::nullopt};
+    if (index > 0) return true;
+    const double expected = field.value(kept.keyframe.row);
+    result_.first->expected = expected;
+    result_.first->ulps = ulps_between(expected, *result_.first->actual);
+    return true;
+  }
+  return false;
+}
+
+std::string RunComparer::contradiction(const Played& played) const {
+  if (!damage_.empty()) return damage_;
+  if (kept_.state_hash != played.state_hash) return "state hash";
+  if (kept_.inputs != played.inputs) return "events";
+  if (first_difference(kept_.final, played.final)) return "last row";
+  if (!std::equal(kept_.contacts.begin(), kept_.contacts.end(), contacts_.begin(), contacts_.end(),
+                  has_same_bits))
+    return "contacts";
+  return "";
+}
+
+std::string RunComparer::difference_in_shape(const Played& played) const {
+  if (!plays_the_same(kept_.scenario, played.scenario)) return "the golden file is of another scenario";
+  if (kept_.physics != played.physics)
+    return "the golden file is of physics model '" + kept_.physics + "', this is '" +
+           std::string(played.physics) + "'";
+  if (kept_.steps != played.steps)
+    return "the golden file has " + std::to_string(kept_.steps) + " steps, the run has " +
+           std::to_string(played.steps);
+  if (result_.first || !result_.contacts.is_none()) return "";
+  const std::string damage = contradiction(played);
+  if (!damage.empty())
+    return "the golden file contradicts itself (" + damage +
+           "): its rows agree with the run; it was changed after blessing";
+  return "";
+}
+
+Comparison RunComparer::finish(const Played& played) {
+  result_.contacts = contact_changes(kept_.contacts, contacts_);
+  result_.shape = difference_in_shape(played);
+  if (!result_.shape.empty())
+    result_.difference = DifferenceClass::shape;
+  else if (!result_.contacts.is_none())
+    result_.difference = DifferenceClass::contacts;
+  else if (result_.first)
+    result_.difference = DifferenceClass::bits;
+  result_.agrees = !result_.difference.has_value();
+  return std::move(result_);
+}
+
+}  // namespace hyrax

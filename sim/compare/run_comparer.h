@@ -1,0 +1,68 @@
+// A run, as it is played, against the one that is kept.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "sim/compare/comparison.h"
+#include "sim/trajectory/stored_run.h"
+
+namespace hyrax {
+
+/// Compares bits, row by row or block by block. Feed it a replay of `scenario`, then ask for the
+/// verdict.
+class RunComparer : public RowSink {
+ public:
+  /// Plays the rows of a kept block anew from its keyframe: where they give the kept digest they
+  /// are the kept rows, and the differing one can be told exactly.
+  using Expand = std::function<RowBlock(const StoredBlock&)>;
+
+  /// Refers to `kept`.
+  RunComparer(const StoredRun& kept, Expand expand) : kept_(kept), expand_(std::move(expand)) {}
+
+  [[nodiscard]] Wants wants() const override {
+    return {.rows_every = kept_.blocks.empty() ? 1 : 0, .contacts = true, .blocks = !kept_.blocks.empty()};
+  }
+  void rows(const Columns& batch) override;
+  void contact_began(const Contact& contact) override { contacts_.push_back(contact); }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+  }
+  void block(const Block& block, std::int64_t count) override;
+
+  /// What of the played run did not pass through the sink.
+  struct Played {
+    const Scenario& scenario;
+    std::int64_t steps;
+    std::string_view physics;
+    std::string state_hash;
+    Row final;
+    std::vector<Input> inputs;
+  };
+  [[nodiscard]] Comparison finish(const Played& played);
+
+ private:
+  void check_upkeep(const StoredBlock& kept, const Block& block);
+  void find_row(const StoredBlock& kept, const Block& block, std::int64_t first_step);
+  [[nodiscard]] bool find_row_in(const RowBlock& expected, const Block& block);
+  [[nodiscard]] bool find_row_by_checks(const StoredBlock& kept, const Block& block);
+  void look_around(const Columns& batch, std::size_t index);
+  [[nodiscard]] std::string contradiction(const Played& played) const;
+  [[nodiscard]] std::string difference_in_shape(const Played& played) const;
+
+  const StoredRun& kept_;
+  Expand expand_;
+  std::vector<Contact> contacts_;
+  std::int64_t rows_seen_ = 0;
+  std::size_t kept_block_ = 0;        // The kept block that the next block is compared with,
+  std::int64_t kept_block_used_ = 0;  // and how many of its repetitions were.
+  std::string damage_;                // What in the kept run contradicts itself.
+  Comparison result_;
+};
+
+/// The first field in which two rows differ in bits; nothing where none does. A NaN differs from
+/// everything.
+[[nodiscard]] std::optional<Divergence> first_difference(const Row& expected, const Row& actual);
+
+}  // namespace hyrax

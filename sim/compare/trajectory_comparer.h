@@ -1,0 +1,53 @@
+// Two recorded trajectories, value by value, within tolerances.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "sim/compare/comparison.h"
+#include "sim/trajectory/contact.h"
+
+namespace hyrax {
+
+/// A value agrees if its bits do or any given tolerance is met. Contacts must always agree, and a
+/// NaN agrees with nothing.
+struct Tolerance {
+  std::optional<double> abs;
+  std::optional<double> rel;  ///< Of the larger magnitude.
+  std::optional<std::int64_t> ulps;
+  [[nodiscard]] bool is_exact() const { return !abs && !rel && !ulps; }
+  [[nodiscard]] bool accepts(double a, double b) const;
+};
+
+/// The largest difference of a field, whether or not it is within the tolerance.
+struct WorstDifference {
+  std::int64_t step = 0;
+  double abs = 0.0;
+  std::optional<std::uint64_t> ulps;
+};
+
+class TrajectoryComparer {
+ public:
+  explicit TrajectoryComparer(Tolerance tolerance) : tolerance_(tolerance) {}
+
+  /// REQUIRES: rows of the same number, in order of steps.
+  void compare(const Row& a, const Row& b);
+  /// All contacts; after the rows.
+  void compare(const std::vector<Contact>& a, const std::vector<Contact>& b);
+
+  /// By the order of kRowFields; nothing where not one bit differs.
+  [[nodiscard]] const std::array<std::optional<WorstDifference>, kRowFields.size()>& worst() const {
+    return worst_;
+  }
+  [[nodiscard]] const std::optional<Divergence>& first() const { return first_; }
+  [[nodiscard]] const ContactChanges& contacts() const { return contacts_; }
+
+ private:
+  Tolerance tolerance_;
+  std::array<std::optional<WorstDifference>, kRowFields.size()> worst_;
+  std::optional<Divergence> first_;
+  ContactChanges contacts_;
+};
+
+}  // namespace hyrax

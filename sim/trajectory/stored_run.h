@@ -1,0 +1,77 @@
+// A run as a golden file keeps it: every row of a short one, block digests of a long one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/columns.h"
+#include "sim/trajectory/contact.h"
+#include "sim/trajectory/input.h"
+#include "sim/trajectory/keyframe.h"
+#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row_sink.h"
+#include "sim/trajectory/state_hash.h"
+
+namespace hyrax {
+
+/// Runs of more rows than this are kept as blocks.
+inline constexpr std::int64_t kStoredRowsMax = 2000;
+/// Only so many distinct blocks keep row checks, so that a golden file stays small.
+inline constexpr std::size_t kCheckedBlocksMax = 16;
+
+/// A byte for each of dt, x, y, vx, vy and contact: tells which row and field of a block differ
+/// where the digest can only say that one does. A difference goes unseen in 1 of 256.
+using RowCheck = std::array<std::uint8_t, 6>;
+[[nodiscard]] RowCheck check_of(const Row& row);
+
+/// A block, `count` times over.
+struct StoredBlock {
+  std::int64_t count = 1;
+  Digest digest{};
+  Keyframe keyframe;             ///< At the first row of the first of them.
+  std::vector<RowCheck> checks;  ///< One a row, or none.
+};
+
+/// Whether all bits of two keyframes are the same.
+[[nodiscard]] bool is_same_keyframe(const Keyframe& a, const Keyframe& b);
+
+struct StoredRun {
+  Scenario scenario;
+  std::string physics;  ///< Physics model.
+  std::int64_t steps = 0;
+  std::string state_hash;           ///< 32 hex digits.
+  Columns rows;                     ///< Every row of a short run; else empty.
+  std::vector<StoredBlock> blocks;  ///< Of a long run; else empty.
+  Row final;
+  std::vector<Contact> contacts;
+  std::int64_t contacts_total = 0;
+  std::vector<Input> inputs;
+};
+
+/// Keeps of a run what a StoredRun holds; scenario, hash and steps are its owner's to fill in.
+class RunRecorder : public RowSink {
+ public:
+  /// @param steps of the run: decides between rows and blocks.
+  explicit RunRecorder(std::int64_t steps) : is_short_(steps + 1 <= kStoredRowsMax) {}
+
+  [[nodiscard]] Wants wants() const override {
+    return {.rows_every = is_short_ ? 1 : 0, .contacts = true, .blocks = !is_short_};
+  }
+  void rows(const Columns& batch) override;
+  void contact_began(const Contact& contact) override { run_.contacts.push_back(contact); }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    run_.contacts[static_cast<std::size_t>(index)].last_step = last_step;
+  }
+  void block(const Block& block, std::int64_t count) override;
+
+  [[nodiscard]] StoredRun take() { return std::move(run_); }
+
+ private:
+  bool is_short_;
+  StoredRun run_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "sim/compare/expectations.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/difference_text.h"
+#include "tools/hyrax-sim/golden_check.h"
+#include "tools/hyrax-sim/run_report.h"
+#include "tools/hyrax-sim/scenario_list.h"
+#include "tools/store/golden_digest.h"
+#include "tools/store/golden_file.h"
+#include "tools/store/golden_place.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BlessRequest {
+  std::vector<std::string> files;
+  std::string reason;
+  std::string golden_folder;
+};
+
+GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
+  const auto place = golden_place(path, golden_folder);
+  if (!place)
+    throw Failure(
+        ExitCode::bad_input,
+        path + ": is in no folder named scenarios; say with --golden DIR where its golden file goes");
+  return *place;
+}
+
+// Says what the blessing changes; returns whether it changes anything.
+bool show_changes(const std::string& path, const GoldenPlace& place, const Scenario& scenario) {
+  if (!fs::exists(place.h5_path) || !fs::exists(place.txt_path)) {
+    fmt::print("{}: new golden file\n", path);
+    return true;
+  }
+  try {
+    const Comparison comparison = compare_with(read_golden(place.h5_path), scenario);
+    if (comparison.agrees) return false;
+    fmt::print("{}: changes {}\n{}", path, place.h5_path, difference_text(comparison));
+  } catch (const Failure& failure) {
+    fmt::print("{}: replaces a golden file that cannot be read ({})\n", path, failure.what());
+  }
+  return true;
+}
+
+void refuse_unexpected(const std::string& path, const FreshRun& fresh) {
+  std::string broken;
+  if (fresh.run.scenario.expect)
+    for (const Expectation& expectation : judge(*fresh.run.scenario.expect, fresh.summary))
+      if (!expectation.holds) broken += "; " + expectation_text(expectation);
+  if (fresh.summary.non_finite_step)
+    broken += fmt::format("; the state is not finite from step {}", *fresh.summary.non_finite_step);
+  if (!broken.empty())
+    throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
+}
+
+void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& reason) {
+  std::error_code error;
+  fs::create_directories(fs::path(place.h5_path).parent_path(), error);
+  AtomicFile rows(place.h5_path);
+  AtomicFile digest(place.txt_path);
+  write_golden(rows, place.h5_path, fresh.run);
+  digest.write(golden_digest_text(fresh.run, fresh.summary, reason));
+  rows.commit();
+  digest.commit();
+}
+
+void bless_one(const std::string& path, const BlessRequest& request) {
+  const Scenario scenario = load_scenario(path);
+  const GoldenPlace place = place_of(path, request.golden_folder);
+  if (!show_changes(path, place, scenario)) {
+    fmt::print("{}: agrees with {} already; nothing written\n", path, place.h5_path);
+    return;
+  }
+  const FreshRun fresh = play_for_golden(scenario);
+  refuse_unexpected(path, fresh);
+  write(place, fresh, request.reason);
+  fmt::print("{}: blessed, {}\n", path, place.h5_path);
+}
+
+ExitCode bless(const BlessRequest& request) {
+  if (request.reason.find_first_not_of(" \t\n") == std::string::npos)
+    throw Failure(
+        ExitCode::bad_input,
+        "hyrax-sim bless: --reason must say why the golden files change, as in --reason 'wider window'");
+  ExitCode exit_code = ExitCode::agreed;
+  for (const std::string& path : list_scenarios(request.files)) {
+    try {
+      bless_one(path, request);
+    } catch (const Failure& failure) {
+      fmt::print(stderr, "{}\n", failure.what());
+      exit_code = more_serious(exit_code, failure.exit_code());
+    }
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+Command bless_command() {
+  return {.name = "bless",
+          .summary = "make runs the new golden files, with a reason",
+          .example = "hyrax-sim bless scenarios/flings/first-fling.json --reason 'a longer throw'",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<BlessRequest>();
+            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
+            options.text(request->reason, {"--reason", "TEXT", "why; stands in the digest (required)"});
+            options.text(request->golden_folder,
+                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
+            return [request] { return bless(*request); };
+          }};
+}
+
+}  // namespace hyrax

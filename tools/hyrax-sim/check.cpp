@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "tools/files/text_file.h"
+#include "tools/hyrax-sim/check_verdict.h"
+#include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/progress.h"
+#include "tools/hyrax-sim/scenario_list.h"
+
+namespace hyrax {
+namespace {
+
+struct CheckRequest {
+  std::vector<std::string> files;
+  std::string golden_folder;
+  std::optional<std::int64_t> jobs;
+  std::string junit;
+  bool is_quick = false;
+  bool is_json = false;
+};
+
+std::vector<std::string> paths_of(CheckRequest& request) {
+  if (request.files.empty()) {
+    if (!std::filesystem::is_directory("scenarios"))
+      throw Failure(ExitCode::bad_input,
+                    "scenarios: there is no such folder here; name the scenarios or folders to check");
+    request.files = {"scenarios"};
+    if (request.golden_folder.empty()) request.golden_folder = "golden";
+  }
+  return list_scenarios(request.files);
+}
+
+// Each worker takes the next scenario until none is left; verdicts stand in the paths' order.
+std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, const CheckOptions& options,
+                                    std::int64_t jobs) {
+  std::vector<CheckVerdict> verdicts(paths.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> done = 0;
+  const auto work = [&] {
+    for (std::size_t index = next++; index < paths.size(); index = next++) {
+      verdicts[index] = check_scenario(paths[index], options);
+      ++done;
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (std::int64_t worker = 1;
+       worker < std::min<std::int64_t>(jobs, static_cast<std::int64_t>(paths.size())); ++worker)
+    workers.emplace_back(work);
+  Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
+  for (std::size_t index = next++; index < paths.size(); index = next++) {
+    verdicts[index] = check_scenario(paths[index], options);
+    progress.show(static_cast<std::int64_t>(++done));
+  }
+  workers.clear();
+  return verdicts;
+}
+
+ExitCode check(CheckRequest& request) {
+  const std::vector<std::string> paths = paths_of(request);
+  const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  const std::vector<CheckVerdict> verdicts =
+      check_all(paths, {.golden_folder = request.golden_folder, .is_quick = request.is_quick}, jobs);
+  if (!request.junit.empty()) write_text_file(request.junit, check_junit(verdicts));
+  if (request.is_json)
+    fmt::print("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
+  else
+    fmt::print("{}", check_text(verdicts));
+  ExitCode exit_code = ExitCode::agreed;
+  for (const CheckVerdict& verdict : verdicts) exit_code = more_serious(exit_code, verdict.exit_code);
+  return exit_code;
+}
+
+}  // namespace
+
+Command check_command() {
+  return {.name = "check",
+          .summary = "replay scenarios and compare every bit with their golden files",
+          .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<CheckRequest>();
+            options.files(
+                request->files,
+                {"SCENARIO or DIR", "", "scenario files, or folders of them; scenarios/ if left out"}, 0, -1);
+            options.text(request->golden_folder,
+                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
+            options.whole(request->jobs, {"--jobs", "N", "scenarios at a time; one a core if left out"}, 1);
+            options.text(request->junit, {"--junit", "FILE", "writes the verdicts as JUnit XML, too"});
+            options.flag(request->is_quick,
+                         {"--quick", "", "let the digest's hash decide, and read rows only on a mismatch"});
+            options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
+            return [request] { return check(*request); };
+          }};
+}
+
+}  // namespace hyrax

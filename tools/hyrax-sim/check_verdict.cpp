@@ -1,0 +1,97 @@
+#include "tools/hyrax-sim/check_verdict.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include "sim/replay/replay.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/hyrax-sim/golden_check.h"
+#include "tools/store/golden_digest.h"
+#include "tools/store/golden_file.h"
+#include "tools/store/golden_place.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+using Status = CheckVerdict::Status;
+
+std::vector<Expectation> broken_of(const Scenario& scenario, const RunSummary& summary) {
+  std::vector<Expectation> broken;
+  if (!scenario.expect) return broken;
+  for (Expectation& expectation : judge(*scenario.expect, summary))
+    if (!expectation.holds) broken.push_back(std::move(expectation));
+  return broken;
+}
+
+RunSummary play(const Scenario& scenario) {
+  RowSink nothing_wanted;
+  return replay(scenario, nothing_wanted, {.checks_bounds = scenario.expect && scenario.expect->in_bounds});
+}
+
+bool digest_agrees(const GoldenPlace& place, const RunSummary& summary) {
+  return read_digest_hash(place.txt_path) == hex(summary.state_hash);
+}
+
+void judge_run(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
+  const RunSummary summary = play(scenario);
+  const auto place = golden_place(verdict.path, options.golden_folder);
+  verdict.golden_path = place ? place->h5_path : "";
+  verdict.broken = broken_of(scenario, summary);
+  const bool has_golden = place && fs::exists(place->h5_path);
+  if (has_golden && !(options.is_quick && digest_agrees(*place, summary)))
+    verdict.comparison = compare_with(read_golden(place->h5_path), scenario);
+  const bool is_judged = has_golden || (scenario.expect && scenario.expect->state_hash);
+  if (!verdict.comparison.agrees || !verdict.broken.empty() || summary.non_finite_step)
+    verdict.status = Status::disagreed;
+  else if (!is_judged)
+    verdict.status = Status::missing;
+}
+
+ExitCode exit_code_of(Status status) {
+  switch (status) {
+    case Status::agreed:
+      return ExitCode::agreed;
+    case Status::disagreed:
+      return ExitCode::disagreed;
+    case Status::missing:
+      return ExitCode::golden_missing;
+    case Status::failed:
+      break;
+  }
+  return ExitCode::program_fault;
+}
+
+}  // namespace
+
+std::string_view name_of(Status status) {
+  switch (status) {
+    case Status::agreed:
+      return "agreed";
+    case Status::disagreed:
+      return "disagreed";
+    case Status::missing:
+      return "missing";
+    case Status::failed:
+      return "failed";
+  }
+  return "";
+}
+
+CheckVerdict check_scenario(const std::string& path, const CheckOptions& options) {
+  CheckVerdict verdict;
+  verdict.path = path;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    judge_run(load_scenario(path), options, verdict);
+    verdict.exit_code = exit_code_of(verdict.status);
+  } catch (const Failure& failure) {
+    verdict.status = Status::failed;
+    verdict.error = failure.what();
+    verdict.exit_code = failure.exit_code();
+  }
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return verdict;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,16 @@
+// All commands: a new one is a file of its own, a line here and a line in main.
+#pragma once
+
+#include "tools/hyrax-sim/options.h"
+
+namespace hyrax {
+
+[[nodiscard]] Command run_command();
+[[nodiscard]] Command check_command();
+[[nodiscard]] Command bless_command();
+[[nodiscard]] Command diff_command();
+[[nodiscard]] Command validate_command();
+[[nodiscard]] Command schema_command();
+[[nodiscard]] Command info_command();
+
+}  // namespace hyrax

@@ -1,0 +1,26 @@
+// A scenario's run against its golden file.
+#pragma once
+
+#include <vector>
+
+#include "sim/compare/comparison.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/run_summary.h"
+#include "sim/trajectory/stored_run.h"
+
+namespace hyrax {
+
+/// The inputs that a run of so many frames took.
+[[nodiscard]] std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps);
+
+/// Plays the scenario once more, against the kept run.
+[[nodiscard]] Comparison compare_with(const StoredRun& kept, const Scenario& scenario);
+
+/// Plays the scenario and keeps what a golden file holds.
+struct FreshRun {
+  StoredRun run;
+  RunSummary summary;
+};
+[[nodiscard]] FreshRun play_for_golden(const Scenario& scenario);
+
+}  // namespace hyrax

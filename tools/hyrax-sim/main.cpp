@@ -1,0 +1,28 @@
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "tools/hyrax-sim/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace hyrax;
+  ExitCode exit_code = ExitCode::program_fault;
+  try {
+    exit_code = run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc),
+                                 {run_command(), check_command(), bless_command(), diff_command(),
+                                  validate_command(), schema_command(), info_command()});
+  } catch (const Failure& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    exit_code = failure.exit_code();
+  } catch (const std::bad_alloc&) {
+    std::fputs("hyrax-sim: out of memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hyrax-sim: a fault of the program itself: %s\n", error.what());
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    std::fputs("hyrax-sim: standard output cannot be written\n", stderr);
+    exit_code = more_serious(exit_code, ExitCode::cannot_access);
+  }
+  return static_cast<int>(exit_code);
+}

@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/run_report.h"
+#include "tools/hyrax-sim/scenario_list.h"
+#include "tools/report/run_figure.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunRequest {
+  std::vector<std::string> files;
+  std::string output;
+  std::vector<std::string> overrides;
+  std::string figure;
+  std::string golden_folder;
+  bool computes_all = false;
+  bool is_json = false;
+};
+
+// A scenario that was read, or why it was not.
+struct Candidate {
+  std::string path;
+  std::optional<Scenario> scenario;
+  std::string output;
+  std::optional<Failure> failure;
+};
+
+std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || !text.starts_with('/'))
+      throw Failure(ExitCode::bad_input,
+                    "hyrax-sim run: --set " + text + ": must be POINTER=VALUE, as /clock/rate_hz=144");
+    overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return overrides;
+}
+
+Candidate read_candidate(const std::string& path, const std::vector<Override>& overrides) {
+  Candidate candidate;
+  candidate.path = path;
+  try {
+    candidate.scenario = load_scenario(path, overrides);
+  } catch (const Failure& failure) {
+    candidate.failure = failure;
+  }
+  return candidate;
+}
+
+bool is_folder(const RunRequest& request, std::size_t scenarios) {
+  return scenarios > 1 || request.output.ends_with('/') || fs::is_directory(request.output);
+}
+
+// Where each run is to be written; no two in the same place.
+void place_outputs(const RunRequest& request, std::vector<Candidate>& candidates) {
+  std::set<std::string> taken;
+  for (Candidate& candidate : candidates) {
+    if (!candidate.scenario) continue;
+    const std::string file_name = candidate.scenario->name + ".h5";
+    if (request.output.empty())
+      candidate.output = file_name;
+    else
+      candidate.output = is_folder(request, candidates.size())
+                             ? (fs::path(request.output) / file_name).string()
+                             : request.output;
+    if (!taken.insert(candidate.output).second)
+      throw Failure(ExitCode::bad_input, candidate.path +
+                                             ": another scenario of the same name would be written to " +
+                                             candidate.output + " as well; run them apart");
+  }
+}
+
+void make_output_folder(const RunRequest& request, std::size_t scenarios) {
+  if (request.output.empty() || !is_folder(request, scenarios)) return;
+  std::error_code error;
+  fs::create_directories(request.output, error);
+  if (error) throw Failure(ExitCode::cannot_access, request.output + ": cannot be made: " + error.message());
+}
+
+// Rows for a picture: as many as it can show, whatever the file records.
+class PictureSink : public RowSink {
+ public:
+  explicit PictureSink(std::int64_t steps) : every_(1 + steps / kRowsMax) {}
+  [[nodiscard]] Wants wants() const override { return {.rows_every = every_, .contacts = true}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
+  }
+  void contact_began(const Contact& contact) override {
+    if (contacts_.size() < kContactsMax) contacts_.push_back(contact);
+  }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    if (static_cast<std::size_t>(index) < contacts_.size())
+      contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+  }
+
+  Columns rows_;
+  std::vector<Contact> contacts_;
+
+ private:
+  static constexpr std::int64_t kRowsMax = 50'000;
+  static constexpr std::size_t kContactsMax = 10'000;
+  std::int64_t every_;
+};
+
+void draw(const std::string& path, const Scenario& scenario) {
+  PictureSink sink(step_count(scenario));
+  static_cast<void>(replay(scenario, sink));
+  draw_run_figure(path, scenario, sink.rows_, sink.contacts_);
+}
+
+class Runner {
+ public:
+  explicit Runner(const RunRequest& request) : request_(request) {}
+
+  ExitCode run(const std::vector<Candidate>& candidates) {
+    for (const Candidate& candidate : candidates) {
+      try {
+        if (candidate.failure) throw *candidate.failure;
+        run_one(candidate);
+      } catch (const Failure& failure) {
+        report_failure(candidate.path, failure);
+      }
+    }
+    if (request_.is_json)
+      fmt::print("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 3}));
+    return exit_code_;
+  }
+
+ private:
+  void run_one(const Candidate& candidate) {
+    const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,
+                                         {.golden_folder = request_.golden_folder,
+                                          .skips_repetition = !request_.computes_all,
+                                          .compares = request_.overrides.empty()});
+    if (!run.is_as_expected()) exit_code_ = more_serious(exit_code_, ExitCode::disagreed);
+    if (request_.is_json)
+      entries_.push_back(run_json(run));
+    else
+      fmt::print("{}", run_text(run));
+    if (request_.figure.empty()) return;
+    draw(request_.figure, *candidate.scenario);
+    if (!request_.is_json) fmt::print("  drawn          {}\n", request_.figure);
+  }
+
+  void report_failure(const std::string& path, const Failure& failure) {
+    exit_code_ = more_serious(exit_code_, failure.exit_code());
+    fmt::print(stderr, "{}\n", failure.what());
+    entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
+  }
+
+  const RunRequest& request_;
+  Json::Array entries_;
+  ExitCode exit_code_ = ExitCode::agreed;
+};
+
+ExitCode run(const RunRequest& request) {
+  const std::vector<Override> overrides = overrides_of(request.overrides);
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  if (!request.figure.empty() && paths.size() > 1)
+    throw Failure(ExitCode::bad_input, "hyrax-sim run: --figure draws one scenario, " +
+                                           std::to_string(paths.size()) + " are given");
+  std::vector<Candidate> candidates;
+  for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
+  place_outputs(request, candidates);
+  make_output_folder(request, candidates.size());
+  return Runner(request).run(candidates);
+}
+
+}  // namespace
+
+Command run_command() {
+  return {.name = "run",
+          .summary = "replay scenarios, write their trajectories and compare them with golden files",
+          .example =
+              "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
+              "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 -o at-144-hz.h5",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<RunRequest>();
+            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
+            options.text(request->output, {"-o,--output", "FILE or DIR",
+                                           "where the trajectory goes; NAME.h5 in this folder if left out"});
+            options.texts(request->overrides,
+                          {"--set", "POINTER=VALUE", "puts a value over the file's, by JSON Pointer"});
+            options.text(request->figure, {"--figure", "FILE.svg",
+                                           "draws window, path and contacts to scale (needs gnuplot)"});
+            options.text(request->golden_folder,
+                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
+            options.flag(request->computes_all, {"--no-skip", "", "compute steps that repeat exactly, too"});
+            options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
+            return [request] { return run(*request); };
+          }};
+}
+
+}  // namespace hyrax

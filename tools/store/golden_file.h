@@ -1,0 +1,18 @@
+// Golden files: a run as a trajectory file, every row of a short one, block digests of a long one.
+#pragma once
+
+#include <string>
+
+#include "sim/trajectory/stored_run.h"
+#include "tools/files/atomic_file.h"
+
+namespace hyrax {
+
+/// Writes the run into the file's part; the caller commits it.
+/// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON".
+void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run);
+
+/// ERRORS: as TrajectoryFile's.
+[[nodiscard]] StoredRun read_golden(const std::string& path);
+
+}  // namespace hyrax

@@ -1,0 +1,42 @@
+#include "tools/store/golden_place.h"
+
+#include <filesystem>
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As the user wrote it where that is enough: a path below the current folder stays relative.
+fs::path nearest_scenarios_folder(const fs::path& scenario_path) {
+  for (fs::path folder = scenario_path.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+    if (folder.filename() == "scenarios") return folder;
+    if (folder == folder.root_path()) break;
+  }
+  return {};
+}
+
+GoldenPlace place_at(fs::path path) {
+  const std::string h5_path = path.replace_extension(".h5").string();
+  return {h5_path, path.replace_extension(".txt").string()};
+}
+
+}  // namespace
+
+std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const std::string& golden_folder) {
+  fs::path path = fs::path(scenario_path).lexically_normal();
+  fs::path scenarios = nearest_scenarios_folder(path);
+  if (scenarios.empty() && path.is_relative()) {
+    path = fs::absolute(path).lexically_normal();
+    scenarios = nearest_scenarios_folder(path);
+  }
+  if (!scenarios.empty()) {
+    const fs::path golden =
+        golden_folder.empty() ? scenarios.parent_path() / "golden" : fs::path(golden_folder);
+    return place_at(golden / path.lexically_relative(scenarios));
+  }
+  if (!golden_folder.empty()) return place_at(fs::path(golden_folder) / path.filename());
+  return std::nullopt;
+}
+
+}  // namespace hyrax

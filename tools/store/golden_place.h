@@ -1,0 +1,21 @@
+// Where a scenario's golden file stands.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace hyrax {
+
+struct GoldenPlace {
+  std::string h5_path;   ///< The trajectory file.
+  std::string txt_path;  ///< Its digest, made for review in a diff.
+};
+
+/// By the scenario's path below the nearest folder named `scenarios`, in `golden_folder` or in the
+/// `golden` beside that folder; else by its file name in `golden_folder`. Nothing where neither
+/// says a place.
+/// @param golden_folder empty where none was given.
+[[nodiscard]] std::optional<GoldenPlace> golden_place(const std::string& scenario_path,
+                                                      const std::string& golden_folder);
+
+}  // namespace hyrax

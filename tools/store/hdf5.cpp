@@ -1,0 +1,113 @@
+#include "tools/store/hdf5.h"
+
+namespace hyrax::h5 {
+namespace {
+
+void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Handle object_list(hid_t list_class) {
+  Handle list(H5Pcreate(list_class), H5Pclose);
+  H5Pset_obj_track_times(list, false);
+  return list;
+}
+
+Handle dataset_list() {
+  Handle list = object_list(H5P_DATASET_CREATE);
+  H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
+  return list;
+}
+
+}  // namespace
+
+Handle create_file(const std::string& path) {
+  be_quiet();
+  const Handle creation = object_list(H5P_FILE_CREATE);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose};
+}
+
+Handle open_file(const std::string& path) {
+  be_quiet();
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+}
+
+Handle create_group(hid_t parent, const char* name) {
+  return {H5Gcreate2(parent, name, H5P_DEFAULT, object_list(H5P_GROUP_CREATE), H5P_DEFAULT), H5Gclose};
+}
+
+Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, dataset_list(), H5P_DEFAULT), H5Dclose};
+}
+
+Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {
+  const hsize_t none = 0;
+  const hsize_t unlimited = H5S_UNLIMITED;
+  const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+  const Handle creation = dataset_list();
+  H5Pset_chunk(creation, 1, &chunk);
+  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
+}
+
+herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* data) {
+  Handle space(H5Dget_space(dataset), H5Sclose);
+  const hsize_t end = first + count;
+  if (static_cast<hsize_t>(H5Sget_simple_extent_npoints(space)) < end) {
+    if (H5Dset_extent(dataset, &end) < 0) return -1;
+    space = Handle(H5Dget_space(dataset), H5Sclose);
+  }
+  const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr) < 0) return -1;
+  return H5Dwrite(dataset, memory_type, memory, space, H5P_DEFAULT, data);
+}
+
+Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+void write_attribute(hid_t object, const char* name, std::string_view text) {
+  const std::string terminated(text);
+  const char* const data = terminated.c_str();
+  const Handle type = text_type();
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  H5Awrite(attribute, type, static_cast<const void*>(&data));
+}
+
+void write_attribute(hid_t object, const char* name, std::int64_t value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  H5Awrite(attribute, H5T_NATIVE_INT64, &value);
+}
+
+std::optional<std::string> read_text_attribute(hid_t object, const char* name) {
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.is_open()) return std::nullopt;
+  const Handle file_type(H5Aget_type(attribute), H5Tclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (H5Tis_variable_str(file_type) <= 0 || H5Sget_simple_extent_npoints(space) != 1) return std::nullopt;
+  char* data = nullptr;
+  const Handle type = text_type();
+  if (H5Aread(attribute, type, static_cast<void*>(&data)) < 0 || data == nullptr) return std::nullopt;
+  std::string text(data);
+  H5free_memory(data);
+  return text;
+}
+
+std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* name) {
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.is_open()) return std::nullopt;
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  std::int64_t value = 0;
+  if (H5Tget_class(type) != H5T_INTEGER || H5Sget_simple_extent_npoints(space) != 1 ||
+      H5Aread(attribute, H5T_NATIVE_INT64, &value) < 0)
+    return std::nullopt;
+  return value;
+}
+
+}  // namespace hyrax::h5

@@ -1,0 +1,72 @@
+// The HDF5 C interface as far as this program uses it: handles that close themselves, and failures
+// that say what the library said.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hyrax::h5 {
+
+/// Owns one identifier of the library.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle() = default;
+  Handle(hid_t id, Close close_id) : id_(id), close_(close_id) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    if (this == &other) return *this;
+    static_cast<void>(close());
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    close_ = other.close_;
+    return *this;
+  }
+  ~Handle() { static_cast<void>(close()); }
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): goes into every H5 call.
+  [[nodiscard]] bool is_open() const { return id_ >= 0; }
+  /// Closes now; a failure to write what was held back shows here.
+  [[nodiscard]] herr_t close() {
+    const hid_t id = std::exchange(id_, H5I_INVALID_HID);
+    return id < 0 ? 0 : close_(id);
+  }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// A new file of a fixed, old format and without time stamps, so that equal content gives equal
+/// bytes and any reader since HDF5 1.8 opens it.
+[[nodiscard]] Handle create_file(const std::string& path);
+/// An existing file, to be read; not open where it is no HDF5 file. The library prints no errors of
+/// its own in the thread that made or opened a file so.
+[[nodiscard]] Handle open_file(const std::string& path);
+
+[[nodiscard]] Handle create_group(hid_t parent, const char* name);
+
+/// A dataset whose length is known: stored in one piece.
+[[nodiscard]] Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape);
+/// A dataset that grows, stored in chunks of `chunk` elements.
+[[nodiscard]] Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk);
+/// Elements `first` .. `first + count - 1` along the first axis, which is made longer if need be.
+/// Returns the library's verdict.
+[[nodiscard]] herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count,
+                                const void* data);
+
+void write_attribute(hid_t object, const char* name, std::string_view text);
+void write_attribute(hid_t object, const char* name, std::int64_t value);
+
+/// Nothing where the attribute is missing or of another type.
+[[nodiscard]] std::optional<std::string> read_text_attribute(hid_t object, const char* name);
+[[nodiscard]] std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* name);
+
+/// Variable-length UTF-8 text.
+[[nodiscard]] Handle text_type();
+
+}  // namespace hyrax::h5

@@ -1,0 +1,190 @@
+#include "tools/store/trajectory_file.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <unistd.h>
+
+#include "tools/files/failure.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/store/trajectory_format.h"
+
+namespace hyrax {
+namespace {
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& sentence) {
+  throw Failure(ExitCode::bad_input, path + ": " + sentence);
+}
+
+h5::Handle open_readable(const std::string& path) {
+  if (access(path.c_str(), R_OK) != 0)
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  h5::Handle file = h5::open_file(path);
+  if (!file.is_open()) refuse_file(path, "is no HDF5 file, or was cut short");
+  return file;
+}
+
+std::vector<NumberColumn> row_columns(hid_t file, const std::string& path) {
+  std::vector<NumberColumn> columns;
+  for (const RowColumn& column : kRowColumns)
+    columns.emplace_back(file, path, std::string("/trajectory/") + column.name, H5T_FLOAT, sizeof(double));
+  return columns;
+}
+
+}  // namespace
+
+NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
+                           H5T_class_t type_class, std::size_t element_bytes)
+    : place_(path + ": " + dataset), dataset_(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose) {
+  if (!dataset_.is_open()) throw Failure(ExitCode::bad_input, place_ + ": is missing");
+  const h5::Handle type(H5Dget_type(dataset_), H5Tclose);
+  if (H5Tget_class(type) != type_class || H5Tget_size(type) != element_bytes)
+    throw Failure(ExitCode::bad_input, place_ + ": is of a wrong type");
+  const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
+  hsize_t length = 0;
+  if (H5Sget_simple_extent_ndims(space) != 1 || H5Sget_simple_extent_dims(space, &length, nullptr) != 1)
+    throw Failure(ExitCode::bad_input, place_ + ": must have one axis");
+  const h5::Handle creation(H5Dget_create_plist(dataset_), H5Pclose);
+  if (length > 0 && H5Pget_layout(creation) == H5D_CONTIGUOUS &&
+      H5Dget_storage_size(dataset_) / element_bytes != length)
+    throw Failure(ExitCode::bad_input, place_ + ": was never written to its end");
+  length_ = static_cast<std::int64_t>(length);
+}
+
+void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const {
+  const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
+  const auto start = static_cast<hsize_t>(first);
+  const auto size = static_cast<hsize_t>(count);
+  const h5::Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &size, nullptr) < 0 ||
+      H5Dread(dataset_, memory_type, memory, space, H5P_DEFAULT, values) < 0)
+    throw Failure(ExitCode::bad_input, place_ + ": cannot be read; the file was cut short or damaged");
+}
+
+TrajectoryFile::TrajectoryFile(const std::string& path)
+    : path_(path),
+      file_(open_readable(path)),
+      head_(read_head()),
+      step_(file_, path, "/trajectory/step", H5T_INTEGER, sizeof(std::int64_t)),
+      columns_(row_columns(file_, path)),
+      contact_(file_, path, "/trajectory/contact", H5T_INTEGER, sizeof(std::uint8_t)) {
+  check_lengths();
+}
+
+FileHead TrajectoryFile::read_head() const {
+  const auto format = h5::read_text_attribute(file_, "format");
+  if (format != kTrajectoryFormat)
+    refuse("is of format '" + format.value_or("none") + "'; this program reads " +
+           std::string(kTrajectoryFormat));
+  FileHead head;
+  head.scenario = parse_scenario(text("scenario"), path_ + ": attribute scenario");
+  head.physics = text("physics");
+  head.state_hash = text("state_hash");
+  const auto steps = h5::read_integer_attribute(file_, "steps");
+  if (!steps || *steps < 0 || *steps > kStepsMax)
+    refuse("attribute steps: is missing or no whole number 0 .. 1e12");
+  head.steps = *steps;
+  return head;
+}
+
+std::string TrajectoryFile::text(const char* attribute) const {
+  const auto text = h5::read_text_attribute(file_, attribute);
+  if (!text) refuse(std::string("attribute ") + attribute + ": is missing or no text");
+  return *text;
+}
+
+void TrajectoryFile::check_lengths() const {
+  const auto require = [&](std::int64_t length, const char* name) {
+    if (length != row_count())
+      refuse(std::string("/trajectory/") + name + ": has " + std::to_string(length) +
+             " rows, /trajectory/step has " + std::to_string(row_count()));
+  };
+  for (std::size_t column = 0; column < columns_.size(); ++column)
+    require(columns_[column].length(), kRowColumns[column].name);
+  require(contact_.length(), "contact");
+  if (row_count() == 0) refuse("/trajectory: has no rows");
+  const auto last = step_.read<std::int64_t>(H5T_NATIVE_INT64, row_count() - 1, 1);
+  if (last.front() != head_.steps)
+    refuse("/trajectory/step: ends at row " + std::to_string(last.front()) + ", the attribute steps says " +
+           std::to_string(head_.steps));
+}
+
+Columns TrajectoryFile::rows(std::int64_t first, std::int64_t count) const {
+  Columns rows;
+  rows.step = step_.read<std::int64_t>(H5T_NATIVE_INT64, first, count);
+  for (std::size_t column = 0; column < columns_.size(); ++column)
+    rows.*kRowColumns[column].values = columns_[column].read<double>(H5T_NATIVE_DOUBLE, first, count);
+  rows.contact = contact_.read<std::uint8_t>(H5T_NATIVE_UINT8, first, count);
+  return rows;
+}
+
+std::vector<Contact> TrajectoryFile::contacts() const {
+  const NumberColumn step = column("/contacts/step", H5T_INTEGER, sizeof(std::int64_t));
+  const std::int64_t count = step.length();
+  const auto same_length = [&](NumberColumn other, const char* name) {
+    if (other.length() != count)
+      refuse(std::string("/contacts/") + name + ": has another length than /contacts/step");
+    return other;
+  };
+  const auto steps = step.read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
+  const auto last_steps =
+      same_length(column("/contacts/last_step", H5T_INTEGER, sizeof(std::int64_t)), "last_step")
+          .read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
+  const auto walls = same_length(column("/contacts/wall", H5T_INTEGER, sizeof(std::uint8_t)), "wall")
+                         .read<std::uint8_t>(H5T_NATIVE_UINT8, 0, count);
+  std::vector<Contact> contacts(static_cast<std::size_t>(count));
+  for (std::size_t index = 0; index < contacts.size(); ++index) {
+    if (walls[index] != 1 && walls[index] != 2 && walls[index] != 4 && walls[index] != 8)
+      refuse("/contacts/wall: must hold 1, 2, 4 or 8, holds " + std::to_string(walls[index]));
+    contacts[index].step = steps[index];
+    contacts[index].last_step = last_steps[index];
+    contacts[index].wall = static_cast<Wall>(walls[index]);
+  }
+  for (const ContactColumn& described : kContactColumns) {
+    const auto values =
+        same_length(column(std::string("/contacts/") + described.name, H5T_FLOAT, sizeof(double)),
+                    described.name)
+            .read<double>(H5T_NATIVE_DOUBLE, 0, count);
+    for (std::size_t index = 0; index < contacts.size(); ++index)
+      contacts[index].*described.value = values[index];
+  }
+  return contacts;
+}
+
+std::int64_t TrajectoryFile::contacts_total() const {
+  const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
+  const auto total = h5::read_integer_attribute(group, "total");
+  if (!total) refuse("/contacts: attribute total is missing or no whole number");
+  return *total;
+}
+
+std::vector<Input> TrajectoryFile::inputs() const {
+  const NumberColumn frame = column("/events/frame", H5T_INTEGER, sizeof(std::int64_t));
+  const NumberColumn kind = column("/events/kind", H5T_ENUM, sizeof(std::uint8_t));
+  const NumberColumn a = column("/events/a", H5T_FLOAT, sizeof(double));
+  const NumberColumn b = column("/events/b", H5T_FLOAT, sizeof(double));
+  const std::int64_t count = frame.length();
+  if (kind.length() != count || a.length() != count || b.length() != count)
+    refuse("/events: its datasets differ in length");
+  const h5::Handle dataset(H5Dopen2(file_, "/events/kind", H5P_DEFAULT), H5Dclose);
+  const h5::Handle kind_type(H5Dget_type(dataset), H5Tclose);
+  const auto frames = frame.read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
+  const auto kinds = kind.read<std::uint8_t>(kind_type, 0, count);
+  const auto as = a.read<double>(H5T_NATIVE_DOUBLE, 0, count);
+  const auto bs = b.read<double>(H5T_NATIVE_DOUBLE, 0, count);
+  std::vector<Input> inputs;
+  for (std::size_t index = 0; index < frames.size(); ++index)
+    inputs.push_back({frames[index], static_cast<InputKind>(kinds[index]), as[index], bs[index]});
+  return inputs;
+}
+
+bool TrajectoryFile::has(const char* group) const { return H5Lexists(file_, group, H5P_DEFAULT) > 0; }
+
+NumberColumn TrajectoryFile::column(const std::string& dataset, H5T_class_t type_class,
+                                    std::size_t element_bytes) const {
+  return {file_, path_, dataset, type_class, element_bytes};
+}
+
+void TrajectoryFile::refuse(const std::string& sentence) const { refuse_file(path_, sentence); }
+
+}  // namespace hyrax

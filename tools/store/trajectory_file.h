@@ -1,0 +1,78 @@
+// Reads `hyrax-trajectory/1` files, and refuses what is not whole.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/trajectory/columns.h"
+#include "sim/trajectory/contact.h"
+#include "sim/trajectory/input.h"
+#include "tools/store/file_head.h"
+#include "tools/store/hdf5.h"
+
+namespace hyrax {
+
+/// One dataset of numbers, checked: of that class and element size, one axis, all of it stored.
+class NumberColumn {
+ public:
+  /// ERRORS: Failure(bad_input) that names file and dataset.
+  NumberColumn(hid_t file, const std::string& path, const std::string& dataset, H5T_class_t type_class,
+               std::size_t element_bytes);
+
+  [[nodiscard]] std::int64_t length() const { return length_; }
+  /// Elements `first` .. `first + count - 1`. REQUIRES: first + count <= length().
+  template <class Value>
+  [[nodiscard]] std::vector<Value> read(hid_t memory_type, std::int64_t first, std::int64_t count) const {
+    std::vector<Value> values(static_cast<std::size_t>(count));
+    if (count > 0) read_into(memory_type, first, count, values.data());
+    return values;
+  }
+
+ private:
+  void read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const;
+
+  std::string place_;
+  h5::Handle dataset_;
+  std::int64_t length_ = 0;
+};
+
+/// ERRORS: opening and reading throw Failure(cannot_access) where the file cannot be read, and
+/// Failure(bad_input) "PATH: ..." where it is truncated, of another format, or a dataset is missing,
+/// of a wrong type or of a length that differs from its neighbours'.
+class TrajectoryFile {
+ public:
+  explicit TrajectoryFile(const std::string& path);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const FileHead& head() const { return head_; }
+  /// Recorded rows.
+  [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
+  /// Recorded rows `first` .. `first + count - 1`. REQUIRES: first + count <= row_count().
+  [[nodiscard]] Columns rows(std::int64_t first, std::int64_t count) const;
+  [[nodiscard]] std::vector<Contact> contacts() const;
+  /// Counts contacts beyond those recorded as well.
+  [[nodiscard]] std::int64_t contacts_total() const;
+  [[nodiscard]] std::vector<Input> inputs() const;
+
+  [[nodiscard]] bool has(const char* group) const;
+  /// A dataset of this file.
+  [[nodiscard]] NumberColumn column(const std::string& dataset, H5T_class_t type_class,
+                                    std::size_t element_bytes) const;
+  /// ERRORS: throws Failure(bad_input) "PATH: SENTENCE".
+  [[noreturn]] void refuse(const std::string& sentence) const;
+
+ private:
+  [[nodiscard]] FileHead read_head() const;
+  [[nodiscard]] std::string text(const char* attribute) const;
+  void check_lengths() const;
+
+  std::string path_;
+  h5::Handle file_;
+  FileHead head_;
+  NumberColumn step_;
+  std::vector<NumberColumn> columns_;
+  NumberColumn contact_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,53 @@
+// What reader and writer of `hyrax-trajectory/1` files agree on.
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/trajectory/columns.h"
+#include "sim/trajectory/contact.h"
+
+namespace hyrax {
+
+inline constexpr std::string_view kTrajectoryFormat = "hyrax-trajectory/1";
+inline constexpr std::string_view kPhysicsModel = "hyrax-physics/1";
+
+/// A column of doubles: its dataset, its unit, what it is, and where it stands in a batch.
+struct RowColumn {
+  const char* name;
+  const char* unit;
+  const char* long_name;
+  std::vector<double> Columns::*values;
+};
+
+inline constexpr std::array<RowColumn, 6> kRowColumns = {{
+    {"t", "s", "time since the start", &Columns::t_s},
+    {"dt", "s", "duration of the frame", &Columns::dt_s},
+    {"x", "px", "left edge of the sprite, to the right", &Columns::x_px},
+    {"y", "px", "top edge of the sprite, downwards", &Columns::y_px},
+    {"vx", "px/s", "velocity to the right", &Columns::vx_px_per_s},
+    {"vy", "px/s", "velocity downwards", &Columns::vy_px_per_s},
+}};
+
+struct ContactColumn {
+  const char* name;
+  const char* unit;
+  const char* long_name;
+  double Contact::*value;
+};
+
+inline constexpr std::array<ContactColumn, 8> kContactColumns = {{
+    {"t", "s", "time of the first clamped row", &Contact::t_s},
+    {"x", "px", "left edge of the sprite", &Contact::x_px},
+    {"y", "px", "top edge of the sprite", &Contact::y_px},
+    {"vx_before", "px/s", "velocity to the right as it met the wall", &Contact::vx_before_px_per_s},
+    {"vy_before", "px/s", "velocity downwards as it met the wall", &Contact::vy_before_px_per_s},
+    {"vx_after", "px/s", "velocity to the right after it", &Contact::vx_after_px_per_s},
+    {"vy_after", "px/s", "velocity downwards after it", &Contact::vy_after_px_per_s},
+    {"overshoot", "px", "how far past the wall the unclamped position was", &Contact::overshoot_px},
+}};
+
+}  // namespace hyrax

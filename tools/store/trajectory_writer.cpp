@@ -1,0 +1,45 @@
+#include "tools/store/trajectory_writer.h"
+
+#include <cerrno>
+
+namespace hyrax {
+
+TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scenario, std::int64_t steps)
+    : path_(path),
+      rows_every_(scenario.record_every),
+      target_(path),
+      file_(h5::create_file(target_.part_path())),
+      trajectory_(h5::create_group(file_, "trajectory")),
+      contacts_(h5::create_group(file_, "contacts")),
+      row_table_(trajectory_, row_count(steps, rows_every_)),
+      contact_table_(contacts_) {
+  require(file_.is_open());
+}
+
+void TrajectoryWriter::rows(const Columns& batch) { require(row_table_.append(batch)); }
+
+void TrajectoryWriter::contact_began(const Contact& contact) { require(contact_table_.append(contact)); }
+
+void TrajectoryWriter::contact_ended(std::int64_t index, std::int64_t last_step) {
+  require(contact_table_.set_last_step(index, last_step));
+}
+
+void TrajectoryWriter::finish(const FileHead& head, const std::vector<Input>& inputs,
+                              std::int64_t contacts_total) {
+  require(row_table_.finish());
+  require(contact_table_.finish());
+  h5::write_attribute(contacts_, "total", contacts_total);
+  require(write_head(file_, head, inputs));
+  row_table_.close();
+  contact_table_.close();
+  trajectory_ = {};
+  contacts_ = {};
+  require(file_.close() >= 0);
+  target_.commit();
+}
+
+void TrajectoryWriter::require(bool is_written) const {
+  if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
+}
+
+}  // namespace hyrax
