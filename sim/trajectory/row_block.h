@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <vector>
+#include <memory>
 
 #include "sim/trajectory/row.h"
 
@@ -42,11 +42,11 @@ class RowBlock {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t room() const { return kBlockRows - size_; }
-  [[nodiscard]] const std::byte* data() const { return bytes_.data(); }
+  [[nodiscard]] const std::byte* data() const { return bytes_.get(); }
 
   /// Makes room for `count` further rows and returns where they begin. REQUIRES: count <= room().
   [[nodiscard]] std::byte* extend(std::size_t count) {
-    std::byte* const begin = bytes_.data() + size_ * kPackedRowBytes;
+    std::byte* const begin = bytes_.get() + size_ * kPackedRowBytes;
     size_ += count;
     return begin;
   }
@@ -55,12 +55,12 @@ class RowBlock {
 
   /// Appends rows `first` .. `first + count - 1` of another block. REQUIRES: they fit.
   void append(const RowBlock& other, std::size_t first, std::size_t count) {
-    std::memcpy(extend(count), other.bytes_.data() + first * kPackedRowBytes, count * kPackedRowBytes);
+    std::memcpy(extend(count), other.bytes_.get() + first * kPackedRowBytes, count * kPackedRowBytes);
   }
 
   /// Row `index` of the block, without its step and time. REQUIRES: index < size().
   [[nodiscard]] Row row(std::size_t index) const {
-    const std::byte* bytes = bytes_.data() + index * kPackedRowBytes;
+    const std::byte* bytes = bytes_.get() + index * kPackedRowBytes;
     return {.dt_s = from_little_endian(bytes),
             .x_px = from_little_endian(bytes + 8),
             .y_px = from_little_endian(bytes + 16),
@@ -70,7 +70,7 @@ class RowBlock {
   }
 
  private:
-  std::vector<std::byte> bytes_ = std::vector<std::byte>(kBlockRows * kPackedRowBytes);
+  std::unique_ptr<std::byte[]> bytes_ = std::make_unique_for_overwrite<std::byte[]>(kBlockRows * kPackedRowBytes);
   std::size_t size_ = 0;
 };
 

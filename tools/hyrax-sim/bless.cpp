@@ -40,7 +40,7 @@ bool show_changes(const std::string& path, const GoldenPlace& place, const Scena
     return true;
   }
   try {
-    const Comparison comparison = compare_with(read_golden(place.h5_path), scenario);
+    const Comparison comparison = compare_with(read_golden(place.h5_path), scenario).comparison;
     if (comparison.agrees) return false;
     fmt::print("{}: changes {}\n{}", path, place.h5_path, difference_text(comparison));
   } catch (const Failure& failure) {

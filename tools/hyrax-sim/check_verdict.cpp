@@ -3,7 +3,6 @@
 #include <chrono>
 #include <filesystem>
 
-#include "sim/replay/replay.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/store/golden_digest.h"
@@ -24,23 +23,28 @@ std::vector<Expectation> broken_of(const Scenario& scenario, const RunSummary& s
   return broken;
 }
 
-RunSummary play(const Scenario& scenario) {
-  RowSink nothing_wanted;
-  return replay(scenario, nothing_wanted, {.checks_bounds = scenario.expect && scenario.expect->in_bounds});
-}
-
 bool digest_agrees(const GoldenPlace& place, const RunSummary& summary) {
   return read_digest_hash(place.txt_path) == hex(summary.state_hash);
 }
 
+// The run's summary, and in the verdict what the golden file says of it.
+RunSummary compare(const Scenario& scenario, const GoldenPlace& place, const CheckOptions& options,
+                   CheckVerdict& verdict) {
+  if (options.is_quick) {
+    const RunSummary summary = play(scenario);
+    if (digest_agrees(place, summary)) return summary;
+  }
+  ComparedRun compared = compare_with(read_golden(place.h5_path), scenario);
+  verdict.comparison = std::move(compared.comparison);
+  return compared.summary;
+}
+
 void judge_run(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
-  const RunSummary summary = play(scenario);
   const auto place = golden_place(verdict.path, options.golden_folder);
   verdict.golden_path = place ? place->h5_path : "";
-  verdict.broken = broken_of(scenario, summary);
   const bool has_golden = place && fs::exists(place->h5_path);
-  if (has_golden && !(options.is_quick && digest_agrees(*place, summary)))
-    verdict.comparison = compare_with(read_golden(place->h5_path), scenario);
+  const RunSummary summary = has_golden ? compare(scenario, *place, options, verdict) : play(scenario);
+  verdict.broken = broken_of(scenario, summary);
   const bool is_judged = has_golden || (scenario.expect && scenario.expect->state_hash);
   if (!verdict.comparison.agrees || !verdict.broken.empty() || summary.non_finite_step)
     verdict.status = Status::disagreed;

@@ -11,6 +11,10 @@
 namespace hyrax {
 namespace {
 
+ReplayOptions options_for(const Scenario& scenario) {
+  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds};
+}
+
 // Takes one block's rows.
 class BlockSink : public RowSink {
  public:
@@ -41,17 +45,22 @@ std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps) {
   return inputs_of(scenario, schedule_events(scenario, step_count(scenario)).frames, steps);
 }
 
-Comparison compare_with(const StoredRun& kept, const Scenario& scenario) {
+ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
   RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(scenario, block); });
-  const RunSummary summary = replay(scenario, comparer);
-  return comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash), summary.final,
-                          inputs_taken(scenario, summary.steps)});
+  const RunSummary summary = replay(scenario, comparer, options_for(scenario));
+  return {comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash), summary.final,
+                           inputs_taken(scenario, summary.steps)}),
+          summary};
+}
+
+RunSummary play(const Scenario& scenario) {
+  RowSink nothing_wanted;
+  return replay(scenario, nothing_wanted, options_for(scenario));
 }
 
 FreshRun play_for_golden(const Scenario& scenario) {
   RunRecorder recorder(step_count(scenario));
-  const bool checks_bounds = scenario.expect && scenario.expect->in_bounds;
-  const RunSummary summary = replay(scenario, recorder, {.checks_bounds = checks_bounds});
+  const RunSummary summary = replay(scenario, recorder, options_for(scenario));
   StoredRun run = recorder.take();
   run.scenario = scenario;
   run.physics = kPhysicsModel;

@@ -13,8 +13,15 @@ namespace hyrax {
 /// The inputs that a run of so many frames took.
 [[nodiscard]] std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps);
 
-/// Plays the scenario once more, against the kept run.
-[[nodiscard]] Comparison compare_with(const StoredRun& kept, const Scenario& scenario);
+/// Plays the scenario against the kept run.
+struct ComparedRun {
+  Comparison comparison;
+  RunSummary summary;
+};
+[[nodiscard]] ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario);
+
+/// Plays the scenario, rows wanted by nobody.
+[[nodiscard]] RunSummary play(const Scenario& scenario);
 
 /// Plays the scenario and keeps what a golden file holds.
 struct FreshRun {

@@ -47,7 +47,7 @@ Comparison compare_with_golden(const std::string& path, const Scenario& scenario
   if (plays_the_same(kept.scenario, scenario) && kept.physics == kPhysicsModel &&
       kept.steps == summary.steps && kept.state_hash == hex(summary.state_hash))
     return {};
-  return compare_with(kept, scenario);
+  return compare_with(kept, scenario).comparison;
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ void read_blocks(const TrajectoryFile& file, StoredRun& run) {
 }  // namespace
 
 void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run) {
-  h5::Handle file = h5::create_file(target.part_path());
+  h5::Handle file = h5::create_file(target.part_path(), 0);
   const bool is_written =
       file.is_open() && write_rows(file, kept_rows(run)) && write_contacts(file, run) &&
       (run.blocks.empty() || write_blocks(file, run.blocks)) &&

@@ -24,6 +24,11 @@ h5::Handle open_readable(const std::string& path) {
   return file;
 }
 
+bool is_contiguous(hid_t dataset) {
+  const h5::Handle creation(H5Dget_create_plist(dataset), H5Pclose);
+  return H5Pget_layout(creation) == H5D_CONTIGUOUS;
+}
+
 std::vector<NumberColumn> row_columns(hid_t file, const std::string& path) {
   std::vector<NumberColumn> columns;
   for (const RowColumn& column : kRowColumns)
@@ -44,21 +49,25 @@ NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::strin
   hsize_t length = 0;
   if (H5Sget_simple_extent_ndims(space) != 1 || H5Sget_simple_extent_dims(space, &length, nullptr) != 1)
     throw Failure(ExitCode::bad_input, place_ + ": must have one axis");
-  const h5::Handle creation(H5Dget_create_plist(dataset_), H5Pclose);
-  if (length > 0 && H5Pget_layout(creation) == H5D_CONTIGUOUS &&
-      H5Dget_storage_size(dataset_) / element_bytes != length)
+  if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_contiguous(dataset_))
     throw Failure(ExitCode::bad_input, place_ + ": was never written to its end");
   length_ = static_cast<std::int64_t>(length);
 }
 
 void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const {
+  const std::string damage = place_ + ": cannot be read; the file was cut short or damaged";
+  if (count == length_) {
+    if (H5Dread(dataset_, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+      throw Failure(ExitCode::bad_input, damage);
+    return;
+  }
   const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
   const auto start = static_cast<hsize_t>(first);
   const auto size = static_cast<hsize_t>(count);
   const h5::Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
   if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &size, nullptr) < 0 ||
       H5Dread(dataset_, memory_type, memory, space, H5P_DEFAULT, values) < 0)
-    throw Failure(ExitCode::bad_input, place_ + ": cannot be read; the file was cut short or damaged");
+    throw Failure(ExitCode::bad_input, damage);
 }
 
 TrajectoryFile::TrajectoryFile(const std::string& path)
@@ -160,6 +169,7 @@ std::int64_t TrajectoryFile::contacts_total() const {
 
 std::vector<Input> TrajectoryFile::inputs() const {
   const NumberColumn frame = column("/events/frame", H5T_INTEGER, sizeof(std::int64_t));
+  if (frame.length() == 0) return {};
   const NumberColumn kind = column("/events/kind", H5T_ENUM, sizeof(std::uint8_t));
   const NumberColumn a = column("/events/a", H5T_FLOAT, sizeof(double));
   const NumberColumn b = column("/events/b", H5T_FLOAT, sizeof(double));

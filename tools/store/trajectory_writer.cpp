@@ -3,12 +3,17 @@
 #include <cerrno>
 
 namespace hyrax {
+namespace {
+
+constexpr std::uint64_t kRowBytes = 57;  // step, t, dt, x, y, vx, vy and contact.
+
+}  // namespace
 
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scenario, std::int64_t steps)
     : path_(path),
       rows_every_(scenario.record_every),
       target_(path),
-      file_(h5::create_file(target_.part_path())),
+      file_(h5::create_file(target_.part_path(), kRowBytes * static_cast<std::uint64_t>(row_count(steps, rows_every_)))),
       trajectory_(h5::create_group(file_, "trajectory")),
       contacts_(h5::create_group(file_, "contacts")),
       row_table_(trajectory_, row_count(steps, rows_every_)),
