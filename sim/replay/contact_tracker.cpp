@@ -2,35 +2,29 @@
 
 namespace hyrax {
 
-ContactTracker::ContactTracker(RowSink& sink, std::uint8_t contact_before, std::int64_t step)
-    : sink_(sink), handed_on_max_(sink.wants().contacts ? kContactsRecordedMax : 0) {
-  touch(contact_before, step);
-}
+ContactTracker::ContactTracker(RowSink& sink)
+    : sink_(sink), handed_on_max_(sink.wants().contacts ? kContactsRecordedMax : 0) {}
 
 void ContactTracker::begin(const Contact& contact) {
-  Open& open = open_[wall_index(contact.wall)];
-  end(open);
-  open = {is_full() ? -1 : handed_on_, contact.step, contact.step};
+  open_[wall_index(contact.wall)] = {is_full() ? kNone : handed_on_, contact.step};
   ++counts_[wall_index(contact.wall)];
   if (is_full()) return;
   ++handed_on_;
   sink_.contact_began(contact);
 }
 
-void ContactTracker::pass_over(std::int64_t step, std::int64_t steps, const WallCounts& begun) {
-  for (std::size_t wall = 0; wall < open_.size(); ++wall) {
-    if (open_[wall].last_step == step) open_[wall].last_step += steps;
-    counts_[wall] += begun[wall];
-  }
+void ContactTracker::end(Wall wall, std::int64_t last_step) {
+  Open& open = open_[wall_index(wall)];
+  if (open.index != kNone && last_step > open.step) sink_.contact_ended(open.index, last_step);
+  open.index = kNone;
 }
 
-void ContactTracker::finish() {
-  for (Open& open : open_) end(open);
+void ContactTracker::count(const WallCounts& begun) {
+  for (std::size_t wall = 0; wall < counts_.size(); ++wall) counts_[wall] += begun[wall];
 }
 
-void ContactTracker::end(Open& open) {
-  if (open.index >= 0 && open.last_step > open.step) sink_.contact_ended(open.index, open.last_step);
-  open.index = -1;
+void ContactTracker::finish(std::int64_t last_step) {
+  for (const Wall wall : kWalls) end(wall, last_step);
 }
 
 }  // namespace hyrax

@@ -4,9 +4,11 @@
 // sprite is held do not change.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "sim/replay/rest_anchor.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/contact.h"
 #include "sim/trajectory/row_block.h"
@@ -32,24 +34,32 @@ struct Stretch {
   const Body* anchor = nullptr;  ///< Ends the stretch early at the row whose state has these bits.
 };
 
-/// A contact that began in row `offset` of the stretch, without its steps and time.
-struct BegunContact {
+/// A wall begins or ceases to clamp in row `offset` of the stretch.
+struct ContactChange {
   std::int64_t offset = 0;
-  Contact contact;
+  bool begins = false;
+  Contact contact;  ///< Of one that ceases only the wall; of one that begins all but steps and time.
 };
 
 /// What happened; reused from stretch to stretch.
 struct StretchLog {
   std::int64_t frames = 0;  ///< Played.
   bool met_anchor = false;
-  bool had_friction = false;  ///< A ground contact met a sprite that slid.
-  WallCounts clamped_steps{};
-  std::int64_t rest_steps = 0;
-  std::vector<BegunContact> begun;  ///< By offset; in a corner x before y.
+  bool had_friction = false;            ///< A ground contact met a sprite that slid.
+  std::array<std::int64_t, 32> rows{};  ///< By contact byte; of flight none are counted.
+  std::vector<ContactChange> changes;   ///< By offset; in a corner x before y.
+  std::int64_t moved_offset = -1;       ///< The last row that became the anchor of rest; -1: none.
+
+  [[nodiscard]] std::int64_t rows_with(std::uint8_t contact_bit) const {
+    std::int64_t count = 0;
+    for (std::size_t contact = 0; contact < rows.size(); ++contact)
+      if ((contact & contact_bit) != 0) count += rows[contact];
+    return count;
+  }
 };
 
-/// Plays the stretch, moves `body` and appends a row a frame to `rows`.
+/// Plays the stretch: moves `body` and the anchor of rest, and appends a row a frame to `rows`.
 /// REQUIRES: stretch.frames <= rows.room().
-void play(const Stretch& stretch, Body& body, RowBlock& rows, StretchLog& log);
+void play(const Stretch& stretch, Body& body, RestAnchor& rest, RowBlock& rows, StretchLog& log);
 
 }  // namespace hyrax

@@ -27,8 +27,7 @@ bool is_finite(const Body& body) {
 
 }  // namespace
 
-Replay::Player::Player(const Scenario& scenario, const Keyframe& from, std::uint8_t contact_before,
-                       RowSink& sink, ReplayOptions options)
+Replay::Player::Player(const Scenario& scenario, RowSink& sink, ReplayOptions options, const Keyframe& from)
     : scenario_(scenario),
       sink_(sink),
       wants_(sink.wants()),
@@ -37,8 +36,8 @@ Replay::Player::Player(const Scenario& scenario, const Keyframe& from, std::uint
       steps_(step_count(scenario)),
       event_frames_(schedule_events(scenario, steps_).frames),
       now_(from),
-      contacts_(sink, contact_before, from.row.step),
-      rest_(from.row.x_px, from.row.y_px, from.row.t_s) {
+      contacts_(sink),
+      rest_{from.row.x_px, from.row.y_px, from.row.t_s} {
   const auto next = std::lower_bound(event_frames_.begin(), event_frames_.end(), from.row.step);
   next_event_ = static_cast<std::size_t>(next - event_frames_.begin());
   const Row& row = from.row;
@@ -48,12 +47,12 @@ Replay::Player::Player(const Scenario& scenario, const Keyframe& from, std::uint
 }
 
 Replay::Player::Player(const Scenario& scenario, RowSink& sink, ReplayOptions options)
-    : Player(scenario, start_of(scenario), 0, sink, options) {
+    : Player(scenario, sink, options, start_of(scenario)) {
   if (wants_.rows_every > 0) record(now_.row);
 }
 
 Replay::Player::Player(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options)
-    : Player(scenario, from, from.row.contact, sink, options) {
+    : Player(scenario, sink, options, from) {
   const std::int64_t every = wants_.rows_every;
   if (every > 0) next_recorded_step_ = (from.row.step / every + 1) * every;
 }
@@ -77,12 +76,13 @@ Body Replay::Player::body() const {
   return {now_.row.x_px, now_.row.y_px, now_.row.vx_px_per_s, now_.row.vy_px_per_s};
 }
 
-Stretch Replay::Player::stretch(std::int64_t frames) {
+Stretch Replay::Player::stretch(std::int64_t frames) const {
   return {.window = now_.window,
           .sprite = now_.sprite,
           .is_held = now_.is_held,
           .contact_before = now_.row.contact,
           .dt_s = dt_s_.data(),
+          .is_dt_fixed = dt_s_.size() == 1,
           .frames = frames};
 }
 
@@ -119,6 +119,12 @@ void Replay::Player::apply(const Action& action) {
   }
 }
 
+// Frames that the block takes; a block's first row comes alone, so that the state stands still there
+// while its keyframe is kept.
+std::int64_t Replay::Player::room() const {
+  return block_.size() == 0 && wants_.blocks ? 1 : static_cast<std::int64_t>(block_.room());
+}
+
 void Replay::Player::play_hitch() {
   dt_s_.assign(1, *hitch_dt_s_);
   hitch_dt_s_.reset();
@@ -131,7 +137,7 @@ void Replay::Player::play_even_stretch(std::int64_t end) {
   while (step() < end && !summary_.non_finite_step) {
     const std::int64_t search_end = search.step + search.window;
     Stretch next = stretch(std::min<std::int64_t>({end, search_end}) - step());
-    next.frames = std::min(next.frames, static_cast<std::int64_t>(block_.room()));
+    next.frames = std::min(next.frames, room());
     next.anchor = &search.anchor;
     play_batch(next);
     const std::int64_t period = step() - search.step;
@@ -143,21 +149,23 @@ void Replay::Player::play_even_stretch(std::int64_t end) {
 
 void Replay::Player::play_uneven_stretch(std::int64_t end) {
   while (step() < end && !summary_.non_finite_step) {
-    const std::int64_t frames = std::min(end - step(), static_cast<std::int64_t>(block_.room()));
+    const std::int64_t frames = std::min(end - step(), room());
     dt_s_.resize(static_cast<std::size_t>(frames));
     for (std::int64_t frame = 0; frame < frames; ++frame)
       dt_s_[static_cast<std::size_t>(frame)] = clock_.dt_s(step() + frame);
-    Stretch next = stretch(frames);
-    next.is_dt_fixed = false;
-    play_batch(next);
+    play_batch(stretch(frames));
   }
 }
 
 void Replay::Player::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
+  const RestAnchor rest_before = rest_;
   Body moved = body();
-  play(stretch, moved, block_, log_);
-  if (!is_finite(moved)) cut_to_first_non_finite(stretch, body(), rows_before);
+  play(stretch, moved, rest_, block_, log_);
+  if (!is_finite(moved)) {
+    rest_ = rest_before;
+    cut_to_first_non_finite(stretch, rows_before);
+  }
   if (!stretch.is_held) {
     summary_.had_drag = true;
     summary_.had_gravity |= std::any_of(dt_s_.begin(), dt_s_.end(), [](double dt_s) { return dt_s > 0.0; });
@@ -169,43 +177,69 @@ void Replay::Player::play_batch(const Stretch& stretch) {
 
 // In a stretch nothing makes a non-finite state finite again, so its end tells of it; then the
 // stretch is played once more, just as far as it arose.
-void Replay::Player::cut_to_first_non_finite(Stretch stretch, Body start, std::size_t rows_before) {
+void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_before) {
   std::size_t row = rows_before;
   while (is_finite_state(block_.row(row))) ++row;
   block_.shrink(rows_before);
   stretch.frames = static_cast<std::int64_t>(row - rows_before) + 1;
-  play(stretch, start, block_, log_);
+  Body moved = body();
+  play(stretch, moved, rest_, block_, log_);
   summary_.non_finite_step = step() + stretch.frames;
 }
 
 void Replay::Player::take_in(std::size_t first_row) {
-  auto begun = log_.begun.begin();
-  for (std::size_t index = first_row; index < block_.size(); ++index) {
-    Row row = block_.row(index);
-    now_.timeline.play(row.dt_s);
-    row.step = step() + 1;
-    row.t_s = now_.timeline.time_s();
-    for (; begun != log_.begun.end() && begun->offset == static_cast<std::int64_t>(index - first_row);
-         ++begun) {
-      begun->contact.step = begun->contact.last_step = row.step;
-      begun->contact.t_s = row.t_s;
-      contacts_.begin(begun->contact);
-    }
-    see(row);
-    now_.row = row;
-    if (index == 0) block_keyframe_ = now_;
-  }
-  for (std::size_t wall = 0; wall < kWalls.size(); ++wall)
-    summary_.clamped_steps[wall] += log_.clamped_steps[wall];
-  summary_.rest_steps += log_.rest_steps;
-  summary_.had_friction |= log_.had_friction;
+  const std::int64_t first_step = step() + 1;
+  play_time();
+  count_clamps(log_, 1);
+  take_in_changes(log_, first_step);
+  if (log_.moved_offset >= 0) rest_.t_s = time_in_batch_s(log_.moved_offset);
+  const auto row_at = [&](std::int64_t offset) {
+    Row row = block_.row(first_row + static_cast<std::size_t>(offset));
+    row.step = first_step + offset;
+    row.t_s = time_in_batch_s(offset);
+    return row;
+  };
+  if (options_.checks_bounds)
+    for (std::int64_t offset = 0; offset < log_.frames; ++offset) see_bounds(row_at(offset));
+  while (wants_.rows_every > 0 && next_recorded_step_ < first_step + log_.frames)
+    record(row_at(next_recorded_step_ - first_step));
+  now_.row = row_at(log_.frames - 1);
+  if (first_row == 0) block_keyframe_ = now_;
 }
 
-void Replay::Player::see(const Row& row) {
-  if (row.contact != 0) contacts_.touch(row.contact, row.step);
-  if (rest_.is_moved(row.x_px, row.y_px)) rest_.move(row.x_px, row.y_px, row.t_s);
-  see_bounds(row);
-  if (wants_.rows_every > 0 && row.step == next_recorded_step_) record(row);
+// Frames of one dt lie in one segment of time, where any row's time is a product away; else each
+// frame may begin a segment, and the times are kept.
+void Replay::Player::play_time() {
+  if (dt_s_.size() == 1) return now_.timeline.play(dt_s_.front(), log_.frames);
+  batch_times_s_.resize(static_cast<std::size_t>(log_.frames));
+  for (std::size_t offset = 0; offset < batch_times_s_.size(); ++offset) {
+    now_.timeline.play(dt_s_[offset]);
+    batch_times_s_[offset] = now_.timeline.time_s();
+  }
+}
+
+double Replay::Player::time_in_batch_s(std::int64_t offset) const {
+  if (dt_s_.size() == 1) return now_.timeline.time_s(offset + 1 - log_.frames);
+  return batch_times_s_[static_cast<std::size_t>(offset)];
+}
+
+void Replay::Player::take_in_changes(const StretchLog& log, std::int64_t first_step) {
+  for (const ContactChange& change : log.changes) {
+    Contact contact = change.contact;
+    contact.step = contact.last_step = first_step + change.offset;
+    contact.t_s = time_in_batch_s(change.offset);
+    if (change.begins)
+      contacts_.begin(contact);
+    else
+      contacts_.end(contact.wall, contact.step - 1);
+  }
+}
+
+void Replay::Player::count_clamps(const StretchLog& log, std::int64_t times) {
+  for (const Wall wall : kWalls)
+    summary_.clamped_steps[wall_index(wall)] += times * log.rows_with(static_cast<std::uint8_t>(wall));
+  summary_.rest_steps += times * log.rows_with(kRestBit);
+  summary_.had_friction |= log.had_friction;
 }
 
 void Replay::Player::see_bounds(const Row& row) {
@@ -238,7 +272,7 @@ RunSummary Replay::Player::finish() {
   const std::int64_t last_recorded_step = next_recorded_step_ - wants_.rows_every;
   if (wants_.rows_every > 0 && last_recorded_step != step()) record(now_.row);
   flush_rows();
-  contacts_.finish();
+  contacts_.finish(step());
   summary_.steps = step();
   summary_.simulated_s = now_.row.t_s;
   summary_.contacts = contacts_.counts();

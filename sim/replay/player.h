@@ -8,7 +8,7 @@
 #include "sim/replay/contact_tracker.h"
 #include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/rest_watch.h"
+#include "sim/replay/rest_anchor.h"
 #include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
@@ -35,8 +35,7 @@ class Replay::Player {
   RunSummary finish();
 
  private:
-  Player(const Scenario& scenario, const Keyframe& from, std::uint8_t contact_before, RowSink& sink,
-         ReplayOptions options);
+  Player(const Scenario& scenario, RowSink& sink, ReplayOptions options, const Keyframe& from);
 
   // Where the search for a repetition stands: a state is compared with the anchor, which moves on
   // by a window that grows with the run, so that any period up to a block is found in the end.
@@ -48,16 +47,20 @@ class Replay::Player {
 
   [[nodiscard]] std::int64_t step() const { return now_.row.step; }
   [[nodiscard]] Body body() const;
-  [[nodiscard]] Stretch stretch(std::int64_t frames);
+  [[nodiscard]] Stretch stretch(std::int64_t frames) const;
+  [[nodiscard]] std::int64_t room() const;
   void apply_events();
   void apply(const Action& action);
   void play_hitch();
   void play_even_stretch(std::int64_t end);
   void play_uneven_stretch(std::int64_t end);
   void play_batch(const Stretch& stretch);
-  void cut_to_first_non_finite(Stretch stretch, Body start, std::size_t rows_before);
+  void cut_to_first_non_finite(Stretch stretch, std::size_t rows_before);
   void take_in(std::size_t first_row);
-  void see(const Row& row);
+  void play_time();
+  [[nodiscard]] double time_in_batch_s(std::int64_t offset) const;
+  void take_in_changes(const StretchLog& log, std::int64_t first_step);
+  void count_clamps(const StretchLog& log, std::int64_t times);
   void see_bounds(const Row& row);
   void record(const Row& row);
   void flush_rows();
@@ -70,7 +73,7 @@ class Replay::Player {
   [[nodiscard]] Keyframe keyframe_in(const Cycle& cycle, std::int64_t at) const;
   void repeat_clamps(const Cycle& cycle, std::int64_t end);
   void repeat_contacts(const Cycle& cycle, std::int64_t end);
-  void repeat_contacts_of(const Cycle& cycle, std::int64_t first, std::int64_t last);
+  void repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last);
   void repeat_rest(const Cycle& cycle, std::int64_t end);
   void repeat_rows(const Cycle& cycle, std::int64_t end);
   void repeat_blocks(const Cycle& cycle, std::int64_t end);
@@ -90,12 +93,13 @@ class Replay::Player {
   Keyframe block_keyframe_;
   std::int64_t next_recorded_step_ = 0;
   Columns recorded_;
-  std::vector<double> dt_s_;
+  std::vector<double> dt_s_;  // Of the batch: one for all its frames, or one a frame.
+  std::vector<double> batch_times_s_;
   StretchLog log_;
 
   StateHash hash_;
   ContactTracker contacts_;
-  RestWatch rest_;
+  RestAnchor rest_;
   RunSummary summary_;
 };
 

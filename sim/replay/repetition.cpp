@@ -25,7 +25,8 @@ void append_cyclic(RowBlock& block, const Cycle& cycle, std::int64_t offset, std
 
 WallCounts begun_in(const StretchLog& log, std::int64_t periods) {
   WallCounts begun{};
-  for (const BegunContact& contact : log.begun) begun[wall_index(contact.contact.wall)] += periods;
+  for (const ContactChange& change : log.changes)
+    if (change.begins) begun[wall_index(change.contact.wall)] += periods;
   return begun;
 }
 
@@ -54,7 +55,8 @@ Cycle Replay::Player::make_cycle(std::int64_t period) {
   Cycle cycle;
   cycle.period = period;
   Body moving = body();
-  play(stretch(period), moving, cycle.rows, cycle.log);
+  RestAnchor unused;
+  play(stretch(period), moving, unused, cycle.rows, cycle.log);
   summary_.steps_computed += period;
   multiply(cycle.rows);
   return cycle;
@@ -75,49 +77,42 @@ Keyframe Replay::Player::keyframe_in(const Cycle& cycle, std::int64_t at) const 
 }
 
 void Replay::Player::repeat_clamps(const Cycle& cycle, std::int64_t end) {
-  const std::int64_t periods = (end - step()) / cycle.period;
-  for (std::size_t wall = 0; wall < kWalls.size(); ++wall)
-    summary_.clamped_steps[wall] += periods * cycle.log.clamped_steps[wall];
-  summary_.rest_steps += periods * cycle.log.rest_steps;
-  summary_.had_friction |= cycle.log.had_friction;
+  count_clamps(cycle.log, (end - step()) / cycle.period);
   for (std::int64_t offset = 0; offset < (end - step()) % cycle.period; ++offset) {
-    const std::uint8_t contact = cycle.row(offset).contact;
-    for (const Wall wall : kWalls)
-      if (touches(contact, wall)) ++summary_.clamped_steps[wall_index(wall)];
-    if ((contact & kRestBit) != 0) ++summary_.rest_steps;
+    StretchLog one;
+    one.rows[cycle.row(offset).contact] = 1;
+    count_clamps(one, 1);
   }
-  for (std::int64_t at = step() + 1; at <= step() + cycle.period; ++at) see_bounds(row_in(cycle, at));
+  if (options_.checks_bounds)
+    for (std::int64_t at = step() + 1; at <= step() + cycle.period; ++at) see_bounds(row_in(cycle, at));
 }
 
 void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {
+  if (cycle.log.changes.empty()) return;
   const std::int64_t period = cycle.period;
   std::int64_t stands = step();
-  if (!cycle.log.begun.empty()) {
-    // Contacts are handed on as long as they are taken, and once more, so that the ones that are
-    // passed over go on from one that nobody was told of.
-    bool was_full = false;
-    while (stands + period <= end && !was_full) {
-      was_full = contacts_.is_full();
-      repeat_contacts_of(cycle, stands + 1, stands + period);
-      stands += period;
-    }
+  // Contacts are handed on as long as they are taken, and once more, so that the ones that are
+  // passed over go on from one that nobody was told of.
+  for (bool was_full = false; stands + period <= end && !was_full; stands += period) {
+    was_full = contacts_.is_full();
+    repeat_changes(cycle, stands + 1, stands + period);
   }
   const std::int64_t periods = (end - stands) / period;
-  contacts_.pass_over(stands, periods * period, begun_in(cycle.log, periods));
-  repeat_contacts_of(cycle, stands + periods * period + 1, end);
+  contacts_.count(begun_in(cycle.log, periods));
+  repeat_changes(cycle, stands + periods * period + 1, end);
 }
 
-// Steps `first` .. `last`, less than or equal to a period; `first` begins one.
-void Replay::Player::repeat_contacts_of(const Cycle& cycle, std::int64_t first, std::int64_t last) {
-  auto begun = cycle.log.begun.begin();
-  for (std::int64_t at = first; at <= last; ++at) {
-    for (; begun != cycle.log.begun.end() && begun->offset == at - first; ++begun) {
-      Contact contact = begun->contact;
-      contact.step = contact.last_step = at;
-      contact.t_s = now_.timeline.time_s(at - step());
+// Steps `first` .. `last`, at most a period; `first` begins one.
+void Replay::Player::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last) {
+  for (const ContactChange& change : cycle.log.changes) {
+    Contact contact = change.contact;
+    contact.step = contact.last_step = first + change.offset;
+    if (contact.step > last) return;
+    contact.t_s = now_.timeline.time_s(contact.step - step());
+    if (change.begins)
       contacts_.begin(contact);
-    }
-    contacts_.touch(cycle.row(at - first).contact, at);
+    else
+      contacts_.end(contact.wall, contact.step - 1);
   }
 }
 
@@ -132,9 +127,7 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
     std::int64_t moved_last = -1;
     for (std::int64_t offset = 0; offset < rows; ++offset) {
       const Row row = cycle.row(offset);
-      if (!rest_.is_moved(row.x_px, row.y_px)) continue;
-      rest_.move(row.x_px, row.y_px, 0.0);
-      moved_last = offset;
+      if (rest_.moves_to(row.x_px, row.y_px)) moved_last = offset;
     }
     if (moved_last < 0) break;
     anchor_step = stands + 1 + moved_last;
@@ -148,7 +141,7 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
     }
     seen = *anchor_step;
   }
-  if (anchor_step) rest_.set_time(now_.timeline.time_s(*anchor_step - step()));
+  if (anchor_step) rest_.t_s = now_.timeline.time_s(*anchor_step - step());
 }
 
 void Replay::Player::repeat_rows(const Cycle& cycle, std::int64_t end) {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim/trajectory/run_summary.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/row_sink.h"
+#include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
 

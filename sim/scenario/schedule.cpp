@@ -1,6 +1,7 @@
 #include "sim/scenario/schedule.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -10,7 +11,18 @@
 namespace hyrax {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 1e-9;  // Of a dt, so that at_s = 2.0 at 60 Hz means frame 120.
+
+bool is_due(double start_s, double at_s, double dt_s) { return start_s >= at_s - kTolerance * dt_s; }
+
+// The latest at_s for which a frame that starts at `start_s` is due: the sum, within its rounding.
+double latest_due_s(double start_s, double dt_s) {
+  double at_s = start_s + kTolerance * dt_s;
+  while (!is_due(start_s, at_s, dt_s)) at_s = std::nextafter(at_s, -kInfinity);
+  while (is_due(start_s, std::nextafter(at_s, kInfinity), dt_s)) at_s = std::nextafter(at_s, kInfinity);
+  return at_s;
+}
 
 // Walks the start times of frames forwards, events in order.
 class Walk {
@@ -21,39 +33,65 @@ class Walk {
     while (frame_ < frame) play(is_even() ? frame - frame_ : 1);
   }
 
+  // Goes on to a frame behind which no time is asked for.
+  void jump_to(std::int64_t frame) { frame_ = frame; }
+
   // Walks on to the first frame that starts at `at_s` or later; to the end where there is none.
   void play_to_time(double at_s) {
-    while (frame_ < steps_ && !(timeline_.time_s() >= at_s - kTolerance * clock_.nominal_dt_s(frame_)))
-      play(is_even() ? frames_short_of(at_s) : 1);
+    while (frame_ < steps_ && !is_due(timeline_.time_s(), at_s, clock_.nominal_dt_s(frame_)))
+      play(is_even() ? even_frames_to(at_s) : 1);
   }
 
   // Whether a frame that lies behind starts at `at_s` or later already.
-  bool has_passed(double at_s) const { return at_s <= reach_s_; }
+  bool has_passed(double at_s) const { return at_s <= passed_s_; }
+
+  // Whether an earlier walk found that no frame starts at `at_s` or later.
+  bool is_known_beyond(double at_s) const { return at_s > reach_s_; }
 
   std::int64_t frame() const { return frame_; }
-  void hitch(double dt_s) { hitch_dt_s_ = dt_s; }
+  void hitch(double dt_s) {
+    hitch_dt_s_ = dt_s;
+    reach_s_ = kInfinity;
+  }
+
+  // Back to where `before` stands. A walk that came to the end learned the latest time that has a
+  // frame, so that many events beyond it do not make as many walks.
+  void go_back(const Walk& before) {
+    const double reach_s = frame_ == steps_ ? passed_s_ : reach_s_;
+    *this = before;
+    reach_s_ = reach_s;
+  }
 
  private:
   bool is_even() const { return clock_.is_fixed() && !hitch_dt_s_; }
 
   void play(std::int64_t count) {
     const double dt_s = hitch_dt_s_.value_or(clock_.dt_s(frame_));
+    const double nominal_dt_s = clock_.nominal_dt_s(frame_);
     hitch_dt_s_.reset();
-    const double nominal_dt_s = clock_.nominal_dt_s(frame_ + count - 1);
-    Timeline last_start = timeline_;
-    if (count > 1) last_start.play(dt_s, count - 1);
-    reach_s_ = std::max(reach_s_, last_start.time_s() + kTolerance * nominal_dt_s);
+    pass(timeline_.time_s(), nominal_dt_s);
     timeline_.play(dt_s, count);
+    if (count > 1) pass(timeline_.time_s(-1), nominal_dt_s);
     frame_ += count;
   }
 
-  // At least one frame, and never past the one looked for: a relative 1e-12 is taken off the
-  // quotient, far more than its rounding.
-  std::int64_t frames_short_of(double at_s) const {
-    const double frames = (at_s - timeline_.time_s()) / clock_.dt_s(frame_) * (1.0 - 1e-12) - 1.0;
-    const std::int64_t left = steps_ - frame_;
-    if (!(frames < static_cast<double>(left))) return left;
-    return std::max<std::int64_t>(1, static_cast<std::int64_t>(frames));
+  void pass(double start_s, double nominal_dt_s) {
+    passed_s_ = std::max(passed_s_, latest_due_s(start_s, nominal_dt_s));
+  }
+
+  // Frames of the clock's fixed dt until one starts at `at_s` or later, or all that are left: by
+  // bisection, as start times do not fall and far from zero many of them are equal.
+  std::int64_t even_frames_to(double at_s) const {
+    const double dt_s = clock_.dt_s(frame_);
+    Timeline ahead = timeline_;
+    ahead.play(dt_s, 0);
+    std::int64_t early = 0;
+    std::int64_t late = steps_ - frame_;
+    while (late - early > 1) {
+      const std::int64_t middle = early + (late - early) / 2;
+      (is_due(ahead.time_s(middle), at_s, dt_s) ? late : early) = middle;
+    }
+    return late;
   }
 
   FrameClock clock_;
@@ -61,22 +99,31 @@ class Walk {
   std::int64_t frame_ = 0;
   Timeline timeline_;
   std::optional<double> hitch_dt_s_;
-  double reach_s_ = -std::numeric_limits<double>::infinity();
+  double passed_s_ = -kInfinity;  // The latest at_s that a frame behind is due for.
+  double reach_s_ = kInfinity;    // And of all frames, as far as it is known.
 };
 
-// Goes to the event's frame.
-std::optional<ScheduleFault> go_to(Walk& walk, const Event& event, std::int64_t steps) {
+// Goes to the event's frame; where no later event has a time, without walking there.
+std::optional<ScheduleFault> go_to(Walk& walk, const Event& event, std::int64_t steps, bool is_time_needed) {
   if (const auto* step = std::get_if<std::int64_t>(&event.when)) {
     if (*step >= steps) return ScheduleFault::beyond_end;
     if (*step < walk.frame()) return ScheduleFault::goes_backwards;
-    walk.play_to(*step);
+    is_time_needed ? walk.play_to(*step) : walk.jump_to(*step);
     return std::nullopt;
   }
   const double at_s = std::get<double>(event.when);
   if (walk.has_passed(at_s)) return ScheduleFault::goes_backwards;
+  if (walk.is_known_beyond(at_s)) return ScheduleFault::beyond_end;
   walk.play_to_time(at_s);
   if (walk.frame() >= steps) return ScheduleFault::beyond_end;
   return std::nullopt;
+}
+
+// One past the last event that has a time.
+std::size_t timed_end(const std::vector<Event>& events) {
+  std::size_t end = events.size();
+  while (end > 0 && !std::holds_alternative<double>(events[end - 1].when)) --end;
+  return end;
 }
 
 }  // namespace
@@ -84,10 +131,14 @@ std::optional<ScheduleFault> go_to(Walk& walk, const Event& event, std::int64_t 
 Schedule schedule_events(const Scenario& scenario, std::int64_t steps) {
   Schedule schedule;
   Walk walk(scenario, steps);
+  const std::size_t last_timed = timed_end(scenario.events);
   for (const Event& event : scenario.events) {
-    if (const auto fault = go_to(walk, event, steps)) {
-      schedule.faulty.push_back({schedule.frames.size(), *fault});
+    const std::size_t number = schedule.frames.size();
+    const Walk before = walk;
+    if (const auto fault = go_to(walk, event, steps, number < last_timed)) {
+      schedule.faulty.push_back({number, *fault});
       schedule.frames.push_back(-1);
+      walk.go_back(before);  // So that the next event is not judged by one that has no frame.
       continue;
     }
     schedule.frames.push_back(walk.frame());

@@ -27,13 +27,19 @@ inline constexpr std::size_t kPackedRowBytes = 41;
   return std::bit_cast<double>(bits);
 }
 
+inline void store_little_endian(std::byte* at, double value) {
+  const std::uint64_t bits = little_endian_bits(value);
+  std::memcpy(at, &bits, sizeof bits);
+}
+
 /// Writes one packed row: little-endian binary64 dt, x, y, vx, vy and the contact byte.
 inline void pack_row(std::byte* at, double dt_s, double x_px, double y_px, double vx_px_per_s,
                      double vy_px_per_s, std::uint8_t contact) {
-  const std::uint64_t words[5] = {little_endian_bits(dt_s), little_endian_bits(x_px),
-                                  little_endian_bits(y_px), little_endian_bits(vx_px_per_s),
-                                  little_endian_bits(vy_px_per_s)};
-  std::memcpy(at, words, sizeof words);
+  store_little_endian(at, dt_s);
+  store_little_endian(at + 8, x_px);
+  store_little_endian(at + 16, y_px);
+  store_little_endian(at + 24, vx_px_per_s);
+  store_little_endian(at + 32, vy_px_per_s);
   at[40] = std::byte{contact};
 }
 

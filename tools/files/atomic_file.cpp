@@ -15,10 +15,24 @@
 namespace hyrax {
 namespace {
 
+// Also of a link whose target is not there yet.
 std::string behind_links(const std::string& path) {
-  std::error_code error;
-  const auto target = std::filesystem::weakly_canonical(path, error);
-  return error ? path : target.string();
+  constexpr int kLinksMax = 40;
+  std::error_code unknown;
+  std::filesystem::path target = path;
+  for (int links = 0; links < kLinksMax && std::filesystem::is_symlink(target, unknown); ++links)
+    target = target.parent_path() / std::filesystem::read_symlink(target, unknown);
+  return target.string();
+}
+
+// To rename over a device or a pipe would take it away from everyone.
+void refuse_what_is_no_file(const std::string& target, const std::string& path) {
+  std::error_code unknown;
+  const auto status = std::filesystem::status(target, unknown);
+  if (std::filesystem::is_directory(status)) fail_to_write(path, EISDIR);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw Failure(ExitCode::cannot_access,
+                  path + ": cannot be written: it is no file but a device or a pipe");
 }
 
 // mkstemp makes files for the owner alone; this one is to be as any other new file.
@@ -31,7 +45,7 @@ void set_usual_mode(int descriptor) {
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(behind_links(path)) {
-  if (std::filesystem::is_directory(path_)) fail_to_write(path, EISDIR);
+  refuse_what_is_no_file(path_, path);
   const std::filesystem::path target(path_);
   part_path_ = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX.part")).string();
   const int descriptor = mkstemps(part_path_.data(), 5);

@@ -11,7 +11,8 @@ namespace hyrax {
 class AtomicFile {
  public:
   /// Makes the part file, empty. A symbolic link at `path` is followed: its target is replaced.
-  /// ERRORS: Failure(cannot_access) where `path` is a folder or its folder cannot be written to.
+  /// ERRORS: Failure(cannot_access) where `path` is a folder, a device or a pipe, or its folder
+  /// cannot be written to.
   explicit AtomicFile(const std::string& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

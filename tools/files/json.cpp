@@ -36,10 +36,27 @@ Place place_of(std::string_view text, std::size_t end) {
                                          std::to_string(place.column) + ": " + sentence);
 }
 
+// The parser quotes all of the token it was reading, however long and whatever its bytes: what is
+// told of it is the end, and readable.
+std::string with_short_quote(std::string reason) {
+  constexpr std::string_view kQuote = "last read: '";
+  constexpr std::size_t kShownMax = 40;
+  const std::size_t quote = reason.find(kQuote);
+  if (quote == std::string::npos) return reason;
+  const std::size_t begin = quote + kQuote.size();
+  const std::size_t expected = reason.rfind("'; expected ");
+  const std::size_t end = expected != std::string::npos && expected >= begin ? expected : reason.size() - 1;
+  for (std::size_t at = begin; at < end; ++at)
+    if ((static_cast<unsigned char>(reason[at]) & 0x80u) != 0) reason[at] = '?';
+  if (end - begin > kShownMax) reason.replace(begin, end - begin - kShownMax, "...");
+  return reason;
+}
+
 // nlohmann-json reports "[json.exception...] parse error at line 1, column 2: syntax error ...".
 std::string plain_reason(std::string_view what) {
   const std::size_t syntax = what.find("syntax error");
-  if (syntax != std::string_view::npos) return "not JSON: " + std::string(what.substr(syntax));
+  if (syntax != std::string_view::npos)
+    return with_short_quote("not JSON: " + std::string(what.substr(syntax)));
   const std::size_t bracket = what.find("] ");
   return bracket == std::string_view::npos ? std::string(what) : std::string(what.substr(bracket + 2));
 }
@@ -223,6 +240,9 @@ const Json* Json::find(std::string_view key) const {
 Json parse_json(std::string_view text, const std::string& source) {
   if (text.starts_with("\xEF\xBB\xBF"))
     fail(text, source, 1, "begins with a byte-order mark; save it as UTF-8 without one");
+  // The parser takes a zero byte for the end of its input, and would not see what follows.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+    fail(text, source, zero + 1, "not JSON: holds a zero byte; save it as UTF-8");
   Builder builder(text, source);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();

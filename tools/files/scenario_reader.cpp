@@ -82,6 +82,7 @@ Jitter read_jitter(const JsonPlace& here) {
     here.breaks_rule("must be an object");
     return jitter;
   }
+  jitter.seed = here.required("seed").seed().value_or(0);
   const auto kind = here.required("kind").text();
   const auto rule =
       std::find_if(std::begin(kRules), std::end(kRules), [&](const Rule& r) { return kind == r.kind; });
@@ -92,7 +93,6 @@ Jitter read_jitter(const JsonPlace& here) {
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
   jitter.kind = rule->value;
   jitter.amount = here.required(rule->amount_key).number(rule->amount).value_or(0.0);
-  jitter.seed = here.required("seed").seed().value_or(0);
   return jitter;
 }
 
@@ -114,11 +114,11 @@ void read_clock(const JsonPlace& here, Clock& clock) {
     const auto rate_hz = rate.number({0.0, kRateMax_hz, true});
     if (rate_hz && 1.0 / *rate_hz > kFrameMax_s) rate.breaks_rule("must make frames of at most 1e9 s");
     clock.base = FixedRate{rate_hz.value_or(1.0)};
-  } else if (dt.is_there() && dt.json()->get<Json::Array>() != nullptr) {
-    clock.base = read_trace(dt);
-  } else if (dt.is_there()) {
-    clock.base = FixedStep{dt.number(kFrame).value_or(1.0)};
   }
+  if (dt.is_there() && dt.json()->get<Json::Array>() != nullptr)
+    clock.base = read_trace(dt);
+  else if (dt.is_there())
+    clock.base = FixedStep{dt.number(kFrame).value_or(1.0)};
   const JsonPlace jitter = here.member("jitter");
   if (!jitter.is_there()) return;
   if (std::holds_alternative<RecordedSteps>(clock.base))
@@ -126,28 +126,33 @@ void read_clock(const JsonPlace& here, Clock& clock) {
   clock.jitter = read_jitter(jitter);
 }
 
-void read_length(const JsonPlace& document, Scenario& scenario) {
+// The number of frames, where it can be told: of a duration only if the clock is good.
+std::optional<std::int64_t> read_length(const JsonPlace& document, bool is_clock_good, Scenario& scenario) {
   const JsonPlace steps = document.member("steps");
   const JsonPlace duration = document.member("duration_s");
-  const auto* trace = std::get_if<RecordedSteps>(&scenario.clock.base);
-  if (const auto count = steps.integer(0, kStepsMax)) scenario.length = *count;
-  if (trace != nullptr && duration.is_there())
-    return duration.wrong("cannot stand beside an array dt_s, whose length says it");
-  if (trace != nullptr) {
-    const auto frames = static_cast<std::int64_t>(trace->dt_s.size());
-    if (const auto* count = std::get_if<std::int64_t>(&scenario.length); count != nullptr && *count != frames)
-      steps.breaks_rule("must be the length of the array dt_s, " + std::to_string(frames));
-    return;
-  }
-  if (steps.is_there() == duration.is_there())
-    return document.wrong("must hold exactly one of steps and duration_s");
+  const auto count = steps.integer(0, kStepsMax);
   const auto duration_s = duration.number(kNotNegative);
-  if (!duration_s) return;
+  if (count) scenario.length = *count;
+  if (const auto* trace = std::get_if<RecordedSteps>(&scenario.clock.base)) {
+    const auto frames = static_cast<std::int64_t>(trace->dt_s.size());
+    if (duration.is_there()) duration.wrong("cannot stand beside an array dt_s, whose length says it");
+    if (count && *count != frames)
+      steps.breaks_rule("must be the length of the array dt_s, " + std::to_string(frames));
+    return frames;
+  }
+  const bool is_one = steps.is_there() != duration.is_there();
+  if (!is_one && (is_clock_good || steps.is_there()))
+    document.wrong("must hold exactly one of steps and duration_s");
+  if (!is_one || steps.is_there()) return is_one ? count : std::nullopt;
+  if (!duration_s || !is_clock_good) return std::nullopt;
   scenario.length = *duration_s;
   if (!(base_dt_s(scenario.clock) > 0.0))
     duration.wrong("needs frames of dt > 0; give steps instead");
   else if (step_count(scenario) > kStepsMax)
     duration.breaks_rule("must make at most 1e12 frames");
+  else
+    return step_count(scenario);
+  return std::nullopt;
 }
 
 Resize read_resize(const JsonPlace& here) {
@@ -170,34 +175,48 @@ Action read_action(const JsonPlace& here, std::string_view key) {
   return key == "grab" ? Action(Grab{}) : Action(Stop{});
 }
 
-Event read_event(const JsonPlace& here) {
+// An event, and how much of it could be read.
+struct EventRead {
+  Event event;
+  bool has_time = false;
+  bool has_action = false;  ///< Exactly one, and not a hitch of unknown length.
+};
+
+EventRead read_event(const JsonPlace& here, const std::vector<Problem>& problems) {
   static constexpr std::string_view kActions[] = {"fling", "place", "stop",   "resize",
                                                   "hitch", "grab",  "release"};
-  Event event;
+  EventRead read;
   if (!here.is_object_of({"step", "at_s", "fling", "place", "stop", "resize", "hitch", "grab", "release"}))
-    return event;
-  const JsonPlace step = here.member("step");
-  const JsonPlace at = here.member("at_s");
-  if (step.is_there() == at.is_there()) here.wrong("must hold exactly one of step and at_s");
-  if (const auto frame = step.integer(0, kStepsMax)) event.when = *frame;
-  if (const auto time_s = at.number()) event.when = *time_s;
+    return read;
+  const auto step = here.member("step").integer(0, kStepsMax);
+  const auto at_s = here.member("at_s").number();
+  const bool is_one_time = here.member("step").is_there() != here.member("at_s").is_there();
+  if (!is_one_time) here.wrong("must hold exactly one of step and at_s");
+  if (step) read.event.when = *step;
+  if (at_s) read.event.when = *at_s;
+  read.has_time = is_one_time && (step || at_s);
   int actions = 0;
+  bool is_bad_hitch = false;
   for (const std::string_view key : kActions) {
     const JsonPlace action = here.member(key);
     if (!action.is_there()) continue;
-    event.action = read_action(action, key);
+    const std::size_t problems_before = problems.size();
+    read.event.action = read_action(action, key);
+    is_bad_hitch |= key == "hitch" && problems.size() > problems_before;
     ++actions;
   }
   if (actions != 1)
     here.wrong("must hold exactly one action (fling, place, stop, resize, hitch, grab or release), holds " +
                std::to_string(actions));
-  return event;
+  read.has_action = actions == 1 && !is_bad_hitch;
+  return read;
 }
 
-void check_holds(const std::vector<JsonPlace>& places, const std::vector<Event>& events) {
+// As far as every action is known.
+void check_holds(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events) {
   bool is_held = false;
-  for (std::size_t event = 0; event < events.size(); ++event) {
-    const Action& action = events[event].action;
+  for (std::size_t event = 0; event < events.size() && events[event].has_action; ++event) {
+    const Action& action = events[event].event.action;
     if (std::holds_alternative<Grab>(action)) {
       if (is_held) places[event].wrong("grabs a sprite that is held already; release it first");
       is_held = true;
@@ -209,19 +228,33 @@ void check_holds(const std::vector<JsonPlace>& places, const std::vector<Event>&
   }
 }
 
-void check_times(const std::vector<JsonPlace>& places, const Scenario& scenario) {
-  const std::int64_t steps = step_count(scenario);
-  for (const Schedule::Faulty& faulty : schedule_events(scenario, steps).faulty) {
-    const JsonPlace& event = places[faulty.event];
-    const bool has_step = event.member("step").is_there();
-    const JsonPlace when = event.member(has_step ? "step" : "at_s");
-    if (faulty.fault == ScheduleFault::goes_backwards)
-      when.breaks_rule("must not come before the event above it");
-    else if (has_step)
-      when.breaks_rule("must be below the number of steps, " + std::to_string(steps));
-    else
-      when.breaks_rule("must come before the end of the run, step " + std::to_string(steps));
+void tell_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps) {
+  const bool has_step = event.member("step").is_there();
+  const JsonPlace when = event.member(has_step ? "step" : "at_s");
+  if (fault == ScheduleFault::goes_backwards)
+    when.breaks_rule("must not come before the event above it");
+  else if (has_step)
+    when.breaks_rule("must be below the number of steps, " + std::to_string(steps));
+  else
+    when.breaks_rule("must come before the end of the run, step " + std::to_string(steps));
+}
+
+// What can be placed on a frame: an `at_s` only if the dt of every frame before it is known.
+void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events,
+                 bool is_clock_good, std::int64_t steps, Scenario scenario) {
+  std::vector<JsonPlace> placed;
+  scenario.events.clear();
+  bool knows_times = is_clock_good;
+  for (std::size_t event = 0; event < events.size(); ++event) {
+    const bool is_timed = std::holds_alternative<double>(events[event].event.when);
+    if (events[event].has_time && (knows_times || !is_timed)) {
+      placed.push_back(places[event]);
+      scenario.events.push_back(events[event].event);
+    }
+    knows_times &= events[event].has_action;
   }
+  for (const Schedule::Faulty& faulty : schedule_events(scenario, steps).faulty)
+    tell_fault(placed[faulty.event], faulty.fault, steps);
 }
 
 std::optional<Interval> read_interval(const JsonPlace& here, const std::string& number_means,
@@ -284,19 +317,20 @@ Expect read_expect(const JsonPlace& here) {
   return expect;
 }
 
-void read_events(const JsonPlace& here, bool is_timed, Scenario& scenario,
-                 const std::vector<Problem>& problems) {
-  const std::size_t problems_before = problems.size();
+void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
+                 Scenario& scenario, const std::vector<Problem>& problems) {
   const auto places = here.elements();
   if (!places) return;
-  for (const JsonPlace& place : *places) scenario.events.push_back(read_event(place));
-  check_holds(*places, scenario.events);
-  if (is_timed && problems.size() == problems_before) check_times(*places, scenario);
+  std::vector<EventRead> events;
+  for (const JsonPlace& place : *places) events.push_back(read_event(place, problems));
+  check_holds(*places, events);
+  if (steps) check_times(*places, events, is_clock_good, *steps, scenario);
+  for (EventRead& read : events) scenario.events.push_back(std::move(read.event));
 }
 
 void read_record(const JsonPlace& here, Scenario& scenario) {
   if (!here.is_there() || !here.is_object_of({"every"})) return;
-  scenario.record_every = here.required("every").integer(1, kStepsMax).value_or(1);
+  scenario.record_every = here.member("every").integer(1, kStepsMax).value_or(1);
 }
 
 Scenario read_document(const JsonPlace& document, const std::string& fallback_name,
@@ -312,10 +346,11 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
   scenario.window = read_window(document.required("window"));
   scenario.sprite = read_sprite(document.required("sprite"));
   read_start(document.required("start"), scenario);
-  const std::size_t problems_before_time = problems.size();
+  const std::size_t problems_before_clock = problems.size();
   read_clock(document.required("clock"), scenario.clock);
-  if (problems.size() == problems_before_time) read_length(document, scenario);
-  read_events(document.member("events"), problems.size() == problems_before_time, scenario, problems);
+  const bool is_clock_good = problems.size() == problems_before_clock;
+  const auto steps = read_length(document, is_clock_good, scenario);
+  read_events(document.member("events"), is_clock_good, steps, scenario, problems);
   read_record(document.member("record"), scenario);
   if (const JsonPlace expect = document.member("expect"); expect.is_there())
     scenario.expect = read_expect(expect);
@@ -328,6 +363,14 @@ Json value_of(const Override& given) {
     return parse_json(given.value, given.pointer);
   } catch (const Failure&) {
     return given.value;
+  }
+}
+
+void put_over(Json& document, const Override& given, const std::string& path) {
+  try {
+    set_at(document, given.pointer, value_of(given));
+  } catch (const Failure& failure) {
+    throw Failure(failure.exit_code(), path + ": " + failure.what());
   }
 }
 
@@ -346,7 +389,7 @@ Scenario to_scenario(const Json& document, const std::string& source, const std:
 
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {
   Json document = parse_json(read_text_file(path), path);
-  for (const Override& given : overrides) set_at(document, given.pointer, value_of(given));
+  for (const Override& given : overrides) put_over(document, given, path);
   return to_scenario(document, path, std::filesystem::path(path).stem().string());
 }
 

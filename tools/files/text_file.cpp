@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
@@ -24,7 +25,8 @@ using File = std::unique_ptr<std::FILE, Close>;
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
-  if (std::filesystem::is_directory(path)) fail_to_read(path, EISDIR);
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) fail_to_read(path, EISDIR);
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail_to_read(path, errno);
   std::string text;

@@ -4,13 +4,11 @@
 #include <filesystem>
 #include <set>
 
-#include "sim/replay/replay.h"
-#include "sim/scenario/frame_clock.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/run_picture.h"
 #include "tools/hyrax-sim/run_report.h"
 #include "tools/hyrax-sim/scenario_list.h"
-#include "tools/report/run_figure.h"
 
 namespace hyrax {
 namespace {
@@ -88,37 +86,6 @@ void make_output_folder(const RunRequest& request, std::size_t scenarios) {
   if (error) throw Failure(ExitCode::cannot_access, request.output + ": cannot be made: " + error.message());
 }
 
-// Rows for a picture: as many as it can show, whatever the file records.
-class PictureSink : public RowSink {
- public:
-  explicit PictureSink(std::int64_t steps) : every_(1 + steps / kRowsMax) {}
-  [[nodiscard]] Wants wants() const override { return {.rows_every = every_, .contacts = true}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
-  }
-  void contact_began(const Contact& contact) override {
-    if (contacts_.size() < kContactsMax) contacts_.push_back(contact);
-  }
-  void contact_ended(std::int64_t index, std::int64_t last_step) override {
-    if (static_cast<std::size_t>(index) < contacts_.size())
-      contacts_[static_cast<std::size_t>(index)].last_step = last_step;
-  }
-
-  Columns rows_;
-  std::vector<Contact> contacts_;
-
- private:
-  static constexpr std::int64_t kRowsMax = 50'000;
-  static constexpr std::size_t kContactsMax = 10'000;
-  std::int64_t every_;
-};
-
-void draw(const std::string& path, const Scenario& scenario) {
-  PictureSink sink(step_count(scenario));
-  static_cast<void>(replay(scenario, sink));
-  draw_run_figure(path, scenario, sink.rows_, sink.contacts_);
-}
-
 class Runner {
  public:
   explicit Runner(const RunRequest& request) : request_(request) {}
@@ -149,7 +116,7 @@ class Runner {
     else
       fmt::print("{}", run_text(run));
     if (request_.figure.empty()) return;
-    draw(request_.figure, *candidate.scenario);
+    draw_run(request_.figure, *candidate.scenario);
     if (!request_.is_json) fmt::print("  drawn          {}\n", request_.figure);
   }
 

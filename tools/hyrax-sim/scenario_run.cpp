@@ -7,6 +7,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/progress.h"
+#include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_place.h"
 #include "tools/store/trajectory_format.h"
@@ -41,13 +42,12 @@ RunSummary play_into(const std::string& output, const Scenario& scenario, std::i
   return summary;
 }
 
-// Where the hashes are equal all rows are, and nothing more is played or read.
-Comparison compare_with_golden(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
-  const StoredRun kept = read_golden(path);
-  if (plays_the_same(kept.scenario, scenario) && kept.physics == kPhysicsModel &&
-      kept.steps == summary.steps && kept.state_hash == hex(summary.state_hash))
+// Where the digest names the run's hash all rows are equal, and nothing more is played or read.
+Comparison compare_with_golden(const GoldenPlace& place, const Scenario& scenario,
+                               const RunSummary& summary) {
+  if (std::filesystem::exists(place.txt_path) && read_digest_hash(place.txt_path) == hex(summary.state_hash))
     return {};
-  return compare_with(kept, scenario).comparison;
+  return compare_with(read_golden(place.h5_path), scenario).comparison;
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   const auto place = golden_place(path, options.golden_folder);
   if (place) run.golden_path = place->h5_path;
   if (place && std::filesystem::exists(place->h5_path))
-    run.comparison = compare_with_golden(place->h5_path, scenario, run.summary);
+    run.comparison = compare_with_golden(*place, scenario, run.summary);
   return run;
 }
 

@@ -183,8 +183,11 @@ std::vector<Input> TrajectoryFile::inputs() const {
   const auto as = a.read<double>(H5T_NATIVE_DOUBLE, 0, count);
   const auto bs = b.read<double>(H5T_NATIVE_DOUBLE, 0, count);
   std::vector<Input> inputs;
-  for (std::size_t index = 0; index < frames.size(); ++index)
+  for (std::size_t index = 0; index < frames.size(); ++index) {
+    if (kinds[index] >= kInputKindNames.size())
+      refuse("/events/kind: must hold 0 .. 7, holds " + std::to_string(kinds[index]));
     inputs.push_back({frames[index], static_cast<InputKind>(kinds[index]), as[index], bs[index]});
+  }
   return inputs;
 }
 

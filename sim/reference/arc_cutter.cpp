@@ -1,0 +1,101 @@
+#include "sim/reference/arc_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hyrax {
+namespace {
+
+// Far beyond what any scenario comes to, and far enough below the largest double for squares.
+constexpr double kStateMax = 1e100;
+
+bool is_measurable(const Row& row) {
+  const double largest = std::max(
+      {std::fabs(row.x_px), std::fabs(row.y_px), std::fabs(row.vx_px_per_s), std::fabs(row.vy_px_per_s)});
+  return is_finite_state(row) && largest <= kStateMax && row.dt_s >= 0.0 && row.dt_s <= kFrameMax_s;
+}
+
+ArcEnd end_at(std::uint8_t contact) {
+  if (touches(contact, Wall::left)) return ArcEnd::left;
+  if (touches(contact, Wall::right)) return ArcEnd::right;
+  return touches(contact, Wall::top) ? ArcEnd::top : ArcEnd::ground;
+}
+
+}  // namespace
+
+std::optional<Wall> wall_of(ArcEnd end) {
+  switch (end) {
+    case ArcEnd::left:
+      return Wall::left;
+    case ArcEnd::right:
+      return Wall::right;
+    case ArcEnd::top:
+      return Wall::top;
+    case ArcEnd::ground:
+      return Wall::ground;
+    case ArcEnd::input:
+    case ArcEnd::hold:
+    case ArcEnd::end:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+ArcCutter::ArcCutter(const Scenario& scenario, std::vector<Input> inputs, ArcVisitor& visitor)
+    : playback_(scenario, std::move(inputs)), visitor_(visitor) {}
+
+void ArcCutter::rows(const Columns& batch) {
+  for (std::size_t index = 0; index < batch.size() && !non_finite_step_; ++index) take(batch.row(index));
+}
+
+void ArcCutter::take(const Row& row) {
+  if (!is_measurable(row)) {
+    non_finite_step_ = row.step;
+    return;
+  }
+  if (is_open_) {
+    if (row.contact == 0)
+      fly(row);
+    else
+      close(end_at(row.contact), &row);
+  }
+  Row start = row;
+  const InputChange change = playback_.apply(start);
+  if (is_open_ && change.ends_arc) close(change.grabs ? ArcEnd::hold : ArcEnd::input, nullptr);
+  const bool begins = row.step == 0 || row.contact != 0 || change.ends_arc;
+  if (begins && !playback_.is_held()) open(start);
+}
+
+void ArcCutter::fly(const Row& row) {
+  ++steps_;
+  if (steps_ == 1) {
+    first_row_ = row;
+    return;
+  }
+  if (steps_ == 2) {
+    visitor_.begin(start_);
+    visitor_.fly(first_row_);
+  }
+  visitor_.fly(row);
+}
+
+void ArcCutter::open(const Row& start) {
+  start_ = {start, playback_.right_px(), playback_.bottom_px()};
+  steps_ = 0;
+  is_open_ = true;
+}
+
+void ArcCutter::close(ArcEnd ended_by, const Row* clamped) {
+  if (steps_ < 2)
+    ++skipped_arcs_;
+  else
+    visitor_.end(ended_by, clamped);
+  is_open_ = false;
+}
+
+void ArcCutter::finish() {
+  if (is_open_ && steps_ > 0) close(ArcEnd::end, nullptr);
+}
+
+}  // namespace hyrax

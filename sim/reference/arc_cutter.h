@@ -1,0 +1,83 @@
+// Cuts a run into flight arcs as its rows come in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "sim/reference/input_playback.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/input.h"
+#include "sim/trajectory/row_sink.h"
+#include "sim/trajectory/wall.h"
+
+namespace hyrax {
+
+/// Why an arc goes no further: a clamp (in a corner the wall in x), an input, a grab, or the run.
+enum class ArcEnd { left, right, top, ground, input, hold, end };
+
+inline constexpr std::array<std::string_view, 7> kArcEndNames = {"left",  "right", "top", "ground",
+                                                                 "input", "hold",  "end"};
+
+/// The wall that ended an arc; none where an input, a grab or the run's end did.
+[[nodiscard]] std::optional<Wall> wall_of(ArcEnd end);
+
+/// The state an arc begins with: a row's, after the inputs of the next frame.
+struct ArcStart {
+  Row row;
+  double right_px = 0.0;  ///< Bounds in force beside 0.
+  double bottom_px = 0.0;
+};
+
+/// Receives arcs of two steps and more, one after the other.
+class ArcVisitor {
+ public:
+  ArcVisitor() = default;
+  ArcVisitor(const ArcVisitor&) = delete;
+  ArcVisitor& operator=(const ArcVisitor&) = delete;
+  virtual ~ArcVisitor() = default;
+
+  virtual void begin(const ArcStart& start) = 0;
+  /// A row reached without clamp, input or hold: the start's step + 1, + 2, ...
+  virtual void fly(const Row& row) = 0;
+  /// @param clamped the row that the wall's clamp made, null where no wall ended the arc.
+  virtual void end(ArcEnd ended_by, const Row* clamped) = 0;
+};
+
+/// Holds one row of an arc at most; costs next to nothing where a sprite rests.
+class ArcCutter final : public RowSink {
+ public:
+  /// @param inputs of the scenario, as they were applied. Refers to the visitor.
+  ArcCutter(const Scenario& scenario, std::vector<Input> inputs, ArcVisitor& visitor);
+
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  /// Rows from row 0 on, every one, live or from a file.
+  void rows(const Columns& batch) override;
+  /// Ends the arc that the run's last row leaves open.
+  void finish();
+
+  /// Arcs of fewer than two steps. An arc that no frame follows, at the run's last row, is none.
+  [[nodiscard]] std::int64_t skipped_arcs() const { return skipped_arcs_; }
+  /// The first row that is not finite (or beyond 1e100, or of a dt that no clock has); nothing from
+  /// there on belongs to an arc.
+  [[nodiscard]] std::optional<std::int64_t> non_finite_step() const { return non_finite_step_; }
+
+ private:
+  void take(const Row& row);
+  void fly(const Row& row);
+  void close(ArcEnd ended_by, const Row* clamped);
+  void open(const Row& start);
+
+  InputPlayback playback_;
+  ArcVisitor& visitor_;
+  ArcStart start_;
+  bool is_open_ = false;
+  std::int64_t steps_ = 0;  // Of the open arc.
+  Row first_row_;           // Not handed on before a second one comes.
+  std::int64_t skipped_arcs_ = 0;
+  std::optional<std::int64_t> non_finite_step_;
+};
+
+}  // namespace hyrax

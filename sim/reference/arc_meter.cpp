@@ -1,0 +1,252 @@
+#include "sim/reference/arc_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hyrax {
+namespace {
+
+double distance(double dx, double dy) {
+  LargestDistance one;
+  one.see(dx, dy);
+  return one.value();
+}
+
+double largest(double so_far, double a, double b) {
+  return std::max(so_far, std::max(std::fabs(a), std::fabs(b)));
+}
+
+void see_worst(std::optional<Worst>& worst, std::optional<double> value, std::int64_t step) {
+  if (!value) return;
+  if (!worst || std::fabs(*value) > std::fabs(worst->value)) worst = Worst{*value, step};
+}
+
+}  // namespace
+
+double LargestDistance::value() const {
+  const double scale = std::max(std::fabs(dx_), std::fabs(dy_));
+  if (scale == 0.0) return 0.0;
+  const double dx = dx_ / scale;
+  const double dy = dy_ / scale;
+  return scale * std::sqrt(dx * dx + dy * dy);
+}
+
+std::optional<double> LineFit::slope_per_s() const {
+  const double spread = count_ * t_t_ - t_ * t_;
+  if (!(spread > 0.0)) return std::nullopt;
+  return (count_ * t_value_ - t_ * value_) / spread;
+}
+
+double Spread::standard_deviation() const {
+  return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1));
+}
+
+ArcMeter::ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver)
+    : model_(model),
+      sink_(sink),
+      solver_(solver),
+      wants_rows_(sink.wants_rows()),
+      solution_(model),
+      walls_(model.gravity_px_per_s2, solution_.log_air_drag()) {}
+
+void ArcMeter::begin(const ArcStart& start) {
+  start_ = start;
+  last_ = start.row;
+  const Velocity velocity{start.row.vx_px_per_s, start.row.vy_px_per_s};
+  const bool solves_x = velocity.vx_px_per_s != 0.0;
+  solution_.start(velocity, solves_x);
+  if (solver_ != nullptr) solver_->start(velocity, solves_x);
+  walls_.start(start);
+  const Flight first = seen_from_start(start.row);
+  gathered_ = {};
+  gathered_.energy_largest = energy(first);
+  gathered_.coordinate_largest_px = largest(0.0, start.row.x_px, start.row.y_px);
+  gathered_.drift_fit.see(0.0, 0.0);
+  if (wants_rows_) tell_row(first, first, gathered_.energy_largest, 0.0);
+}
+
+void ArcMeter::fly(const Row& row) {
+  solution_.advance(row.dt_s);
+  const Flight run = seen_from_start(row);
+  const Flight discrete = solution_.discrete();
+  const Flight matched = solution_.matched();
+  const Position model = solution_.model();
+  const double elapsed_s = solution_.elapsed_s();
+  Gathered& g = gathered_;
+  g.implementation.see(run.dx_px - discrete.dx_px, run.dy_px - discrete.dy_px);
+  g.implementation_speed.see(run.vx_px_per_s - discrete.vx_px_per_s, run.vy_px_per_s - discrete.vy_px_per_s);
+  g.truncation.see(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px);
+  g.truncation_speed.see(run.vx_px_per_s - matched.vx_px_per_s, run.vy_px_per_s - matched.vy_px_per_s);
+  g.model.see(run.dx_px - model.x_px, run.dy_px - model.y_px);
+  g.coordinate_largest_px = largest(g.coordinate_largest_px, row.x_px, row.y_px);
+  g.coordinate_largest_px =
+      largest(g.coordinate_largest_px, start_.row.x_px + matched.dx_px, start_.row.y_px + matched.dy_px);
+  const double energy_now = energy(matched);
+  g.energy_largest = std::max(g.energy_largest, energy_now);
+  g.drift_last = energy_gain(matched, run);
+  g.drift_largest = std::max(g.drift_largest, std::fabs(g.drift_last));
+  g.drift_fit.see(elapsed_s, g.drift_last);
+  walls_.see(matched, row.dt_s, elapsed_s);
+  if (is_astray(row)) ++g.steps_astray;
+  if (solver_ != nullptr) check(matched, row.dt_s);
+  last_ = row;
+  if (wants_rows_) tell_row(run, matched, energy_now, g.drift_last);
+}
+
+void ArcMeter::end(ArcEnd ended_by, const Row* clamped) {
+  const ArcErrors arc = arc_errors(ended_by);
+  take_in(arc);
+  sink_.arc(arc);
+  const std::optional<Wall> wall = wall_of(ended_by);
+  if (!wall || clamped == nullptr) return;
+  const ImpactErrors contact = impact_errors(*wall, *clamped, arc);
+  take_in(contact, *wall == Wall::ground && (clamped->contact & kRestBit) != 0);
+  sink_.contact(contact);
+}
+
+// e = (vx^2 + vy^2) / 2 + g (bottom - y), specific energy in px^2/s^2, 0 at rest on the floor.
+double ArcMeter::energy(const Flight& flight) const {
+  const double kinetic =
+      0.5 * (flight.vx_px_per_s * flight.vx_px_per_s + flight.vy_px_per_s * flight.vy_px_per_s);
+  return kinetic + model_.gravity_px_per_s2 * ((start_.bottom_px - start_.row.y_px) - flight.dy_px);
+}
+
+// e(to) - e(from) as (v - w)(v + w) / 2 - g (y - z): two large energies are never subtracted.
+double ArcMeter::energy_gain(const Flight& from, const Flight& to) const {
+  const double kinetic_x = (to.vx_px_per_s - from.vx_px_per_s) * (to.vx_px_per_s + from.vx_px_per_s);
+  const double kinetic_y = (to.vy_px_per_s - from.vy_px_per_s) * (to.vy_px_per_s + from.vy_px_per_s);
+  return 0.5 * (kinetic_x + kinetic_y) - model_.gravity_px_per_s2 * (to.dy_px - from.dy_px);
+}
+
+// The paper's step from the arc's last row, before any clamp: each operation rounded.
+Row ArcMeter::step_from_last(double dt_s) const {
+  Row next;
+  next.vx_px_per_s = last_.vx_px_per_s * model_.air_drag;
+  next.vy_px_per_s = (last_.vy_px_per_s + model_.gravity_px_per_s2 * dt_s) * model_.air_drag;
+  next.x_px = last_.x_px + next.vx_px_per_s * dt_s;
+  next.y_px = last_.y_px + next.vy_px_per_s * dt_s;
+  return next;
+}
+
+bool ArcMeter::is_astray(const Row& row) const {
+  const Row step = step_from_last(row.dt_s);
+  return row.x_px != step.x_px || row.y_px != step.y_px || row.vx_px_per_s != step.vx_px_per_s ||
+         row.vy_px_per_s != step.vy_px_per_s;
+}
+
+void ArcMeter::check(const Flight& closed, double dt_s) {
+  if (gathered_.has_solver_failed) return;
+  gathered_.has_solver_failed = !solver_->advance(dt_s);
+  const Flight solved = solver_->flight();
+  gathered_.apart.see(solved.dx_px - closed.dx_px, solved.dy_px - closed.dy_px);
+}
+
+// Called once last_ is the row.
+void ArcMeter::tell_row(const Flight& run, const Flight& matched, double energy, double drift) {
+  const Flight discrete = solution_.discrete();
+  const Position model = solution_.model();
+  sink_.row({.step = last_.step,
+             .t_s = last_.t_s,
+             .x_px = start_.row.x_px + matched.dx_px,
+             .y_px = start_.row.y_px + matched.dy_px,
+             .vx_px_per_s = matched.vx_px_per_s,
+             .vy_px_per_s = matched.vy_px_per_s,
+             .implementation_px = distance(run.dx_px - discrete.dx_px, run.dy_px - discrete.dy_px),
+             .truncation_px = distance(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px),
+             .model_px = distance(run.dx_px - model.x_px, run.dy_px - model.y_px),
+             .energy_px2_per_s2 = energy,
+             .energy_drift_px2_per_s2 = drift});
+}
+
+ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
+  const Gathered& g = gathered_;
+  ArcErrors arc;
+  arc.first_step = start_.row.step;
+  arc.last_step = last_.step;
+  arc.duration_s = solution_.elapsed_s();
+  arc.ended_by = ended_by;
+  arc.solves_x = solution_.solves_x();
+  arc.implementation_px = g.implementation.value();
+  arc.truncation_px = g.truncation.value();
+  arc.model_px = g.model.value();
+  arc.implementation_px_per_s = g.implementation_speed.value();
+  arc.truncation_px_per_s = g.truncation_speed.value();
+  arc.steps_astray = g.steps_astray;
+  arc.energy_largest_px2_per_s2 = g.energy_largest;
+  if (g.energy_largest > 0.0) {
+    arc.energy_drift_rel_max = g.drift_largest / g.energy_largest;
+    arc.energy_drift_rel_end = g.drift_last / g.energy_largest;
+    if (const auto slope = g.drift_fit.slope_per_s())
+      arc.energy_drift_slope_per_s = *slope / g.energy_largest;
+  }
+  arc.coordinate_largest_px = g.coordinate_largest_px;
+  if (solver_ == nullptr) return arc;
+  if (!g.has_solver_failed) arc.gsl_vs_closed_px = g.apart.value();
+  const double apart_max_px = kSolversApart_px + kSolversApart_rel * g.coordinate_largest_px;
+  arc.is_reference_fault =
+      g.has_solver_failed || (solver_->is_judge() && !(*arc.gsl_vs_closed_px <= apart_max_px));
+  return arc;
+}
+
+ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) const {
+  ImpactErrors contact;
+  contact.step = clamped.step;
+  contact.wall = wall;
+  contact.overshoot_px = overshoot_px(wall, clamped.dt_s);
+  if (arc.energy_largest_px2_per_s2 > 0.0)
+    contact.energy_jump_rel =
+        energy_gain(seen_from_start(last_), seen_from_start(clamped)) / arc.energy_largest_px2_per_s2;
+  const std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
+  if (!impact) return contact;
+  contact.time_error_s = clamped.dt_s - impact->t_s;
+  const bool is_in_x = wall == Wall::left || wall == Wall::right;
+  const double after = std::fabs(is_in_x ? clamped.vx_px_per_s : clamped.vy_px_per_s);
+  if (impact->speed_px_per_s > 0.0) contact.effective_restitution = after / impact->speed_px_per_s;
+  return contact;
+}
+
+double ArcMeter::overshoot_px(Wall wall, double dt_s) const {
+  const Row unclamped = step_from_last(dt_s);
+  switch (wall) {
+    case Wall::left:
+      return std::max(0.0, 0.0 - unclamped.x_px);
+    case Wall::right:
+      return std::max(0.0, unclamped.x_px - start_.right_px);
+    case Wall::top:
+      return std::max(0.0, 0.0 - unclamped.y_px);
+    case Wall::ground:
+      return std::max(0.0, unclamped.y_px - start_.bottom_px);
+  }
+  return 0.0;
+}
+
+// Differences of coordinates that lie near each other are exact.
+Flight ArcMeter::seen_from_start(const Row& row) const {
+  return {row.x_px - start_.row.x_px, row.y_px - start_.row.y_px, row.vx_px_per_s, row.vy_px_per_s};
+}
+
+void ArcMeter::take_in(const ArcErrors& arc) {
+  DriftSummary& s = summary_;
+  ++s.arcs;
+  if (!arc.solves_x) ++s.arcs_without_x;
+  s.steps_astray += arc.steps_astray;
+  if (arc.is_reference_fault && s.reference_faults++ == 0) s.first_reference_fault_step = arc.first_step;
+  see_worst(s.implementation_px, arc.implementation_px, arc.first_step);
+  see_worst(s.truncation_px, arc.truncation_px, arc.first_step);
+  see_worst(s.model_px, arc.model_px, arc.first_step);
+  see_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
+  see_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
+  see_worst(s.gsl_vs_closed_px, arc.gsl_vs_closed_px, arc.first_step);
+}
+
+void ArcMeter::take_in(const ImpactErrors& contact, bool is_stopped) {
+  DriftSummary& s = summary_;
+  ++s.contacts;
+  see_worst(s.time_error_s, contact.time_error_s, contact.step);
+  see_worst(s.overshoot_px, contact.overshoot_px, contact.step);
+  see_worst(s.energy_jump_rel, contact.energy_jump_rel, contact.step);
+  if (contact.effective_restitution && !is_stopped)
+    s.effective_restitution.add(*contact.effective_restitution);
+}
+
+}  // namespace hyrax

@@ -1,0 +1,102 @@
+// Measures one flight arc after the other against the exact flights.
+#pragma once
+
+#include "sim/reference/arc_cutter.h"
+#include "sim/reference/arc_solution.h"
+#include "sim/reference/drift.h"
+#include "sim/reference/flight_solver.h"
+#include "sim/reference/wall_watch.h"
+
+namespace hyrax {
+
+/// The largest of many distances; the root is taken once.
+class LargestDistance {
+ public:
+  void see(double dx, double dy) {
+    const double squared = dx * dx + dy * dy;
+    if (!(squared > squared_)) return;
+    squared_ = squared;
+    dx_ = dx;
+    dy_ = dy;
+  }
+  /// hypot(dx, dy), which may exceed the root of the largest double.
+  [[nodiscard]] double value() const;
+
+ private:
+  double squared_ = 0.0;
+  double dx_ = 0.0;
+  double dy_ = 0.0;
+};
+
+/// Slope of a least-squares line with intercept, of values that come in.
+class LineFit {
+ public:
+  void see(double t_s, double value) {
+    ++count_;
+    t_ += t_s;
+    value_ += value;
+    t_t_ += t_s * t_s;
+    t_value_ += t_s * value;
+  }
+  /// None where all t are equal.
+  [[nodiscard]] std::optional<double> slope_per_s() const;
+
+ private:
+  double count_ = 0.0;
+  double t_ = 0.0;
+  double value_ = 0.0;
+  double t_t_ = 0.0;
+  double t_value_ = 0.0;
+};
+
+class ArcMeter final : public ArcVisitor {
+ public:
+  /// @param solver checks the closed form where it is not null. Refers to sink and solver.
+  ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver);
+
+  void begin(const ArcStart& start) override;
+  void fly(const Row& row) override;
+  void end(ArcEnd ended_by, const Row* clamped) override;
+
+  /// Without what the cutter knows: skipped arcs and the first row that is not finite.
+  [[nodiscard]] const DriftSummary& summary() const { return summary_; }
+
+ private:
+  // What is gathered over the rows of one arc.
+  struct Gathered {
+    LargestDistance implementation, truncation, model, implementation_speed, truncation_speed, apart;
+    LineFit drift_fit;
+    double energy_largest = 0.0;
+    double drift_largest = 0.0;
+    double drift_last = 0.0;
+    double coordinate_largest_px = 0.0;
+    std::int64_t steps_astray = 0;
+    bool has_solver_failed = false;
+  };
+
+  [[nodiscard]] double energy(const Flight& flight) const;
+  [[nodiscard]] double energy_gain(const Flight& from, const Flight& to) const;
+  [[nodiscard]] Row step_from_last(double dt_s) const;
+  [[nodiscard]] bool is_astray(const Row& row) const;
+  void check(const Flight& closed, double dt_s);
+  void tell_row(const Flight& run, const Flight& matched, double energy, double drift);
+  [[nodiscard]] ArcErrors arc_errors(ArcEnd ended_by) const;
+  [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) const;
+  [[nodiscard]] double overshoot_px(Wall wall, double dt_s) const;
+  [[nodiscard]] Flight seen_from_start(const Row& row) const;
+  void take_in(const ArcErrors& arc);
+  void take_in(const ImpactErrors& contact, bool is_stopped);
+
+  Model model_;
+  DriftSink& sink_;
+  FlightSolver* solver_;
+  bool wants_rows_;
+  ArcSolution solution_;
+  WallWatch walls_;
+  ArcStart start_;
+  Row last_;
+  Gathered gathered_;
+  DriftSummary summary_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,144 @@
+// What a run's flight arcs and contacts are worth against the reference: values, no text.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "sim/reference/arc_cutter.h"
+#include "sim/trajectory/wall.h"
+
+namespace hyrax {
+
+/// The two solutions of an arc may lie apart by kSolversApart_px + kSolversApart_rel times the
+/// arc's largest coordinate. More is a fault of the reference, never of the run.
+inline constexpr double kSolversApart_px = 1e-9;
+inline constexpr double kSolversApart_rel = 1e-13;
+
+/// One flight arc against the exact flights from its first state.
+///
+/// Each distance is the largest hypot(dx, dy) over the arc's rows, each speed error the largest
+/// hypot(dvx, dvy). With e = (vx^2 + vy^2) / 2 + g (bottom - y), the drift is e of the run minus e
+/// of the matched ODE at the same moment, in the form that does not cancel; relative: divided by
+/// the largest e of the matched ODE over the arc's rows, and none where that is not positive.
+struct ArcErrors {
+  std::int64_t first_step = 0;  ///< Row numbers.
+  std::int64_t last_step = 0;
+  double duration_s = 0.0;
+  ArcEnd ended_by = ArcEnd::end;
+  bool solves_x = true;  ///< False: no horizontal motion, and nothing was solved in x.
+
+  double implementation_px = 0.0;  ///< Against the discrete closed form: rounding, if the code is right.
+  double truncation_px = 0.0;      ///< Against the matched ODE.
+  double model_px = 0.0;           ///< Against the ODE with the drag rate of 60 Hz.
+  double implementation_px_per_s = 0.0;
+  double truncation_px_per_s = 0.0;
+
+  /// Steps that are not the paper's step of the row before, done in strict double arithmetic: a
+  /// fused or reordered operation shows here, where its size would pass for rounding.
+  std::int64_t steps_astray = 0;
+
+  double energy_largest_px2_per_s2 = 0.0;      ///< Of the matched ODE.
+  std::optional<double> energy_drift_rel_max;  ///< Magnitude.
+  std::optional<double> energy_drift_rel_end;  ///< Signed, at last_step.
+  /// Least-squares slope with intercept of the signed relative drift; none where no time passes.
+  std::optional<double> energy_drift_slope_per_s;
+
+  double coordinate_largest_px = 0.0;      ///< Of the run and the matched ODE.
+  std::optional<double> gsl_vs_closed_px;  ///< None without a second solver, or where it failed.
+  bool is_reference_fault = false;         ///< The second solver failed or lies too far apart.
+};
+
+/// The contact that ended an arc, against the true impact: the first time t* at which the matched
+/// ODE from the arc's first state goes out through that wall, its last frame's rate going on past
+/// the last row. Times are none where t* lies later than two frames after the clamped row.
+struct ImpactErrors {
+  std::int64_t step = 0;  ///< Of the clamped row.
+  Wall wall = Wall::ground;
+  std::optional<double> time_error_s;           ///< t of the clamped row minus t*.
+  double overshoot_px = 0.0;                    ///< How far past the wall the unclamped position was, >= 0.
+  std::optional<double> energy_jump_rel;        ///< Energy change over the clamped step / the arc's largest.
+  std::optional<double> effective_restitution;  ///< Normal speed after / normal speed at t*.
+};
+
+/// A row of an arc against the exact flights. Rows of an arc come in order, its first row included.
+struct RowErrors {
+  std::int64_t step = 0;
+  double t_s = 0.0;
+  double x_px = 0.0;  ///< The matched ODE.
+  double y_px = 0.0;
+  double vx_px_per_s = 0.0;
+  double vy_px_per_s = 0.0;
+  double implementation_px = 0.0;
+  double truncation_px = 0.0;
+  double model_px = 0.0;
+  double energy_px2_per_s2 = 0.0;        ///< Of the matched ODE.
+  double energy_drift_px2_per_s2 = 0.0;  ///< Run minus matched ODE.
+};
+
+/// Receives what is measured: the rows of an arc, then the arc, then the contact that ended it.
+class DriftSink {
+ public:
+  DriftSink() = default;
+  DriftSink(const DriftSink&) = delete;
+  DriftSink& operator=(const DriftSink&) = delete;
+  virtual ~DriftSink() = default;
+
+  /// Asked once; rows cost more than arcs.
+  [[nodiscard]] virtual bool wants_rows() const { return false; }
+  virtual void row(const RowErrors& /*row*/) {}
+  virtual void arc(const ArcErrors& /*arc*/) {}
+  virtual void contact(const ImpactErrors& /*contact*/) {}
+};
+
+/// A largest value and the arc it comes from, by the arc's first_step, or the contact, by its step.
+struct Worst {
+  double value = 0.0;
+  std::int64_t step = 0;
+};
+
+/// Mean and standard deviation as values come in. Source: B. P. Welford, "Note on a method for
+/// calculating corrected sums of squares and products", Technometrics 4:419-420, 1962.
+class Spread {
+ public:
+  void add(double value) {
+    ++count_;
+    const double before = value - mean_;
+    mean_ += before / static_cast<double>(count_);
+    squares_ += before * (value - mean_);
+  }
+  [[nodiscard]] std::int64_t count() const { return count_; }
+  /// REQUIRES: count() > 0.
+  [[nodiscard]] double mean() const { return mean_; }
+  /// Of the sample, with count - 1; 0 for a single value.
+  [[nodiscard]] double standard_deviation() const;
+
+ private:
+  std::int64_t count_ = 0;
+  double mean_ = 0.0;
+  double squares_ = 0.0;
+};
+
+/// The run as a whole. What no arc or contact had is none.
+struct DriftSummary {
+  std::int64_t arcs = 0;
+  std::int64_t skipped_arcs = 0;
+  std::int64_t contacts = 0;
+  std::int64_t arcs_without_x = 0;  ///< Arcs in which nothing was solved in x.
+  std::int64_t steps_astray = 0;
+  std::int64_t reference_faults = 0;  ///< Arcs; any is a fault of the program.
+  std::optional<std::int64_t> first_reference_fault_step;
+  std::optional<std::int64_t> non_finite_step;  ///< Nothing from this row on was measured.
+
+  std::optional<Worst> implementation_px;
+  std::optional<Worst> truncation_px;
+  std::optional<Worst> model_px;
+  std::optional<Worst> energy_drift_rel_max;
+  std::optional<Worst> energy_drift_slope_per_s;  ///< The steepest, with its sign.
+  std::optional<Worst> gsl_vs_closed_px;
+  std::optional<Worst> time_error_s;  ///< The largest in magnitude, with its sign.
+  std::optional<Worst> overshoot_px;
+  std::optional<Worst> energy_jump_rel;  ///< The largest in magnitude, with its sign.
+  Spread effective_restitution;
+};
+
+}  // namespace hyrax

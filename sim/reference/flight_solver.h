@@ -1,0 +1,30 @@
+// A second solution of the matched ODE, to check the closed form by.
+#pragma once
+
+#include "sim/reference/flight.h"
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// Solves v' = g - k v frame by frame, k = -ln(air_drag) / dt of each frame; a frame of dt 0 only
+/// damps.
+class FlightSolver {
+ public:
+  FlightSolver() = default;
+  FlightSolver(const FlightSolver&) = delete;
+  FlightSolver& operator=(const FlightSolver&) = delete;
+  virtual ~FlightSolver() = default;
+
+  /// Begins an arc; nothing of the last one is left. Without `solves_x`, dx and vx stay 0.
+  virtual void start(const Velocity& velocity, bool solves_x) = 0;
+  /// Flies one frame on. False where the solver failed or a value in or out is not finite; then
+  /// the arc has no solution any more.
+  [[nodiscard]] virtual bool advance(double dt_s) = 0;
+  [[nodiscard]] virtual Flight flight() const = 0;
+
+  /// Whether its distance from the closed form is held to the bound that drift.h gives: a solver of
+  /// less than full accuracy may be asked for, and is then no judge.
+  [[nodiscard]] virtual bool is_judge() const = 0;
+};
+
+}  // namespace hyrax

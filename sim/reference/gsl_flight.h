@@ -1,0 +1,52 @@
+// The matched ODE by the GNU Scientific Library.
+//
+// Other code and other arithmetic than the closed form, so that the two can check one another.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "sim/reference/flight_solver.h"
+#include "sim/reference/model.h"
+
+namespace hyrax {
+
+/// GSL's steppers, by its names.
+enum class GslStepper { rk2, rk4, rkf45, rkck, rk8pd, rk1imp, rk2imp, rk4imp, bsimp, msadams, msbdf };
+
+inline constexpr std::array<std::string_view, 11> kGslStepperNames = {
+    "rk2", "rk4", "rkf45", "rkck", "rk8pd", "rk1imp", "rk2imp", "rk4imp", "bsimp", "msadams", "msbdf"};
+
+struct GslOptions {
+  GslStepper stepper = GslStepper::rk8pd;
+  double tolerance = 1e-12;  ///< Of a step, absolute and relative; kGslToleranceMin .. kGslToleranceMax.
+};
+
+/// Below it the rounding of a step exceeds its tolerance.
+inline constexpr double kGslToleranceMin = 1e-14;
+inline constexpr double kGslToleranceMax = 1e-1;
+/// Steps that a frame may take before the solver counts as failed.
+inline constexpr unsigned long kGslStepsPerFrameMax = 10'000;
+
+/// Ends each step on a row. Restarts at every arc and wherever dt changes: a multistep method that
+/// remembers other forces is off by hundreds of px.
+class GslFlight final : public FlightSolver {
+ public:
+  /// REQUIRES: options within their limits. Turns GSL's own error handler off, for the whole program.
+  /// ERRORS: std::bad_alloc.
+  explicit GslFlight(const GslOptions& options = {}, const Model& model = {});
+  ~GslFlight() override;
+
+  void start(const Velocity& velocity, bool solves_x) override;
+  [[nodiscard]] bool advance(double dt_s) override;
+  [[nodiscard]] Flight flight() const override;
+  /// rk8pd at 1e-12 or less.
+  [[nodiscard]] bool is_judge() const override;
+
+ private:
+  struct Solver;
+  std::unique_ptr<Solver> solver_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,52 @@
+// The inputs of a run, applied again to the state between two frames.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/input.h"
+#include "sim/trajectory/row.h"
+
+namespace hyrax {
+
+/// What the inputs of one frame did.
+struct InputChange {
+  bool ends_arc = false;  ///< Every input but a hitch, which is a frame with another dt.
+  bool grabs = false;
+  bool sets_position = false;
+  bool sets_velocity = false;
+};
+
+/// Keeps what rows do not say: the sizes in force, and whether the sprite is held.
+class InputPlayback {
+ public:
+  /// @param inputs in order of frames.
+  InputPlayback(const Scenario& scenario, std::vector<Input> inputs);
+
+  /// Applies the inputs of frame `row.step`, the frame after the row, to the row's state.
+  /// REQUIRES: called for every row in order.
+  InputChange apply(Row& row) {
+    if (next_ == inputs_.size() || inputs_[next_].frame > row.step) return {};
+    return apply_due(row);
+  }
+
+  [[nodiscard]] bool is_held() const { return is_held_; }
+  /// Bounds of the sprite's top left corner, beside 0.
+  [[nodiscard]] double right_px() const { return static_cast<double>(window_.width_px - sprite_.width_px); }
+  [[nodiscard]] double bottom_px() const {
+    return static_cast<double>(window_.height_px - sprite_.height_px);
+  }
+
+ private:
+  InputChange apply_due(Row& row);
+  void apply(const Input& input, Row& row, InputChange& change);
+
+  Size window_;
+  Size sprite_;
+  std::vector<Input> inputs_;
+  std::size_t next_ = 0;
+  bool is_held_ = false;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,147 @@
+#include "sim/reference/margin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/wall.h"
+
+namespace hyrax {
+namespace {
+
+// A slope or a speed of this size decides nothing any more: a decision would have to lie nearer than
+// any double. It is dropped, so that a long rest does not crawl through subnormal numbers.
+constexpr double kGone = 1e-200;
+
+double scaled(double value, double factor) {
+  const double result = value * factor;
+  return std::fabs(result) < kGone ? 0.0 : result;
+}
+
+// Of a bound, a whole number.
+double half_ulp(double bound_px) {
+  return 0.5 * (std::nextafter(bound_px, std::numeric_limits<double>::infinity()) - bound_px);
+}
+
+double sign_of(double value) { return value == 0.0 ? 0.0 : std::copysign(1.0, value); }
+
+}  // namespace
+
+MarginMeter::MarginMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model)
+    : playback_(scenario, std::move(inputs)),
+      model_(model),
+      half_width_(std::numeric_limits<double>::infinity()) {}
+
+void MarginMeter::rows(const Columns& batch) {
+  for (std::size_t index = 0; index < batch.size() && !has_ended_; ++index) take(batch.row(index));
+}
+
+void MarginMeter::take(const Row& row) {
+  has_ended_ = !is_finite_state(row);
+  if (has_ended_) return;
+  if (row.step > 0 && !playback_.is_held()) step_to(row);
+  last_ = row;
+  const InputChange change = playback_.apply(last_);
+  if (change.sets_position) x_.position = y_.position = {};
+  if (change.sets_velocity) x_.speed = y_.speed = {};
+}
+
+void MarginMeter::step_to(const Row& row) {
+  const Unclamped x = fly(x_, last_.x_px, last_.vx_px_per_s, 0.0, row.dt_s);
+  const Unclamped y = fly(y_, last_.y_px, last_.vy_px_per_s, model_.gravity_px_per_s2, row.dt_s);
+  decide_walls(row, true, x_, x);
+  decide_walls(row, false, y_, y);
+  if (row.contact != 0) clamp(row, y.speed_px_per_s);
+}
+
+// v' = a (v + g h), p' = p + h v', and the same without g for the slopes.
+MarginMeter::Unclamped MarginMeter::fly(Axis& axis, double position_px, double speed_px_per_s,
+                                        double acceleration_px_per_s2, double dt_s) const {
+  axis.speed.by_position *= model_.air_drag;
+  axis.speed.by_speed *= model_.air_drag;
+  axis.position.by_position += dt_s * axis.speed.by_position;
+  axis.position.by_speed += dt_s * axis.speed.by_speed;
+  const double speed = scaled(speed_px_per_s + acceleration_px_per_s2 * dt_s, model_.air_drag);
+  return {position_px, speed * dt_s, speed};
+}
+
+// The listing asks for the wall at 0 first, and for the far one only where that did not clamp. The
+// far one clamps what comes out beyond it after rounding, so by more than half a unit in its last
+// place; next to 0 nothing is rounded away.
+void MarginMeter::decide_walls(const Row& row, bool is_x, const Axis& axis, const Unclamped& step) {
+  const Decision near = is_x ? Decision::left : Decision::top;
+  const Decision far = is_x ? Decision::right : Decision::ground;
+  const double inside_near_px = step.from_px + step.move_px;
+  if (touches(row.contact, is_x ? Wall::left : Wall::top))
+    return see(near, row, true, is_x, -inside_near_px, -1.0, axis.position);
+  see(near, row, false, is_x, inside_near_px, 1.0, axis.position);
+  const double far_px = is_x ? playback_.right_px() : playback_.bottom_px();
+  const double inside_far_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
+  if (touches(row.contact, is_x ? Wall::right : Wall::ground))
+    see(far, row, true, is_x, -inside_far_px, 1.0, axis.position);
+  else
+    see(far, row, false, is_x, inside_far_px, -1.0, axis.position);
+}
+
+void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {
+  const auto turn = [this](Axis& axis) {
+    axis.position = {};
+    axis.speed.by_position = scaled(axis.speed.by_position, -model_.restitution);
+    axis.speed.by_speed = scaled(axis.speed.by_speed, -model_.restitution);
+  };
+  if (touches(row.contact, Wall::left) || touches(row.contact, Wall::right)) turn(x_);
+  if (touches(row.contact, Wall::top)) turn(y_);
+  if (!touches(row.contact, Wall::ground)) return;
+  turn(y_);
+  x_.speed.by_position = scaled(x_.speed.by_position, model_.ground_friction);
+  x_.speed.by_speed = scaled(x_.speed.by_speed, model_.ground_friction);
+
+  const double vy = -vy_unclamped_px_per_s * model_.restitution;
+  const bool is_stopped = (row.contact & kRestBit) != 0;
+  const double above = std::fabs(vy) - model_.rest_threshold_px_per_s;
+  const double outwards = std::copysign(1.0, vy);
+  see(Decision::rest, row, is_stopped, false, is_stopped ? -above : above, is_stopped ? -outwards : outwards,
+      y_.speed);
+  if (is_stopped) y_.speed = {};
+}
+
+// @param distance >= 0 to where the decision falls otherwise; @param sign of its change with the
+// quantity whose slope is given.
+void MarginMeter::see(Decision decision, const Row& row, bool is_taken, bool is_x, double distance,
+                      double sign, const Slope& slope) {
+  const double steepness = std::fabs(slope.by_position) + std::fabs(slope.by_speed);
+  if (steepness == 0.0) return;
+  const double kept = std::max(0.0, distance);
+  if (!(kept < half_width_ * steepness)) return;
+  half_width_ = kept / steepness;
+  nearest_ = {decision, row.step, is_taken, {}};
+  const std::size_t axis = is_x ? 0 : 1;
+  nearest_.towards[axis] = -sign * sign_of(slope.by_position);
+  nearest_.towards[axis + 2] = -sign * sign_of(slope.by_speed);
+}
+
+Margin MarginMeter::margin() const {
+  Margin margin;
+  if (std::isfinite(half_width_)) {
+    margin.half_width = half_width_;
+    margin.nearest = nearest_;
+  }
+  const std::array<const Axis*, 2> axes = {&x_, &y_};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Axis& a = *axes[axis];
+    margin.sensitivity[axis][axis] = a.position.by_position;
+    margin.sensitivity[axis][axis + 2] = a.position.by_speed;
+    margin.sensitivity[axis + 2][axis] = a.speed.by_position;
+    margin.sensitivity[axis + 2][axis + 2] = a.speed.by_speed;
+  }
+  for (const auto& row : margin.sensitivity) {
+    double sum = 0.0;
+    for (const double entry : row) sum += std::fabs(entry);
+    margin.sensitivity_norm = std::max(margin.sensitivity_norm, sum);
+  }
+  return margin;
+}
+
+}  // namespace hyrax

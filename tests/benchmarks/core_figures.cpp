@@ -1,0 +1,217 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/split_mix64.h"
+#include "tests/benchmarks/figure.h"
+#include "tests/benchmarks/naive_step.h"
+#include "tests/benchmarks/stopwatch.h"
+#include "tools/store/row_table.h"
+
+namespace hyrax::bench {
+namespace {
+
+constexpr double kDt_s = 1.0 / 60.0;
+constexpr int kRounds = 15;
+
+Figure ratio(std::string what, const Timing& above, const Timing& below, double scale, double goal,
+             bool is_at_least) {
+  return {std::move(what),
+          scale * above.median() / below.median(),
+          scale * above.quantile(0.25) / below.quantile(0.75),
+          scale * above.quantile(0.75) / below.quantile(0.25),
+          goal,
+          is_at_least,
+          ""};
+}
+
+struct Throw {
+  double x, y, vx, vy;
+};
+
+std::vector<Throw> random_throws(std::size_t count) {
+  const auto draw = [](std::size_t k, double low, double high) {
+    return low + (high - low) * split_mix64_unit(2026, k);
+  };
+  std::vector<Throw> throws;
+  for (std::size_t index = 0; index < count; ++index)
+    throws.push_back({draw(4 * index, 0, 1792), draw(4 * index + 1, 0, 952), draw(4 * index + 2, -2000, 2000),
+                      draw(4 * index + 3, -2000, 2000)});
+  return throws;
+}
+
+// The longest chain of dependent operations of a step in flight: one add, one multiply on vy.
+double bare_recurrence(std::int64_t steps) {
+  double vy = 1.0;
+  const double gain = physics::GRAVITY * kDt_s;
+  for (std::int64_t step = 0; step < steps; ++step) {
+    vy = (vy + gain) * physics::AIR_DRAG;
+    asm volatile("" : "+x"(vy));
+  }
+  return vy;
+}
+
+constexpr int kWide_px = 1'000'000;
+
+void fly(std::int64_t flights, int steps) {
+  for (std::int64_t flight = 0; flight < flights; ++flight) {
+    physics body(1000.0, 1000.0, 10.0, -100.0);
+    for (int step = 0; step < steps; ++step) body.update(kDt_s, kWide_px, kWide_px, 128, 128);
+    keep(body);
+  }
+}
+
+Figure flight_figure() {
+  const auto timings =
+      time_side_by_side({[] { keep(bare_recurrence(2'000'000)); }, [] { fly(1000, 2000); }}, kRounds);
+  return ratio("one body in flight, part of the bound (add + multiply on vy)", timings[0], timings[1], 100.0,
+               88.0, true);
+}
+
+Figure fling_figure() {
+  const std::vector<Throw> throws = random_throws(2000);
+  const auto play = [&](const auto& step) {
+    for (const Throw& t : throws) {
+      physics body(t.x, t.y, t.vx, t.vy);
+      for (int frame = 0; frame < 600; ++frame) step(body);
+      keep(body);
+    }
+  };
+  const auto timings =
+      time_side_by_side({[&] { play([](physics& body) { naive_step(body, kDt_s, 1920, 1080, 128, 128); }); },
+                         [&] { play([](physics& body) { body.update(kDt_s, 1920, 1080, 128, 128); }); }},
+                        kRounds);
+#ifdef __clang__
+  constexpr double kGoal = 3.1;
+#else
+  constexpr double kGoal = 2.1;
+#endif
+  return ratio("random flings, times faster than naive", timings[0], timings[1], 1.0, kGoal, true);
+}
+
+Scenario scene(std::int64_t steps) {
+  Scenario scenario;
+  scenario.window = {1920, 1080};
+  scenario.sprite = {128, 128};
+  scenario.start = {100.0, 100.0};
+  scenario.start_velocity = {900.0, -1200.0};
+  scenario.clock.base = FixedRate{60.0};
+  scenario.length = steps;
+  return scenario;
+}
+
+void step_naively(const Scenario& scenario, std::int64_t steps) {
+  physics body(scenario.start.x_px, scenario.start.y_px, scenario.start_velocity.vx_px_per_s,
+               scenario.start_velocity.vy_px_per_s);
+  for (std::int64_t step = 0; step < steps; ++step)
+    naive_step(body, kDt_s, scenario.window.width_px, scenario.window.height_px, 128, 128);
+  keep(body);
+}
+
+Figure soak_figure() {
+  constexpr std::int64_t kSteps = 10'000'000;
+  const Scenario scenario = scene(kSteps);
+  const auto timings = time_side_by_side({[&] { step_naively(scenario, kSteps); },
+                                          [&] {
+                                            RowSink sink;
+                                            keep(replay(scenario, sink));
+                                          }},
+                                         5);
+  return ratio("a soak of 1e7 steps, hash included, times faster than naive", timings[0], timings[1], 1.0,
+               1000.0, true);
+}
+
+// The sprite is thrown anew every ten seconds, so that it keeps flying and bouncing.
+Figure hash_figure() {
+  constexpr std::int64_t kThrows = 1000;
+  Scenario scenario = scene(600 * kThrows);
+  const std::vector<Throw> throws = random_throws(kThrows);
+  for (std::int64_t index = 0; index < kThrows; ++index) {
+    const Throw& t = throws[static_cast<std::size_t>(index)];
+    scenario.events.push_back({600 * index, Place{{t.x, t.y}}});
+    scenario.events.push_back({600 * index, Fling{{t.vx, t.vy}}});
+  }
+  const auto naive = [&] {
+    for (const Throw& t : throws) {
+      physics body(t.x, t.y, t.vx, t.vy);
+      for (int frame = 0; frame < 600; ++frame) naive_step(body, kDt_s, 1920, 1080, 128, 128);
+      keep(body);
+    }
+  };
+  const auto timings = time_side_by_side({[&] {
+                                            RowSink sink;
+                                            keep(replay(scenario, sink, {.skips_repetition = false}));
+                                          },
+                                          naive},
+                                         kRounds);
+  return ratio("replay with the state hash of every row, of naive stepping", timings[0], timings[1], 100.0,
+               140.0, false);
+}
+
+constexpr std::size_t kBatchRows = RowTable::kBatch;
+constexpr std::int64_t kBatches = 153;  // 1e7 rows.
+
+Columns some_rows() {
+  Columns rows;
+  for (std::size_t row = 0; row < kBatchRows; ++row) {
+    const auto number = static_cast<double>(row);
+    rows.append(
+        {static_cast<std::int64_t>(row), number * kDt_s, kDt_s, number, 0.5 * number, -number, number, 0});
+  }
+  return rows;
+}
+
+void write_plainly(const std::string& path, const Columns& rows) {
+  const int file = open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+  bool is_written = true;
+  const auto put = [&](const auto& column) {
+    const auto bytes = column.size() * sizeof(column[0]);
+    is_written = write(file, column.data(), bytes) == static_cast<ssize_t>(bytes) && is_written;
+  };
+  for (std::int64_t batch = 0; batch < kBatches; ++batch) {
+    put(rows.step);
+    for (const auto* column :
+         {&rows.t_s, &rows.dt_s, &rows.x_px, &rows.y_px, &rows.vx_px_per_s, &rows.vy_px_per_s})
+      put(*column);
+    put(rows.contact);
+  }
+  close(file);
+  keep(is_written);
+}
+
+void write_hdf5(const std::string& path, const Columns& rows) {
+  h5::Handle file = h5::create_file(path, 1u << 30);
+  const h5::Handle group = h5::create_group(file, "trajectory");
+  RowTable table(group, kBatches * static_cast<std::int64_t>(kBatchRows));
+  bool is_written = true;
+  for (std::int64_t batch = 0; batch < kBatches; ++batch) is_written = table.append(rows) && is_written;
+  keep(table.finish() && is_written);
+}
+
+Figure writer_figure() {
+  const std::string folder = "/dev/shm/hyrax-figures-" + std::to_string(getpid());
+  std::filesystem::create_directory(folder);
+  const Columns rows = some_rows();
+  const auto timings = time_side_by_side({[&] {
+                                            write_plainly(folder + "/plain", rows);
+                                            std::filesystem::remove(folder + "/plain");
+                                          },
+                                          [&] {
+                                            write_hdf5(folder + "/rows.h5", rows);
+                                            std::filesystem::remove(folder + "/rows.h5");
+                                          }},
+                                         5);
+  std::filesystem::remove_all(folder);
+  return ratio("1e7 rows to HDF5 on tmpfs, part of the speed of write(2)", timings[0], timings[1], 100.0,
+               90.0, true);
+}
+
+}  // namespace
+
+std::vector<Figure> core_figures() {
+  return {flight_figure(), fling_figure(), soak_figure(), hash_figure(), writer_figure()};
+}
+
+}  // namespace hyrax::bench

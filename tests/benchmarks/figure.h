@@ -1,0 +1,24 @@
+// A figure of speed: what was measured, against what it should reach.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hyrax::bench {
+
+struct Figure {
+  std::string what;
+  double measured = 0.0;
+  double low = 0.0;  ///< First and third quartile of the measured value.
+  double high = 0.0;
+  double goal = 0.0;
+  bool is_at_least = true;  ///< The goal is a floor; else a ceiling.
+  std::string unit;
+};
+
+/// Stepping, replay, hash and rows, in this process.
+[[nodiscard]] std::vector<Figure> core_figures();
+/// The program as users start it. @param program path of hyrax-sim; @param scenarios folder.
+[[nodiscard]] std::vector<Figure> program_figures(const std::string& program, const std::string& scenarios);
+
+}  // namespace hyrax::bench

@@ -1,0 +1,128 @@
+#include "tools/report/run_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+
+namespace hyrax {
+namespace {
+
+Box around(const Box& a, const Box& b) {
+  return {std::min(a.left_px, b.left_px), std::min(a.top_px, b.top_px), std::max(a.right_px, b.right_px),
+          std::max(a.bottom_px, b.bottom_px)};
+}
+
+Box grown(const Box& box, double by_px) {
+  return {box.left_px - by_px, box.top_px - by_px, box.right_px + by_px, box.bottom_px + by_px};
+}
+
+double longer_side_px(const Box& box) { return std::max(box.width_px(), box.height_px()); }
+
+std::vector<Size> windows_of(const SizesInForce& sizes) {
+  std::vector<Size> windows;
+  for (const auto& change : sizes.changes())
+    if (std::find(windows.begin(), windows.end(), change.window) == windows.end())
+      windows.push_back(change.window);
+  return windows;
+}
+
+std::vector<Size> shown(const std::vector<Size>& windows) {
+  if (windows.size() <= kWindowsShownMax) return windows;
+  std::vector<Size> some;
+  for (std::size_t i = 0; i < kWindowsShownMax; ++i)
+    some.push_back(windows[i * (windows.size() - 1) / (kWindowsShownMax - 1)]);
+  return some;
+}
+
+// The windows, with the sprite wherever it is no farther from them than half their longer side: a
+// start a million px away must not make the window a dot.
+Box view_of(const std::vector<Size>& windows, const Columns& rows, const SizesInForce& sizes) {
+  Box room;
+  for (const Size& window : windows)
+    room =
+        around(room, {0.0, 0.0, static_cast<double>(window.width_px), static_cast<double>(window.height_px)});
+  const Size& sprite = sizes.changes().front().sprite;
+  const Box near = grown(room, longer_side_px(room) / 2 + std::max(sprite.width_px, sprite.height_px));
+
+  Box view = room;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Box outline = sprite_box(rows.x_px[i], rows.y_px[i], sizes.at(rows.step[i]).sprite);
+    if (near.holds(outline.left_px, outline.top_px) && near.holds(outline.right_px, outline.bottom_px))
+      view = around(view, outline);
+  }
+  return grown(view, 0.015 * std::max(longer_side_px(view), 1.0));
+}
+
+// The first throws that can be seen.
+std::vector<Throw> throws_in(const Box& view, std::vector<Throw> throws) {
+  std::erase_if(throws, [&view](const Throw& one) {
+    return one.velocity == Velocity{} || !view.holds(one.x_px, one.y_px);
+  });
+  throws.resize(std::min(throws.size(), kThrowsShownMax));
+  return throws;
+}
+
+std::vector<Bounce> bounces_of(const std::vector<Contact>& contacts, const SizesInForce& sizes) {
+  std::vector<Bounce> bounces;
+  for (std::size_t i = 0; i < std::min(contacts.size(), kBouncesShownMax); ++i)
+    bounces.push_back({contacts[i].wall,
+                       sprite_box(contacts[i].x_px, contacts[i].y_px, sizes.at(contacts[i].step).sprite)});
+  return bounces;
+}
+
+std::vector<Box> ghosts_of(const std::vector<Bounce>& bounces) {
+  constexpr double kTolerance = 0.06;
+  std::vector<Box> ghosts;
+  for (const Bounce& bounce : bounces) {
+    const auto covers = [&bounce](const Box& ghost) {
+      return nearly_cover(ghost, bounce.sprite, kTolerance);
+    };
+    if (std::none_of(ghosts.begin(), ghosts.end(), covers)) ghosts.push_back(bounce.sprite);
+  }
+  return ghosts;
+}
+
+std::optional<Box> outline_at(const Columns& rows, std::size_t index, const SizesInForce& sizes) {
+  const Row row = rows.row(index);
+  if (!is_finite_state(row)) return std::nullopt;
+  return sprite_box(row.x_px, row.y_px, sizes.at(row.step).sprite);
+}
+
+}  // namespace
+
+Box sprite_box(double x_px, double y_px, const Size& sprite) {
+  return {x_px, y_px, x_px + sprite.width_px, y_px + sprite.height_px};
+}
+
+bool nearly_cover(const Box& a, const Box& b, double tolerance) {
+  const double dx_px = std::max(std::fabs(a.left_px - b.left_px), std::fabs(a.right_px - b.right_px));
+  const double dy_px = std::max(std::fabs(a.top_px - b.top_px), std::fabs(a.bottom_px - b.bottom_px));
+  return dx_px < tolerance * a.width_px() && dy_px < tolerance * a.height_px();
+}
+
+RunScene make_run_scene(const Scenario& scenario, const Columns& rows, const std::vector<Contact>& contacts,
+                        double view_parts) {
+  std::vector<std::int64_t> frames;
+  if (!scenario.events.empty()) frames = schedule_events(scenario, step_count(scenario)).frames;
+  const SizesInForce sizes(scenario, frames);
+
+  RunScene scene;
+  const std::vector<Size> windows = windows_of(sizes);
+  scene.windows = shown(windows);
+  scene.view = view_of(windows, rows, sizes);
+  scene.path = make_run_path(rows, sizes, longer_side_px(scene.view) / view_parts);
+  scene.starts_downwards = scenario.start_velocity.vy_px_per_s > 0;
+  scene.throws = throws_in(scene.view, throws_of(scenario, frames, rows, sizes));
+  scene.bounces = bounces_of(contacts, sizes);
+  scene.ghosts = ghosts_of(scene.bounces);
+  for (const Contact& contact : contacts) ++scene.contacts[wall_index(contact.wall)];
+  if (rows.size() > 0) {
+    scene.start = outline_at(rows, 0, sizes);
+    scene.end = outline_at(rows, rows.size() - 1, sizes);
+  }
+  return scene;
+}
+
+}  // namespace hyrax

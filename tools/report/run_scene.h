@@ -1,0 +1,61 @@
+// What a picture of a run shows, in px of its window. Nothing of it is text: run_figure.h draws it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/columns.h"
+#include "sim/trajectory/contact.h"
+#include "tools/report/run_path.h"
+#include "tools/report/throws.h"
+
+namespace hyrax {
+
+struct Box {
+  double left_px = 0.0, top_px = 0.0, right_px = 0.0, bottom_px = 0.0;
+
+  [[nodiscard]] double width_px() const { return right_px - left_px; }
+  [[nodiscard]] double height_px() const { return bottom_px - top_px; }
+  /// Whether it holds the point; points that are not finite are in no box.
+  [[nodiscard]] bool holds(double x_px, double y_px) const {
+    return x_px >= left_px && x_px <= right_px && y_px >= top_px && y_px <= bottom_px;
+  }
+};
+
+/// Whether two outlines differ by less than the part `tolerance` of the first one's sides.
+[[nodiscard]] bool nearly_cover(const Box& a, const Box& b, double tolerance);
+
+/// The sprite's outline at a moment.
+[[nodiscard]] Box sprite_box(double x_px, double y_px, const Size& sprite);
+
+struct Bounce {
+  Wall wall = Wall::ground;
+  Box sprite;
+};
+
+struct RunScene {
+  std::vector<Size> windows;  ///< Each once, as they came; of many, some, with the first and the last.
+  std::optional<Box> start, end;
+  bool starts_downwards = false;
+  std::vector<Bounce> bounces;  ///< The first kBouncesShownMax.
+  std::vector<Box> ghosts;      ///< Their outlines, without those that nearly cover one another.
+  WallCounts contacts{};        ///< How many there are, drawn or not.
+  std::vector<Throw> throws;    ///< The first kThrowsShownMax.
+  RunPath path;
+  Box view;  ///< Holds the windows, and the sprite as long as it stays near them.
+};
+
+inline constexpr std::size_t kBouncesShownMax = 30;
+inline constexpr std::size_t kThrowsShownMax = 12;
+inline constexpr std::size_t kWindowsShownMax = 12;
+
+/// @param view_parts how fine the picture is: the path shows what is larger than the view's longer
+/// side divided by it.
+/// REQUIRES: rows and contacts are of this scenario, whose events have frames.
+[[nodiscard]] RunScene make_run_scene(const Scenario& scenario, const Columns& rows,
+                                      const std::vector<Contact>& contacts, double view_parts);
+
+}  // namespace hyrax

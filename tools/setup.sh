@@ -1,0 +1,172 @@
+# shellcheck shell=bash
+# What tools/run, tools/test and .ci/run share: packages, configuring and building. Sourced, not run.
+# Everything it says goes to stderr, so that stdout holds nothing but the program's own results.
+
+packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev libcli11-dev
+  libfmt-dev libxxhash-dev nlohmann-json3-dev)
+packages_to_draw=(gnuplot-nox)
+packages_to_test=(libgtest-dev libgmock-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf
+  python3-jsonschema python3-xxhash)
+packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
+packages_for_ci=(clang-format clang-tidy shellcheck git)
+
+readonly exit_cannot_access=3
+
+say() { printf '%s\n' "$*" >&2; }
+
+stop() {
+  say "$*"
+  exit "$exit_cannot_access"
+}
+
+# The folder that holds the project, whatever the current folder and however the script was called.
+project_folder() {
+  local script
+  script=$(readlink -f -- "${BASH_SOURCE[0]}")
+  dirname -- "$(dirname -- "$script")"
+}
+
+# ensure_packages PACKAGE...: installs those that are missing. Without one missing, it calls no apt
+# and needs no network. Asks on a terminal unless `assume_yes` is set to yes.
+ensure_packages() {
+  has_apt || stop_with_list "$@"
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  [[ $EUID -eq 0 ]] || command -v sudo > /dev/null || stop "These packages are missing. Install them as root:
+  apt-get install --no-install-recommends ${missing[*]}"
+  apt_knows "${missing[@]}" || update_lists
+  apt_knows "${missing[@]}" || stop "apt cannot install what is missing: ${missing[*]}
+$(plan_of "${missing[@]}" 2>&1 | grep '^E:')"
+  agree_to "${missing[@]}"
+  install_packages "${missing[@]}"
+}
+
+# Debian and Ubuntu have the packages under these names; whoever is like them may as well.
+has_apt() {
+  command -v apt-get > /dev/null && command -v dpkg-query > /dev/null && [[ -r /etc/os-release ]] &&
+    grep -qE '^ID(_LIKE)?=.*(debian|ubuntu)' /etc/os-release
+}
+
+stop_with_list() {
+  stop "This is neither Debian nor Ubuntu, so nothing was installed. Install what corresponds to these packages,
+  $*
+then build with CMake: cmake -S . -B build && cmake --build build
+which makes build/bin/hyrax-sim; ctest --test-dir build runs the tests."
+}
+
+missing_packages() {
+  local package states
+  # dpkg-query fails if one package is unknown to it, and still tells about the others.
+  states=$(dpkg-query -W -f '${Package}=${db:Status-Status}\n' "$@" 2> /dev/null) || true
+  for package in "$@"; do
+    [[ $'\n'$states$'\n' == *$'\n'"$package=installed"$'\n'* ]] || printf '%s\n' "$package"
+  done
+}
+
+as_root() {
+  if [[ $EUID -eq 0 ]]; then "$@"; else sudo "$@"; fi
+}
+
+# Works without root, and prints the sizes that the question tells.
+plan_of() { LC_ALL=C apt-get install --print-uris --yes --no-install-recommends "$@"; }
+
+apt_knows() { plan_of "$@" > /dev/null 2>&1; }
+
+update_lists() {
+  timed "package lists" logged as_root apt-get -qq update ||
+    stop "apt could not fetch the package lists; see above, and run this again with a network."
+}
+
+agree_to() {
+  local sizes answer
+  sizes=$(plan_of "$@" 2> /dev/null |
+    sed -nE 's/^Need to get ([^\/]*\/)?(.*) of archives\.$/\2 to download/p
+             s/^After this operation, (.*) of additional disk space will be used\.$/\1 on disk/p')
+  say "Missing packages (with what they need: ${sizes//$'\n'/, }):" "$@"
+  # Without a terminal there is nobody to ask, as in a container or a CI job.
+  [[ ${assume_yes:-no} == no && -t 0 && -t 2 ]] || return 0
+  read -r -p "Install them? [Y/n] " answer || answer=n
+  [[ ${answer:-y} == [yY]* ]] || stop "Nothing was installed."
+}
+
+install_packages() {
+  timed "packages" logged apt_install "$@" && return
+  # Lists that are too old name files that are gone from the servers.
+  update_lists
+  timed "packages" logged apt_install "$@" || stop "The packages could not be installed; see above."
+}
+
+apt_install() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install --yes --no-install-recommends \
+    -o DPkg::Lock::Timeout=300 "$@"
+}
+
+# logged COMMAND...: runs it without a word; if it fails, shows the end of what it said.
+logged() {
+  local log code=0
+  log=$(mktemp)
+  "$@" > "$log" 2>&1 < /dev/null || code=$?
+  [[ $code -eq 0 ]] || tail -n 40 -- "$log" >&2
+  rm -f -- "$log"
+  return "$code"
+}
+
+# timed NAME COMMAND...: runs it, then tells how long it took and how it ended.
+timed() {
+  local name=$1 begin=${EPOCHREALTIME/[.,]/} code=0 tenths
+  shift
+  "$@" || code=$?
+  tenths=$(((${EPOCHREALTIME/[.,]/} - begin + 50000) / 100000))
+  say "$(printf '%-34s %4d.%d s%s' "$name" $((tenths / 10)) $((tenths % 10)) "$(failed_mark "$code")")"
+  return "$code"
+}
+
+failed_mark() { [[ $1 -eq 0 ]] || printf '   FAILED (exit %d)' "$1"; }
+
+# configure FOLDER NAME=VALUE...: runs CMake where the folder is not configured like this already.
+# Later changes of a CMakeLists.txt are seen by ninja, which runs CMake itself.
+configure() {
+  local folder=$1
+  shift
+  is_configured "$folder" "$@" && return
+  forget_other_source "$folder"
+  timed "configure ${folder#"$project/"}" logged \
+    cmake --log-level=WARNING -S "$project" -B "$folder" -G Ninja "${@/#/-D}"
+}
+
+is_configured() {
+  local folder=$1 setting cache
+  shift
+  [[ -f $folder/build.ninja && -f $folder/CMakeCache.txt ]] || return 1
+  cache=$'\n'$(< "$folder/CMakeCache.txt")$'\n'
+  [[ $cache == *$'\n'"CMAKE_HOME_DIRECTORY:INTERNAL=$project"$'\n'* ]] || return 1
+  for setting in "$@"; do
+    [[ $cache =~ $'\n'"${setting%%=*}:"[A-Z]+"=${setting#*=}"$'\n' ]] || return 1
+  done
+}
+
+# A clone that was copied or moved brings a build folder that CMake refuses.
+forget_other_source() {
+  local folder=$1
+  [[ -f $folder/CMakeCache.txt ]] || return 0
+  grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$folder/CMakeCache.txt" || rm -rf -- "$folder"
+}
+
+# build FOLDER [TARGET]...: on a terminal with ninja's one line of progress, else silent if all is well.
+build() {
+  local folder=$1 quiet=(--quiet)
+  shift
+  [[ ! -t 2 ]] || quiet=()
+  ninja "${quiet[@]}" -C "$folder" "$@" >&2
+}
+
+can_write() { mkdir -p -- "$1" 2> /dev/null && [[ -w $1 ]]; }
+
+# Between hold and release, others who want to build in the folder wait.
+hold() {
+  exec {held}< "$1"
+  flock "$held"
+}
+
+release() { exec {held}<&-; }
