@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace hyrax {
 namespace {
@@ -35,8 +36,8 @@ class Judge {
     }
     verdicts_.push_back(std::move(verdict));
   }
-  void at_most(const char* rule, const std::optional<double>& wanted, double measured) {
-    if (wanted) verdicts_.push_back({rule, "at most " + text_of(*wanted), measured <= *wanted, measured});
+  void at_most(const char* rule, const std::optional<double>& wanted, const std::optional<double>& measured) {
+    if (wanted) within(rule, Interval{-std::numeric_limits<double>::infinity(), *wanted}, measured);
   }
   void equals(const char* rule, const std::optional<std::string>& wanted, const std::string& measured) {
     if (wanted) verdicts_.push_back({rule, *wanted, *wanted == measured, measured});

@@ -11,11 +11,12 @@
 
 namespace hyrax {
 
-/// The three errors of a run that `expect` may bound; see sim/reference.
+/// The three errors of a run that `expect` may bound; see sim/reference. What no arc of the run has,
+/// is none, and keeps no bound.
 struct RunErrors {
-  double implementation_px = 0.0;
-  double truncation_px = 0.0;
-  double energy_drift_rel = 0.0;
+  std::optional<double> implementation_px;
+  std::optional<double> truncation_px;
+  std::optional<double> energy_drift_rel;
 };
 
 struct Expectation {

@@ -53,6 +53,7 @@ Replay::Player::Player(const Scenario& scenario, RowSink& sink, ReplayOptions op
 
 Replay::Player::Player(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options)
     : Player(scenario, sink, options, from) {
+  last_recorded_step_ = from.row.step;
   const std::int64_t every = wants_.rows_every;
   if (every > 0) next_recorded_step_ = (from.row.step / every + 1) * every;
 }
@@ -134,12 +135,13 @@ void Replay::Player::play_hitch() {
 void Replay::Player::play_even_stretch(std::int64_t end) {
   dt_s_.assign(1, clock_.dt_s(step()));
   Search search{body(), step()};
-  while (step() < end && !summary_.non_finite_step) {
+  while (step() < end) {
     const std::int64_t search_end = search.step + search.window;
     Stretch next = stretch(std::min<std::int64_t>({end, search_end}) - step());
     next.frames = std::min(next.frames, room());
     next.anchor = &search.anchor;
     play_batch(next);
+    if (summary_.non_finite_step) return;
     const std::int64_t period = step() - search.step;
     if (log_.met_anchor && end - step() > 2 * period) return repeat(period, end);
     if (step() == search_end || log_.met_anchor)
@@ -251,6 +253,7 @@ void Replay::Player::see_bounds(const Row& row) {
 
 void Replay::Player::record(const Row& row) {
   recorded_.append(row);
+  last_recorded_step_ = row.step;
   next_recorded_step_ = row.step + wants_.rows_every;
   if (recorded_.size() >= kBlockRows) flush_rows();
 }
@@ -269,8 +272,7 @@ void Replay::Player::close_block(std::int64_t count) {
 
 RunSummary Replay::Player::finish() {
   if (block_.size() > 0) close_block();
-  const std::int64_t last_recorded_step = next_recorded_step_ - wants_.rows_every;
-  if (wants_.rows_every > 0 && last_recorded_step != step()) record(now_.row);
+  if (wants_.rows_every > 0 && last_recorded_step_ != step()) record(now_.row);
   flush_rows();
   contacts_.finish(step());
   summary_.steps = step();

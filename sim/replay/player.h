@@ -92,6 +92,7 @@ class Replay::Player {
   RowBlock block_;
   Keyframe block_keyframe_;
   std::int64_t next_recorded_step_ = 0;
+  std::int64_t last_recorded_step_ = -1;
   Columns recorded_;
   std::vector<double> dt_s_;  // Of the batch: one for all its frames, or one a frame.
   std::vector<double> batch_times_s_;

@@ -38,8 +38,7 @@ void Replay::Player::repeat(std::int64_t period, std::int64_t end) {
     summary_.period_steps = period;
   }
   if (!options_.skips_repetition) {
-    while (step() < end)
-      play_batch(stretch(std::min(end - step(), static_cast<std::int64_t>(block_.room()))));
+    while (step() < end) play_batch(stretch(std::min(end - step(), room())));
     return;
   }
   const Cycle cycle = make_cycle(period);

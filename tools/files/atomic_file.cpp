@@ -47,7 +47,9 @@ void set_usual_mode(int descriptor) {
 AtomicFile::AtomicFile(const std::string& path) : path_(behind_links(path)) {
   refuse_what_is_no_file(path_, path);
   const std::filesystem::path target(path_);
-  part_path_ = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX.part")).string();
+  std::string part = ".";
+  part += target.filename().string() + ".XXXXXX.part";
+  part_path_ = (target.parent_path() / part).string();
   const int descriptor = mkstemps(part_path_.data(), 5);
   if (descriptor < 0) fail_to_write(path, errno);
   set_usual_mode(descriptor);

@@ -1,11 +1,29 @@
 #include "tools/store/trajectory_writer.h"
 
 #include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "tools/files/failure.h"
 
 namespace hyrax {
 namespace {
 
 constexpr std::uint64_t kRowBytes = 57;  // step, t, dt, x, y, vx, vy and contact.
+
+// Refuses at once what cannot end well, instead of filling the disk first.
+std::uint64_t bytes_that_fit(const std::string& path, std::int64_t rows) {
+  const std::uint64_t bytes = kRowBytes * static_cast<std::uint64_t>(rows);
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  if (!error && bytes > space.available)
+    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows take " +
+                                               std::to_string(bytes >> 20) + " MiB, " +
+                                               std::to_string(space.available >> 20) +
+                                               " MiB are free; record fewer with /record/every");
+  return bytes;
+}
 
 }  // namespace
 
@@ -13,7 +31,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scen
     : path_(path),
       rows_every_(scenario.record_every),
       target_(path),
-      file_(h5::create_file(target_.part_path(), kRowBytes * static_cast<std::uint64_t>(row_count(steps, rows_every_)))),
+      file_(h5::create_file(target_.part_path(), bytes_that_fit(path, row_count(steps, rows_every_)))),
       trajectory_(h5::create_group(file_, "trajectory")),
       contacts_(h5::create_group(file_, "contacts")),
       row_table_(trajectory_, row_count(steps, rows_every_)),

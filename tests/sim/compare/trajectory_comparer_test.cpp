@@ -1,0 +1,131 @@
+// Two recorded trajectories within tolerances.
+#include "sim/compare/trajectory_comparer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hyrax {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Tolerance, OfNothingAcceptsEqualBitsOnly) {
+  const Tolerance exact;
+  EXPECT_TRUE(exact.is_exact());
+  EXPECT_TRUE(exact.accepts(1.5, 1.5));
+  EXPECT_TRUE(exact.accepts(kInfinity, kInfinity));
+  EXPECT_FALSE(exact.accepts(1.5, std::nextafter(1.5, 2.0)));
+  EXPECT_FALSE(exact.accepts(0.0, -0.0));
+}
+
+TEST(Tolerance, IsInclusive) {
+  EXPECT_TRUE((Tolerance{.abs = 0.5}.accepts(10.0, 10.5)));
+  EXPECT_FALSE((Tolerance{.abs = 0.5}.accepts(10.0, 10.75)));
+  EXPECT_TRUE((Tolerance{.rel = 0.5}.accepts(-4.0, -2.0)));
+  EXPECT_FALSE((Tolerance{.rel = 0.5}.accepts(4.0, 1.5)));
+  EXPECT_TRUE((Tolerance{.ulps = 1}.accepts(1.0, std::nextafter(1.0, 2.0))));
+  EXPECT_FALSE((Tolerance{.ulps = 1}.accepts(1.0, 1.0 + 4e-16)));
+}
+
+TEST(Tolerance, OfZeroAcceptsZerosOfEitherSign) {
+  EXPECT_TRUE((Tolerance{.abs = 0.0}.accepts(0.0, -0.0)));
+  EXPECT_TRUE((Tolerance{.rel = 0.0}.accepts(0.0, -0.0)));
+  EXPECT_TRUE((Tolerance{.ulps = 0}.accepts(0.0, -0.0)));
+}
+
+TEST(Tolerance, IsMetWhereAnyOfThemIs) {
+  const Tolerance any{.abs = 1e-6, .rel = 1e-3, .ulps = 0};
+  EXPECT_TRUE(any.accepts(1e-9, -1e-9));
+  EXPECT_TRUE(any.accepts(1000.0, 1000.5));
+  EXPECT_FALSE(any.accepts(1.0, 1.1));
+}
+
+TEST(Tolerance, NeverAcceptsNan) {
+  const Tolerance wide{.abs = 1e300, .rel = 1.0, .ulps = std::numeric_limits<std::int64_t>::max()};
+  EXPECT_FALSE(wide.accepts(kNan, kNan));
+  EXPECT_FALSE(wide.accepts(kNan, 1.0));
+  EXPECT_FALSE(wide.accepts(1.0, kNan));
+}
+
+Row row_at(std::int64_t step, double x_px, std::uint8_t contact = 0) {
+  return {.step = step, .t_s = 0.25 * static_cast<double>(step), .x_px = x_px, .contact = contact};
+}
+
+TEST(TrajectoryComparer, FindsNothingInEqualRows) {
+  TrajectoryComparer comparer({});
+  for (std::int64_t step = 0; step < 10; ++step) comparer.compare(row_at(step, 3.0), row_at(step, 3.0));
+  EXPECT_FALSE(comparer.first());
+  for (const auto& worst : comparer.worst()) EXPECT_FALSE(worst);
+}
+
+TEST(TrajectoryComparer, TellsTheFirstAndTheWorst) {
+  TrajectoryComparer comparer({});
+  comparer.compare(row_at(0, 1.0), row_at(0, 1.0));
+  comparer.compare(row_at(1, 1.0), row_at(1, 1.5));
+  comparer.compare(row_at(2, 1.0), row_at(2, 4.0));
+  comparer.compare(row_at(3, 1.0), row_at(3, 2.0));
+  ASSERT_TRUE(comparer.first());
+  EXPECT_EQ(comparer.first()->step, 1);
+  EXPECT_EQ(comparer.first()->field, "x");
+  EXPECT_EQ(comparer.first()->expected, 1.0);
+  EXPECT_EQ(comparer.first()->actual, 1.5);
+  const auto& worst = comparer.worst()[2];
+  ASSERT_TRUE(worst);
+  EXPECT_EQ(worst->step, 2);
+  EXPECT_EQ(worst->abs, 3.0);
+}
+
+TEST(TrajectoryComparer, TellsTheWorstWithinTheTolerance) {
+  TrajectoryComparer comparer({.abs = 1.0});
+  comparer.compare(row_at(5, 1.0), row_at(5, 1.5));
+  EXPECT_FALSE(comparer.first());
+  ASSERT_TRUE(comparer.worst()[2]);
+  EXPECT_EQ(comparer.worst()[2]->abs, 0.5);
+}
+
+TEST(TrajectoryComparer, TakesNanForTheWorst) {
+  TrajectoryComparer comparer({.abs = 1e9});
+  comparer.compare(row_at(1, 1.0), row_at(1, 1e6));
+  comparer.compare(row_at(2, kNan), row_at(2, kNan));
+  ASSERT_TRUE(comparer.first());
+  EXPECT_EQ(comparer.first()->step, 2);
+  EXPECT_TRUE(std::isnan(comparer.worst()[2]->abs));
+  EXPECT_EQ(comparer.worst()[2]->ulps, std::nullopt);
+}
+
+TEST(TrajectoryComparer, AcceptsNoOtherContactByte) {
+  TrajectoryComparer comparer({.abs = 100.0});
+  comparer.compare(row_at(4, 1.0, 0), row_at(4, 1.0, 1));
+  ASSERT_TRUE(comparer.first());
+  EXPECT_EQ(comparer.first()->field, "contact");
+}
+
+Contact contact_at(std::int64_t step, double overshoot_px) {
+  Contact contact;
+  contact.step = contact.last_step = step;
+  contact.overshoot_px = overshoot_px;
+  return contact;
+}
+
+TEST(TrajectoryComparer, ComparesContactsWithinTheTolerance) {
+  TrajectoryComparer near({.abs = 0.1});
+  near.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(9, 1.05)});
+  EXPECT_FALSE(near.first());
+  TrajectoryComparer far({.abs = 0.01});
+  far.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(9, 1.05)});
+  ASSERT_TRUE(far.first());
+  EXPECT_EQ(far.first()->field, "contacts/overshoot");
+  EXPECT_EQ(far.first()->step, 9);
+}
+
+TEST(TrajectoryComparer, TellsMovedContactsWhateverTheTolerance) {
+  TrajectoryComparer comparer({.abs = 1e9});
+  comparer.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(10, 1.0)});
+  EXPECT_EQ(comparer.contacts().moved.size(), 1u);
+}
+
+}  // namespace
+}  // namespace hyrax

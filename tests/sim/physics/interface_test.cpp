@@ -1,0 +1,89 @@
+// The core's interface is the paper's: names, signatures, constants.
+#include <gtest/gtest.h>
+
+#include <concepts>
+#include <type_traits>
+
+#include "sim/physics/physics.h"
+
+namespace {
+
+template <class Constant>
+constexpr bool is_double_constant = std::same_as<Constant, const double>;
+
+static_assert(is_double_constant<decltype(physics::GRAVITY)>);
+static_assert(is_double_constant<decltype(physics::RESTITUTION)>);
+static_assert(is_double_constant<decltype(physics::AIR_DRAG)>);
+static_assert(is_double_constant<decltype(physics::GROUND_FRICTION)>);
+static_assert(is_double_constant<decltype(physics::REST_THRESHOLD)>);
+
+// Constant expressions, as `static constexpr` in the listing makes them.
+[[maybe_unused]] constexpr double kConstants[] = {physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
+                                                  physics::GROUND_FRICTION, physics::REST_THRESHOLD};
+
+static_assert(std::is_same_v<decltype(&physics::update), void (physics::*)(double, int, int, int, int)>);
+static_assert(std::is_same_v<decltype(&physics::x), double (physics::*)() const>);
+static_assert(std::is_same_v<decltype(&physics::y), double (physics::*)() const>);
+static_assert(std::is_same_v<decltype(&physics::vx), double (physics::*)() const>);
+static_assert(std::is_same_v<decltype(&physics::vy), double (physics::*)() const>);
+static_assert(std::is_same_v<decltype(&physics::setPos), void (physics::*)(double, double)>);
+static_assert(std::is_same_v<decltype(&physics::setVelocity), void (physics::*)(double, double)>);
+static_assert(std::is_same_v<decltype(&physics::resetVelocity), void (physics::*)()>);
+
+static_assert(std::is_default_constructible_v<physics>);
+static_assert(std::is_constructible_v<physics, double, double>);
+static_assert(std::is_constructible_v<physics, double, double, double>);
+static_assert(std::is_constructible_v<physics, double, double, double, double>);
+static_assert(std::is_trivially_copyable_v<physics> && sizeof(physics) == 4 * sizeof(double));
+
+TEST(PhysicsInterface, StandsStillAtTheOriginByDefault) {
+  const physics body;
+  EXPECT_EQ(body.x(), 0.0);
+  EXPECT_EQ(body.y(), 0.0);
+  EXPECT_EQ(body.vx(), 0.0);
+  EXPECT_EQ(body.vy(), 0.0);
+}
+
+TEST(PhysicsInterface, StandsStillWhereItIsPut) {
+  const physics body(3.0, 4.0);
+  EXPECT_EQ(body.x(), 3.0);
+  EXPECT_EQ(body.y(), 4.0);
+  EXPECT_EQ(body.vx(), 0.0);
+  EXPECT_EQ(body.vy(), 0.0);
+}
+
+TEST(PhysicsInterface, SettersSetWhatTheyName) {
+  physics body(1.0, 2.0, 3.0, 4.0);
+  body.setPos(5.0, 6.0);
+  EXPECT_EQ(body.x(), 5.0);
+  EXPECT_EQ(body.y(), 6.0);
+  EXPECT_EQ(body.vx(), 3.0);
+  EXPECT_EQ(body.vy(), 4.0);
+  body.setVelocity(7.0, 8.0);
+  EXPECT_EQ(body.x(), 5.0);
+  EXPECT_EQ(body.vx(), 7.0);
+  EXPECT_EQ(body.vy(), 8.0);
+}
+
+TEST(PhysicsInterface, ResetStopsTheBodyWhereItIs) {
+  physics body(1.0, 2.0, 3.0, 4.0);
+  body.resetVelocity();
+  EXPECT_EQ(body.x(), 1.0);
+  EXPECT_EQ(body.y(), 2.0);
+  EXPECT_EQ(body.vx(), 0.0);
+  EXPECT_EQ(body.vy(), 0.0);
+}
+
+TEST(PhysicsInterface, TheTwoHalvesOfAStepAreTheStep) {
+  physics whole(1850.0, 900.0, 2400.0, 700.0);
+  physics halves = whole;
+  whole.update(1.0 / 60.0, 1920, 1080, 128, 128);
+  halves.fly(1.0 / 60.0);
+  halves.collide(1920, 1080, 128, 128);
+  EXPECT_EQ(whole.x(), halves.x());
+  EXPECT_EQ(whole.y(), halves.y());
+  EXPECT_EQ(whole.vx(), halves.vx());
+  EXPECT_EQ(whole.vy(), halves.vy());
+}
+
+}  // namespace

@@ -1,0 +1,71 @@
+// The self-test of arithmetic: quiet on a strict machine, and it finds what a caller can spoil.
+#include "sim/physics/strict_arithmetic.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <string>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace hyrax {
+namespace {
+
+// What the self-test says while rounding goes elsewhere.
+std::string fault_when_rounding(int mode) {
+  std::fesetround(mode);
+  const auto fault = arithmetic_fault();
+  std::fesetround(FE_TONEAREST);
+  return std::string(fault.value_or(""));
+}
+
+TEST(StrictArithmetic, PassesHere) { EXPECT_EQ(arithmetic_fault().value_or(""), ""); }
+
+TEST(StrictArithmetic, FindsRoundingUp) {
+  EXPECT_NE(fault_when_rounding(FE_UPWARD).find("rounding mode"), std::string::npos);
+}
+
+TEST(StrictArithmetic, FindsRoundingDown) {
+  EXPECT_NE(fault_when_rounding(FE_DOWNWARD).find("rounding mode"), std::string::npos);
+}
+
+TEST(StrictArithmetic, FindsRoundingToZero) {
+  EXPECT_NE(fault_when_rounding(FE_TOWARDZERO).find("rounding mode"), std::string::npos);
+}
+
+TEST(StrictArithmetic, PassesAgainOnceRoundingIsRestored) {
+  EXPECT_NE(fault_when_rounding(FE_UPWARD), "");
+  EXPECT_EQ(arithmetic_fault().value_or(""), "");
+}
+
+#if defined(__SSE2__)
+constexpr unsigned kFlushToZero = 0x8000u;
+constexpr unsigned kDenormalsAreZero = 0x0040u;
+
+// What the self-test says while the control register has these bits set.
+std::string fault_with_control_bits(unsigned bits) {
+  const unsigned saved = _mm_getcsr();
+  _mm_setcsr(saved | bits);
+  const auto fault = arithmetic_fault();
+  _mm_setcsr(saved);
+  return std::string(fault.value_or(""));
+}
+
+TEST(StrictArithmetic, FindsFlushToZero) {
+  EXPECT_NE(fault_with_control_bits(kFlushToZero).find("flushed to zero"), std::string::npos);
+}
+
+TEST(StrictArithmetic, FindsDenormalsAreZero) {
+  EXPECT_NE(fault_with_control_bits(kDenormalsAreZero).find("flushed to zero"), std::string::npos);
+}
+
+TEST(StrictArithmetic, PassesAgainOnceSubnormalsAreRestored) {
+  EXPECT_NE(fault_with_control_bits(kFlushToZero | kDenormalsAreZero), "");
+  EXPECT_EQ(arithmetic_fault().value_or(""), "");
+}
+#endif
+
+}  // namespace
+}  // namespace hyrax

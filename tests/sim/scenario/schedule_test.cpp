@@ -1,0 +1,263 @@
+// Which frame an event falls on: the published vectors, faults, and a plain walk over every frame.
+#include "sim/scenario/schedule.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/split_mix64.h"
+#include "sim/scenario/timeline.h"
+#include "tests/second_program/vectors.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Event at_step(std::int64_t step, Action action = Stop{}) { return {step, std::move(action)}; }
+Event at_time(double at_s, Action action = Stop{}) { return {at_s, std::move(action)}; }
+
+Scenario with_events(Clock clock, std::int64_t steps, std::vector<Event> events) {
+  Scenario scenario;
+  scenario.clock = std::move(clock);
+  scenario.length = steps;
+  scenario.events = std::move(events);
+  return scenario;
+}
+
+Schedule schedule(const Scenario& scenario) { return schedule_events(scenario, step_count(scenario)); }
+
+Schedule at_one_hz(std::int64_t steps, std::vector<Event> events) {
+  return schedule(with_events({FixedStep{1.0}, {}}, steps, std::move(events)));
+}
+
+// The published frame, -1 for one beyond the end.
+std::int64_t published_frame(const Json& entry) {
+  return entry.find("frame")->is_null() ? -1 : integer_of(entry, "frame");
+}
+
+Scenario scenario_of(const Json& entry) {
+  const Event timed = at_time(exact(entry, "at_s"));
+  const std::string& clock = text_of(entry, "clock");
+  if (clock == "fixed")
+    return with_events({FixedStep{exact(entry, "dt_s")}, {}}, integer_of(entry, "steps"), {timed});
+  const std::vector<double> dts_s = exact_list(entry, "dts_s");
+  const auto steps = static_cast<std::int64_t>(dts_s.size());
+  if (clock == "array") return with_events({RecordedSteps{dts_s}, {}}, steps, {timed});
+  // A fixed clock whose odd frames are hitches; those before the event stand before it.
+  std::vector<Event> events;
+  const std::int64_t frame = published_frame(entry);
+  for (std::int64_t at = 0; at < steps; ++at) {
+    const double dt_s = dts_s[static_cast<std::size_t>(at)];
+    if (dt_s != exact(entry, "dt_s") && (frame < 0 || at < frame)) events.push_back(at_step(at, Hitch{dt_s}));
+  }
+  events.push_back(timed);
+  return with_events({FixedStep{exact(entry, "dt_s")}, {}}, steps, events);
+}
+
+TEST(Schedule, ResolvesTimesToThePublishedFrames) {
+  for (const Json& entry : vectors("at_s")) {
+    const Schedule result = schedule(scenario_of(entry));
+    EXPECT_EQ(result.frames.back(), published_frame(entry))
+        << text_of(entry, "clock") << ", at_s " << text_of(entry, "at_s");
+    EXPECT_EQ(result.faulty.empty(), published_frame(entry) >= 0);
+  }
+}
+
+TEST(Schedule, TakesStepsAsTheyAre) {
+  EXPECT_EQ(at_one_hz(5, {at_step(0), at_step(2), at_step(2), at_step(4)}).frames,
+            (std::vector<std::int64_t>{0, 2, 2, 4}));
+}
+
+TEST(Schedule, RefusesAStepBeyondTheEnd) {
+  const Schedule result = at_one_hz(5, {at_step(5)});
+  ASSERT_EQ(result.faulty.size(), 1u);
+  EXPECT_EQ(result.faulty[0].fault, ScheduleFault::beyond_end);
+}
+
+TEST(Schedule, RefusesAnyEventOfARunOfNoFrames) {
+  EXPECT_EQ(at_one_hz(0, {at_step(0), at_time(0.0)}).faulty.size(), 2u);
+}
+
+TEST(Schedule, RefusesAStepBeforeTheOneAbove) {
+  const Schedule result = at_one_hz(5, {at_step(3), at_step(2)});
+  ASSERT_EQ(result.faulty.size(), 1u);
+  EXPECT_EQ(result.faulty[0].event, 1u);
+  EXPECT_EQ(result.faulty[0].fault, ScheduleFault::goes_backwards);
+}
+
+TEST(Schedule, RefusesAStepBeforeATimeAbove) {
+  EXPECT_EQ(at_one_hz(5, {at_time(3.0), at_step(2)}).faulty.size(), 1u);
+  EXPECT_TRUE(at_one_hz(5, {at_time(3.0), at_step(3)}).faulty.empty());
+}
+
+TEST(Schedule, RefusesATimeBeforeAStepAbove) {
+  EXPECT_EQ(at_one_hz(5, {at_step(3), at_time(2.0)}).faulty.size(), 1u);
+  EXPECT_EQ(at_one_hz(5, {at_step(3), at_time(2.5)}).frames, (std::vector<std::int64_t>{3, 3}));
+}
+
+TEST(Schedule, TakesAnEarlierTimeOfTheSameFrame) {
+  EXPECT_EQ(at_one_hz(5, {at_time(2.9), at_time(2.1)}).frames, (std::vector<std::int64_t>{3, 3}));
+}
+
+TEST(Schedule, TellsOfEveryFault) {
+  const Schedule result = at_one_hz(5, {at_step(3), at_step(1), at_step(4), at_step(9), at_step(0)});
+  EXPECT_EQ(result.frames, (std::vector<std::int64_t>{3, -1, 4, -1, -1}));
+  EXPECT_EQ(result.faulty.size(), 3u);
+}
+
+TEST(Schedule, DoesNotJudgeAnEventByOneBeyondTheEnd) {
+  EXPECT_EQ(at_one_hz(5, {at_step(1), at_time(99.0), at_step(7), at_time(2.0), at_step(3)}).frames,
+            (std::vector<std::int64_t>{1, -1, -1, 2, 3}));
+}
+
+TEST(Schedule, LooksAgainForATimeBeyondTheEndOnceAHitchCameBetween) {
+  EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_step(2, Hitch{8.0}), at_time(9.0)}).frames,
+            (std::vector<std::int64_t>{-1, 2, 3}));
+}
+
+TEST(Schedule, WalksOnceForManyTimesBeyondTheEnd) {
+  const Clock clock{FixedStep{1.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
+  const std::vector<Event> events(100'000, at_time(1e9));
+  EXPECT_EQ(schedule(with_events(clock, 100'000, events)).faulty.size(), events.size());
+}
+
+TEST(Schedule, LetsAHitchMoveTheTimesBehindIt) {
+  EXPECT_EQ(at_one_hz(9, {at_step(1, Hitch{0.25}), at_time(2.25)}).frames, (std::vector<std::int64_t>{1, 3}));
+}
+
+TEST(Schedule, TakesTheLastOfTwoHitchesInAFrame) {
+  EXPECT_EQ(at_one_hz(9, {at_step(0, Hitch{0.5}), at_step(0, Hitch{3.0}), at_time(3.0)}).frames,
+            (std::vector<std::int64_t>{0, 0, 1}));
+}
+
+TEST(Schedule, ResolvesAnHourlongWaitOfManyFramesAtOnce) {
+  const Scenario scenario = with_events({FixedStep{1e-9}, {}}, kStepsMax, {at_time(999.5)});
+  EXPECT_EQ(schedule(scenario).frames, (std::vector<std::int64_t>{999'500'000'000}));
+}
+
+TEST(Schedule, DrawsNoJitterThatNoTimeAsksFor) {
+  const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
+  const Scenario scenario =
+      with_events(clock, kStepsMax, {at_time(0.5), at_step(kStepsMax - 2), at_step(kStepsMax - 1)});
+  EXPECT_EQ(schedule(scenario).frames.back(), kStepsMax - 1);
+}
+
+// Start times far from zero are far apart: many short frames start at the same rounded time.
+TEST(Schedule, TakesTheFirstOfManyFramesThatStartAtTheSameTime) {
+  const double after_a_gap_s = std::nextafter(1e9, kInfinity);
+  const Scenario scenario =
+      with_events({FixedStep{1e-9}, {}}, 1000, {at_step(0, Hitch{1e9}), at_time(after_a_gap_s)});
+  // 1e9 + n * 1e-9 rounds up to the next double from half a gap on: 2^-24 s is 59.6 frames.
+  EXPECT_EQ(schedule(scenario).frames, (std::vector<std::int64_t>{0, 61}));
+}
+
+TEST(Schedule, EndsWhereNoFrameMovesTime) {
+  const Scenario scenario = with_events({FixedStep{1e-300}, {}}, kStepsMax,
+                                        {at_step(0, Hitch{1e9}), at_time(std::nextafter(1e9, kInfinity))});
+  ASSERT_EQ(schedule(scenario).faulty.size(), 1u);
+  EXPECT_EQ(schedule(scenario).faulty[0].fault, ScheduleFault::beyond_end);
+}
+
+// The rule to the letter: every frame, one after the other, for every event anew.
+Schedule walk_plainly(const Scenario& scenario, std::int64_t steps) {
+  const FrameClock clock(scenario.clock);
+  std::vector<double> dts_s;
+  for (std::int64_t frame = 0; frame < steps; ++frame) dts_s.push_back(clock.dt_s(frame));
+  Schedule result;
+  std::int64_t frame_before = 0;
+  for (const Event& event : scenario.events) {
+    std::int64_t frame = 0;
+    if (const auto* step = std::get_if<std::int64_t>(&event.when)) frame = *step;
+    Timeline timeline;
+    if (const auto* at_s = std::get_if<double>(&event.when))
+      for (; frame < steps && !(timeline.time_s() >= *at_s - 1e-9 * clock.nominal_dt_s(frame)); ++frame)
+        timeline.play(dts_s[static_cast<std::size_t>(frame)]);
+    const bool is_faulty = frame >= steps || frame < frame_before;
+    result.frames.push_back(is_faulty ? -1 : frame);
+    if (is_faulty) {
+      result.faulty.push_back({result.frames.size() - 1,
+                               frame >= steps ? ScheduleFault::beyond_end : ScheduleFault::goes_backwards});
+      continue;
+    }
+    frame_before = frame;
+    if (const auto* hitch = std::get_if<Hitch>(&event.action))
+      dts_s[static_cast<std::size_t>(frame)] = hitch->dt_s;
+  }
+  return result;
+}
+
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : seed_(seed) {}
+  std::uint64_t below(std::uint64_t end) { return split_mix64(seed_, k_++) % end; }
+  double unit() { return split_mix64_unit(seed_, k_++); }
+  template <class Value>
+  Value one_of(std::initializer_list<Value> values) {
+    return values.begin()[below(values.size())];
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::uint64_t k_ = 0;
+};
+
+Clock any_clock(Draws& draws, std::int64_t steps) {
+  const double dt_s = draws.one_of({1.0, 0.1, 1.0 / 60.0, 1e-9, 0.0, 3e-7});
+  switch (draws.below(3)) {
+    case 0:
+      return {FixedStep{dt_s}, {}};
+    case 1:
+      return {FixedStep{dt_s}, Jitter{Jitter::Kind::uniform, draws.unit(), draws.below(99)}};
+    default:
+      RecordedSteps trace;
+      for (std::int64_t frame = 0; frame < steps; ++frame)
+        trace.dt_s.push_back(draws.one_of({dt_s, 0.1, 0.0, 1e-3, 1.0}));
+      return {trace, {}};
+  }
+}
+
+// Events about as they come, timed ones within some ulps of where the allowance ends.
+std::vector<Event> any_events(Draws& draws, const Clock& clock, std::int64_t steps) {
+  const FrameClock frames(clock);
+  Timeline timeline;
+  std::vector<Event> events;
+  for (std::int64_t frame = 0; frame < steps; ++frame) {
+    const double allowance_s = 1e-9 * frames.nominal_dt_s(frame);
+    double at_s = timeline.time_s() + draws.one_of({0.0, allowance_s, -allowance_s});
+    for (std::uint64_t ulps = draws.below(4); ulps > 0; --ulps) at_s = std::nextafter(at_s, kInfinity);
+    const Action action =
+        draws.below(3) == 0 ? Action(Hitch{draws.one_of({0.0, 0.1, 1e9, 0.3})}) : Action(Stop{});
+    if (draws.below(4) == 0)
+      events.push_back(draws.below(2) == 0 ? at_step(frame, action) : at_time(at_s, action));
+    const auto* hitch = std::get_if<Hitch>(&action);
+    const bool is_hitched = hitch != nullptr && !events.empty() && events.back().action == action;
+    timeline.play(is_hitched ? hitch->dt_s : frames.dt_s(frame));
+  }
+  return events;
+}
+
+TEST(Schedule, AgreesWithAPlainWalkWhateverTheClock) {
+  int faulty = 0;
+  for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+    Draws draws(seed);
+    const auto steps = static_cast<std::int64_t>(1 + draws.below(40));
+    const Clock clock = any_clock(draws, steps);
+    const Scenario scenario = with_events(clock, steps, any_events(draws, clock, steps));
+    const Schedule expected = walk_plainly(scenario, steps);
+    const Schedule result = schedule_events(scenario, steps);
+    for (std::size_t event = 0; event < expected.frames.size(); ++event)
+      ASSERT_EQ(result.frames[event], expected.frames[event]) << "seed " << seed << ", event " << event;
+    ASSERT_EQ(result.faulty.size(), expected.faulty.size()) << "seed " << seed;
+    for (std::size_t fault = 0; fault < expected.faulty.size(); ++fault)
+      ASSERT_EQ(result.faulty[fault].fault, expected.faulty[fault].fault) << "seed " << seed;
+    faulty += expected.faulty.empty() ? 0 : 1;
+  }
+  EXPECT_GT(faulty, 100);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,175 @@
+// Writing that leaves the old file or the whole new one, and nothing else.
+#include "tools/files/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tools/files/failure.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string old_file(const std::string& name) const {
+    std::ofstream(path(name)) << "old";
+    return path(name);
+  }
+  // Names of all that is in the folder.
+  std::set<std::string> names() const {
+    std::set<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) found.insert(entry.path().filename().string());
+    return found;
+  }
+  static std::string refusal(const std::string& path) {
+    try {
+      write_text_file(path, "new");
+      return "written";
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
+      return failure.what();
+    }
+  }
+
+ private:
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("hyrax-atomic-file-" + std::to_string(getpid()));
+};
+
+TEST_F(AtomicFileTest, PutsAWholeFileInItsPlace) {
+  const std::string text = std::string("a\0b\r\n", 5) + std::string(200'000, 'x');
+  write_text_file(path("new.txt"), text);
+  EXPECT_EQ(read_text_file(path("new.txt")), text);
+  EXPECT_EQ(names(), std::set<std::string>{"new.txt"});
+}
+
+TEST_F(AtomicFileTest, ReplacesAnOldFile) {
+  write_text_file(old_file("a.txt"), "new");
+  EXPECT_EQ(read_text_file(path("a.txt")), "new");
+  EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+}
+
+TEST_F(AtomicFileTest, IsReadableForOthersAsAnyNewFile) {
+  const mode_t before = umask(022);
+  write_text_file(path("a.txt"), "new");
+  umask(before);
+  struct stat status {};
+  ASSERT_EQ(stat(path("a.txt").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0644u);
+}
+
+TEST_F(AtomicFileTest, LeavesTheOldFileUntilItIsWhole) {
+  AtomicFile file(old_file("a.txt"));
+  file.write("half of what is to co");
+  EXPECT_EQ(read_text_file(path("a.txt")), "old");
+  EXPECT_EQ(fs::path(file.part_path()).parent_path(), fs::path(path("a.txt")).parent_path());
+  EXPECT_TRUE(file.part_path().ends_with(".part"));
+  file.commit();
+  EXPECT_EQ(read_text_file(path("a.txt")), "half of what is to co");
+}
+
+TEST_F(AtomicFileTest, LeavesTheOldFileWhereItIsGivenUp) {
+  try {
+    AtomicFile file(old_file("a.txt"));
+    file.write("half");
+    throw std::runtime_error("something else went wrong");
+  } catch (const std::runtime_error&) {
+  }
+  EXPECT_EQ(read_text_file(path("a.txt")), "old");
+  EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+}
+
+TEST_F(AtomicFileTest, LeavesNothingWhereItsPlaceIsTakenByAFolderMeanwhile) {
+  {
+    AtomicFile file(path("a"));
+    file.write("new");
+    fs::create_directories(path("a") + "/b");
+    EXPECT_THROW(file.commit(), Failure);
+  }
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+}
+
+TEST_F(AtomicFileTest, KeepsTwoWritersApart) {
+  AtomicFile first(path("a.txt"));
+  AtomicFile second(path("a.txt"));
+  EXPECT_NE(first.part_path(), second.part_path());
+  first.write("first");
+  second.write("second");
+  second.commit();
+  first.commit();
+  EXPECT_EQ(read_text_file(path("a.txt")), "first");
+  EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+}
+
+TEST_F(AtomicFileTest, FollowsALinkToItsFile) {
+  old_file("target.txt");
+  fs::create_symlink("target.txt", path("link.txt"));
+  fs::create_symlink(path("link.txt"), path("link-to-link.txt"));
+  write_text_file(path("link-to-link.txt"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link-to-link.txt")));
+  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
+  EXPECT_FALSE(fs::is_symlink(path("target.txt")));
+  EXPECT_EQ(read_text_file(path("target.txt")), "new");
+}
+
+TEST_F(AtomicFileTest, MakesTheFileThatALinkMeans) {
+  fs::create_symlink("later.txt", path("link.txt"));
+  write_text_file(path("link.txt"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
+  EXPECT_EQ(read_text_file(path("later.txt")), "new");
+}
+
+TEST_F(AtomicFileTest, RefusesAFolder) {
+  fs::create_directory(path("folder"));
+  EXPECT_EQ(refusal(path("folder")), path("folder") + ": cannot be written: Is a directory");
+  EXPECT_EQ(names(), std::set<std::string>{"folder"});
+}
+
+TEST_F(AtomicFileTest, RefusesAPipeAndLeavesItThere) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_NE(refusal(path("pipe")).find("cannot be written: it is no file"), std::string::npos);
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+}
+
+TEST_F(AtomicFileTest, RefusesAFolderThatIsNotThere) {
+  EXPECT_EQ(refusal(path("no/such/file.txt")),
+            path("no/such/file.txt") + ": cannot be written: No such file or directory");
+}
+
+TEST_F(AtomicFileTest, RefusesAFileInPlaceOfAFolder) {
+  EXPECT_EQ(refusal(old_file("a.txt") + "/b.txt"),
+            path("a.txt") + "/b.txt: cannot be written: Not a directory");
+}
+
+TEST_F(AtomicFileTest, RefusesAnImpossibleName) {
+  EXPECT_NE(refusal(path(std::string(300, 'a'))).find("cannot be written: File name too long"),
+            std::string::npos);
+}
+
+TEST(MoreSerious, FollowsThePublishedOrder) {
+  const ExitCode order[] = {ExitCode::agreed,         ExitCode::disagreed,     ExitCode::golden_missing,
+                            ExitCode::bad_input,      ExitCode::cannot_access, ExitCode::program_fault,
+                            ExitCode::not_strict_ieee};
+  for (std::size_t a = 0; a < std::size(order); ++a)
+    for (std::size_t b = 0; b < std::size(order); ++b)
+      EXPECT_EQ(more_serious(order[a], order[b]), order[std::max(a, b)]);
+  EXPECT_EQ(static_cast<int>(ExitCode::program_fault), 70);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,242 @@
+// JSON text to values and back.
+#include "tools/files/json.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <clocale>
+#include <cmath>
+#include <limits>
+
+#include "sim/scenario/split_mix64.h"
+#include "tools/files/failure.h"
+
+namespace hyrax {
+namespace {
+
+using namespace std::string_literals;
+
+Json parsed(const std::string& text) { return parse_json(text, "f.json"); }
+
+// What is said of a text that is no JSON.
+std::string refusal(const std::string& text) {
+  try {
+    static_cast<void>(parsed(text));
+    return "taken";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input);
+    return failure.what();
+  }
+}
+
+bool is_refused_at(const std::string& text, const std::string& place, const std::string& part) {
+  const std::string said = refusal(text);
+  return said.starts_with("f.json: " + place + ": ") && said.find(part) != std::string::npos;
+}
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+// Finite doubles of every exponent.
+double any_double(std::uint64_t k) {
+  const auto value = std::bit_cast<double>(split_mix64(99, k));
+  return std::isfinite(value) ? value : static_cast<double>(k);
+}
+
+std::int64_t count_doubles_lost(std::uint64_t count) {
+  std::int64_t lost = 0;
+  for (std::uint64_t k = 0; k < count; ++k)
+    if (bits(parsed(to_text(any_double(k))).number()) != bits(any_double(k))) ++lost;
+  return lost;
+}
+
+TEST(Json, KeepsTheSignOfZero) {
+  EXPECT_EQ(bits(parsed("-0").number()), bits(-0.0));
+  EXPECT_EQ(bits(parsed("-0.0").number()), bits(-0.0));
+  EXPECT_EQ(bits(parsed("-0e5").number()), bits(-0.0));
+  EXPECT_EQ(bits(parsed("0").number()), bits(0.0));
+  EXPECT_EQ(to_text(parsed("-0")), "-0");
+}
+
+TEST(Json, KeepsWholeNumbersOf64Bits) {
+  EXPECT_EQ(*parsed("18446744073709551615").get<std::uint64_t>(), 18446744073709551615u);
+  EXPECT_EQ(*parsed("-9223372036854775808").get<std::int64_t>(), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(to_text(parsed("18446744073709551615")), "18446744073709551615");
+  EXPECT_EQ(to_text(parsed("9007199254740993")), "9007199254740993");
+}
+
+TEST(Json, TakesLargerWholeNumbersAsDoubles) {
+  EXPECT_EQ(*parsed("18446744073709551616").get<double>(), 0x1p64);
+  EXPECT_EQ(*parsed("-9223372036854775809").get<double>(), -0x1p63);
+}
+
+TEST(Json, RoundsDecimalsCorrectly) {
+  EXPECT_EQ(bits(parsed("0.1").number()), bits(0.1));
+  EXPECT_EQ(bits(parsed("2.2250738585072011e-308").number()), bits(0x0.fffffffffffffp-1022));
+  EXPECT_EQ(bits(parsed("9007199254740993.0").number()), bits(9007199254740992.0));  // A tie, to even.
+  EXPECT_EQ(bits(parsed("9007199254740993.00000000000000000000000000001").number()),
+            bits(9007199254740994.0));
+  EXPECT_EQ(bits(parsed("4.9e-324").number()), bits(5e-324));
+  EXPECT_EQ(bits(parsed("1e-400").number()), bits(0.0));
+}
+
+TEST(Json, WritesTheShortestTextThatReadsBack) {
+  EXPECT_EQ(to_text(0.1), "0.1");
+  EXPECT_EQ(to_text(1.0 / 60.0), "0.016666666666666666");
+  EXPECT_EQ(to_text(5e-324), "5e-324");
+  EXPECT_EQ(to_text(1e12), "1e+12");
+  EXPECT_EQ(to_text(-1200.0), "-1200");
+}
+
+TEST(Json, ReadsBackTheBitsOfEveryDouble) { EXPECT_EQ(count_doubles_lost(100'000), 0); }
+
+TEST(Json, ReadsAndWritesTheSameWhereACommaMarksDecimals) {
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+    GTEST_SKIP() << "no German locale here; ctest makes one where localedef can";
+  const std::string comma = std::localeconv()->decimal_point;
+  const std::int64_t lost = count_doubles_lost(10'000);
+  const std::string written = to_text(parsed("[0.5, 1e-3, 60.5]"));
+  std::setlocale(LC_ALL, "C");
+  EXPECT_EQ(comma, ",");
+  EXPECT_EQ(lost, 0);
+  EXPECT_EQ(written, "[0.5, 0.001, 60.5]");
+}
+
+TEST(Json, WritesWhatIsNotFiniteAsText) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(to_text(Json(infinity)), "\"Infinity\"");
+  EXPECT_EQ(to_text(Json(-infinity)), "\"-Infinity\"");
+  EXPECT_EQ(to_text(Json(std::nan(""))), "\"NaN\"");
+}
+
+TEST(Json, KeepsOrderAndRepetitionOfKeys) {
+  EXPECT_EQ(to_text(parsed(R"({"b": 1, "a": 2, "b": 3})")), R"({ "b": 1, "a": 2, "b": 3 })");
+  EXPECT_EQ(parsed(R"({"b": 1, "b": 3})").find("b")->number(), 1.0);
+}
+
+TEST(Json, EscapesWhatATextCannotHold) {
+  const std::string text = R"("\"\\\n\u0000ä\u2028")";
+  EXPECT_EQ(*parsed(text).get<std::string>(), "\"\\\n\0ä\u2028"s);
+  EXPECT_EQ(*parsed(to_text(parsed(text))).get<std::string>(), "\"\\\n\0ä\u2028"s);
+}
+
+TEST(Json, IndentsDownToTheDepthAsked) {
+  const Json json = parsed(R"({"a": {"b": [1, 2]}, "c": [], "d": {}})");
+  EXPECT_EQ(to_text(json), R"({ "a": { "b": [1, 2] }, "c": [], "d": {} })");
+  EXPECT_EQ(to_text(json, {.depth_indented = 1}),
+            "{\n  \"a\": { \"b\": [1, 2] },\n  \"c\": [],\n  \"d\": {}\n}");
+  EXPECT_EQ(to_text(json, {.depth_indented = 2}),
+            "{\n  \"a\": {\n    \"b\": [1, 2]\n  },\n  \"c\": [],\n  \"d\": {}\n}");
+}
+
+TEST(JsonRefusal, NamesLineAndColumn) {
+  EXPECT_TRUE(is_refused_at("{\n  \"a\": 1,\n  \"b\": ?\n}", "line 3, column 8", "not JSON"));
+  EXPECT_TRUE(is_refused_at("?", "line 1, column 1", "not JSON"));
+  EXPECT_TRUE(is_refused_at("", "line 1, column 1", "unexpected end of input"));
+}
+
+TEST(JsonRefusal, IsForEveryTruncation) {
+  const std::string text = R"({"a": [1, 2.5e3, "x\n", true, null, {"b": -0}]})";
+  for (std::size_t size = 0; size < text.size(); ++size)
+    EXPECT_NE(refusal(text.substr(0, size)), "taken") << text.substr(0, size);
+  EXPECT_EQ(refusal(text), "taken");
+}
+
+TEST(JsonRefusal, IsForWhatFollowsTheDocument) {
+  EXPECT_TRUE(is_refused_at("{} x", "line 1, column 4", "expected end of input"));
+  EXPECT_TRUE(is_refused_at("[1] [2]", "line 1, column 5", "expected end of input"));
+  EXPECT_TRUE(is_refused_at("1\n2", "line 2, column 1", "expected end of input"));
+  EXPECT_EQ(refusal("{} \r\n\t"), "taken");
+}
+
+TEST(JsonRefusal, IsForAZeroByteWhereverItStands) {
+  EXPECT_TRUE(is_refused_at("{}\0"s, "line 1, column 3", "zero byte"));
+  EXPECT_TRUE(is_refused_at("{}\n\0 x"s, "line 2, column 1", "zero byte"));
+  EXPECT_TRUE(is_refused_at("\0"s, "line 1, column 1", "zero byte"));
+}
+
+TEST(JsonRefusal, IsForAByteOrderMark) {
+  EXPECT_TRUE(is_refused_at("\xEF\xBB\xBF{}", "line 1, column 1", "save it as UTF-8 without one"));
+  EXPECT_NE(refusal("\xFF\xFE{\0}\0"s), "taken");
+}
+
+TEST(JsonRefusal, IsForBytesThatAreNoUtf8) {
+  for (const std::string bytes : {"\xff", "\xc0\x80", "\xc3", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\x80"}) {
+    EXPECT_NE(refusal("[\"" + bytes + "\"]").find("ill-formed UTF-8 byte"), std::string::npos);
+    EXPECT_NE(refusal("{\"" + bytes + "\": 1}").find("ill-formed UTF-8 byte"), std::string::npos);
+    EXPECT_NE(refusal("[" + bytes + "]"), "taken");
+  }
+  EXPECT_TRUE(is_refused_at("[\n\"\xff\"]", "line 2, column 2", "ill-formed UTF-8 byte"));
+}
+
+TEST(JsonRefusal, ShowsOnlyTheEndOfALongTokenAndOnlyWhatCanBeRead) {
+  const std::string said = refusal("[\"" + std::string(100'000, 'x') + "\xff\"]");
+  EXPECT_LT(said.size(), 300u);
+  EXPECT_NE(said.find("xxx?'"), std::string::npos);
+}
+
+TEST(JsonRefusal, IsForNumbersThatJsonDoesNotKnow) {
+  for (const char* text :
+       {"NaN", "Infinity", "-Infinity", "+1", ".5", "1.", "01", "-", "0x10", "1e", "1e+", "--1"})
+    EXPECT_NE(refusal(text), "taken") << text;
+}
+
+TEST(JsonRefusal, IsForANumberBeyondAllDoubles) {
+  EXPECT_TRUE(is_refused_at("[1e999]", "line 1, column 6", "1e999"));
+  EXPECT_NE(refusal("-1e309"), "taken");
+  EXPECT_EQ(refusal("1.7976931348623157e308"), "taken");
+}
+
+TEST(JsonRefusal, IsForNestingWithoutEnd) {
+  EXPECT_EQ(refusal(std::string(100, '[') + std::string(100, ']')), "taken");
+  EXPECT_EQ(refusal(std::string(101, '[') + std::string(101, ']')), "f.json: nested more than 100 levels");
+  EXPECT_EQ(refusal(std::string(10'000'000, '[')), "f.json: nested more than 100 levels");
+}
+
+TEST(JsonRefusal, IsForWhatOnlyOtherDialectsHave) {
+  for (const char* text : {"{'a': 1}", "{a: 1}", "[1,]", "{\"a\": 1,}", "[1 2]", "// x\n1", "/* x */ 1",
+                           "\"a\tb\"", "\"\\x41\"", "\"\\ud800\"", "True", "nul"})
+    EXPECT_NE(refusal(text), "taken") << text;
+}
+
+std::string set(const std::string& document, const std::string& pointer, const Json& value) {
+  Json json = parsed(document);
+  try {
+    set_at(json, pointer, value);
+    return to_text(json);
+  } catch (const Failure& failure) {
+    return failure.what();
+  }
+}
+
+TEST(JsonPointer, SetsWhatStandsThere) {
+  EXPECT_EQ(set(R"({"a": {"b": 1}, "c": 2})", "/a/b", 3), R"({ "a": { "b": 3 }, "c": 2 })");
+  EXPECT_EQ(set("[1, 2, 3]", "/1", 9), "[1, 9, 3]");
+  EXPECT_EQ(set("{}", "", 9), "9");
+  EXPECT_EQ(set(R"({"": 1})", "/", 9), R"({ "": 9 })");
+}
+
+TEST(JsonPointer, MakesWhatIsMissingOnTheWay) {
+  EXPECT_EQ(set("{}", "/a/b", 3), R"({ "a": { "b": 3 } })");
+  EXPECT_EQ(set(R"({"a": null})", "/a/b", 3), R"({ "a": { "b": 3 } })");
+  EXPECT_EQ(set("[1]", "/-", 9), "[1, 9]");
+  EXPECT_EQ(set("[1]", "/-/a", 9), R"([1, { "a": 9 }])");
+}
+
+TEST(JsonPointer, ReadsItsEscapes) {
+  EXPECT_EQ(set(R"({"a/b": 1})", "/a~1b", 9), R"({ "a/b": 9 })");
+  EXPECT_EQ(set(R"({"~1": 1})", "/~01", 9), R"({ "~1": 9 })");
+  EXPECT_EQ(pointer_to("/x", "a/~b"), "/x/a~1~0b");
+}
+
+TEST(JsonPointer, SaysWhereItLeadsNowhere) {
+  EXPECT_NE(set("{}", "a", 1).find("is no JSON Pointer; it begins with '/'"), std::string::npos);
+  EXPECT_EQ(set("[1]", "/1", 9), "/1: leads nowhere: there is no '1'");
+  EXPECT_EQ(set("[1]", "/x", 9), "/x: leads nowhere: there is no 'x'");
+  EXPECT_EQ(set("[1]", "/-1", 9), "/-1: leads nowhere: there is no '-1'");
+  EXPECT_EQ(set(R"({"a": 1})", "/a/b", 9), "/a/b: leads nowhere: there is no 'b'");
+  EXPECT_EQ(set("[1]", "/99999999999999999999", 9),
+            "/99999999999999999999: leads nowhere: there is no '99999999999999999999'");
+}
+
+}  // namespace
+}  // namespace hyrax

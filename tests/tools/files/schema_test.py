@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""Holds the JSON Schema of scenario files to the verdicts that the reader is held to.
+
+Usage: schema_test.py SCHEMA.json SCENARIO_DIR...
+"""
+
+import copy
+import json
+import pathlib
+import sys
+import unittest
+
+import jsonschema
+
+TABLE = pathlib.Path(__file__).with_name("verdicts.json")
+
+
+def refuse_constant(text):
+    """NaN and Infinity are no JSON, though Python's reader knows them."""
+    raise ValueError(f"{text} is not JSON")
+
+
+def parse(text):
+    """The document a text holds, by the rules of JSON."""
+    return json.loads(text, parse_constant=refuse_constant)
+
+
+def tokens(pointer):
+    """The reference tokens of a JSON Pointer."""
+    return [token.replace("~1", "/").replace("~0", "~") for token in pointer.split("/")[1:]]
+
+
+def document_of(entry, base):
+    """An entry's document: a whole text, or the base with some values put over it and some taken out."""
+    if "text" in entry:
+        return parse(entry["text"])
+    document = copy.deepcopy(base)
+    for pointer, value in entry.get("set", {}).items():
+        if pointer == "":
+            document = value
+            continue
+        *path, last = tokens(pointer)
+        parent = document
+        for token in path:
+            parent = parent.setdefault(token, {})
+        parent[last] = value
+    for pointer in entry.get("without", []):
+        *path, last = tokens(pointer)
+        parent = document
+        for token in path:
+            parent = parent[token]
+        del parent[last]
+    return document
+
+
+class Schema(unittest.TestCase):
+    """The schema's verdicts."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.schema = parse(SCHEMA.read_text(encoding="utf-8"))
+        cls.validator = jsonschema.Draft202012Validator(cls.schema)
+        table = parse(TABLE.read_text(encoding="utf-8"))
+        cls.base, cls.entries = table["base"], table["verdicts"]
+
+    def takes(self, entry):
+        """Whether the schema takes an entry's document; what is no JSON does not come so far."""
+        try:
+            return self.validator.is_valid(document_of(entry, self.base))
+        except ValueError:
+            return False
+
+    def test_is_a_schema(self):
+        jsonschema.Draft202012Validator.check_schema(self.schema)
+
+    def test_agrees_with_the_reader_over_the_table(self):
+        differing = [entry["name"] for entry in self.entries
+                     if "only_reader" not in entry and self.takes(entry) != ("tells" not in entry)]
+        self.assertEqual(differing, [])
+
+    def test_takes_what_only_the_reader_can_tell(self):
+        told = [entry["name"] for entry in self.entries if "only_reader" in entry and not self.takes(entry)]
+        self.assertEqual(told, [], "the schema tells of these too: take `only_reader` away")
+
+    def test_takes_every_scenario_file(self):
+        paths = [path for folder in FOLDERS for path in sorted(folder.rglob("*.json"))]
+        self.assertGreaterEqual(len(paths), 30)
+        for path in paths:
+            with self.subTest(path=str(path)):
+                self.validator.validate(parse(path.read_text(encoding="utf-8")))
+
+    def test_every_object_is_closed(self):
+        open_places = []
+
+        def look(place, schema):
+            if isinstance(schema, dict):
+                is_rule = not {"if", "then", "else", "dependentSchemas"} & set(place.split("/"))
+                if "properties" in schema and "additionalProperties" not in schema and is_rule:
+                    open_places.append(place)
+                for key, inner in schema.items():
+                    look(f"{place}/{key}", inner)
+            elif isinstance(schema, list):
+                for number, inner in enumerate(schema):
+                    look(f"{place}/{number}", inner)
+
+        look("", self.schema)
+        self.assertEqual(open_places, [])
+
+    def test_control_a_schema_without_a_limit_is_seen(self):
+        loose = copy.deepcopy(self.schema)
+        del loose["$defs"]["window_side_px"]["maximum"]
+        validator = jsonschema.Draft202012Validator(loose)
+        taken = [entry["name"] for entry in self.entries if "tells" in entry and "only_reader" not in entry
+                 and "text" not in entry and validator.is_valid(document_of(entry, self.base))]
+        self.assertIn("/window/width_px above", taken)
+
+
+if __name__ == "__main__":
+    SCHEMA, FOLDERS = pathlib.Path(sys.argv[1]), [pathlib.Path(folder) for folder in sys.argv[2:]]
+    unittest.main(argv=sys.argv[:1])
