@@ -36,10 +36,27 @@ inline constexpr std::array<RowField, 7> kRowFields = {{
     {"contact", [](const Row& row) { return static_cast<double>(row.contact); }},
 }};
 
+/// The quantities of a contact, in the order in which a difference is looked for.
+struct ContactField {
+  std::string_view name;
+  double Contact::*value;
+};
+inline constexpr std::array<ContactField, 8> kContactFields = {{
+    {"contacts/t", &Contact::t_s},
+    {"contacts/x", &Contact::x_px},
+    {"contacts/y", &Contact::y_px},
+    {"contacts/vx_before", &Contact::vx_before_px_per_s},
+    {"contacts/vy_before", &Contact::vy_before_px_per_s},
+    {"contacts/vx_after", &Contact::vx_after_px_per_s},
+    {"contacts/vy_after", &Contact::vy_after_px_per_s},
+    {"contacts/overshoot", &Contact::overshoot_px},
+}};
+
 /// Where two runs part.
 struct Divergence {
-  std::int64_t step = 0;           ///< Row number.
-  std::string field;               ///< One of kRowFields, or "state" where only a digest tells.
+  std::int64_t step = 0;  ///< Row number.
+  /// One of kRowFields or kContactFields, or "state" where only a digest tells.
+  std::string field;
   std::optional<double> expected;  ///< Not known where only a row check or a digest tells.
   std::optional<double> actual;
   std::optional<std::uint64_t> ulps;

@@ -10,21 +10,6 @@ namespace {
 
 constexpr std::size_t kContactField = kRowFields.size() - 1;
 
-struct ContactField {
-  std::string_view name;
-  double Contact::*value;
-};
-constexpr ContactField kContactFields[] = {
-    {"contacts/t", &Contact::t_s},
-    {"contacts/x", &Contact::x_px},
-    {"contacts/y", &Contact::y_px},
-    {"contacts/vx_before", &Contact::vx_before_px_per_s},
-    {"contacts/vy_before", &Contact::vy_before_px_per_s},
-    {"contacts/vx_after", &Contact::vx_after_px_per_s},
-    {"contacts/vy_after", &Contact::vy_after_px_per_s},
-    {"contacts/overshoot", &Contact::overshoot_px},
-};
-
 }  // namespace
 
 bool Tolerance::accepts(double a, double b) const {

@@ -18,6 +18,9 @@ Keyframe start_of(const Scenario& scenario) {
   return start;
 }
 
+// Found periods are 1 and 2; a period that leaves blocks unequal would not be worth its code.
+bool divides_a_block(std::int64_t period) { return static_cast<std::int64_t>(kBlockRows) % period == 0; }
+
 bool is_finite(const Body& body) {
   return is_finite_state({.x_px = body.x_px,
                           .y_px = body.y_px,
@@ -143,7 +146,7 @@ void Replay::Player::play_even_stretch(std::int64_t end) {
     play_batch(next);
     if (summary_.non_finite_step) return;
     const std::int64_t period = step() - search.step;
-    if (log_.met_anchor && end - step() > 2 * period) return repeat(period, end);
+    if (log_.met_anchor && divides_a_block(period) && end - step() > 2 * period) return repeat(period, end);
     if (step() == search_end || log_.met_anchor)
       search = {body(), step(), std::min<std::int64_t>(search.window + search.window / 16, kBlockRows)};
   }

@@ -159,9 +159,8 @@ void Replay::Player::repeat_blocks(const Cycle& cycle, std::int64_t end) {
   take(std::min(end - stands, static_cast<std::int64_t>(block_.room())));
   if (block_.room() > 0) return;
   close_block();
-  const bool blocks_are_equal = kRows % cycle.period == 0;
-  while (end - stands >= kRows) {
-    const std::int64_t count = blocks_are_equal ? (end - stands) / kRows : 1;
+  // The period divides a block, so whole blocks are equal.
+  if (const std::int64_t count = (end - stands) / kRows; count > 0) {
     take(kRows);
     stands += (count - 1) * kRows;
     close_block(count);

@@ -2,11 +2,14 @@
 
 #include <filesystem>
 
-#include "sim/compare/expectations.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/difference_text.h"
+#include "tools/hyrax-sim/drift_run.h"
 #include "tools/hyrax-sim/golden_check.h"
+#include "tools/hyrax-sim/margin_text.h"
+#include "tools/hyrax-sim/run_expectations.h"
 #include "tools/hyrax-sim/run_report.h"
 #include "tools/hyrax-sim/scenario_list.h"
 #include "tools/store/golden_digest.h"
@@ -40,9 +43,12 @@ bool show_changes(const std::string& path, const GoldenPlace& place, const Scena
     return true;
   }
   try {
-    const Comparison comparison = compare_with(read_golden(place.h5_path), scenario).comparison;
-    if (comparison.agrees) return false;
-    fmt::print("{}: changes {}\n{}", path, place.h5_path, difference_text(comparison));
+    const StoredRun kept = read_golden(place.h5_path);
+    const Comparison comparison = compare_with(kept, scenario).comparison;
+    const bool is_digest_true = read_digest_hash(place.txt_path) == kept.state_hash;
+    if (comparison.agrees && is_digest_true) return false;
+    fmt::print("{}: changes {}\n{}", path, comparison.agrees ? place.txt_path : place.h5_path,
+               difference_text(comparison));
   } catch (const Failure& failure) {
     fmt::print("{}: replaces a golden file that cannot be read ({})\n", path, failure.what());
   }
@@ -51,13 +57,18 @@ bool show_changes(const std::string& path, const GoldenPlace& place, const Scena
 
 void refuse_unexpected(const std::string& path, const FreshRun& fresh) {
   std::string broken;
-  if (fresh.run.scenario.expect)
-    for (const Expectation& expectation : judge(*fresh.run.scenario.expect, fresh.summary))
-      if (!expectation.holds) broken += "; " + expectation_text(expectation);
+  for (const Expectation& expectation : judge_run(fresh.run.scenario, fresh.summary))
+    if (!expectation.holds) broken += "; " + expectation_text(expectation);
   if (fresh.summary.non_finite_step)
     broken += fmt::format("; the state is not finite from step {}", *fresh.summary.non_finite_step);
   if (!broken.empty())
     throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
+}
+
+std::string digest_of(const FreshRun& fresh, const std::string& reason) {
+  const Margin margin = margin_of(rows_of(fresh.run.scenario, fresh.summary));
+  return golden_digest_text(fresh.run, fresh.summary, reason,
+                            margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : ""));
 }
 
 void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& reason) {
@@ -66,19 +77,31 @@ void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& r
   AtomicFile rows(place.h5_path);
   AtomicFile digest(place.txt_path);
   write_golden(rows, place.h5_path, fresh.run);
-  digest.write(golden_digest_text(fresh.run, fresh.summary, reason));
+  digest.write(digest_of(fresh, reason));
   rows.commit();
   digest.commit();
+}
+
+// The golden file agrees; its digest may be of an older form.
+void renew_digest(const std::string& path, const GoldenPlace& place, const FreshRun& fresh,
+                  const std::string& reason) {
+  const std::string kept = read_text_file(place.txt_path);
+  if (kept == digest_of(fresh, digest_reason(kept))) {
+    fmt::print("{}: agrees with {} already; nothing written\n", path, place.h5_path);
+    return;
+  }
+  refuse_unexpected(path, fresh);
+  write_text_file(place.txt_path, digest_of(fresh, reason));
+  fmt::print("{}: agrees with {} already; its digest, {}, is written anew\n", path, place.h5_path,
+             place.txt_path);
 }
 
 void bless_one(const std::string& path, const BlessRequest& request) {
   const Scenario scenario = load_scenario(path);
   const GoldenPlace place = place_of(path, request.golden_folder);
-  if (!show_changes(path, place, scenario)) {
-    fmt::print("{}: agrees with {} already; nothing written\n", path, place.h5_path);
-    return;
-  }
+  const bool is_changed = show_changes(path, place, scenario);
   const FreshRun fresh = play_for_golden(scenario);
+  if (!is_changed) return renew_digest(path, place, fresh, request.reason);
   refuse_unexpected(path, fresh);
   write(place, fresh, request.reason);
   fmt::print("{}: blessed, {}\n", path, place.h5_path);

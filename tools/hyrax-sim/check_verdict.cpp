@@ -5,6 +5,7 @@
 
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden_check.h"
+#include "tools/hyrax-sim/run_expectations.h"
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_place.h"
@@ -17,8 +18,7 @@ using Status = CheckVerdict::Status;
 
 std::vector<Expectation> broken_of(const Scenario& scenario, const RunSummary& summary) {
   std::vector<Expectation> broken;
-  if (!scenario.expect) return broken;
-  for (Expectation& expectation : judge(*scenario.expect, summary))
+  for (Expectation& expectation : judge_run(scenario, summary))
     if (!expectation.holds) broken.push_back(std::move(expectation));
   return broken;
 }
@@ -39,7 +39,7 @@ RunSummary compare(const Scenario& scenario, const GoldenPlace& place, const Che
   return compared.summary;
 }
 
-void judge_run(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
+void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
   const auto place = golden_place(verdict.path, options.golden_folder);
   verdict.golden_path = place ? place->h5_path : "";
   const bool has_golden = place && fs::exists(place->h5_path);
@@ -87,7 +87,7 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
   verdict.path = path;
   const auto start = std::chrono::steady_clock::now();
   try {
-    judge_run(load_scenario(path), options, verdict);
+    judge_into(load_scenario(path), options, verdict);
     verdict.exit_code = exit_code_of(verdict.status);
   } catch (const Failure& failure) {
     verdict.status = Status::failed;

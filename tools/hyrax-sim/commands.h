@@ -9,6 +9,7 @@ namespace hyrax {
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command bless_command();
 [[nodiscard]] Command diff_command();
+[[nodiscard]] Command drift_command();
 [[nodiscard]] Command validate_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command info_command();

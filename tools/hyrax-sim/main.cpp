@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   try {
     exit_code = run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc),
                                  {run_command(), check_command(), bless_command(), diff_command(),
-                                  validate_command(), schema_command(), info_command()});
+                                  drift_command(), validate_command(), schema_command(), info_command()});
   } catch (const Failure& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     exit_code = failure.exit_code();

@@ -6,6 +6,8 @@
 
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/drift_options.h"
+#include "tools/hyrax-sim/drift_report.h"
 #include "tools/hyrax-sim/run_picture.h"
 #include "tools/hyrax-sim/run_report.h"
 #include "tools/hyrax-sim/scenario_list.h"
@@ -21,6 +23,9 @@ struct RunRequest {
   std::vector<std::string> overrides;
   std::string figure;
   std::string golden_folder;
+  ReferenceRequest reference{.name = "closed", .stepper = "", .tolerance = {}};
+  bool measures_drift = false;
+  bool stores_rows = false;
   bool computes_all = false;
   bool is_json = false;
 };
@@ -86,9 +91,19 @@ void make_output_folder(const RunRequest& request, std::size_t scenarios) {
   if (error) throw Failure(ExitCode::cannot_access, request.output + ": cannot be made: " + error.message());
 }
 
+std::optional<StoredDrift> stored_drift(const RunRequest& request) {
+  if (request.measures_drift)
+    return StoredDrift{{.gsl = gsl_options(request.reference, "hyrax-sim run")}, request.stores_rows};
+  if (request.stores_rows || request.reference.is_given())
+    throw Failure(
+        ExitCode::bad_input,
+        "hyrax-sim run: --rows, --reference, --stepper and --tolerance say how to measure; add --drift");
+  return std::nullopt;
+}
+
 class Runner {
  public:
-  explicit Runner(const RunRequest& request) : request_(request) {}
+  explicit Runner(const RunRequest& request) : request_(request), drift_(stored_drift(request)) {}
 
   ExitCode run(const std::vector<Candidate>& candidates) {
     for (const Candidate& candidate : candidates) {
@@ -109,15 +124,26 @@ class Runner {
     const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,
                                          {.golden_folder = request_.golden_folder,
                                           .skips_repetition = !request_.computes_all,
-                                          .compares = request_.overrides.empty()});
+                                          .compares = request_.overrides.empty(),
+                                          .drift = drift_});
+    if (run.drift) exit_code_ = more_serious(exit_code_, drift_exit_code(run.drift->summary));
     if (!run.is_as_expected()) exit_code_ = more_serious(exit_code_, ExitCode::disagreed);
-    if (request_.is_json)
-      entries_.push_back(run_json(run));
-    else
-      fmt::print("{}", run_text(run));
+    report(run);
     if (request_.figure.empty()) return;
     draw_run(request_.figure, *candidate.scenario);
     if (!request_.is_json) fmt::print("  drawn          {}\n", request_.figure);
+  }
+
+  void report(const ScenarioRun& run) {
+    DriftReport drift;
+    if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request_.stores_rows};
+    if (!request_.is_json) {
+      fmt::print("{}{}", run_text(run), run.drift ? drift_text(drift) : "");
+      return;
+    }
+    Json entry = run_json(run);
+    if (run.drift) entry.get<Json::Object>()->emplace_back("drift", drift_json(drift));
+    entries_.push_back(std::move(entry));
   }
 
   void report_failure(const std::string& path, const Failure& failure) {
@@ -127,6 +153,7 @@ class Runner {
   }
 
   const RunRequest& request_;
+  std::optional<StoredDrift> drift_;
   Json::Array entries_;
   ExitCode exit_code_ = ExitCode::agreed;
 };
@@ -164,6 +191,10 @@ Command run_command() {
                                            "draws window, path and contacts to scale (needs gnuplot)"});
             options.text(request->golden_folder,
                          {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
+            options.flag(request->measures_drift,
+                         {"--drift", "", "measure it against the reference, as the command `drift` does"});
+            options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
+            declare_reference(options, request->reference);
             options.flag(request->computes_all, {"--no-skip", "", "compute steps that repeat exactly, too"});
             options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
             return [request] { return run(*request); };

@@ -9,6 +9,7 @@
 #include "sim/compare/expectations.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/run_summary.h"
+#include "tools/hyrax-sim/written_run.h"
 
 namespace hyrax {
 
@@ -16,6 +17,7 @@ struct ScenarioRunOptions {
   std::string golden_folder;  ///< Empty: the `golden` beside the nearest `scenarios`.
   bool skips_repetition = true;
   bool compares = true;  ///< With the golden file, if there is one.
+  std::optional<StoredDrift> drift;
 };
 
 struct ScenarioRun {
@@ -24,6 +26,7 @@ struct ScenarioRun {
   RunSummary summary;
   std::string output;
   std::int64_t rows_recorded = 0;
+  std::optional<DriftRun> drift;  ///< On request.
   std::vector<Expectation> expectations;
   std::string golden_path;               ///< Empty where no place for one is known.
   std::optional<Comparison> comparison;  ///< With the golden file; nothing where there is none.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kContactsListed = 40;  // All of a run of so many, else half at each end.
 constexpr std::string_view kHashKey = "state hash: ";
+constexpr std::string_view kReasonKey = "reason: ";
 
 std::string line_of(const Contact& contact) {
   const std::string_view wall = kWallNames[wall_index(contact.wall)];
@@ -39,7 +40,8 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-std::string golden_digest_text(const StoredRun& run, const RunSummary& summary, const std::string& reason) {
+std::string golden_digest_text(const StoredRun& run, const RunSummary& summary, const std::string& reason,
+                               const std::string& margin) {
   const WallCounts& counts = summary.contacts;
   const Row& end = summary.final;
   std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\n{}{}\n", run.scenario.name,
@@ -53,7 +55,15 @@ std::string golden_digest_text(const StoredRun& run, const RunSummary& summary, 
                       end.vy_px_per_s, end.vy_px_per_s);
   text += summary.at_rest_since_s ? fmt::format("at rest since: {} s\n", *summary.at_rest_since_s)
                                   : std::string("at rest since: never\n");
-  return text + fmt::format("reason: {}\n", one_line(reason));
+  if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
+  return text + fmt::format("{}{}\n", kReasonKey, one_line(reason));
+}
+
+std::string digest_reason(const std::string& text) {
+  const std::size_t key = text.find(std::string("\n").append(kReasonKey));
+  if (key == std::string::npos) return "";
+  const std::size_t begin = key + 1 + kReasonKey.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::string read_digest_hash(const std::string& path) {

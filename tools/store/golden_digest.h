@@ -10,8 +10,12 @@
 namespace hyrax {
 
 /// @param reason given at the blessing.
+/// @param margin how near the run is to being another one, in words; no line where it is empty.
 [[nodiscard]] std::string golden_digest_text(const StoredRun& run, const RunSummary& summary,
-                                             const std::string& reason);
+                                             const std::string& reason, const std::string& margin = "");
+
+/// The reason that a digest gives, empty where it gives none.
+[[nodiscard]] std::string digest_reason(const std::string& text);
 
 /// The state hash that a digest names. ERRORS: Failure(cannot_access) where it cannot be read,
 /// Failure(bad_input) where it names none.

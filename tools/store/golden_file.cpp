@@ -141,8 +141,12 @@ void read_blocks(const TrajectoryFile& file, StoredRun& run) {
         file.column(std::string("/blocks/") + described.name, H5T_FLOAT, sizeof(double));
     if (column.length() != blocks) file.refuse("/blocks: its datasets differ in length");
     const auto values = column.read<double>(H5T_NATIVE_DOUBLE, 0, blocks);
-    for (std::size_t index = 0; index < values.size(); ++index)
+    for (std::size_t index = 0; index < values.size(); ++index) {
       described.set(run.blocks[index].keyframe, values[index]);
+      if (!same_bits(described.get(run.blocks[index].keyframe), values[index]))
+        file.refuse(std::string("/blocks/") + described.name + ": holds " + std::to_string(values[index]) +
+                    ", which no replay comes to");
+    }
   }
   run.final = rows.row(rows.size() - 1);
 }
@@ -177,6 +181,10 @@ StoredRun read_golden(const std::string& path) {
     file.refuse("holds " + std::to_string(file.row_count()) + " rows of " + std::to_string(run.steps + 1) +
                 " and no blocks; it was not written by bless");
   run.rows = file.rows(0, file.row_count());
+  for (std::size_t row = 0; row < run.rows.size(); ++row)
+    if (run.rows.step[row] != static_cast<std::int64_t>(row))
+      file.refuse("/trajectory/step: must count 0, 1, 2, ..., has " + std::to_string(run.rows.step[row]) +
+                  " at row " + std::to_string(row));
   run.final = run.rows.row(run.rows.size() - 1);
   return run;
 }

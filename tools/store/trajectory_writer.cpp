@@ -48,11 +48,13 @@ void TrajectoryWriter::contact_ended(std::int64_t index, std::int64_t last_step)
 }
 
 void TrajectoryWriter::finish(const FileHead& head, const std::vector<Input>& inputs,
-                              std::int64_t contacts_total) {
+                              std::int64_t contacts_total,
+                              const std::function<bool(hid_t file)>& write_more) {
   require(row_table_.finish());
   require(contact_table_.finish());
   h5::write_attribute(contacts_, "total", contacts_total);
   require(write_head(file_, head, inputs));
+  if (write_more) require(write_more(file_));
   row_table_.close();
   contact_table_.close();
   trajectory_ = {};

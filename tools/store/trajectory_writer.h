@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,10 @@ class TrajectoryWriter : public RowSink {
   void contact_ended(std::int64_t index, std::int64_t last_step) override;
 
   /// @param contacts_total of the run, handed on or not.
-  void finish(const FileHead& head, const std::vector<Input>& inputs, std::int64_t contacts_total);
+  /// @param write_more called, if it is set, once all else stands in the file, to add groups of its own;
+  /// says whether they could be written.
+  void finish(const FileHead& head, const std::vector<Input>& inputs, std::int64_t contacts_total,
+              const std::function<bool(hid_t file)>& write_more = {});
 
   /// How many rows a run of `steps` has with every K-th and the last recorded.
   [[nodiscard]] static std::int64_t row_count(std::int64_t steps, std::int64_t every) {

@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+"""A changed core turns `check` red, and the verdict names step, field and class.
+
+HYRAX_CONTROLS is the folder of the programs with a changed core: control_NAME.
+"""
+
+import functools
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from program import AGREED, DISAGREED, PROGRAM, SOURCE, Outcome, ProgramTest, main
+
+CONTROLS = pathlib.Path(os.environ["HYRAX_CONTROLS"])
+FIELDS = {"t", "dt", "x", "y", "vx", "vy", "contact"}
+CLASSES = {"bits", "contacts", "shape"}
+
+
+@functools.cache
+def exercised():
+    """What each scenario exercises, as the unchanged program tells: {path: {"gravity", "ground", ...}}."""
+    with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+        done = subprocess.run([str(PROGRAM), "run", "scenarios", "--json", "-o", folder + "/"], cwd=SOURCE,
+                              capture_output=True, check=True)
+    return {run["scenario"]: set(run["exercised"]) for run in json.loads(done.stdout)["runs"]}
+
+
+def that_exercise(part):
+    """Paths of the scenarios that exercise a part of the core."""
+    return {path for path, parts in exercised().items() if part in parts}
+
+
+def has_fma():
+    """Whether this processor fuses multiply-adds."""
+    cpuinfo = pathlib.Path("/proc/cpuinfo")
+    return not cpuinfo.exists() or " fma " in cpuinfo.read_text() or "aarch64" in os.uname().machine
+
+
+class ChangedCore(ProgramTest):
+    """Each test is one change; `check` runs over all scenarios of the project."""
+
+    def check(self, control, *options):
+        """What the program with that change says of all scenarios."""
+        return Outcome(subprocess.run([str(CONTROLS / f"control_{control}"), "check", *options], cwd=SOURCE,
+                                      capture_output=True, check=False))
+
+    def red(self, control):
+        """Paths of the scenarios that are red; each of them with step, field and class."""
+        outcome = self.check(control, "--json")
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        document = outcome.json
+        self.assertEqual((document["missing"], document["failed"]), (0, 0))
+        red = {}
+        for entry in document["results"]:
+            if entry["status"] == "agreed":
+                continue
+            self.assertIn(entry["class"], CLASSES, entry)
+            field = entry["first_divergence"]["field"]
+            self.assertTrue(field in FIELDS or field.startswith("contacts/"), entry)
+            self.assertGreaterEqual(entry["first_divergence"]["step"], 1, entry)
+            red[entry["scenario"]] = entry
+        text = self.check(control, "scenarios/flings").out
+        for path, entry in red.items():
+            if not path.startswith("scenarios/flings/"):
+                continue
+            verdict = text[text.index(f"{path}: disagreed"):]
+            first = entry["first_divergence"]
+            self.assertIn(f"class      {entry['class']}\n", verdict)
+            self.assertIn(f"first      step {first['step']}, field {first['field']}\n", verdict)
+        return set(red)
+
+    def assert_nearly_all_red(self, control, concerned):
+        """Rounding hides a change now and then, in a fifth of the concerned scenarios at most."""
+        red = self.red(control)
+        self.assertGreater(len(concerned), 30)
+        self.assertGreaterEqual(len(red & concerned), 0.8 * len(concerned), f"green: {sorted(concerned - red)}")
+
+    def test_no_change_is_green(self):
+        outcome = self.check("unchanged")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_drag_before_gravity(self):
+        self.assertEqual(that_exercise("gravity") - self.red("drag_before_gravity"), set())
+
+    def test_gravity_by_one_ulp(self):
+        self.assert_nearly_all_red("gravity_by_one_ulp", that_exercise("gravity"))
+
+    def test_a_comparison_that_is_not_strict(self):
+        self.assert_nearly_all_red("ground_not_strict", that_exercise("ground"))
+
+    def test_update_alone(self):
+        self.assertEqual(that_exercise("drag") - self.red("update_alone"), set())
+
+    def test_fused_multiply_adds(self):
+        if not has_fma():
+            self.skipTest("this processor has no fused multiply-add")
+        self.assert_nearly_all_red("contracted", that_exercise("gravity"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,3 @@
+# One comparison.
+set(original "m_y > bottomBound")
+set(mutated "m_y >= bottomBound")

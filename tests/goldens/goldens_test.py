@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+"""golden/ as a whole: a golden file for every scenario and none without, digests that name the same hash, small."""
+
+import re
+import unittest
+
+import h5py
+
+from program import SOURCE
+
+BYTES_MAX = 10_000_000
+
+
+def names(folder, suffix):
+    """Paths below a folder, without their suffix."""
+    return {str(path.relative_to(SOURCE / folder).with_suffix(""))
+            for path in (SOURCE / folder).rglob(f"*{suffix}")}
+
+
+class Goldens(unittest.TestCase):
+    """The project's own golden files."""
+
+    def test_every_golden_file_has_its_scenario_and_the_other_way_round(self):
+        scenarios = names("scenarios", ".json")
+        self.assertEqual(names("golden", ".h5"), scenarios)
+        self.assertEqual(names("golden", ".txt"), scenarios)
+
+    def test_nothing_else_is_there(self):
+        others = [path for path in (SOURCE / "golden").rglob("*")
+                  if path.is_file() and path.suffix not in (".h5", ".txt")]
+        self.assertEqual(others, [])
+
+    def test_all_of_them_together_are_small(self):
+        size = sum(path.stat().st_size for path in (SOURCE / "golden").rglob("*") if path.is_file())
+        self.assertLess(size, BYTES_MAX)
+
+    def test_digests_say_of_a_run_what_the_file_does(self):
+        for name in sorted(names("golden", ".h5")):
+            text = (SOURCE / "golden" / f"{name}.txt").read_text(encoding="utf-8")
+            said = dict(re.findall(r"^(scenario|physics|steps|state hash|reason): (.*)$", text, re.MULTILINE))
+            with h5py.File(SOURCE / "golden" / f"{name}.h5") as file:
+                self.assertEqual(said["state hash"], file.attrs["state_hash"], name)
+                self.assertEqual(said["steps"], str(file.attrs["steps"]), name)
+                self.assertEqual(said["physics"], file.attrs["physics"], name)
+                self.assertEqual(said["scenario"], file.attrs["name"], name)
+            self.assertTrue(said["reason"].strip(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

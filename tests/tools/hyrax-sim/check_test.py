@@ -1,0 +1,248 @@
+#!/usr/bin/python3
+"""`check`: verdicts, the documents that tell them, and that it changes nothing."""
+
+import os
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, Maybe, ProgramTest,
+                     fling, main)
+
+CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int, "results": [object]}
+RESULT = {"scenario": str, "status": str, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE)}
+
+
+def nudge(path, dataset, row):
+    """Moves one value of a file to the next double."""
+    with h5py.File(path, "r+") as file:
+        file[dataset][row] = numpy.nextafter(file[dataset][row], numpy.inf)
+
+
+class CheckTest(ProgramTest):
+    """A project with three throws."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("a/first", "a/second", "third")
+
+    def check(self, exit_code, *arguments, **options):
+        """The document of `check --json`."""
+        return self.expect(exit_code, "check", "--json", *arguments, **options).json
+
+    def counts(self, document):
+        """agreed, disagreed, missing and failed."""
+        return tuple(document[key] for key in ("agreed", "disagreed", "missing", "failed"))
+
+
+class Verdict(CheckTest):
+    """What `check` finds."""
+
+    def test_the_default_is_scenarios_and_golden_of_this_folder(self):
+        outcome = self.expect(AGREED, "check")
+        self.assertEqual(outcome.out, "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")
+        self.assertEqual(outcome.err, "")
+        document = self.check(AGREED)
+        self.assertEqual([entry["scenario"] for entry in document["results"]],
+                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
+
+    def test_it_takes_files_and_folders(self):
+        self.assertEqual(self.check(AGREED, "scenarios/a", "scenarios/third.json")["checked"], 3)
+        self.assertEqual(self.check(AGREED, "third.json", cwd=self.folder / "scenarios")["checked"], 1)
+        self.assertEqual(self.check(AGREED, str(self.folder / "scenarios"))["checked"], 3)
+
+    def test_a_fault_of_one_ulp_is_found_at_its_step_and_field(self):
+        golden = self.folder / "golden/third.h5"
+        whole = golden.read_bytes()
+        for row, field in ((0, "x"), (150, "vy"), (300, "t"), (300, "vx")):
+            golden.write_bytes(whole)
+            nudge(golden, f"trajectory/{field}", row)
+            document = self.check(DISAGREED)
+            self.assertEqual(self.counts(document), (2, 1, 0, 0))
+            entry = document["results"][2]
+            self.assertEqual((entry["status"], entry["class"]), ("disagreed", "bits"))
+            first = entry["first_divergence"]
+            self.assertEqual((first["step"], first["field"], first["ulps"]), (row, field, 1))
+
+    def test_a_difference_is_told_with_all_that_helps(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/vx", 299)
+        text = self.expect(DISAGREED, "check").out
+        for words in ("scenarios/third.json: disagreed", "class      bits", "first      step 299, field vx",
+                      "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
+                      "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
+                      "3 checked: 2 agreed, 1 disagreed"):
+            self.assertIn(words, text)
+
+    def test_a_moved_contact_is_of_class_contacts(self):
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["contacts/step"][2] -= 1
+        document = self.check(DISAGREED)
+        self.assertEqual(document["results"][2]["class"], "contacts")
+        self.assertRegex(self.expect(DISAGREED, "check").out, r"moved      ground step 1\d\d")
+
+    def test_a_golden_file_of_another_scenario_is_of_class_shape(self):
+        os.replace(self.folder / "golden/a/first.h5", self.folder / "golden/a/second.h5")
+        document = self.check(GOLDEN_MISSING)
+        self.assertEqual(document["results"][1]["class"], "shape")
+        self.assertIn("of another scenario", self.expect(DISAGREED, "check", "scenarios/a/second.json").out)
+
+    def test_a_longer_run_is_of_class_shape(self):
+        self.write("scenarios/third.json", fling(name="third", steps=301))
+        self.assertEqual(self.check(DISAGREED)["results"][2]["class"], "shape")
+
+    def test_name_description_and_expectations_are_not_part_of_the_comparison(self):
+        for name in ("new-name", "third"):
+            start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180.0, "vy_px_per_s": -4e2}
+            self.write("scenarios/third.json", fling(name=name, start=start, description="in other words",
+                                                     expect={"finite": True}, **{"$schema": "schema.json"}))
+            self.assertEqual(self.check(AGREED)["agreed"], 3)
+
+    def test_an_expectation_that_fails_disagrees_even_with_the_golden_file(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start, expect={"contacts": {"right": 2}}))
+        entry = self.check(DISAGREED)["results"][2]
+        self.assertEqual((entry["status"], entry["class"], entry["first_divergence"]), ("disagreed", None, None))
+        self.assertEqual(entry["expect"], [{"rule": "contacts/right", "holds": False, "measured": 1}])
+        self.assertIn("contacts/right: wanted 2, measured 1", self.expect(DISAGREED, "check").out)
+
+    def test_a_missing_golden_file_is_exit_4(self):
+        (self.folder / "golden/third.h5").unlink()
+        document = self.check(GOLDEN_MISSING)
+        self.assertEqual(self.counts(document), (2, 0, 1, 0))
+        text = self.expect(GOLDEN_MISSING, "check").out
+        self.assertIn("no golden file at golden/third.h5", text)
+        self.assertIn("hyrax-sim bless scenarios/third.json --reason", text)
+
+    def test_a_scenario_outside_of_scenarios_has_no_golden_file(self):
+        self.expect(GOLDEN_MISSING, "check", self.write("alone.json", fling()))
+
+    def test_a_state_hash_that_is_expected_stands_for_a_missing_golden_file(self):
+        run = self.expect(AGREED, "run", "scenarios/third.json", "--json").json["runs"][0]
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
+        for state_hash, exit_code in ((run["state_hash"], AGREED), ("0" * 32, DISAGREED)):
+            self.write("recorded.json", fling(start=start, expect={"state_hash": state_hash}))
+            self.expect(exit_code, "check", "recorded.json")
+
+    def test_no_scenario_is_exit_2(self):
+        (self.folder / "empty").mkdir()
+        outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: holds no scenario (*.json)")
+        self.assertEqual(outcome.out, "")
+        self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: there is no such folder")
+
+    def test_a_bad_scenario_does_not_keep_the_others_from_being_checked(self):
+        self.write("scenarios/a/bad.json", fling(steps=-1))
+        document = self.check(BAD_INPUT)
+        self.assertEqual(self.counts(document), (3, 0, 0, 1))
+        self.assertIn("/steps: must be", document["results"][0]["error"])
+        self.assertIn("scenarios/a/bad.json: failed", self.expect(BAD_INPUT, "check").out)
+
+    def test_the_most_serious_outcome_wins(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        self.check(DISAGREED)
+        (self.folder / "golden/a/first.h5").unlink()
+        self.check(GOLDEN_MISSING)
+        self.write("scenarios/bad.json", "{")
+        self.check(BAD_INPUT)
+        self.check(CANNOT_ACCESS, "scenarios", "none.json")
+
+    def test_a_golden_file_that_is_none_is_bad_input(self):
+        (self.folder / "golden/third.h5").write_text("no HDF5 file")
+        document = self.check(BAD_INPUT)
+        self.assertEqual(document["results"][2]["status"], "failed")
+        self.assertIn("golden/third.h5: is no HDF5 file", document["results"][2]["error"])
+
+    def test_it_looks_for_golden_files_in_another_folder_if_told(self):
+        (self.folder / "golden").rename(self.folder / "elsewhere")
+        self.check(GOLDEN_MISSING)
+        self.check(AGREED, "--golden", "elsewhere")
+        self.check(AGREED, "--golden", str(self.folder / "elsewhere"), "scenarios/a")
+
+
+class Document(CheckTest):
+    """How verdicts are told."""
+
+    def test_json_has_the_published_keys_and_types(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        document = self.check(DISAGREED)
+        self.assert_shape(document, CHECK)
+        for entry in document["results"]:
+            self.assert_shape(entry, RESULT)
+        self.assertEqual(document["checked"], 3)
+
+    def test_json_tells_doubles_that_are_none_as_texts(self):
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["trajectory/y"][5] = numpy.nan
+        first = self.check(DISAGREED)["results"][2]["first_divergence"]
+        self.assertEqual((first["expected"], first["ulps"]), ("NaN", None))
+
+    def test_junit_is_well_formed_and_counts(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        self.write("scenarios/bad <&\">.json", "{")
+        self.expect(BAD_INPUT, "check", "--junit", "report.xml")
+        suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
+        self.assertEqual(suite.tag, "testsuite")
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("4", "1", "2"))
+        cases = {case.get("name"): [child.tag for child in case] for case in suite.iter("testcase")}
+        self.assertEqual(cases, {"scenarios/a/first.json": ["error"], "scenarios/a/second.json": [],
+                                 "scenarios/bad <&\">.json": ["error"], "scenarios/third.json": ["failure"]})
+        self.assertIn("step 5, field y", suite.find(".//failure").text)
+        self.assertGreaterEqual(float(suite.get("time")), 0.0)
+
+    def test_junit_that_cannot_be_written_is_exit_3(self):
+        self.expect(CANNOT_ACCESS, "check", "--junit", "no/such/report.xml", says="no/such/report.xml")
+
+    def test_jobs_change_nothing(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
+        for jobs in ("2", "4", "64"):
+            self.assertEqual(self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", jobs).out, one.out)
+
+
+class Quick(CheckTest):
+    """--quick lets the digest's hash decide, and reads rows only on a mismatch."""
+
+    def test_it_agrees_where_the_hash_does(self):
+        self.assertEqual(self.check(AGREED, "--quick"), self.check(AGREED))
+
+    def test_it_tells_a_difference_as_fully(self):
+        self.write("scenarios/third.json", fling(name="third"))
+        self.assertEqual(self.check(DISAGREED, "--quick"), self.check(DISAGREED))
+
+    def test_it_still_judges_expectations(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start, expect={"contacts": {"right": 2}}))
+        self.check(DISAGREED, "--quick")
+
+    def test_it_wants_a_golden_file_as_well(self):
+        (self.folder / "golden/third.h5").unlink()
+        self.check(GOLDEN_MISSING, "--quick")
+
+    def test_it_refuses_a_digest_without_hash(self):
+        self.write("golden/third.txt", "nothing\n")
+        document = self.check(BAD_INPUT, "--quick")
+        self.assertIn("golden/third.txt: has no line 'state hash: '", document["results"][2]["error"])
+
+
+class ReadOnly(CheckTest):
+    """`check` never writes into golden/."""
+
+    def test_golden_files_stay_to_the_byte_whatever_the_verdict(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        self.write("scenarios/a/new.json", fling(name="new"))
+        self.write("scenarios/a/first.json", fling(name="first", steps=20))
+        before = self.state_of("golden")
+        for path in (self.folder / "golden").rglob("*"):
+            path.chmod(0o555 if path.is_dir() else 0o444)
+        for arguments in ((), ("--quick",), ("--jobs", "4"), ("--golden", "golden")):
+            self.check(GOLDEN_MISSING, *arguments)
+        self.assertEqual(self.state_of("golden"), before)
+        self.assertEqual(self.names(), ["golden", "scenarios"])
+        for path in (self.folder / "golden").rglob("*"):
+            path.chmod(0o755)
+
+
+if __name__ == "__main__":
+    main()

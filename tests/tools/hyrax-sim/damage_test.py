@@ -1,0 +1,95 @@
+#!/usr/bin/python3
+"""One flipped bit anywhere in a golden file is found by `check`."""
+
+import json
+import shutil
+
+import h5py
+import numpy
+
+from program import AGREED, ProgramTest, fling, main
+
+# Rows and all inputs; and blocks, of a jittered run too long for rows.
+SHORT = fling(events=[
+    {"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}},
+    {"step": 40, "hitch": {"dt_s": 0.25}},
+    {"step": 60, "grab": {}},
+    {"step": 61, "place": {"x_px": 640, "y_px": 200}},
+    {"step": 70, "release": {"vx_px_per_s": 700, "vy_px_per_s": -1200}},
+    {"step": 90, "resize": {"window": {"width_px": 1280, "height_px": 720}}},
+    {"step": 90, "resize": {"sprite": {"width_px": 64, "height_px": 64}}},
+    {"step": 200, "stop": {}}])
+LONG = fling(name="long", steps=9000, clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.3, "seed": 5}},
+             events=[{"step": 5000, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -2500}}])
+
+# What no comparison is about: the program that wrote the file, names and units for people.
+NOT_COMPARED = {"name", "NX_class", "default"}
+
+
+def flip_element(dataset, index, bit):
+    """Flips one bit of one element, of any type."""
+    values = dataset[...]
+    values.view(numpy.uint8).reshape(len(values), -1)[index, bit // 8] ^= 1 << bit % 8
+    dataset[...] = values
+
+
+def damages(path):
+    """Every way in which the test damages a golden file: a name, and what to do to the opened copy."""
+    with h5py.File(path) as file:
+        datasets = []
+        file.visititems(lambda name, item: datasets.append(item) if isinstance(item, h5py.Dataset) else None)
+        for dataset in datasets:
+            bits = 8 * dataset.dtype.itemsize
+            for index in sorted({0, len(dataset) // 2, len(dataset) - 1}):
+                for bit in (0, bits - 1) if bits > 8 else (0, 3):
+                    yield (f"{dataset.name}[{index}] bit {bit}",
+                           lambda copy, name=dataset.name, index=index, bit=bit: flip_element(copy[name], index, bit))
+        for name, value in file.attrs.items():
+            if name in NOT_COMPARED:
+                continue
+            yield (f"attribute {name}",
+                   lambda copy, name=name, value=value: copy.attrs.__setitem__(name, flipped(value)))
+            yield f"no attribute {name}", lambda copy, name=name: copy.attrs.__delitem__(name)
+        yield ("attribute /contacts total",
+               lambda copy: copy["contacts"].attrs.modify("total", copy["contacts"].attrs["total"] ^ 1))
+
+
+def flipped(value):
+    """A text with the lowest bit of its last digit flipped, or a number with its lowest."""
+    if not isinstance(value, str):
+        return value ^ 1
+    place = max(place for place, character in enumerate(value) if character.isdigit())
+    return value[:place] + chr(ord(value[place]) ^ 1) + value[place + 1:]
+
+
+class Damage(ProgramTest):
+    """Many copies of a scenario, each with a golden file that is damaged in one place."""
+
+    def find_all(self, document):
+        """All copies are checked in one run of the program; only the whole one agrees."""
+        name = document["name"]
+        self.write(f"scenarios/{name}/whole.json", document)
+        self.bless("scenarios")
+        golden = self.folder / "golden" / name
+        wanted = {f"scenarios/{name}/whole.json": "nothing"}
+        for number, (what, damage) in enumerate(damages(golden / "whole.h5")):
+            shutil.copyfile(golden / "whole.h5", golden / f"{number:04}.h5")
+            with h5py.File(golden / f"{number:04}.h5", "r+") as copy:
+                damage(copy)
+            wanted[self.write(f"scenarios/{name}/{number:04}.json", document)] = what
+        self.assertGreater(len(wanted), 100)
+        outcome = self.hyrax_sim("check", "--json")
+        self.assertNotEqual(outcome.exit_code, AGREED)
+        self.assertIn(outcome.exit_code, (1, 2), outcome.err)
+        agreed = {entry["scenario"] for entry in json.loads(outcome.out)["results"] if entry["status"] == "agreed"}
+        self.assertEqual([wanted[path] for path in sorted(agreed)], ["nothing"])
+
+    def test_in_the_golden_file_of_a_short_run(self):
+        self.find_all(SHORT)
+
+    def test_in_the_golden_file_of_a_long_run(self):
+        self.find_all(LONG)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,162 @@
+#!/usr/bin/python3
+"""`diff`: two trajectory files, value by value."""
+
+import shutil
+
+import h5py
+import numpy
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
+
+DIFF = {"agree": bool, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE), "worst": object,
+        "contacts": {"moved": int, "only_a": int, "only_b": int}}
+WORST = {"step": int, "abs": (int, float, str), "ulps": Maybe(int)}
+
+
+class Diff(ProgramTest):
+    """A run, and a copy of it in which something is changed."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling())
+        self.expect(AGREED, "run", "fling.json", "-o", "a.h5")
+
+    def change(self, dataset, row, value):
+        """b.h5 becomes a copy of a.h5 with one value changed, by a function or to a value."""
+        shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file[dataset][row] = value(file[dataset][row]) if callable(value) else value
+
+    def diff(self, exit_code, *options):
+        """The document of `diff --json`."""
+        document = self.expect(exit_code, "diff", "a.h5", "b.h5", "--json", *options).json
+        self.assert_shape(document, DIFF)
+        for worst in document["worst"].values():
+            self.assert_shape(worst, WORST)
+        self.assertEqual(document["agree"], exit_code == AGREED)
+        return document
+
+    def test_a_file_agrees_with_itself(self):
+        outcome = self.expect(AGREED, "diff", "a.h5", "a.h5")
+        self.assertEqual(outcome.out, "a.h5 and a.h5: agree, 301 rows compared\n")
+        document = self.expect(AGREED, "diff", "a.h5", "a.h5", "--json").json
+        self.assertEqual(document, {"agree": True, "class": None, "first_divergence": None, "worst": {},
+                                    "contacts": {"moved": 0, "only_a": 0, "only_b": 0}})
+
+    def test_one_ulp_is_found_in_every_field_and_row(self):
+        for field in ("t", "dt", "x", "y", "vx", "vy"):
+            for row in (0, 123, 300):
+                self.change(f"trajectory/{field}", row, lambda value: numpy.nextafter(value, numpy.inf))
+                document = self.diff(DISAGREED)
+                first = document["first_divergence"]
+                self.assertEqual((document["class"], first["step"], first["field"], first["ulps"]),
+                                 ("bits", row, field, 1))
+                self.assertEqual(list(document["worst"]), [field])
+                self.diff(AGREED, "--ulps", "1")
+                self.diff(DISAGREED, "--ulps", "0")
+
+    def test_the_worst_value_is_told_beside_the_first(self):
+        self.change("trajectory/x", 100, lambda value: value + 0.25)
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file["trajectory/x"][200] += 4.0
+        document = self.diff(DISAGREED)
+        self.assertEqual(document["first_divergence"]["step"], 100)
+        self.assertEqual((document["worst"]["x"]["step"], document["worst"]["x"]["abs"]), (200, 4.0))
+        text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+        self.assertIn("DIFFER, 301 rows compared", text)
+        self.assertIn("worst x", text)
+
+    def test_a_value_agrees_if_any_tolerance_is_met(self):
+        self.change("trajectory/x", 100, lambda value: value + 0.25)
+        self.diff(AGREED, "--abs", "0.25")
+        self.diff(DISAGREED, "--abs", "0.24")
+        self.diff(AGREED, "--rel", "1e-3")
+        self.diff(DISAGREED, "--rel", "1e-6")
+        self.diff(AGREED, "--abs", "0", "--rel", "1e-3", "--ulps", "0")
+        self.assertEqual(self.diff(AGREED, "--abs", "1")["worst"]["x"]["abs"], 0.25)
+
+    def test_zeros_of_both_signs_differ_in_bits_and_agree_within_any_tolerance(self):
+        self.change("trajectory/dt", 0, -0.0)
+        first = self.diff(DISAGREED)["first_divergence"]
+        self.assertEqual((first["step"], first["field"], first["ulps"]), (0, "dt", 0))
+        for option in ("--abs", "--rel", "--ulps"):
+            self.diff(AGREED, option, "0")
+
+    def test_nan_is_always_a_failure_even_in_both(self):
+        self.change("trajectory/vy", 50, numpy.nan)
+        first = self.diff(DISAGREED, "--abs", "1e300")["first_divergence"]
+        self.assertEqual((first["step"], first["actual"], first["ulps"]), (50, "NaN", None))
+        shutil.copyfile(self.folder / "b.h5", self.folder / "a.h5")
+        self.assertEqual(self.diff(DISAGREED, "--abs", "1e300", "--ulps", "9000000")["class"], "bits")
+
+    def test_infinity_is_told_as_text(self):
+        self.change("trajectory/vy", 50, -numpy.inf)
+        document = self.diff(DISAGREED)
+        self.assertEqual(document["first_divergence"]["actual"], "-Infinity")
+        self.assertEqual(document["worst"]["vy"]["abs"], "Infinity")
+
+    def test_contacts_must_agree_whatever_the_tolerance(self):
+        self.change("contacts/step", 2, lambda value: value + 1)
+        document = self.diff(DISAGREED, "--abs", "1e9")
+        self.assertEqual(document["class"], "contacts")
+        self.assertEqual(document["contacts"], {"moved": 1, "only_a": 0, "only_b": 0})
+        self.change("trajectory/contact", 100, 1)
+        self.assertEqual(self.diff(DISAGREED, "--abs", "1e9")["first_divergence"]["field"], "contact")
+
+    def test_another_run_is_told_with_the_contacts_that_moved(self):
+        self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/start/vx_px_per_s=-1200")
+        document = self.diff(DISAGREED)
+        self.assertEqual(document["class"], "shape")
+        self.assertEqual((document["contacts"]["only_a"], document["contacts"]["only_b"]), (1, 1))
+        text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+        self.assertIn("vanished   right step 36", text)
+        self.assertIn("appeared   left step", text)
+
+    def test_another_length_or_scenario_is_of_class_shape_even_with_equal_rows(self):
+        for setting in ("/steps=299", "/record/every=2", "/window/width_px=1919"):
+            self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", setting)
+            self.assertEqual(self.diff(DISAGREED, "--abs", "1e9")["class"], "shape", setting)
+
+    def test_another_physics_model_is_of_class_shape(self):
+        shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file.attrs["physics"] = "hyrax-physics/2"
+        self.assertEqual(self.diff(DISAGREED)["class"], "shape")
+        self.assertIn("hyrax-physics/2", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+
+    def test_another_name_or_program_is_no_difference(self):
+        self.write("other.json", fling(name="other", description="in other words"))
+        self.expect(AGREED, "run", "other.json", "-o", "b.h5")
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file["provenance"].attrs["compiler"] = "another"
+        self.diff(AGREED)
+
+    def test_rows_that_are_not_recorded_are_told_by_the_hash(self):
+        self.expect(AGREED, "run", "fling.json", "-o", "a.h5", "--set", "/record/every=100")
+        shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file.attrs["state_hash"] = "0" * 32
+        document = self.diff(DISAGREED)
+        self.assertEqual((document["class"], document["first_divergence"]), ("bits", None))
+        self.assertIn("hashes differ", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+        self.diff(AGREED, "--abs", "1e-9")
+
+    def test_numbers_are_shortest_round_trip(self):
+        self.change("trajectory/x", 100, 0.1)
+        first = self.diff(DISAGREED)["first_divergence"]
+        with h5py.File(self.folder / "a.h5") as file:
+            self.assertEqual(first["expected"], file["trajectory/x"][100])
+        self.assertIn('"actual": 0.1,', self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--json").out)
+        self.assertIsInstance(first["expected"], NUMBER)
+
+    def test_what_is_no_trajectory_is_refused(self):
+        outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is no HDF5 file")
+        self.assertEqual(outcome.out, "")
+        self.expect(CANNOT_ACCESS, "diff", "none.h5", "a.h5", says="none.h5: cannot be read")
+        whole = (self.folder / "a.h5").read_bytes()
+        (self.folder / "b.h5").write_bytes(whole[:len(whole) // 2])
+        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is no HDF5 file, or was cut short")
+
+
+if __name__ == "__main__":
+    main()

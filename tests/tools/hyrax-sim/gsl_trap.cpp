@@ -1,0 +1,21 @@
+// In place of sim/reference/gsl_flight.cpp and of GSL itself: whoever enters, falls.
+#include <cstdio>
+#include <cstdlib>
+
+#include "sim/reference/gsl_flight.h"
+
+namespace hyrax {
+
+struct GslFlight::Solver {};
+
+GslFlight::GslFlight(const GslOptions&, const Model&) {
+  std::fputs("entered GSL\n", stderr);
+  std::_Exit(99);
+}
+GslFlight::~GslFlight() = default;
+void GslFlight::start(const Velocity&, bool) {}
+bool GslFlight::advance(double) { return false; }
+Flight GslFlight::flight() const { return {}; }
+bool GslFlight::is_judge() const { return false; }
+
+}  // namespace hyrax

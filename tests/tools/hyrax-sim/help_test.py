@@ -1,0 +1,157 @@
+#!/usr/bin/python3
+"""Help, version, info, schema and validate; and what is said of a command line that cannot be understood."""
+
+import json
+import re
+
+import jsonschema
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+
+
+class CommandTest(ProgramTest):
+    """Asks something of every command there is."""
+
+    def commands(self):
+        """The commands that the first help screen names."""
+        screen = self.expect(AGREED, "--help").out
+        commands = re.findall(r"^  ([a-z]+) +\S", screen[screen.index("\nCommands:\n"):], re.MULTILINE)
+        self.assertGreaterEqual(len(commands), 7)
+        return commands
+
+
+class Help(CommandTest):
+    """Everything has help, with an example."""
+
+    def test_the_first_screen_names_every_command_the_common_ones_first(self):
+        text = self.expect(AGREED, "--help").out
+        common, more = text.split("\nMore:\n")
+        for command in ("run", "check", "bless", "diff"):
+            self.assertIn(f"\n  {command} ", common)
+        for command in ("validate", "schema", "info"):
+            self.assertIn(f"  {command} ", more)
+
+    def test_the_first_screen_is_also_what_no_argument_gives(self):
+        text = self.expect(AGREED, "--help").out
+        for arguments in ((), ("-h",), ("help",)):
+            self.assertEqual(self.expect(AGREED, *arguments).out, text)
+
+    def test_the_first_screen_tells_the_exit_codes(self):
+        text = " ".join(self.expect(AGREED, "--help").out.split())
+        for words in ("0 agreed or done", "1 disagreed", "2 bad usage or input", "3 cannot read or write",
+                      "4 golden file missing", "5 this machine", "70 own fault"):
+            self.assertIn(words, text)
+
+    def test_every_command_has_help_with_an_example_that_names_it(self):
+        for command in self.commands():
+            for flag in ("--help", "-h"):
+                outcome = self.expect(AGREED, command, flag)
+                self.assertIn("Example:\n", outcome.out)
+                self.assertIn(f"hyrax-sim {command}", outcome.out.split("Example:\n")[1])
+                self.assertEqual(outcome.err, "")
+
+    def test_help_names_every_option(self):
+        options = {"run": ("--output", "--set", "--figure", "--json", "--no-skip"),
+                   "check": ("--golden", "--jobs", "--junit", "--quick", "--json"),
+                   "bless": ("--reason", "--golden"), "diff": ("--abs", "--rel", "--ulps", "--json")}
+        for command, names in options.items():
+            text = self.expect(AGREED, command, "--help").out
+            for name in names:
+                self.assertIn(name, text)
+
+    def test_the_version_is_one_line(self):
+        self.assertRegex(self.expect(AGREED, "--version").out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
+
+
+class Usage(CommandTest):
+    """A command line that cannot be understood is exit 2, one sentence that names the remedy, and no output."""
+
+    def refuse(self, *arguments, says):
+        """One line on stderr, nothing on stdout."""
+        outcome = self.expect(BAD_INPUT, *arguments, says=says)
+        self.assertEqual(outcome.out, "")
+        self.assertEqual(outcome.err.count("\n"), 1, outcome.err)
+        self.assertEqual(self.names(), [])
+
+    def test_an_unknown_command_is_refused(self):
+        self.refuse("chekc", says=("'chekc'", "--help"))
+
+    def test_an_unknown_option_is_refused(self):
+        for command in self.commands():
+            self.refuse(command, "--colour", says=f"hyrax-sim {command}:")
+
+    def test_missing_files_are_refused(self):
+        for command in ("run", "bless", "validate", "diff"):
+            self.refuse(command, says=(f"hyrax-sim {command}:", "--help"))
+        self.refuse("diff", "one.h5", says="hyrax-sim diff:")
+        self.refuse("diff", "one.h5", "two.h5", "three.h5", says="hyrax-sim diff:")
+
+    def test_option_values_that_break_their_rule_are_refused(self):
+        for option, value in (("--jobs", "0"), ("--jobs", "-1"), ("--jobs", "2.5"), ("--jobs", "many")):
+            self.refuse("check", option, value, says="--jobs")
+        for option, value in (("--abs", "-1"), ("--abs", "nan"), ("--rel", "inf"), ("--rel", "small"),
+                              ("--ulps", "-1"), ("--ulps", "1.5")):
+            self.refuse("diff", "a.h5", "b.h5", option, value, says=option)
+
+    def test_an_option_without_its_value_is_refused(self):
+        self.refuse("run", "a.json", "-o", says="hyrax-sim run:")
+        self.refuse("bless", "a.json", "--reason", says="hyrax-sim bless:")
+
+
+class Info(ProgramTest):
+    """What a report of a fault should contain."""
+
+    def test_it_tells_build_machine_and_verdict(self):
+        text = self.expect(AGREED, "info").out
+        for name in ("version", "compiler", "flags", "target", "physics", "self_test", "hdf5"):
+            self.assertIn(f"\n{name} ", "\n" + text)
+        self.assertIn("hyrax-physics/1", text)
+
+    def test_it_tells_the_same_in_json(self):
+        document = self.expect(AGREED, "info", "--json").json
+        self.assertEqual(document["physics"], "hyrax-physics/1")
+        self.assertEqual(document["self_test"], "strict IEEE-754 double arithmetic")
+        self.assertTrue(all(isinstance(value, str) for value in document.values()))
+
+
+class Schema(ProgramTest):
+    """The schema is for editors."""
+
+    def test_it_is_a_json_schema_that_knows_a_good_scenario(self):
+        schema = json.loads(self.expect(AGREED, "schema").out)
+        validator = jsonschema.validators.validator_for(schema)
+        validator.check_schema(schema)
+        validator(schema).validate(fling())
+        self.assertFalse(validator(schema).is_valid(fling(steps=-1)))
+
+
+class Validate(ProgramTest):
+    """Reads scenarios without playing them."""
+
+    def test_a_good_scenario_is_good(self):
+        path = self.write("fling.json", fling())
+        self.assertEqual(self.expect(AGREED, "validate", path).out, "fling.json: good, 300 steps\n")
+        self.assertEqual(self.names(), ["fling.json"])
+
+    def test_every_wrong_place_is_told_at_once(self):
+        path = self.write("bad.json", fling(steps=-1, clock={"rate_hz": 0}, colour="red"))
+        outcome = self.expect(BAD_INPUT, "validate", path)
+        self.assertEqual(outcome.out, "")
+        for place in ("/steps", "/clock/rate_hz", "/colour"):
+            self.assertIn(f"bad.json: {place}: ", outcome.err)
+
+    def test_the_good_ones_are_told_beside_the_bad(self):
+        self.write("all/bad.json", "{")
+        self.write("all/good.json", fling())
+        outcome = self.expect(BAD_INPUT, "validate", "all", "--json", says="all/bad.json: line 1, column")
+        results = outcome.json["results"]
+        self.assertEqual([(entry["scenario"], entry["status"]) for entry in results],
+                         [("all/bad.json", "failed"), ("all/good.json", "good")])
+        self.assertIn("line 1", results[0]["error"])
+
+    def test_a_missing_file_cannot_be_read(self):
+        self.expect(CANNOT_ACCESS, "validate", "none.json", says="none.json: cannot be read")
+
+
+if __name__ == "__main__":
+    main()

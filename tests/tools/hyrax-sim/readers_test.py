@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+"""Other people's readers open a run file and find axes, units and names: h5py, xarray, h5dump, h5diff."""
+
+import shutil
+import subprocess
+
+import h5py
+import numpy
+import xarray
+
+from program import AGREED, ProgramTest, fling, main
+
+UNITS = {"t": "s", "dt": "s", "x": "px", "y": "px", "vx": "px/s", "vy": "px/s"}
+CONTACT_UNITS = {"t": "s", "x": "px", "y": "px", "vx_before": "px/s", "vy_before": "px/s", "vx_after": "px/s",
+                 "vy_after": "px/s", "overshoot": "px"}
+KINDS = {"fling": 0, "place": 1, "stop": 2, "resize-window": 3, "resize-sprite": 4, "hitch": 5, "grab": 6, "release": 7}
+EVENTS = [{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}, {"step": 40, "hitch": {"dt_s": 0.25}},
+          {"step": 90, "resize": {"window": {"width_px": 1280, "height_px": 720},
+                                  "sprite": {"width_px": 64, "height_px": 32}}}]
+
+
+class Reader(ProgramTest):
+    """One run, written."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling(events=EVENTS, description="ein Wurf, schräg"))
+        self.summary = self.expect(AGREED, "run", "fling.json", "--json").json["runs"][0]
+        self.path = self.folder / "fling.h5"
+
+    def tool(self, *command):
+        """What a command-line tool prints; its exit code is checked."""
+        if shutil.which(command[0]) is None:
+            self.skipTest(f"{command[0]} is not installed (package hdf5-tools)")
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, f"{command}: {done.stdout}{done.stderr}")
+        return done.stdout
+
+
+class H5py(Reader):
+    """h5py, as h5web, silx and HDFView would."""
+
+    def test_the_root_says_what_the_file_is(self):
+        with h5py.File(self.path) as file:
+            self.assertEqual(sorted(file), ["contacts", "events", "provenance", "trajectory"])
+            self.assertEqual(sorted(file.attrs), ["NX_class", "default", "format", "name", "physics", "scenario",
+                                                  "state_hash", "steps"])
+            self.assertEqual(file.attrs["format"], "hyrax-trajectory/1")
+            self.assertEqual(file.attrs["physics"], "hyrax-physics/1")
+            self.assertEqual(file.attrs["name"], "fling")
+            self.assertEqual(file.attrs["steps"], 300)
+            self.assertEqual(file.attrs["steps"].dtype, numpy.int64)
+            self.assertEqual(file.attrs["state_hash"], self.summary["state_hash"])
+            for name in ("format", "scenario"):
+                text = file.attrs.get_id(name)
+                self.assertEqual(h5py.check_string_dtype(text.dtype).encoding, "utf-8")
+                self.assertEqual(text.shape, ())
+
+    def test_the_scenario_is_enough_to_replay_the_run(self):
+        with h5py.File(self.path) as file:
+            self.write("stored.json", file.attrs["scenario"])
+            self.assertIn("schräg", file.attrs["scenario"])
+        again = self.expect(AGREED, "run", "stored.json", "-o", "again.h5", "--json").json["runs"][0]
+        self.assertEqual(again["state_hash"], self.summary["state_hash"])
+
+    def test_rows_have_types_units_and_names(self):
+        with h5py.File(self.path) as file:
+            rows = file["trajectory"]
+            self.assertEqual(sorted(rows), sorted([*UNITS, "step", "contact"]))
+            self.assertEqual((rows["step"].dtype, rows["contact"].dtype), (numpy.int64, numpy.uint8))
+            self.assertEqual(list(rows["step"]), list(range(301)))
+            for name, unit in UNITS.items():
+                self.assertEqual(rows[name].dtype, numpy.float64)
+                self.assertEqual(rows[name].shape, (301,))
+                self.assertEqual(rows[name].attrs["units"], unit)
+            self.assertTrue(all(len(rows[name].attrs["long_name"]) > 5 for name in rows))
+
+    def test_contacts_have_types_units_and_names(self):
+        with h5py.File(self.path) as file:
+            contacts = file["contacts"]
+            self.assertEqual(sorted(contacts), sorted([*CONTACT_UNITS, "step", "last_step", "wall"]))
+            self.assertEqual(contacts.attrs["total"], len(contacts["step"]))
+            self.assertEqual((contacts["step"].dtype, contacts["last_step"].dtype, contacts["wall"].dtype),
+                             (numpy.int64, numpy.int64, numpy.uint8))
+            for name, unit in CONTACT_UNITS.items():
+                self.assertEqual((contacts[name].dtype, contacts[name].attrs["units"]), (numpy.float64, unit))
+            self.assertTrue((contacts["overshoot"][...] >= 0).all())
+            rows = {name: file["trajectory"][name][...] for name in ("t", "x", "y", "vx", "vy", "contact")}
+            for index, step in enumerate(contacts["step"]):
+                self.assertTrue(rows["contact"][step] & contacts["wall"][index])
+                self.assertFalse(rows["contact"][step - 1] & contacts["wall"][index])
+                for name in ("t", "x", "y"):
+                    self.assertEqual(contacts[name][index], rows[name][step])
+
+    def test_events_are_an_enumeration_that_names_them(self):
+        with h5py.File(self.path) as file:
+            events = file["events"]
+            self.assertEqual(h5py.check_enum_dtype(events["kind"].dtype), KINDS)
+            self.assertEqual(list(events["frame"]), [20, 40, 90, 90])
+            self.assertEqual(list(events["kind"]), [0, 5, 3, 4])
+            self.assertEqual(list(events["a"]), [-900, 0.25, 1280, 64])
+            self.assertEqual(list(events["b"]), [-800, 0, 720, 32])
+
+    def test_empty_lists_are_datasets_of_length_zero(self):
+        self.expect(AGREED, "run", "fling.json", "-o", "still.h5", "--set", "/events=[]", "--set", "/steps=0")
+        with h5py.File(self.folder / "still.h5") as file:
+            for group in ("contacts", "events"):
+                self.assertTrue(all(file[group][name].shape == (0,) for name in file[group]), group)
+            self.assertEqual(file["trajectory/x"].shape, (1,))
+
+    def test_time_is_the_axis_of_the_others(self):
+        with h5py.File(self.path) as file:
+            rows = file["trajectory"]
+            self.assertTrue(h5py.h5ds.is_scale(rows["t"].id))
+            for name in rows:
+                if name != "t":
+                    self.assertEqual([scale.name for scale in rows[name].dims[0].values()], ["/trajectory/t"], name)
+
+    def test_the_rows_are_nexus_data_that_viewers_plot(self):
+        with h5py.File(self.path) as file:
+            rows = file[file.attrs["default"]]
+            self.assertEqual(rows.attrs["NX_class"], "NXdata")
+            self.assertIn(rows.attrs["signal"], rows)
+            self.assertEqual(rows.attrs["axes"], "t")
+
+    def test_provenance_tells_the_build_and_no_time(self):
+        with h5py.File(self.path) as file:
+            self.assertEqual(sorted(file["provenance"].attrs), ["compiler", "flags", "program", "target"])
+            self.assertRegex(file["provenance"].attrs["program"], r"^hyrax-sim \d")
+
+    def test_no_dataset_needs_a_plug_in(self):
+        with h5py.File(self.path) as file:
+            filters = []
+            file.visititems(lambda name, item: filters.append((name, item.compression))
+                            if isinstance(item, h5py.Dataset) and item.compression else None)
+            self.assertEqual(filters, [])
+
+
+class Xarray(Reader):
+    """xarray (with h5netcdf) opens /trajectory as a data set over time."""
+
+    def test_rows_are_variables_over_time_with_units(self):
+        with xarray.open_dataset(self.path, group="trajectory", engine="h5netcdf") as rows:
+            self.assertEqual(dict(rows.sizes), {"t": 301})
+            self.assertEqual(sorted(rows.data_vars), ["contact", "dt", "step", "vx", "vy", "x", "y"])
+            self.assertEqual(list(rows.coords), ["t"])
+            for name, unit in UNITS.items():
+                self.assertEqual(rows[name].attrs["units"], unit)
+                self.assertEqual(rows[name].dims, ("t",))
+            self.assertEqual(float(rows.x.sel(t=0.5, method="nearest")), float(rows.x[30]))
+            self.assertEqual(float(rows.t[-1]), self.summary["simulated_s"])
+
+
+class Hdf5Tools(Reader):
+    """The tools that come with HDF5."""
+
+    def test_h5dump_prints_units_and_values(self):
+        text = self.tool("h5dump", "fling.h5")
+        for words in ('ATTRIBUTE "units"', '"px/s"', 'DATASET "overshoot"', "H5T_ENUM", '"resize-window"',
+                      'ATTRIBUTE "DIMENSION_LIST"', '"DIMENSION_SCALE"', "H5T_IEEE_F64LE", '"hyrax-trajectory/1"'):
+            self.assertIn(words, text)
+
+    def test_h5ls_lists_every_dataset(self):
+        text = self.tool("h5ls", "-r", "fling.h5")
+        self.assertIn("/trajectory/vx           Dataset {301}", text)
+
+    def test_h5diff_finds_a_file_equal_to_itself_and_to_its_double(self):
+        self.tool("h5diff", "fling.h5", "fling.h5")
+        self.expect(AGREED, "run", "fling.json", "-o", "double.h5", "--no-skip")
+        self.tool("h5diff", "fling.h5", "double.h5")
+
+
+if __name__ == "__main__":
+    main()

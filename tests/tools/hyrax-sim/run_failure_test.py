@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+"""`run` when something is wrong: the sentence, the exit code, and that no file is harmed."""
+
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main)
+
+
+class BadInput(ProgramTest):
+    """A scenario that cannot be read is exit 2 or 3, and nothing is written."""
+
+    def refuse(self, content, *sentences, exit_code=BAD_INPUT):
+        """The program refuses the scenario with these sentences and leaves an existing output alone."""
+        self.write("bad.json", content)
+        self.write("bad.h5", "what was there before")
+        outcome = self.expect(exit_code, "run", "bad.json", "-o", "bad.h5", says=sentences)
+        self.assertEqual(outcome.out, "")
+        self.assertEqual(self.names(), ["bad.h5", "bad.json"])
+        self.assertEqual((self.folder / "bad.h5").read_text(), "what was there before")
+
+    def test_what_is_no_json_is_told_with_line_and_column(self):
+        self.refuse('{\n  "format": "hyrax-scenario/1",\n  "name": }\n', "bad.json: line 3, column 11")
+        self.refuse("", "bad.json: line 1")
+        self.refuse("\ufeff{}", "bad.json: ")
+        self.refuse('{"format": "hyrax-scenario/1"} and more', "bad.json: line 1, column 32")
+
+    def test_a_wrong_place_is_told_with_pointer_value_and_rule(self):
+        self.refuse(fling(clock={"rate_hz": -60}), "bad.json: /clock/rate_hz: must be greater than 0", "is -60\n")
+        self.refuse(fling(steps="many"), 'bad.json: /steps: must be a whole number 0 .. 1000000000000, is "many"')
+        self.refuse(fling(window=None), "bad.json: /window: is missing")
+        self.refuse(fling(format="hyrax-scenario/9"), "/format", "hyrax-scenario/9", "hyrax-scenario/1")
+
+    def test_all_wrong_places_are_told_at_once(self):
+        self.refuse(fling(steps=-1, sprite={"width_px": 0, "height_px": 1}, name="No Name"), "bad.json: /steps: ",
+                    "bad.json: /sprite/width_px: ", "bad.json: /name: ")
+
+    def test_a_repeated_key_is_told(self):
+        self.refuse('{"format": "hyrax-scenario/1", "steps": 1, "steps": 2}', "bad.json: /steps: stands twice")
+
+    def test_a_missing_file_cannot_be_read(self):
+        self.expect(CANNOT_ACCESS, "run", "none.json",
+                    says="none.json: cannot be read: No such file or directory\n")
+
+    def test_a_folder_without_scenarios_is_bad_input(self):
+        (self.folder / "empty/deep").mkdir(parents=True)
+        self.write("empty/notes.txt", "nothing here")
+        self.expect(BAD_INPUT, "run", "empty", says="empty: holds no scenario")
+
+    def test_with_one_bad_scenario_the_others_still_run(self):
+        self.write("1-good.json", fling(name="one"))
+        self.write("2-bad.json", "{")
+        self.write("3-unexpected.json", fling(name="three", expect={"final_x_px": [0, 1]}))
+        outcome = self.expect(BAD_INPUT, "run", ".", "--json", "-o", "out", says="2-bad.json: line 1")
+        one, two, three = outcome.json["runs"]
+        self.assertEqual(self.names("out"), ["one.h5", "three.h5"])
+        self.assertEqual((one["status"], three["status"]), ("agreed", "disagreed"))
+        self.assertEqual(sorted(two), ["error", "scenario", "status"])
+        self.assertEqual((two["scenario"], two["status"]), ("./2-bad.json", "failed"))
+        self.assertIn("2-bad.json: line 1", two["error"])
+
+    def test_the_most_serious_outcome_wins(self):
+        self.write("good.json", fling(name="good"))
+        self.write("unexpected.json", fling(name="unexpected", expect={"final_x_px": [0, 1]}))
+        self.write("bad.json", "{")
+        for exit_code, paths in ((AGREED, ["good.json"]), (DISAGREED, ["unexpected.json", "good.json"]),
+                                 (BAD_INPUT, ["bad.json", "unexpected.json"]),
+                                 (CANNOT_ACCESS, ["none.json", "bad.json", "good.json"])):
+            self.expect(exit_code, "run", *paths, "-o", "out/")
+
+
+class UnwritableOutput(ProgramTest):
+    """What cannot be written is exit 3, and what was there stays."""
+
+    def setUp(self):
+        super().setUp()
+        self.scenario = self.write("fling.json", fling())
+
+    def in_private_mount(self, mount, *script):
+        """Runs a script in `disk`, a file system of its own that no other process sees; $1 is the program."""
+        (self.folder / "disk").mkdir()
+        lines = [f"mount -t tmpfs {mount} tmpfs disk", *script]
+        command = ["unshare", "--mount", "--map-root-user", "sh", "-ec", "\n".join(lines), "sh", str(PROGRAM)]
+        if subprocess.run([*command[:3], "mount", "-t", "tmpfs", "tmpfs", str(self.folder / "disk")],
+                          capture_output=True, check=False).returncode != 0:
+            self.skipTest("no file system can be mounted here (unshare --mount --map-root-user)")
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
+
+    def test_a_full_disk_leaves_the_old_file_and_no_part(self):
+        done = self.in_private_mount("-o size=40k", "printf before > disk/fling.h5", "code=0",
+                                     '"$1" run fling.json -o disk/fling.h5 || code=$?', "echo",
+                                     "echo exit $code: $(cat disk/fling.h5): $(ls -A disk)")
+        self.assertIn("exit 3: before: fling.h5\n", done.stdout, done.stderr)
+        self.assertIn("disk/fling.h5: cannot be written: No space left on device", done.stderr)
+
+    def test_a_disk_that_fills_up_under_a_long_run_leaves_no_part(self):
+        self.write("long.json", fling(steps=200_000, record={"every": 1}))
+        done = self.in_private_mount("-o size=4m", "code=0", '"$1" run long.json -o disk/long.h5 || code=$?', "echo",
+                                     "echo exit $code, left: $(ls -A disk)")
+        self.assertIn("exit 3, left:\n", done.stdout, done.stderr)
+        self.assertIn("disk/long.h5: cannot be written", done.stderr)
+
+    def test_a_full_disk_does_not_harm_other_scenarios_and_is_told_in_json(self):
+        done = self.in_private_mount("-o size=40k", '"$1" run fling.json -o disk/ --json || echo exit $?')
+        self.assertIn('"status": "failed"', done.stdout)
+        self.assertIn("exit 3", done.stdout)
+
+    def test_a_read_only_folder_is_exit_3(self):
+        done = self.in_private_mount("-o size=1m", "printf before > disk/fling.h5", "mount -o remount,ro disk",
+                                     "code=0", '"$1" run fling.json -o disk/fling.h5 || code=$?', "echo",
+                                     "echo exit $code: $(cat disk/fling.h5)")
+        self.assertIn("exit 3: before\n", done.stdout, done.stderr)
+        self.assertIn("disk/fling.h5: cannot be written: Read-only file system", done.stderr)
+
+    def test_a_missing_folder_is_exit_3(self):
+        self.expect(CANNOT_ACCESS, "run", self.scenario, "-o", "no/such/run.h5",
+                    says="no/such/run.h5: cannot be written: No such file or directory\n")
+        self.assertEqual(self.names(), ["fling.json"])
+
+    def test_a_folder_in_the_output_s_place_is_exit_3(self):
+        (self.folder / "fling.h5").mkdir()
+        self.expect(CANNOT_ACCESS, "run", self.scenario, says="fling.h5: cannot be written: Is a directory")
+        self.assertEqual(self.names("fling.h5"), [])
+
+    def test_a_symbolic_link_is_followed(self):
+        (self.folder / "data").mkdir()
+        (self.folder / "data/real.h5").write_text("before")
+        os.symlink("data/real.h5", self.folder / "link.h5")
+        self.expect(AGREED, "run", self.scenario, "-o", "link.h5")
+        self.assertTrue((self.folder / "link.h5").is_symlink())
+        self.assertGreater((self.folder / "data/real.h5").stat().st_size, 10_000)
+        self.assertEqual(self.names("data"), ["real.h5"])
+
+    def test_a_dangling_link_makes_its_target(self):
+        os.symlink("target.h5", self.folder / "link.h5")
+        self.expect(AGREED, "run", self.scenario, "-o", "link.h5")
+        self.assertTrue((self.folder / "target.h5").is_file())
+        self.assertTrue((self.folder / "link.h5").is_symlink())
+
+    def test_an_old_output_is_replaced_whole(self):
+        self.write("fling.h5", "x" * 1_000_000)
+        self.expect(AGREED, "run", self.scenario)
+        fresh = (self.folder / "fling.h5").read_bytes()
+        self.expect(AGREED, "run", self.scenario, "-o", "again.h5")
+        self.assertEqual(fresh, (self.folder / "again.h5").read_bytes())
+
+    def test_a_new_file_has_the_usual_mode(self):
+        self.expect(AGREED, "run", self.scenario, umask=0o027)
+        self.assertEqual((self.folder / "fling.h5").stat().st_mode & 0o777, 0o640)
+
+    def test_standard_output_that_cannot_be_written_is_exit_3(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("there is no /dev/full here")
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([str(PROGRAM), "run", self.scenario], cwd=self.folder, stdout=full,
+                                  stderr=subprocess.PIPE, check=False)
+        self.assertEqual(done.returncode, CANNOT_ACCESS)
+        self.assertIn(b"standard output cannot be written", done.stderr)
+
+    def test_a_killed_run_leaves_no_file_that_looks_finished(self):
+        self.write("fling.h5", "what was there before")
+        self.write("endless.json", fling(steps=1_000_000_000_000, record={"every": 1_000_000_000}))
+        process = subprocess.Popen([str(PROGRAM), "run", "--no-skip", "endless.json", "-o", "fling.h5"],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not any(name.endswith(".part") for name in self.names()):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.assertEqual((self.folder / "fling.h5").read_text(), "what was there before")
+        left = [name for name in self.names() if name not in ("fling.h5", "fling.json", "endless.json")]
+        self.assertTrue(all(name.startswith(".") and name.endswith(".part") for name in left), left)
+
+
+class Memory(ProgramTest):
+    """Memory does not grow with the run."""
+
+    def test_a_billion_steps_stay_below_100_megabytes(self):
+        self.write("soak.json", fling(steps=1_000_000_000, record={"every": 1_000_000}))
+        script = ("import resource, subprocess, sys; code = subprocess.call(sys.argv[1:], stdout=subprocess.DEVNULL); "
+                  "print(code, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
+        done = subprocess.run(["/usr/bin/python3", "-c", script, str(PROGRAM), "run", "soak.json"], cwd=self.folder,
+                              capture_output=True, text=True, check=True)
+        exit_code, peak_kib = map(int, done.stdout.split())
+        self.assertEqual(exit_code, AGREED)
+        if "-fsanitize" not in self.expect(AGREED, "info").out:  # A sanitizer's own memory is no matter here.
+            self.assertLess(peak_kib * 1024, 100e6)
+
+
+if __name__ == "__main__":
+    main()

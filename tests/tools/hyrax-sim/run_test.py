@@ -1,0 +1,287 @@
+#!/usr/bin/python3
+"""`run`: what it writes, where it writes it, and what it says."""
+
+import os
+import pty
+import subprocess
+
+import h5py
+
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, PROGRAM, Maybe, ProgramTest,
+                     fling, main)
+
+COUNTS = {"left": int, "right": int, "top": int, "ground": int}
+RUN = {
+    "scenario": str,
+    "steps": int,
+    "simulated_s": NUMBER,
+    "contacts": COUNTS,
+    "clamped_steps": {**COUNTS, "rest": int},
+    "final": {"x_px": NUMBER, "y_px": NUMBER, "vx_px_per_s": NUMBER, "vy_px_per_s": NUMBER},
+    "at_rest_since_s": Maybe(NUMBER),
+    "periodic_from_step": Maybe(int),
+    "state_hash": str,
+    "output": str,
+    "expect": [{"rule": str, "holds": bool, "measured": object}],
+    # Beyond what the specification lists:
+    "status": str,
+    "golden": Maybe(object),
+    "exercised": [str],
+    "never_touched": [str],
+    "not_computed": [str],
+}
+EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_px": 952, "at_rest_since_s": [1, 9],
+          "contacts": {"right": 1, "ground": [1, 20]}}
+
+
+class Summary(ProgramTest):
+    """What is told of a run."""
+
+    def test_it_tells_what_happened_and_what_was_never_touched(self):
+        outcome = self.expect(AGREED, "run", self.write("fling.json", fling(expect=EXPECT)))
+        self.assertEqual(outcome.err, "")
+        for words in ("fling: 300 steps, 5 s at 60 Hz", "contacts       right 1, ground 8",
+                      "exercised      gravity, drag, right wall, ground, friction", "never touched  left wall, top",
+                      "expect         7 of 7 hold", "state hash", "written        fling.h5 (301 rows)",
+                      "not computed   "):
+            self.assertIn(words, outcome.out)
+
+    def test_the_document_has_the_published_keys_and_types(self):
+        self.write("fling.json", fling(expect=EXPECT))
+        self.write("still.json", fling(name="still", steps=0))
+        document = self.expect(AGREED, "run", "fling.json", "still.json", "--json").json
+        self.assert_shape(document, {"runs": [RUN]})
+        run, still = document["runs"]
+        self.assertEqual(run["scenario"], "fling.json")
+        self.assertEqual(run["output"], "fling.h5")
+        self.assertEqual(run["contacts"], {"left": 0, "right": 1, "top": 0, "ground": 8})
+        self.assertEqual([entry["rule"] for entry in run["expect"]],
+                         ["in_bounds", "finite", "final_x_px", "final_y_px", "at_rest_since_s", "contacts/right",
+                          "contacts/ground"])
+        self.assertEqual((still["steps"], still["simulated_s"], still["at_rest_since_s"]), (0, 0, None))
+
+    def test_numbers_in_the_document_are_the_file_s_to_the_bit(self):
+        self.write("fling.json", fling())
+        run = self.expect(AGREED, "run", "fling.json", "--json").json["runs"][0]
+        with h5py.File(self.folder / "fling.h5") as file:
+            rows, contacts = file["trajectory"], file["contacts"]
+            for key, name in (("x_px", "x"), ("y_px", "y"), ("vx_px_per_s", "vx"), ("vy_px_per_s", "vy")):
+                self.assertEqual(float(run["final"][key]).hex(), float(rows[name][-1]).hex())
+            self.assertEqual(run["state_hash"], file.attrs["state_hash"])
+            self.assertEqual(run["steps"], file.attrs["steps"])
+            self.assertEqual(run["simulated_s"], rows["t"][-1])
+            walls = list(contacts["wall"])
+            self.assertEqual(run["contacts"], {"left": walls.count(1), "right": walls.count(2), "top": walls.count(4),
+                                               "ground": walls.count(8)})
+            byte = rows["contact"][...]
+            clamped = {name: int(((byte & bit) != 0).sum())
+                       for name, bit in (("left", 1), ("right", 2), ("top", 4), ("ground", 8), ("rest", 16))}
+            self.assertEqual(run["clamped_steps"], clamped)
+
+    def test_an_expectation_that_fails_is_exit_1_and_is_told(self):
+        self.write("fling.json", fling(expect={**EXPECT, "final_x_px": [0, 1], "at_rest_since_s": 0.5}))
+        outcome = self.expect(DISAGREED, "run", "fling.json")
+        self.assertIn("does not hold: final_x_px: wanted 0 .. 1, measured ", outcome.out)
+        run = self.expect(DISAGREED, "run", "fling.json", "--json").json["runs"][0]
+        broken = [entry["rule"] for entry in run["expect"] if not entry["holds"]]
+        self.assertEqual(broken, ["final_x_px", "at_rest_since_s"])
+        self.assertEqual(run["expect"][2]["measured"], run["final"]["x_px"])
+
+    def test_a_run_that_never_rests_does_not_hold_a_moment_of_rest(self):
+        self.write("fling.json", fling(steps=30, expect={"at_rest_since_s": 1e9}))
+        entry = self.expect(DISAGREED, "run", "fling.json", "--json").json["runs"][0]["expect"][0]
+        self.assertEqual(entry, {"rule": "at_rest_since_s", "holds": False, "measured": None})
+
+    def test_a_wrong_state_hash_does_not_hold(self):
+        self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
+        run = self.expect(DISAGREED, "run", "fling.json", "--json").json["runs"][0]
+        self.assertEqual(run["expect"][0]["measured"], run["state_hash"])
+        self.write("fling.json", fling(expect={"state_hash": run["state_hash"]}))
+        self.expect(AGREED, "run", "fling.json")
+
+    def test_skipping_repetition_changes_nothing(self):
+        self.write("soak.json", fling(name="soak", steps=120_000, record={"every": 777}))
+        skipped = self.expect(AGREED, "run", "soak.json", "--json", "-o", "skipped.h5").json["runs"][0]
+        computed = self.expect(AGREED, "run", "soak.json", "--json", "-o", "all.h5", "--no-skip").json["runs"][0]
+        self.assertIsNotNone(skipped["periodic_from_step"])
+        self.assertIn("of 120000 steps", skipped["not_computed"][0])
+        self.assertNotIn("of 120000 steps", computed["not_computed"][0])
+        for key in RUN.keys() - {"output", "periodic_from_step", "not_computed"}:
+            self.assertEqual(skipped[key], computed[key], key)
+        self.assertEqual((self.folder / "skipped.h5").read_bytes(), (self.folder / "all.h5").read_bytes())
+
+    def test_a_short_run_shows_neither_colour_nor_progress_on_a_terminal(self):
+        self.write("fling.json", fling())
+        terminal, far_end = pty.openpty()
+        done = subprocess.run([str(PROGRAM), "run", "fling.json"], cwd=self.folder, stdout=far_end, stderr=far_end,
+                              env={**os.environ, "NO_COLOR": "1"}, check=False)
+        os.close(far_end)
+        shown = os.read(terminal, 100_000).decode()
+        os.close(terminal)
+        self.assertEqual(done.returncode, AGREED)
+        self.assertIn("fling: 300 steps", shown)
+        self.assertNotIn("\x1b", shown)
+
+    def test_the_same_scenario_gives_the_same_bytes(self):
+        self.write("fling.json", fling())
+        self.expect(AGREED, "run", "fling.json", "-o", "one.h5")
+        self.expect(AGREED, "run", "fling.json", "-o", "two.h5")
+        self.assertEqual((self.folder / "one.h5").read_bytes(), (self.folder / "two.h5").read_bytes())
+
+
+class Output(ProgramTest):
+    """Where a trajectory goes."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("in/fling.json", fling())
+        self.write("in/other.json", fling(name="other"))
+
+    def test_without_o_it_is_named_after_the_scenario_in_this_folder(self):
+        self.write("some-file.json", fling(name="its-name"))
+        self.expect(AGREED, "run", "some-file.json", "in/fling.json")
+        self.assertEqual(self.names(), ["fling.h5", "in", "its-name.h5", "some-file.json"])
+        self.assertEqual(self.names("in"), ["fling.json", "other.json"])
+
+    def test_a_scenario_without_name_has_its_file_s(self):
+        self.write("no-name.json", fling(name=None))
+        self.expect(AGREED, "run", "no-name.json")
+        self.assertIn("no-name.h5", self.names())
+
+    def test_o_is_a_file(self):
+        self.expect(AGREED, "run", "in/fling.json", "-o", "here.h5")
+        self.expect(AGREED, "run", "in/fling.json", "--output", "in/there")
+        self.assertEqual(self.names(), ["here.h5", "in"])
+        self.assertIn("there", self.names("in"))
+
+    def test_o_is_a_folder_if_it_exists_as_one(self):
+        (self.folder / "out").mkdir()
+        self.expect(AGREED, "run", "in/fling.json", "-o", "out")
+        self.assertEqual(self.names("out"), ["fling.h5"])
+
+    def test_o_is_a_folder_if_it_ends_in_a_slash(self):
+        self.expect(AGREED, "run", "in/fling.json", "-o", "new/deep/")
+        self.assertEqual(self.names("new/deep"), ["fling.h5"])
+
+    def test_o_is_a_folder_for_several_scenarios(self):
+        self.expect(AGREED, "run", "in/fling.json", "in/other.json", "-o", "out")
+        self.assertEqual(self.names("out"), ["fling.h5", "other.h5"])
+
+    def test_a_folder_stands_for_the_scenarios_in_it_in_name_order(self):
+        for path in ("b/2.json", "b/10.json", "a.json", "c/d/e.json"):
+            self.write(f"all/{path}", fling(name=path.replace("/", "-").removesuffix(".json")))
+        self.write("all/notes.txt", "no scenario")
+        runs = self.expect(AGREED, "run", "all", "-o", "out/", "--json").json["runs"]
+        self.assertEqual([run["scenario"] for run in runs],
+                         ["all/a.json", "all/b/10.json", "all/b/2.json", "all/c/d/e.json"])
+        self.assertEqual(self.names("out"), ["a.h5", "b-10.h5", "b-2.h5", "c-d-e.h5"])
+
+    def test_equal_names_are_an_error_and_nothing_is_written(self):
+        self.write("in/again.json", fling())
+        for arguments in (("-o", "out"), ()):
+            self.expect(BAD_INPUT, "run", "in", *arguments, says=("fling.h5", "same name"))
+            self.assertEqual(self.names(), ["in"])
+
+    def test_a_folder_that_cannot_be_made_is_exit_3(self):
+        self.write("file", "in the way")
+        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "-o", "file/", says="file/: cannot be made")
+        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "in/other.json", "-o", "file", says="file")
+        self.assertEqual((self.folder / "file").read_text(), "in the way")
+
+
+class Override(ProgramTest):
+    """--set puts a value over the file's."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling())
+
+    def run_with(self, *settings):
+        """The entry of a run with values set."""
+        arguments = [part for setting in settings for part in ("--set", setting)]
+        return self.expect(AGREED, "run", "fling.json", "--json", *arguments).json["runs"][0]
+
+    def test_it_sets_a_number(self):
+        self.assertEqual(self.run_with("/clock/rate_hz=120")["simulated_s"], 2.5)
+
+    def test_it_sets_several_values(self):
+        run = self.run_with("/steps=0", "/start/x_px=12.5", "/name=somewhere-else")
+        self.assertEqual(run["final"]["x_px"], 12.5)
+        self.assertEqual(run["output"], "somewhere-else.h5")
+
+    def test_it_appends_events_and_makes_missing_members(self):
+        hitch = '/events={"step": 3, "hitch": {"dt_s": 0.5}}'
+        self.expect(BAD_INPUT, "run", "fling.json", "--set", hitch, says="/events: must be an array")
+        run = self.run_with('/events=[{"step": 3, "hitch": {"dt_s": 0.5}}]', "/record/every=50",
+                            '/events/-={"step": 9, "stop": {}}')
+        with h5py.File(self.folder / run["output"]) as file:
+            self.assertEqual(list(file["events/frame"]), [3, 9])
+            self.assertEqual(list(file["trajectory/step"]), [0, 50, 100, 150, 200, 250, 300])
+
+    def test_the_file_holds_the_scenario_with_its_overrides(self):
+        run = self.run_with("/clock/rate_hz=144", "/start/vy_px_per_s=-1e3")
+        with h5py.File(self.folder / run["output"]) as file:
+            self.write("stored.json", file.attrs["scenario"])
+        again = self.expect(AGREED, "run", "stored.json", "--json").json["runs"][0]
+        self.assertEqual(again["state_hash"], run["state_hash"])
+
+    def test_what_is_no_pointer_or_value_is_refused(self):
+        for setting, place in (("/clock/rate_hz=-60", "fling.json: /clock/rate_hz: must be greater than 0"),
+                               ("/clock/rate_hz=sixty", "/clock/rate_hz: must be a number, is \"sixty\""),
+                               ("/steps=60.5", "/steps: must be a whole number"), ("/wind=3", "/wind: is no key"),
+                               ("clock/rate_hz=1", "clock/rate_hz=1"), ("/clock/rate_hz", "POINTER=VALUE"),
+                               ("/steps/deeper=1", "/steps"), ("/name=No Good", "/name: must be 1 .. 64")):
+            outcome = self.expect(BAD_INPUT, "run", "fling.json", "--set", setting, says=place)
+            self.assertEqual(outcome.out, "", setting)
+        self.assertEqual(self.names(), ["fling.json"])
+
+
+class Golden(ProgramTest):
+    """`run` compares with the golden file if there is one."""
+
+    GOLDEN = {"file": str, "status": str}
+
+    def setUp(self):
+        super().setUp()
+        self.path, = self.project("fling")
+
+    def change(self):
+        """Another start than the golden file's."""
+        self.write(self.path, fling(start={"x_px": 101, "y_px": 100}))
+
+    def test_it_says_that_they_agree(self):
+        self.assertIn("agrees bit for bit with golden/fling.h5", self.expect(AGREED, "run", self.path).out)
+        golden = self.expect(AGREED, "run", self.path, "--json").json["runs"][0]["golden"]
+        self.assertEqual(golden, {"file": "golden/fling.h5", "status": "agreed"})
+
+    def test_a_difference_is_exit_1_and_the_output_is_written_all_the_same(self):
+        self.change()
+        outcome = self.expect(DISAGREED, "run", self.path)
+        self.assertIn("DIFFERS from golden/fling.h5", outcome.out)
+        self.assertIn("hyrax-sim diff golden/fling.h5 fling.h5", outcome.out)
+        self.assertIn("fling.h5", self.names())
+        run = self.expect(DISAGREED, "run", self.path, "--json").json["runs"][0]
+        self.assert_shape(run["golden"], {**self.GOLDEN, "class": str, "first_divergence": DIVERGENCE})
+        self.assertEqual((run["status"], run["golden"]["class"]), ("disagreed", "shape"))
+
+    def test_with_set_it_does_not_compare(self):
+        self.change()
+        outcome = self.expect(AGREED, "run", self.path, "--set", "/steps=10")
+        self.assertNotIn("golden", outcome.out)
+
+    def test_a_missing_golden_file_is_said_and_is_no_failure(self):
+        (self.folder / "golden/fling.h5").unlink()
+        outcome = self.expect(AGREED, "run", self.path)
+        self.assertIn("none at golden/fling.h5", outcome.out)
+        golden = self.expect(AGREED, "run", self.path, "--json").json["runs"][0]["golden"]
+        self.assertEqual(golden["status"], "missing")
+
+    def test_it_looks_in_another_folder_if_told(self):
+        (self.folder / "golden").rename(self.folder / "elsewhere")
+        self.assertIn("none at", self.expect(AGREED, "run", self.path).out)
+        self.assertIn("agrees bit for bit with elsewhere/fling.h5",
+                      self.expect(AGREED, "run", self.path, "--golden", "elsewhere").out)
+
+
+if __name__ == "__main__":
+    main()

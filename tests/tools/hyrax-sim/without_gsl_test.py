@@ -1,0 +1,54 @@
+#!/usr/bin/python3
+"""What never enters GSL: run, check, bless and the closed form, in a program whose solver is a trap."""
+
+import os
+import pathlib
+import shutil
+import unittest
+
+import program
+from program import AGREED, SOURCE, ProgramTest
+
+program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_GSL"]).resolve()
+ENTERED = 99
+
+# The two bound errors against the reference.
+MEASURED = ["scenarios/paper/first-order-060-hz.json", "scenarios/paper/first-order-120-hz.json"]
+
+
+class WithoutGsl(ProgramTest):
+    """Each command on the project's own scenarios."""
+
+    def setUp(self):
+        super().setUp()
+        for folder in ("scenarios", "golden"):
+            shutil.copytree(SOURCE / folder, self.folder / folder)
+
+    def test_check_judges_every_scenario(self):
+        self.expect(AGREED, "check")
+
+    def test_run_plays_every_scenario(self):
+        self.expect(AGREED, "run", "scenarios/flings", "scenarios/paper", "-o", "out/")
+
+    def test_run_judges_bounds_of_errors_by_the_closed_form(self):
+        outcome = self.expect(AGREED, "run", *MEASURED, "--json").json
+        for run in outcome["runs"]:
+            self.assertIn("truncation_px_max", [verdict["rule"] for verdict in run["expect"]])
+
+    def test_run_with_drift_measures_by_the_closed_form(self):
+        self.expect(AGREED, "run", MEASURED[0], "--drift", "--rows")
+
+    def test_bless_measures_the_margin_by_the_closed_form(self):
+        shutil.rmtree(self.folder / "golden")
+        self.expect(AGREED, "bless", *MEASURED, "--reason", "for the test")
+
+    def test_drift_measures_by_the_closed_form(self):
+        self.expect(AGREED, "drift", *MEASURED, "--reference", "closed")
+
+    def test_control_the_trap_is_where_gsl_is_entered(self):
+        self.expect(ENTERED, "drift", MEASURED[0], says="entered GSL")
+        self.expect(ENTERED, "run", MEASURED[0], "--drift", "--reference", "gsl", says="entered GSL")
+
+
+if __name__ == "__main__":
+    unittest.main()

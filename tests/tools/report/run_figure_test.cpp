@@ -1,0 +1,307 @@
+#include "tools/report/run_figure.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include "tools/files/failure.h"
+#include "tools/files/text_file.h"
+#include "tools/report/gnuplot.h"
+#include "tools/report/run_path.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kSvgBytesMax = 200'000;
+
+Scenario some_fling() {
+  Scenario scenario;
+  scenario.name = "some-fling";
+  scenario.window = {1920, 1080};
+  scenario.sprite = {128, 128};
+  scenario.start = {60, 900};
+  scenario.start_velocity = {1000, -1350};
+  scenario.clock.base = FixedRate{60};
+  scenario.length = std::int64_t{600};
+  return scenario;
+}
+
+// Back and forth through the window on a wave, ever faster and slower: no two rows have the same
+// colour, so that no picture is larger.
+Columns colourful_rows(std::int64_t count) {
+  Columns rows;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double t_s = static_cast<double>(i) / 60;
+    rows.append({i, t_s, 1.0 / 60, 896 + 896 * std::sin(1.3 * t_s), 476 + 476 * std::sin(1.7 * t_s), 3000.0,
+                 (i % 2 == 0 ? 1.0 : 0.1) * static_cast<double>(i % 40) * 100, 0});
+  }
+  return rows;
+}
+
+std::vector<Contact> contacts_at_each_wall(std::int64_t count) {
+  std::vector<Contact> contacts;
+  for (std::int64_t i = 0; i < count; ++i) {
+    Contact contact;
+    contact.step = contact.last_step = i + 1;
+    contact.wall = kWalls[static_cast<std::size_t>(i) % 4];
+    contact.x_px = static_cast<double>(i * 59 % 1792);
+    contact.y_px = static_cast<double>(i * 31 % 952);
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+double number_after(const std::string& script, const std::string& words) {
+  const std::size_t at = script.find(words);
+  EXPECT_NE(at, std::string::npos) << words;
+  return std::stod(script.substr(at + words.size()));
+}
+
+// The points of a data block, and the broken lines between them.
+std::size_t lines_in_block(const std::string& script, const std::string& name) {
+  const std::size_t begin = script.find("$" + name + " << EOD\n");
+  const std::string block = script.substr(begin, script.find("EOD\n", script.find('\n', begin)) - begin);
+  std::size_t lines = 0;
+  std::istringstream stream(block);
+  for (std::string line; std::getline(stream, line);) lines += !line.empty() && line.front() != '$';
+  return lines;
+}
+
+// Every tag that opens closes, in order, and no stray `<` or `&` stands in the text.
+bool is_well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at)) {
+    const std::size_t end = xml.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    at = end;
+    if (tag.find('<') != std::string::npos) return false;
+    if (tag.front() == '?' || tag.front() == '!' || tag.back() == '/') continue;
+    const std::string name = tag.substr(0, tag.find_first_of(" \n\t"));
+    if (name.front() != '/') {
+      open.push_back(name);
+    } else {
+      if (open.empty() || "/" + open.back() != name) return false;
+      open.pop_back();
+    }
+  }
+  for (std::size_t at = xml.find('&'); at != std::string::npos; at = xml.find('&', at + 1))
+    if (const std::size_t end = xml.find(';', at); end == std::string::npos || end - at > 6) return false;
+  return open.empty();
+}
+
+class RunFigureTest : public testing::Test {
+ protected:
+  RunFigureTest() {
+    std::string name = (std::filesystem::temp_directory_path() / "hyrax-figure-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~RunFigureTest() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::size_t files() const {
+    const std::filesystem::directory_iterator entries(folder_);
+    return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+  }
+  static bool has_gnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+#define SKIP_WITHOUT_GNUPLOT() \
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed"
+
+TEST_F(RunFigureTest, DrawsTheWindowToScale) {
+  const std::string script = run_figure_script(some_fling(), colourful_rows(100), {});
+  EXPECT_NE(script.find("$window << EOD\n0 0\n1920 0\n1920 1080\n0 1080\n0 0\n"), std::string::npos);
+
+  const double width = number_after(script, "set terminal svg size ");
+  const double height = number_after(script, "svg size " + std::to_string(static_cast<int>(width)) + ",");
+  const double plot_width =
+      width * (number_after(script, "rmargin at screen ") - number_after(script, "lmargin at screen "));
+  const double plot_height =
+      height * (number_after(script, "tmargin at screen ") - number_after(script, "bmargin at screen "));
+  std::istringstream xrange(script.substr(script.find("set xrange [") + 12));
+  std::istringstream yrange(script.substr(script.find("set yrange [") + 12));
+  double left = 0, right = 0, bottom = 0, top = 0;
+  char colon = 0;
+  xrange >> left >> colon >> right;
+  yrange >> bottom >> colon >> top;
+  EXPECT_LT(top, bottom) << "y points down";
+  EXPECT_NEAR(plot_width / (right - left), plot_height / (bottom - top), 1e-6);
+}
+
+TEST_F(RunFigureTest, TheSameRunGivesTheSameText) {
+  EXPECT_EQ(run_figure_script(some_fling(), colourful_rows(1000), contacts_at_each_wall(20)),
+            run_figure_script(some_fling(), colourful_rows(1000), contacts_at_each_wall(20)));
+}
+
+TEST_F(RunFigureTest, DrawsThePathOfTheCentre) {
+  Columns rows;
+  rows.append({0, 0.0, 0.0, 100, 200, 600, 0, 0});
+  rows.append({1, 1.0 / 60, 1.0 / 60, 110, 200, 600, 0, 0});
+  EXPECT_NE(run_figure_script(some_fling(), rows, {}).find("$flown << EOD\n164 264 600\n174 264 600\n"),
+            std::string::npos);
+}
+
+TEST_F(RunFigureTest, AJumpIsNotDrawnAsFlight) {
+  Columns rows;
+  rows.append({0, 0.0, 0.0, 100, 200, 600, 0, 0});
+  rows.append({1, 1.0 / 60, 1.0 / 60, 1100, 200, 600, 0, 0});
+  const std::string script = run_figure_script(some_fling(), rows, {});
+  EXPECT_EQ(lines_in_block(script, "moved"), 2u);
+  EXPECT_NE(script.find("not flown"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, TheWayBetweenRowsFarApartIsNotMadeUp) {
+  Columns rows;
+  rows.append({0, 0.0, 0.0, 100, 200, 600, 0, 0});
+  rows.append({100, 100.0 / 60, 1.0 / 60, 1100, 200, 600, 0, 0});
+  const std::string script = run_figure_script(some_fling(), rows, {});
+  EXPECT_EQ(lines_in_block(script, "unrecorded"), 2u);
+  EXPECT_NE(script.find("not recorded"), std::string::npos);
+  EXPECT_NE(script.find("the first 100 of 600 steps"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, TheLegendCountsContactsThatAreNotDrawn) {
+  const std::string script = run_figure_script(some_fling(), colourful_rows(10), contacts_at_each_wall(4),
+                                               WallCounts{5, 6, 7, 1'234'567});
+  for (const std::string words : {"'left 5'", "'right 6'", "'top 7'", "'ground 1234567'"})
+    EXPECT_NE(script.find(words), std::string::npos) << words;
+}
+
+TEST_F(RunFigureTest, LeavesOutRowsThatAreNotFinite) {
+  Columns rows = colourful_rows(100);
+  rows.x_px[50] = std::numeric_limits<double>::quiet_NaN();
+  rows.vy_px_per_s[51] = std::numeric_limits<double>::infinity();
+  const std::string script = run_figure_script(some_fling(), rows, {});
+  EXPECT_EQ(script.find("inf"), std::string::npos);
+  EXPECT_EQ(script.find("\nnan"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, APathHasNoMorePointsThanItsBound) {
+  const std::string script = run_figure_script(some_fling(), colourful_rows(1'000'000), {});
+  EXPECT_LE(lines_in_block(script, "flown"), kPathPointsMax + 1);
+  EXPECT_NE(script.find("path drawn up to "), std::string::npos) << "and says what is missing";
+}
+
+TEST_F(RunFigureTest, AStartFarOutsideLeavesTheWindowLargeAndIsTold) {
+  Scenario scenario = some_fling();
+  scenario.start = {-1'000'000, 1'000'000};
+  Columns rows;
+  rows.append({0, 0.0, 0.0, -1'000'000, 1'000'000, 0, 0, 0});
+  rows.append({1, 1.0 / 60, 1.0 / 60, 0, 952, 0, 0, 9});
+  scenario.length = std::int64_t{1};
+  const std::string script = run_figure_script(scenario, rows, {});
+  EXPECT_GT(number_after(script, "set xrange ["), -500);
+  EXPECT_NE(script.find("starts far outside, at x -1000000, y 1000000 px"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, AnAwkwardNameCannotLeaveItsQuotes) {
+  Scenario scenario = some_fling();
+  scenario.name = "it's\n! rm -rf";
+  EXPECT_NE(run_figure_script(scenario, colourful_rows(10), {}).find("'it''s ! rm -rf'"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, WritesWellFormedXml) {
+  SKIP_WITHOUT_GNUPLOT();
+  Scenario scenario = some_fling();
+  scenario.name = "it's <b> & \"q\" {x}_y^z \\n $(ls) `ls`";
+  draw_run_figure(path("a.svg"), scenario, colourful_rows(600), contacts_at_each_wall(9));
+  const std::string svg = read_text_file(path("a.svg"));
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_NE(svg.find("it's &lt;b>"), std::string::npos);
+  EXPECT_NE(svg.find("{x}_y^z \\n $(ls) `ls`"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, TheLargestPictureKeepsItsBound) {
+  SKIP_WITHOUT_GNUPLOT();
+  Scenario scenario = some_fling();
+  scenario.length = std::int64_t{1'000'000};
+  for (std::int64_t i = 1; i < 100; ++i) {
+    scenario.events.push_back({i, Resize{Size{static_cast<std::int32_t>(1920 - 9 * i), 1080}, std::nullopt}});
+    scenario.events.push_back({i, Fling{{900, -100}}});
+  }
+  draw_run_figure(path("a.svg"), scenario, colourful_rows(1'000'001), contacts_at_each_wall(100'000));
+  EXPECT_LT(std::filesystem::file_size(path("a.svg")), kSvgBytesMax);
+}
+
+TEST_F(RunFigureTest, DrawsRunsOfNoRowsAndOfOne) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_run_figure(path("none.svg"), some_fling(), Columns{}, {});
+  draw_run_figure(path("one.svg"), some_fling(), colourful_rows(1), {});
+  EXPECT_TRUE(is_well_formed(read_text_file(path("none.svg"))));
+  EXPECT_TRUE(is_well_formed(read_text_file(path("one.svg"))));
+}
+
+TEST_F(RunFigureTest, TheSameRunGivesTheSameFile) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_run_figure(path("a.svg"), some_fling(), colourful_rows(600), {});
+  draw_run_figure(path("b.svg"), some_fling(), colourful_rows(600), {});
+  EXPECT_EQ(read_text_file(path("a.svg")), read_text_file(path("b.svg")));
+}
+
+TEST_F(RunFigureTest, ARefusedScriptIsToldInGnuplotsWordsAndLeavesTheOldFile) {
+  SKIP_WITHOUT_GNUPLOT();
+  write_text_file(path("a.svg"), "old");
+  try {
+    draw_figure(path("a.svg"), "set terminal svg\nplot nonsense(\n");
+    FAIL() << "no failure";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::program_fault);
+    EXPECT_EQ(std::string(failure.what()).find(path("a.svg") + ": cannot be drawn: gnuplot says: "), 0u);
+    EXPECT_NE(std::string(failure.what()).find("plot nonsense("), std::string::npos);
+    EXPECT_EQ(std::string(failure.what()).find('\n'), std::string::npos);
+  }
+  EXPECT_EQ(read_text_file(path("a.svg")), "old");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(RunFigureTest, AScriptThatDrawsNothingLeavesTheOldFile) {
+  SKIP_WITHOUT_GNUPLOT();
+  write_text_file(path("a.svg"), "old");
+  EXPECT_THROW(draw_figure(path("a.svg"), "set terminal svg\n"), Failure);
+  EXPECT_EQ(read_text_file(path("a.svg")), "old");
+}
+
+TEST_F(RunFigureTest, WithoutGnuplotTheSentenceTellsTheRemedy) {
+  write_text_file(path("a.svg"), "old");
+  const char* const usual = std::getenv("PATH");
+  const std::string usual_path = usual == nullptr ? "" : usual;
+  setenv("PATH", path("nowhere").c_str(), 1);
+  std::string sentence;
+  ExitCode exit_code = ExitCode::agreed;
+  try {
+    draw_run_figure(path("a.svg"), some_fling(), colourful_rows(10), {});
+  } catch (const Failure& failure) {
+    sentence = failure.what();
+    exit_code = failure.exit_code();
+  }
+  setenv("PATH", usual_path.c_str(), 1);
+  EXPECT_EQ(exit_code, ExitCode::cannot_access);
+  EXPECT_EQ(sentence, path("a.svg") +
+                          ": cannot be drawn: gnuplot is not installed; `apt-get install gnuplot-nox`, or "
+                          "tools/run does it");
+  EXPECT_EQ(read_text_file(path("a.svg")), "old");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(RunFigureTest, AFolderThatIsNotThereIsTold) {
+  try {
+    draw_run_figure(path("no/such/a.svg"), some_fling(), colourful_rows(10), {});
+    FAIL() << "no failure";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
+  }
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,195 @@
+#include "tools/report/drift_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "tools/files/failure.h"
+#include "tools/report/drift_plot.h"
+#include "tools/report/gnuplot.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::string_view kNoArc = "no flight of two steps or more";
+
+// Lines "t value...", an empty one between two arcs, of the rows for which there is something to write.
+template <class Write>
+std::string lines_of(const DriftPicture& picture, const Write& write) {
+  std::string lines;
+  std::size_t arc = 0;
+  for (const DrawnRow& row : picture.rows) {
+    if (row.arc >= picture.arcs.size()) break;
+    if (row.arc != arc) lines += "\n";
+    arc = row.arc;
+    const std::string values = write(row.errors, picture.arcs[arc]);
+    if (!values.empty()) lines += fmt::format("{:.9g} {}\n", row.errors.t_s, values);
+  }
+  return lines;
+}
+
+// Zero has no logarithm.
+std::string positive(double value_px) { return value_px > 0.0 ? fmt::format("{:.4g}", value_px) : "NaN"; }
+
+struct Range {
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  void see(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+double run_energy(const RowErrors& row) { return row.energy_px2_per_s2 + row.energy_drift_px2_per_s2; }
+
+// Thousands, millions, ... that leave one to three digits before the point.
+int exponent_of(const Range& range) {
+  const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
+  return largest >= 1e3 && std::isfinite(largest) ? 3 * static_cast<int>(std::log10(largest) / 3.0) : 0;
+}
+
+// The axis of errors: a tic at every other power of ten, and the decades that the errors need.
+std::string decades(const DriftPicture& picture) {
+  Range range;
+  const auto see = [&range](double value_px) {
+    if (value_px > 0.0) range.see(std::log10(value_px));
+  };
+  for (const DrawnRow& row : picture.rows) {
+    see(row.errors.implementation_px);
+    see(row.errors.truncation_px);
+    see(row.errors.model_px);
+  }
+  if (range.low > range.high) range = {-1.0, 1.0};
+  const int low = 2 * static_cast<int>(std::floor(range.low / 2.0));
+  const int high = 2 * static_cast<int>(std::ceil((range.high + 0.01) / 2.0));
+  std::string tics;
+  for (int exponent = low; exponent <= high; exponent += 2)
+    tics += fmt::format("{}'{}' 1e{}", tics.empty() ? "" : ", ", power_of_ten(exponent), exponent);
+  return fmt::format("set logscale y\nset yrange [1e{}:1e{}]\nset ytics ({})\n", low, high, tics);
+}
+
+}  // namespace
+
+std::string energy_figure_script(const DriftPicture& picture) {
+  Range range;
+  for (const DrawnRow& row : picture.rows) {
+    range.see(row.errors.energy_px2_per_s2);
+    range.see(run_energy(row.errors));
+  }
+  const int exponent = exponent_of(range);
+  const double scale = std::pow(10.0, exponent);
+  const std::string unit = exponent == 0 ? "px²/s²" : power_of_ten(exponent) + " px²/s²";
+  DriftPlot plot(picture, "Energy in flight: the run, and the exact solution from each arc's first state",
+                 "time, s", "specific energy, " + unit);
+  plot.add_block("energy", lines_of(picture, [scale](const RowErrors& row, const ArcErrors&) {
+                   return fmt::format("{:.7g} {:.7g}", row.energy_px2_per_s2 / scale,
+                                      run_energy(row) / scale);
+                 }));
+  plot.explain_line("run", style::kBlue, 3, "solid");
+  plot.explain_line("exact", style::kInk, 1.5, "(5,4)");
+  plot.mark_arcs();
+  if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
+  if (range.low >= 0.0) plot.add("set yrange [0:*]\n");
+  return plot.script(
+      fmt::format("plot $energy using 1:3 with lines lw 3 lc rgb '{}', "
+                  "$energy using 1:2 with lines lw 1.5 dt (5,4) lc rgb '{}'",
+                  style::kBlue, style::kInk));
+}
+
+std::string energy_drift_figure_script(const DriftPicture& picture) {
+  DriftPlot plot(picture, "Energy drift of each arc: the run minus the exact solution", "time, s",
+                 "drift, % of the arc's largest energy");
+  plot.add_block("drift", lines_of(picture, [](const RowErrors& row, const ArcErrors& arc) {
+                   if (!(arc.energy_largest_px2_per_s2 > 0.0)) return std::string("NaN");
+                   return fmt::format("{:.5g}",
+                                      100.0 * row.energy_drift_px2_per_s2 / arc.energy_largest_px2_per_s2);
+                 }));
+  plot.explain_line("energy drift", style::kBlue, 2.5, "solid");
+  plot.mark_arcs();
+  plot.add(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 1.5 lc rgb '{}' back\n",
+                       style::kInk));
+  if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
+  return plot.script(fmt::format("plot $drift using 1:2 with lines lw 2.5 lc rgb '{}'", style::kBlue));
+}
+
+std::string errors_figure_script(const DriftPicture& picture) {
+  DriftPlot plot(picture,
+                 "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt (truncation), "
+                 "the step itself",
+                 "time, s", "distance, px (logarithmic)");
+  plot.add_block("errors", lines_of(picture, [](const RowErrors& row, const ArcErrors&) {
+                   return positive(row.implementation_px) + " " + positive(row.truncation_px) + " " +
+                          positive(row.model_px);
+                 }));
+  plot.explain_line("model", style::kOrange, 5, "solid");
+  plot.explain_line("truncation", style::kBlue, 2, "solid");
+  plot.explain_line("implementation", style::kGreen, 2, "solid");
+  plot.mark_arcs();
+  if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
+  plot.add(decades(picture));
+  return plot.script(
+      fmt::format("plot $errors using 1:4 with lines lw 5 lc rgb '{}', "
+                  "$errors using 1:3 with lines lw 2 lc rgb '{}', "
+                  "$errors using 1:2 with lines lw 2 lc rgb '{}'",
+                  style::kOrange, style::kBlue, style::kGreen));
+}
+
+std::string restitution_figure_script(const DriftPicture& picture) {
+  const Spread& spread = picture.summary.effective_restitution;
+  std::string subtitle = "Effective restitution: speed after the contact / speed at the true impact";
+  if (spread.count() > 0)
+    subtitle += fmt::format("; mean {:.3f}, spread {:.3f}", spread.mean(), spread.standard_deviation());
+  DriftPlot plot(picture, subtitle, "contact, in order", "effective restitution");
+  std::array<std::string, 4> dots;
+  Range range{0.6, 0.6};
+  std::size_t count = 0;
+  for (const ImpactErrors& contact : picture.contacts) {
+    ++count;
+    const double value = contact.effective_restitution.value_or(0.0);
+    if (!(value > 0.0)) continue;  // None, or put to rest.
+    range.see(value);
+    dots[wall_index(contact.wall)] += fmt::format("{} {:.5g}\n", count, value);
+  }
+  const double room = std::max(0.02, 0.1 * (range.high - range.low));
+  plot.add(fmt::format("set xrange [0.5:{}]\nset yrange [{:.4g}:{:.4g}]\nset format y '%.2f'\n",
+                       static_cast<double>(count) + 0.5, range.low - room, range.high + room));
+  if (count <= 20) plot.add("set xtics 1\n");
+  plot.add(
+      fmt::format("set arrow from graph 0, first 0.6 to graph 1, first 0.6 nohead lw 1.5 dt (5,4) lc rgb "
+                  "'{}' back\n",
+                  style::kInk));
+  plot.explain_line("0.6, the paper's", style::kInk, 1.5, "(5,4)");
+  std::string command;
+  for (const Wall wall : kWalls) {
+    if (dots[wall_index(wall)].empty()) continue;
+    const std::string_view name = kWallNames[wall_index(wall)];
+    plot.add_block(name, dots[wall_index(wall)]);
+    plot.explain_dot(name, wall_colour(wall));
+    command += fmt::format("{} ${} with points pt 7 ps 0.9 lc rgb '{}'", command.empty() ? "plot" : ",", name,
+                           wall_colour(wall));
+  }
+  return command.empty() ? plot.script_of_nothing("no contact that ends a flight") : plot.script(command);
+}
+
+std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftPicture& picture) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be made: " + error.message());
+  std::vector<std::string> paths;
+  const auto draw = [&](const char* what, const std::string& script) {
+    paths.push_back(
+        (std::filesystem::path(folder) / fmt::format("{}-{}.svg", picture.scenario.name, what)).string());
+    draw_figure(paths.back(), script);
+  };
+  draw("energy", energy_figure_script(picture));
+  draw("energy-drift", energy_drift_figure_script(picture));
+  draw("errors", errors_figure_script(picture));
+  draw("restitution", restitution_figure_script(picture));
+  return paths;
+}
+
+}  // namespace hyrax

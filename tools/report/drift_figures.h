@@ -1,0 +1,45 @@
+// Pictures of a run against the reference.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/reference/drift.h"
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// A row, and the number of the arc that it belongs to.
+struct DrawnRow {
+  std::size_t arc = 0;
+  RowErrors errors;
+};
+
+/// What the pictures show: arcs and contacts from the first on, rows of the arcs, all of them or every
+/// K-th.
+struct DriftPicture {
+  const Scenario& scenario;
+  double simulated_s = 0.0;
+  const DriftSummary& summary;
+  const std::vector<ArcErrors>& arcs;
+  const std::vector<ImpactErrors>& contacts;
+  const std::vector<DrawnRow>& rows;
+};
+
+// The gnuplot scripts. The same picture gives the same text.
+
+/// Energy of run and reference against time, the arcs marked.
+[[nodiscard]] std::string energy_figure_script(const DriftPicture& picture);
+/// Energy drift of each arc against time, in % of the arc's largest energy.
+[[nodiscard]] std::string energy_drift_figure_script(const DriftPicture& picture);
+/// The three errors against time, on a logarithmic scale.
+[[nodiscard]] std::string errors_figure_script(const DriftPicture& picture);
+/// Effective restitution of the contacts, in their order, beside the paper's 0.6.
+[[nodiscard]] std::string restitution_figure_script(const DriftPicture& picture);
+
+/// Draws them into FOLDER/NAME-energy.svg, -energy-drift.svg, -errors.svg and -restitution.svg, with the
+/// scenario's name; makes the folder. Returns the paths.
+/// ERRORS: those of draw_figure (gnuplot.h).
+std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftPicture& picture);
+
+}  // namespace hyrax

@@ -1,0 +1,138 @@
+#include "tools/store/drift_arc_table.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "tools/store/drift_format.h"
+
+namespace hyrax {
+namespace {
+
+double or_nan(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+using Arc = const ArcErrors&;
+constexpr std::array<DriftColumn<ArcErrors>, 3> kReferenceArcColumns = {{
+    {"energy_largest", "px2/s2", "largest specific energy of the matched ODE",
+     [](Arc a) { return a.energy_largest_px2_per_s2; }},
+    {"coordinate_largest", "px", "largest coordinate of run and matched ODE",
+     [](Arc a) { return a.coordinate_largest_px; }},
+    {"gsl_vs_closed", "px", "largest distance between GSL's solution and the closed form",
+     [](Arc a) { return or_nan(a.gsl_vs_closed_px); }},
+}};
+
+constexpr std::array<DriftColumn<ArcErrors>, 9> kDriftArcColumns = {{
+    {"duration", "s", "time from the first row to the last", [](Arc a) { return a.duration_s; }},
+    {"implementation", "px", "largest distance from the discrete closed form",
+     [](Arc a) { return a.implementation_px; }},
+    {"truncation", "px", "largest distance from the matched ODE", [](Arc a) { return a.truncation_px; }},
+    {"model", "px", "largest distance from the ODE with the drag rate of 60 Hz",
+     [](Arc a) { return a.model_px; }},
+    {"implementation_speed", "px/s", "largest difference of velocity from the discrete closed form",
+     [](Arc a) { return a.implementation_px_per_s; }},
+    {"truncation_speed", "px/s", "largest difference of velocity from the matched ODE",
+     [](Arc a) { return a.truncation_px_per_s; }},
+    {"energy_drift_rel_max", "1", "largest energy drift / largest energy of the matched ODE",
+     [](Arc a) { return or_nan(a.energy_drift_rel_max); }},
+    {"energy_drift_rel_end", "1", "energy drift at the last row / largest energy, with its sign",
+     [](Arc a) { return or_nan(a.energy_drift_rel_end); }},
+    {"energy_drift_slope", "1/s", "slope of a line fitted to the relative energy drift",
+     [](Arc a) { return or_nan(a.energy_drift_slope_per_s); }},
+}};
+
+using Impact = const ImpactErrors&;
+constexpr std::array<DriftColumn<ImpactErrors>, 4> kImpactColumns = {{
+    {"time_error", "s", "time of the clamped row minus the true impact's",
+     [](Impact c) { return or_nan(c.time_error_s); }},
+    {"overshoot", "px", "how far past the wall the unclamped position was",
+     [](Impact c) { return c.overshoot_px; }},
+    {"energy_jump_rel", "1", "energy change over the clamped step / largest energy of the arc",
+     [](Impact c) { return or_nan(c.energy_jump_rel); }},
+    {"effective_restitution", "1", "normal speed after / normal speed at the true impact",
+     [](Impact c) { return or_nan(c.effective_restitution); }},
+}};
+
+h5::Handle end_type() {
+  h5::Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
+  for (std::uint8_t end = 0; end < kArcEndNames.size(); ++end)
+    H5Tenum_insert(type, std::string(kArcEndNames[end]).c_str(), &end);
+  return type;
+}
+
+// The table of one kind of record; remembers whether all of it could be written.
+template <class Record>
+class Table {
+ public:
+  Table(hid_t parent, const char* name, const std::vector<Record>& records)
+      : records_(records), group_(h5::create_group(parent, name)) {}
+
+  template <class Value, class Get>
+  void column(const char* name, const char* long_name, hid_t type, hid_t memory_type, const Get& get,
+              const char* unit = nullptr) {
+    std::vector<Value> values;
+    values.reserve(records_.size());
+    for (const Record& record : records_) values.push_back(get(record));
+    const h5::Handle dataset = h5::create_dataset(group_, name, type, {values.size()});
+    is_written_ =
+        is_written_ && dataset.is_open() &&
+        (values.empty() || H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    if (unit != nullptr) h5::write_attribute(dataset, "units", unit);
+    h5::write_attribute(dataset, "long_name", long_name);
+  }
+  template <class Get>
+  void row_numbers(const char* name, const char* long_name, const Get& get) {
+    column<std::int64_t>(name, long_name, H5T_STD_I64LE, H5T_NATIVE_INT64, get);
+  }
+  template <class Columns>
+  void columns(const Columns& described) {
+    for (const auto& [name, unit, long_name, get] : described)
+      column<double>(name, long_name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, get, unit);
+  }
+  void attribute(const char* name, std::int64_t value) { h5::write_attribute(group_, name, value); }
+  [[nodiscard]] bool is_written() const { return is_written_; }
+
+ private:
+  const std::vector<Record>& records_;
+  h5::Handle group_;
+  bool is_written_ = true;
+};
+
+void put_row_numbers(Table<ArcErrors>& table) {
+  table.row_numbers("first_step", "row that the arc begins with", [](Arc a) { return a.first_step; });
+  table.row_numbers("last_step", "row that the arc ends with", [](Arc a) { return a.last_step; });
+}
+
+}  // namespace
+
+bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measured) {
+  h5::write_attribute(reference, "solution",
+                      "closed form of v' = g - k v with k = -ln(0.999) / dt of each frame");
+  h5::write_attribute(reference, "checked_by", measured.checked_by);
+  h5::write_attribute(drift, "steps_astray", measured.summary.steps_astray);
+  h5::write_attribute(drift, "reference_faults", measured.summary.reference_faults);
+
+  Table<ArcErrors> solutions(reference, "arcs", measured.arcs);
+  put_row_numbers(solutions);
+  solutions.columns(kReferenceArcColumns);
+
+  Table<ArcErrors> arcs(drift, "arcs", measured.arcs);
+  put_row_numbers(arcs);
+  const h5::Handle ends = end_type();
+  arcs.column<std::uint8_t>("ended_by", "what ended the arc", ends, ends,
+                            [](Arc a) { return static_cast<std::uint8_t>(a.ended_by); });
+  arcs.columns(kDriftArcColumns);
+  arcs.attribute("total", measured.summary.arcs);
+  arcs.attribute("skipped", measured.summary.skipped_arcs);
+
+  Table<ImpactErrors> contacts(drift, "contacts", measured.contacts);
+  contacts.row_numbers("step", "clamped row", [](Impact c) { return c.step; });
+  contacts.column<std::uint8_t>("wall", "wall: 1 left, 2 right, 4 top, 8 ground", H5T_STD_U8LE,
+                                H5T_NATIVE_UINT8, [](Impact c) { return static_cast<std::uint8_t>(c.wall); });
+  contacts.columns(kImpactColumns);
+  contacts.attribute("total", measured.summary.contacts);
+  return solutions.is_written() && arcs.is_written() && contacts.is_written();
+}
+
+}  // namespace hyrax

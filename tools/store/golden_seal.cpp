@@ -1,0 +1,101 @@
+#include "tools/store/golden_seal.h"
+
+#include <cstring>
+
+#include "tools/files/scenario_writer.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+// Gathers bytes in an order and a byte order of their own, whatever the machine.
+class Bytes {
+ public:
+  void add(std::string_view text) {
+    add(static_cast<std::int64_t>(text.size()));
+    bytes_ += text;
+  }
+  void add(double value) { add_bits(little_endian_bits(value)); }
+  void add(std::int64_t value) { add(std::bit_cast<double>(value)); }
+  void add(const Row& row) {
+    for (const double value : {row.t_s, row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s})
+      add(value);
+    add(row.step);
+    add(std::int64_t{row.contact});
+  }
+  void add(const Size& size) {
+    add(std::int64_t{size.width_px});
+    add(std::int64_t{size.height_px});
+  }
+  [[nodiscard]] std::string hash() const {
+    return hex(digest(std::as_bytes(std::span(bytes_.data(), bytes_.size()))));
+  }
+
+ private:
+  void add_bits(std::uint64_t bits) {
+    char raw[sizeof bits];
+    std::memcpy(raw, &bits, sizeof bits);
+    bytes_.append(raw, sizeof raw);
+  }
+  std::string bytes_;
+};
+
+void add(Bytes& bytes, const Contact& contact) {
+  bytes.add(contact.step);
+  bytes.add(contact.last_step);
+  bytes.add(static_cast<std::int64_t>(contact.wall));
+  for (const double value :
+       {contact.t_s, contact.x_px, contact.y_px, contact.vx_before_px_per_s, contact.vy_before_px_per_s,
+        contact.vx_after_px_per_s, contact.vy_after_px_per_s, contact.overshoot_px})
+    bytes.add(value);
+}
+
+void add(Bytes& bytes, const StoredBlock& block) {
+  const Keyframe& keyframe = block.keyframe;
+  bytes.add(block.count);
+  bytes.add(hex(block.digest));
+  bytes.add(keyframe.row);
+  for (const double value : {keyframe.timeline.base_s, keyframe.timeline.comp_s, keyframe.timeline.dt_s})
+    bytes.add(value);
+  bytes.add(keyframe.timeline.frames);
+  bytes.add(keyframe.window);
+  bytes.add(keyframe.sprite);
+  bytes.add(std::int64_t{keyframe.is_held});
+}
+
+Scenario without_words(Scenario scenario) {
+  scenario.name.clear();
+  scenario.description.reset();
+  scenario.schema.reset();
+  scenario.expect.reset();
+  return scenario;
+}
+
+}  // namespace
+
+std::string contents_hash(const StoredRun& run) {
+  Bytes bytes;
+  bytes.add(to_text(to_json(without_words(run.scenario))));
+  bytes.add(run.physics);
+  bytes.add(run.steps);
+  bytes.add(run.state_hash);
+  for (const double t_s : run.rows.t_s) bytes.add(t_s);
+  for (const StoredBlock& block : run.blocks) add(bytes, block);
+  bytes.add(run.final);
+  bytes.add(run.contacts_total);
+  for (const Contact& contact : run.contacts) add(bytes, contact);
+  for (const Input& input : run.inputs) {
+    bytes.add(input.frame);
+    bytes.add(static_cast<std::int64_t>(input.kind));
+    bytes.add(input.a);
+    bytes.add(input.b);
+  }
+  return bytes.hash();
+}
+
+std::string file_hash(const std::string& path) {
+  const std::string bytes = read_text_file(path);
+  return hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size()))));
+}
+
+}  // namespace hyrax
