@@ -15,6 +15,7 @@
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_place.h"
+#include "tools/store/golden_seal.h"
 
 namespace hyrax {
 namespace {
@@ -65,10 +66,12 @@ void refuse_unexpected(const std::string& path, const FreshRun& fresh) {
     throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
 }
 
-std::string digest_of(const FreshRun& fresh, const std::string& reason) {
+// @param h5_file the golden file, or the part that will become it.
+std::string digest_of(const FreshRun& fresh, const std::string& h5_file, const std::string& reason) {
   const Margin margin = margin_of(rows_of(fresh.run.scenario, fresh.summary));
   return golden_digest_text(fresh.run, fresh.summary, reason,
-                            margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : ""));
+                            margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : "")) +
+         seal_line({contents_hash(fresh.run), file_hash(h5_file)});
 }
 
 void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& reason) {
@@ -77,7 +80,7 @@ void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& r
   AtomicFile rows(place.h5_path);
   AtomicFile digest(place.txt_path);
   write_golden(rows, place.h5_path, fresh.run);
-  digest.write(digest_of(fresh, reason));
+  digest.write(digest_of(fresh, rows.part_path(), reason));
   rows.commit();
   digest.commit();
 }
@@ -86,12 +89,12 @@ void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& r
 void renew_digest(const std::string& path, const GoldenPlace& place, const FreshRun& fresh,
                   const std::string& reason) {
   const std::string kept = read_text_file(place.txt_path);
-  if (kept == digest_of(fresh, digest_reason(kept))) {
+  if (kept == digest_of(fresh, place.h5_path, digest_reason(kept))) {
     fmt::print("{}: agrees with {} already; nothing written\n", path, place.h5_path);
     return;
   }
   refuse_unexpected(path, fresh);
-  write_text_file(place.txt_path, digest_of(fresh, reason));
+  write_text_file(place.txt_path, digest_of(fresh, place.h5_path, reason));
   fmt::print("{}: agrees with {} already; its digest, {}, is written anew\n", path, place.h5_path,
              place.txt_path);
 }

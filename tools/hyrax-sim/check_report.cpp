@@ -18,13 +18,14 @@ std::int64_t count(const std::vector<CheckVerdict>& verdicts, Status status) {
 // What is wrong, and which command lines show more.
 std::string details(const CheckVerdict& verdict) {
   if (verdict.status == Status::failed) return "  " + verdict.error + "\n";
-  if (verdict.status == Status::missing)
-    return fmt::format("  no golden file at {}\n  to make one: hyrax-sim bless {} --reason TEXT\n",
-                       verdict.golden_path.empty() ? "any place known; see --golden" : verdict.golden_path,
-                       verdict.path);
   std::string text;
   for (const Expectation& broken : verdict.broken)
     text += fmt::format("  expect     {}\n", expectation_text(broken));
+  if (verdict.status == Status::missing)
+    return text +
+           fmt::format("  no golden file at {}\n  to make one: hyrax-sim bless {} --reason TEXT\n",
+                       verdict.golden_path.empty() ? "any place known; see --golden" : verdict.golden_path,
+                       verdict.path);
   if (verdict.comparison.agrees) return text;
   return text + difference_text(verdict.comparison) +
          fmt::format(

@@ -4,11 +4,13 @@
 #include <filesystem>
 
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/run_expectations.h"
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_place.h"
+#include "tools/store/golden_seal.h"
 
 namespace hyrax {
 namespace {
@@ -28,28 +30,46 @@ bool digest_agrees(const GoldenPlace& place, const RunSummary& summary) {
 }
 
 // The run's summary, and in the verdict what the golden file says of it.
-RunSummary compare(const Scenario& scenario, const GoldenPlace& place, const CheckOptions& options,
-                   CheckVerdict& verdict) {
-  if (options.is_quick) {
-    const RunSummary summary = play(scenario);
-    if (digest_agrees(place, summary)) return summary;
-  }
+RunSummary compare_rows(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
   ComparedRun compared = compare_with(read_golden(place.h5_path), scenario);
   verdict.comparison = std::move(compared.comparison);
   return compared.summary;
+}
+
+RunSummary compare_quickly(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
+  const RunSummary summary = play(scenario);
+  return digest_agrees(place, summary) ? summary : compare_rows(scenario, place, verdict);
+}
+
+// A whole seal says that file and run agree in everything; the file is taken apart only where the
+// seal is broken.
+RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
+  const auto seal = fs::exists(place.txt_path) ? seal_in(read_text_file(place.txt_path)) : std::nullopt;
+  if (!seal) return compare_rows(scenario, place, verdict);
+  const FreshRun fresh = play_for_golden(scenario);
+  const bool names_this_run = seal->contents == contents_hash(fresh.run);
+  if (names_this_run && seal->file == file_hash(place.h5_path)) return fresh.summary;
+  const RunSummary summary = compare_rows(scenario, place, verdict);
+  if (verdict.comparison.agrees && !names_this_run) {
+    verdict.comparison.agrees = false;
+    verdict.comparison.difference = DifferenceClass::shape;
+    verdict.comparison.shape = place.txt_path + " is not of this golden file; bless the scenario again";
+  }
+  return summary;
 }
 
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
   const auto place = golden_place(verdict.path, options.golden_folder);
   verdict.golden_path = place ? place->h5_path : "";
   const bool has_golden = place && fs::exists(place->h5_path);
-  const RunSummary summary = has_golden ? compare(scenario, *place, options, verdict) : play(scenario);
+  const auto compare = options.is_quick ? compare_quickly : compare_whole;
+  const RunSummary summary = has_golden ? compare(scenario, *place, verdict) : play(scenario);
   verdict.broken = broken_of(scenario, summary);
   const bool is_judged = has_golden || (scenario.expect && scenario.expect->state_hash);
-  if (!verdict.comparison.agrees || !verdict.broken.empty() || summary.non_finite_step)
-    verdict.status = Status::disagreed;
-  else if (!is_judged)
+  if (!is_judged)
     verdict.status = Status::missing;
+  else if (!verdict.comparison.agrees || !verdict.broken.empty() || summary.non_finite_step)
+    verdict.status = Status::disagreed;
 }
 
 ExitCode exit_code_of(Status status) {

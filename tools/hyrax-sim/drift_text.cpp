@@ -44,8 +44,8 @@ std::string clock_text(const Clock& clock) {
 std::string head_text(const DriftRun& run) {
   std::string text = fmt::format("{}: {} steps, {:.6g} s {}; ", run.scenario.name, run.steps, run.simulated_s,
                                  clock_text(run.scenario.clock));
-  if (!run.gsl) return text + "against the closed form\n";
-  return text + fmt::format("against closed form and GSL {} at {:g}\n",
+  if (!run.gsl) return text + "by the closed form\n";
+  return text + fmt::format("by closed form and GSL {} {:g}\n",
                             kGslStepperNames[static_cast<std::size_t>(run.gsl->stepper)], run.gsl->tolerance);
 }
 
@@ -121,10 +121,20 @@ std::string faults_text(const DriftSummary& summary) {
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+// The words in lines that fit a terminal, under each other.
+std::string wrapped(const std::string& label, const std::vector<std::string>& words) {
+  constexpr std::size_t kWidth = 100;
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : "; ") + word;
-  return text;
+  std::string line = fmt::format("  {:<12}", label);
+  for (std::size_t index = 0; index < words.size(); ++index) {
+    const std::string word = words[index] + (index + 1 < words.size() ? ";" : "");
+    if (line.size() + 1 + word.size() > kWidth) {
+      text += line + "\n";
+      line = std::string(14, ' ');
+    }
+    line += " " + word;
+  }
+  return text + line + "\n";
 }
 
 // Two digits, for a line that holds much.
@@ -194,7 +204,7 @@ std::string drift_text(const DriftReport& report) {
   text += fmt::format("  {}\n", margin_text(run.margin));
   if (is_knife_edge(run.margin)) text += "  KNIFE EDGE   rounding alone may decide otherwise\n";
   if (const std::vector<std::string> omitted = left_out(report); !omitted.empty())
-    text += fmt::format("  left out     {}\n", joined(omitted));
+    text += wrapped("left out", omitted);
   return text + convergence_text(report) + speed_text(report);
 }
 

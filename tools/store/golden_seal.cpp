@@ -71,7 +71,22 @@ Scenario without_words(Scenario scenario) {
   return scenario;
 }
 
+constexpr std::string_view kSealKey = "seal: ";
+constexpr std::size_t kDigits = 32;
+
 }  // namespace
+
+std::string seal_line(const GoldenSeal& seal) {
+  return std::string(kSealKey).append(seal.contents).append(" ").append(seal.file).append("\n");
+}
+
+std::optional<GoldenSeal> seal_in(const std::string& digest_text) {
+  const std::size_t line = digest_text.rfind(std::string("\n").append(kSealKey));
+  if (line == std::string::npos) return std::nullopt;
+  const std::size_t begin = line + 1 + kSealKey.size();
+  if (digest_text.size() != begin + 2 * kDigits + 2) return std::nullopt;
+  return GoldenSeal{digest_text.substr(begin, kDigits), digest_text.substr(begin + kDigits + 1, kDigits)};
+}
 
 std::string contents_hash(const StoredRun& run) {
   Bytes bytes;

@@ -1,6 +1,7 @@
 // Hashes by which a golden file is known without being taken apart.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sim/trajectory/stored_run.h"
@@ -21,5 +22,9 @@ struct GoldenSeal {
 
 /// ERRORS: Failure(cannot_access) where the file cannot be read.
 [[nodiscard]] std::string file_hash(const std::string& path);
+
+/// The digest's line for it, and the seal that a digest names: nothing where it names none.
+[[nodiscard]] std::string seal_line(const GoldenSeal& seal);
+[[nodiscard]] std::optional<GoldenSeal> seal_in(const std::string& digest_text);
 
 }  // namespace hyrax
