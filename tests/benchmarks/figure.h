@@ -18,6 +18,8 @@ struct Figure {
 
 /// Stepping, replay, hash and rows, in this process.
 [[nodiscard]] std::vector<Figure> core_figures();
+/// Measuring against the reference, in this process.
+[[nodiscard]] std::vector<Figure> drift_figures();
 /// The program as users start it. @param program path of hyrax-sim; @param scenarios folder.
 [[nodiscard]] std::vector<Figure> program_figures(const std::string& program, const std::string& scenarios);
 

@@ -197,7 +197,7 @@ class Table(DriftTest):
 
     def test_it_lists_arcs_contacts_margin_and_ends_with_speed_against_error(self):
         table = self.table_of(fling())
-        for words in ("fling: 300 steps, 5 s at 60 Hz; against closed form and GSL rk8pd at 1e-12", "  worst",
+        for words in ("fling: 300 steps, 5 s at 60 Hz", "closed form, checked by GSL rk8pd at 1e-12", "  worst",
                       "restitution  0.", "the paper's is 0.6", "  any start within ±",
                       "keeps all contacts; nearest decision:", "  left out     "):
             self.assertIn(words, table)
@@ -212,8 +212,9 @@ class Table(DriftTest):
         self.assertLess(len(table.splitlines()), 32)
 
     def test_it_says_what_was_left_out(self):
-        self.assertIn("x in 1 arc without horizontal motion; GSL (--reference gsl); errors of every row (--rows)",
-                      self.table_of(flight(60), "--reference", "closed"))
+        table = self.table_of(flight(60), "--reference", "closed")
+        for words in ("x in 1 arc without horizontal motion", "GSL (--reference gsl)", "errors of every row (--rows)"):
+            self.assertIn(words, table)
 
     def test_it_says_that_and_why_the_step_does_not_converge(self):
         words = "against a fixed drag rate the paper's step does"
