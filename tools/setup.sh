@@ -5,7 +5,7 @@
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev libcli11-dev
   libfmt-dev libxxhash-dev nlohmann-json3-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(libgtest-dev libgmock-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf
+packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash)
 packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
@@ -36,7 +36,7 @@ ensure_packages() {
   [[ $EUID -eq 0 ]] || command -v sudo > /dev/null || stop "These packages are missing. Install them as root:
   apt-get install --no-install-recommends ${missing[*]}"
   apt_knows "${missing[@]}" || update_lists
-  apt_knows "${missing[@]}" || stop "apt cannot install what is missing: ${missing[*]}
+  apt_knows "${missing[@]}" || stop "apt cannot install what is missing; is there a network?
 $(plan_of "${missing[@]}" 2>&1 | grep '^E:')"
   agree_to "${missing[@]}"
   install_packages "${missing[@]}"
@@ -75,7 +75,7 @@ apt_knows() { plan_of "$@" > /dev/null 2>&1; }
 
 update_lists() {
   timed "package lists" logged as_root apt-get -qq update ||
-    stop "apt could not fetch the package lists; see above, and run this again with a network."
+    stop "apt could not fetch the package lists; see above."
 }
 
 agree_to() {
@@ -91,10 +91,11 @@ agree_to() {
 }
 
 install_packages() {
+  local log_lines=6
   timed "packages" logged apt_install "$@" && return
   # Lists that are too old name files that are gone from the servers.
   update_lists
-  timed "packages" logged apt_install "$@" || stop "The packages could not be installed; see above."
+  timed "packages" logged apt_install "$@" || stop "The packages could not be installed; see above. Is there a network?"
 }
 
 apt_install() {
@@ -102,12 +103,12 @@ apt_install() {
     -o DPkg::Lock::Timeout=300 "$@"
 }
 
-# logged COMMAND...: runs it without a word; if it fails, shows the end of what it said.
+# logged COMMAND...: runs it without a word; if it fails, shows the last `log_lines` of what it said.
 logged() {
   local log code=0
   log=$(mktemp)
   "$@" > "$log" 2>&1 < /dev/null || code=$?
-  [[ $code -eq 0 ]] || tail -n 40 -- "$log" >&2
+  [[ $code -eq 0 ]] || tail -n "${log_lines:-200}" -- "$log" >&2
   rm -f -- "$log"
   return "$code"
 }
@@ -152,6 +153,9 @@ forget_other_source() {
   [[ -f $folder/CMakeCache.txt ]] || return 0
   grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$folder/CMakeCache.txt" || rm -rf -- "$folder"
 }
+
+# A question of milliseconds, so that it can stand before every run.
+is_up_to_date() { [[ $(ninja -n -C "$1" "$2" 2> /dev/null) == *"no work to do"* ]]; }
 
 # build FOLDER [TARGET]...: on a terminal with ninja's one line of progress, else silent if all is well.
 build() {

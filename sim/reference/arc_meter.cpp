@@ -24,6 +24,8 @@ void see_worst(std::optional<Worst>& worst, std::optional<double> value, std::in
 }  // namespace
 
 double LargestDistance::value() const {
+  // Where the square has neither lost digits nor run over.
+  if (squared_ > 1e-280 && squared_ < 1e280) return std::sqrt(squared_);
   const double scale = std::max(std::fabs(dx_), std::fabs(dy_));
   if (scale == 0.0) return 0.0;
   const double dx = dx_ / scale;
@@ -62,7 +64,7 @@ void ArcMeter::begin(const ArcStart& start) {
   gathered_.energy_largest = energy(first);
   gathered_.coordinate_largest_px = largest(0.0, start.row.x_px, start.row.y_px);
   gathered_.drift_fit.see(0.0, 0.0);
-  if (wants_rows_) tell_row(first, first, gathered_.energy_largest, 0.0);
+  if (wants_rows_) tell_row(first, {first, first, {}}, gathered_.energy_largest, 0.0);
 }
 
 void ArcMeter::fly(const Row& row) {
@@ -90,7 +92,7 @@ void ArcMeter::fly(const Row& row) {
   if (is_astray(row)) ++g.steps_astray;
   if (solver_ != nullptr) check(matched, row.dt_s);
   last_ = row;
-  if (wants_rows_) tell_row(run, matched, energy_now, g.drift_last);
+  if (wants_rows_) tell_row(run, {discrete, matched, model}, energy_now, g.drift_last);
 }
 
 void ArcMeter::end(ArcEnd ended_by, const Row* clamped) {
@@ -142,9 +144,8 @@ void ArcMeter::check(const Flight& closed, double dt_s) {
 }
 
 // Called once last_ is the row.
-void ArcMeter::tell_row(const Flight& run, const Flight& matched, double energy, double drift) {
-  const Flight discrete = solution_.discrete();
-  const Position model = solution_.model();
+void ArcMeter::tell_row(const Flight& run, const ExactFlights& exact, double energy, double drift) {
+  const auto& [discrete, matched, model] = exact;
   sink_.row({.step = last_.step,
              .t_s = last_.t_s,
              .x_px = start_.row.x_px + matched.dx_px,

@@ -74,12 +74,18 @@ class ArcMeter final : public ArcVisitor {
     bool has_solver_failed = false;
   };
 
+  struct ExactFlights {
+    const Flight& discrete;
+    const Flight& matched;
+    const Position& model;
+  };
+
   [[nodiscard]] double energy(const Flight& flight) const;
   [[nodiscard]] double energy_gain(const Flight& from, const Flight& to) const;
   [[nodiscard]] Row step_from_last(double dt_s) const;
   [[nodiscard]] bool is_astray(const Row& row) const;
   void check(const Flight& closed, double dt_s);
-  void tell_row(const Flight& run, const Flight& matched, double energy, double drift);
+  void tell_row(const Flight& run, const ExactFlights& exact, double energy, double drift);
   [[nodiscard]] ArcErrors arc_errors(ArcEnd ended_by) const;
   [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) const;
   [[nodiscard]] double overshoot_px(Wall wall, double dt_s) const;

@@ -76,7 +76,8 @@ class RowBlock {
   }
 
  private:
-  std::unique_ptr<std::byte[]> bytes_ = std::make_unique_for_overwrite<std::byte[]>(kBlockRows * kPackedRowBytes);
+  std::unique_ptr<std::byte[]> bytes_ =
+      std::make_unique_for_overwrite<std::byte[]>(kBlockRows * kPackedRowBytes);
   std::size_t size_ = 0;
 };
 

@@ -73,9 +73,9 @@ std::optional<double> step_ns(const Scenario& scenario) {
 HalfDtOutcome measure_half_dt(const Scenario& scenario) {
   constexpr std::int64_t kStepsMaxHere = 1'000'000;
   if (scenario.clock.jitter) return {{}, "jitter"};
-  if (std::holds_alternative<RecordedSteps>(scenario.clock.base)) return {{}, "recorded frames"};
+  if (std::holds_alternative<RecordedSteps>(scenario.clock.base)) return {{}, "a trace"};
   const std::int64_t steps = step_count(scenario);
-  if (steps == 0 || base_dt_s(scenario.clock) == 0.0) return {{}, "no time passes"};
+  if (steps == 0 || base_dt_s(scenario.clock) == 0.0) return {{}, "dt is 0"};
   if (steps > kStepsMaxHere) return {{}, "over 1e6 steps"};
   const std::optional<Scenario> halved = at_half_dt(scenario);
   if (!halved) return {{}, "no such clock"};

@@ -42,11 +42,14 @@ std::string clock_text(const Clock& clock) {
 }
 
 std::string head_text(const DriftRun& run) {
-  std::string text = fmt::format("{}: {} steps, {:.6g} s {}; ", run.scenario.name, run.steps, run.simulated_s,
-                                 clock_text(run.scenario.clock));
-  if (!run.gsl) return text + "by the closed form\n";
-  return text + fmt::format("by closed form and GSL {} {:g}\n",
-                            kGslStepperNames[static_cast<std::size_t>(run.gsl->stepper)], run.gsl->tolerance);
+  return fmt::format("{}: {} steps, {:.6g} s {}\n", run.scenario.name, run.steps, run.simulated_s,
+                     clock_text(run.scenario.clock));
+}
+
+std::string reference_text(const std::optional<GslOptions>& gsl) {
+  if (!gsl) return "  reference    closed form alone\n";
+  return fmt::format("  reference    closed form, checked by GSL {} at {:g}\n",
+                     kGslStepperNames[static_cast<std::size_t>(gsl->stepper)], gsl->tolerance);
 }
 
 template <class... Columns>
@@ -137,10 +140,11 @@ std::string wrapped(const std::string& label, const std::vector<std::string>& wo
   return text + line + "\n";
 }
 
-// Two digits, for a line that holds much.
+// Two digits at most, for a line that holds much.
 std::string brief(double value) {
   const double size = std::fabs(value);
   if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  if (size < 0.01) return fmt::format("{:.1g}", value);
   return fmt::format("{:.2g}", value);
 }
 
@@ -160,7 +164,7 @@ std::string speed_text(const DriftReport& report) {
   std::string text = fmt::format("  this machine {} ns a step, truncation {} px, drift {} %/s; half dt",
                                  brief(*report.step_ns), truncation_of(report.run.summary),
                                  drift_of(report.run.longest_arc));
-  if (!report.half_dt.half) return text + fmt::format(" not measured: {}\n", report.half_dt.why_not);
+  if (!report.half_dt.half) return text + fmt::format(" unmeasured: {}\n", report.half_dt.why_not);
   const HalfDt& half = *report.half_dt.half;
   return text + fmt::format(": {} ns, {} px, {} %/s\n", brief(2.0 * half.step_ns),
                             truncation_of(half.summary), drift_of(half.longest_arc));
@@ -169,8 +173,8 @@ std::string speed_text(const DriftReport& report) {
 std::string convergence_text(const DriftReport& report) {
   if (!shows_no_convergence(report)) return "";
   return fmt::format(
-      "  model        half the dt takes {} px to {} px: against a fixed drag rate the paper's step does\n"
-      "               not converge, since its drag and friction act once a frame, however short it is\n",
+      "  model        half the dt takes {} px to {} px: against a fixed drag rate the\n"
+      "               paper's step does not converge, since it drags once a frame, however short\n",
       number(report.run.summary.model_px), number(report.half_dt.half->summary.model_px));
 }
 
@@ -203,6 +207,7 @@ std::string drift_text(const DriftReport& report) {
   text += arcs_text(run) + contacts_text(run) + faults_text(run.summary);
   text += fmt::format("  {}\n", margin_text(run.margin));
   if (is_knife_edge(run.margin)) text += "  KNIFE EDGE   rounding alone may decide otherwise\n";
+  text += reference_text(run.gsl);
   if (const std::vector<std::string> omitted = left_out(report); !omitted.empty())
     text += wrapped("left out", omitted);
   return text + convergence_text(report) + speed_text(report);
