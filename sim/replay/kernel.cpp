@@ -95,7 +95,9 @@ physics play_free(const Stretch& stretch, physics body, RestAnchor& rest_anchor,
     body.update(dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
     contact = 0;
     // Only a clamp, or great chance, puts the sprite onto a bound. One branch, not four.
-    if ((body.x() == 0.0) | (body.x() == right_px) | (body.y() == 0.0) | (body.y() == bottom_px)) {
+    const unsigned is_on_a_bound = unsigned{body.x() == 0.0} | unsigned{body.x() == right_px} |
+                                   unsigned{body.y() == 0.0} | unsigned{body.y() == bottom_px};
+    if (is_on_a_bound != 0) {
       physics flight = before;
       flight.fly(dt_s);
       contact = contact_of(flight, body);
