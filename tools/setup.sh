@@ -31,7 +31,7 @@ project_folder() {
 ensure_packages() {
   has_apt || stop_with_list "$@"
   local missing
-  mapfile -t missing < <(missing_packages "$@")
+  read -r -a missing <<< "$(missing_packages "$@")"
   [[ ${#missing[@]} -gt 0 ]] || return 0
   [[ $EUID -eq 0 ]] || command -v sudo > /dev/null || stop "These packages are missing. Install them as root:
   apt-get install --no-install-recommends ${missing[*]}"
@@ -60,7 +60,7 @@ missing_packages() {
   # dpkg-query fails if one package is unknown to it, and still tells about the others.
   states=$(dpkg-query -W -f '${Package}=${db:Status-Status}\n' "$@" 2> /dev/null) || true
   for package in "$@"; do
-    [[ $'\n'$states$'\n' == *$'\n'"$package=installed"$'\n'* ]] || printf '%s\n' "$package"
+    [[ $'\n'$states$'\n' == *$'\n'"$package=installed"$'\n'* ]] || printf '%s ' "$package"
   done
 }
 
