@@ -2,6 +2,7 @@
 """`check`: verdicts, the documents that tell them, and that it changes nothing."""
 
 import os
+import shutil
 import xml.etree.ElementTree
 
 import h5py
@@ -224,6 +225,48 @@ class Quick(CheckTest):
         self.write("golden/third.txt", "nothing\n")
         document = self.check(BAD_INPUT, "--quick")
         self.assertIn("golden/third.txt: has no line 'state hash: '", document["results"][2]["error"])
+
+
+class Seal(CheckTest):
+    """A digest's seal spares reading the golden file, and must never hide what is wrong with it."""
+
+    def setUp(self):
+        super().setUp()
+        self.digest = self.folder / "golden/third.txt"
+        self.text = self.digest.read_text()
+        self.contents, self.file = self.text.splitlines()[-1].split()[1:]
+
+    def test_a_damaged_file_is_found_under_a_whole_seal(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        first = self.check(DISAGREED)["results"][2]["first_divergence"]
+        self.assertEqual((first["step"], first["field"]), (5, "y"))
+
+    def test_without_a_seal_the_file_decides(self):
+        for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1], self.text + "\n"):
+            self.digest.write_text(text)
+            self.check(AGREED)
+        self.digest.unlink()
+        self.check(AGREED)
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        self.check(DISAGREED)
+
+    def test_a_file_hash_that_is_wrong_lets_the_rows_decide(self):
+        self.digest.write_text(self.text.replace(self.file, 32 * "0"))
+        self.check(AGREED)
+
+    def test_the_seal_of_another_run_is_no_agreement(self):
+        self.digest.write_text(self.text.replace(self.contents, 32 * "0"))
+        entry = self.check(DISAGREED)["results"][2]
+        self.assertEqual((entry["class"], entry["first_divergence"]), ("shape", None))
+        self.assertIn("golden/third.txt is not of this golden file", self.expect(DISAGREED, "check").out)
+        self.bless("scenarios/third.json")
+        self.assertEqual(self.digest.read_text(), self.text)
+
+    def test_the_digest_of_another_scenario_is_no_agreement(self):
+        shutil.copyfile(self.folder / "golden/a/first.txt", self.digest)
+        self.check(DISAGREED)
+        self.bless("scenarios/third.json")
+        self.check(AGREED)
 
 
 class ReadOnly(CheckTest):
