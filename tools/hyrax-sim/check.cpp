@@ -9,7 +9,7 @@
 #include "tools/hyrax-sim/check_verdict.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/progress.h"
-#include "tools/hyrax-sim/scenario_list.h"
+#include "tools/files/scenario_list.h"
 
 namespace hyrax {
 namespace {

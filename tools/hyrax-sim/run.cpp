@@ -10,7 +10,7 @@
 #include "tools/hyrax-sim/drift_report.h"
 #include "tools/hyrax-sim/run_picture.h"
 #include "tools/hyrax-sim/run_report.h"
-#include "tools/hyrax-sim/scenario_list.h"
+#include "tools/files/scenario_list.h"
 
 namespace hyrax {
 namespace {
