@@ -1,0 +1,50 @@
+"""Builds hyrax-replay as a row wants it."""
+
+import subprocess
+
+from rows import PROJECT
+
+TIMEOUT_S = 900
+
+
+class BuildFailed(Exception):
+    """What the compiler or CMake said."""
+
+
+def command(*arguments, **options):
+    """Runs a command without a word; raises what it said where it failed."""
+    done = subprocess.run([str(argument) for argument in arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          stdin=subprocess.DEVNULL, timeout=TIMEOUT_S, check=False, **options)
+    if done.returncode != 0:
+        raise BuildFailed(done.stdout.decode(errors="replace"))
+
+
+def settings_of(row, folder):
+    """Its CMake settings."""
+    yield "CMAKE_BUILD_TYPE=None"  # Adds no flags of its own.
+    yield "HYRAX_SIM=OFF"
+    yield f"CMAKE_CXX_FLAGS={row.flags}"
+    if row.toolchain:
+        yield f"CMAKE_TOOLCHAIN_FILE={PROJECT}/tools/cmake/{row.toolchain}"
+    else:
+        yield f"CMAKE_C_COMPILER={row.compiler.replace('clang++', 'clang').replace('g++', 'gcc')}"
+        yield f"CMAKE_CXX_COMPILER={row.compiler}"
+    if row.last_flags:
+        yield ("CMAKE_CXX_COMPILE_OBJECT=<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> "
+               f"{row.last_flags} -o <OBJECT> -c <SOURCE>")
+    if row.is_blind:
+        yield f"CMAKE_EXE_LINKER_FLAGS={folder}/no_self_test.o"
+    yield from row.settings
+
+
+def build(row, folder):
+    """Configures and builds; returns the program. A row that must not compile is built up to the core."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if row.is_blind:
+        command(row.compiler, "-std=c++20", "-O2", f"-I{PROJECT}", "-c", PROJECT / "tests/platforms/no_self_test.cpp",
+                "-o", folder / "no_self_test.o")
+    command("cmake", "--log-level=WARNING", "-S", row.source, "-B", folder, "-G", "Ninja",
+            *(f"-D{setting}" for setting in settings_of(row, folder)))
+    target = "hyrax_physics" if row.must.kind == "compiles" else "hyrax-replay"
+    command("ninja", "-C", folder, "-j1", target)
+    return folder / row.program

@@ -1,0 +1,39 @@
+"""Libraries and a locale that variants are run with."""
+
+import subprocess
+
+from building import BuildFailed, command
+from rows import HERE, PROJECT
+
+SOURCES = {"locale": HERE / "preloaded/locale.c", "fast_math": HERE / "preloaded/fast_math.c",
+           "rounding": PROJECT / "tests/tools/hyrax-sim/disturbed_arithmetic.c"}
+
+
+def build_library(name, folder):
+    """The library of that name. From GCC 13 on -ffast-math alone does not reach into one."""
+    library = folder / f"{name}.so"
+    compile_it = ("gcc", "-shared", "-fPIC", "-O2", SOURCES[name], "-o", library, "-lm")
+    if name != "fast_math":
+        command(*compile_it)
+        return library
+    try:
+        command(*compile_it, "-ffast-math", "-mdaz-ftz")
+    except BuildFailed:
+        command(*compile_it, "-ffast-math")
+    return library
+
+
+def environment_for(variant, folder):
+    """What a variant adds to the environment; its libraries and its locale are made when first wanted."""
+    folder.mkdir(parents=True, exist_ok=True)
+    added = {"HYRAX_DISTURBED": "round", "ASAN_OPTIONS": "verify_asan_link_order=0"}
+    for setting in variant.environment:
+        name, value = setting.split("=", 1)
+        if value == "{locales}":
+            subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE")], check=True,
+                           capture_output=True)
+            value = str(folder)
+        elif value.startswith("{"):
+            value = str(build_library(value.strip("{}"), folder))
+        added[name] = value
+    return added

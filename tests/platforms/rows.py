@@ -1,0 +1,159 @@
+"""The rows of the matrix: which builds there are, what each needs, and what must come of it."""
+
+import dataclasses
+import pathlib
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parents[1]
+
+# Soaks take too long on an emulated processor: there, scenarios of more steps are left out, and the table says so.
+EMULATED_STEPS_MAX = 10_000_000
+
+
+@dataclasses.dataclass(frozen=True)
+class Needs:
+    """What a row cannot do without: a command, or a file (a pattern), and the Debian package that has it."""
+
+    what: str
+    package: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Verdict:
+    """What must come of a row: `agrees`, `differs`, or refused with that sentence while it `compiles` or `starts`."""
+
+    kind: str
+    sentence: str = ""
+
+
+AGREES = Verdict("agrees")
+DIFFERS = Verdict("differs")
+FUSED = Verdict("starts", "multiply-adds are fused")
+FLUSHED = Verdict("starts", "subnormal numbers are flushed to zero")
+EXCESS = Verdict("starts", "intermediate results carry excess precision")
+ROUNDED = Verdict("starts", "not rounded to nearest")
+
+
+@dataclasses.dataclass(frozen=True)
+class Variant:
+    """A build that stands already, run in another way."""
+
+    name: str
+    environment: tuple = ()  # NAME=VALUE; {NAME} stands for a library or folder of preloaded.py.
+    is_reversed: bool = False  # The scenarios in the opposite order.
+    must: Verdict = AGREES
+    needs: tuple = ()
+    cpu: tuple = ()
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    """One build of hyrax-replay."""
+
+    name: str
+    compiler: str = "g++"
+    flags: str = "-O2"
+    last_flags: str = ""  # Stand behind those of the project, and so above them; only controls have any.
+    source: pathlib.Path = PROJECT
+    toolchain: str = ""
+    settings: tuple = ()  # More CMake settings, NAME=VALUE.
+    program: str = "bin/hyrax-replay"
+    runner: tuple = ()  # What runs the program where this processor does not.
+    runs_on: str = "this machine"
+    needs: tuple = ()
+    cpu: tuple = ()  # Flags of /proc/cpuinfo without which the program cannot run here.
+    must: Verdict = AGREES
+    is_blind: bool = False  # The self-test is taken out.
+    variants: tuple = ()
+
+    @property
+    def folder(self):
+        """The name of its build folder."""
+        return "".join(c if c.isalnum() else "-" for c in self.name.lower().replace("+", "p"))
+
+
+V2 = ("ssse3", "sse4_2", "popcnt")
+V3 = (*V2, "avx2", "bmi2", "fma")
+V4 = (*V3, "avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl")
+
+# Names as glibc 2.36 has them. Its own choice of functions follows the mask, as a processor without them would have it.
+MASKED = "glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX2,-FMA,-FMA4,-AVX,-BMI2,-SSE4_2,-SSSE3,-ERMS"
+
+THIS_BUILD = (
+    Variant("processor features masked", (f"GLIBC_TUNABLES={MASKED}",), cpu=("lm",)),
+    Variant("decimal comma", ("LD_PRELOAD={locale}", "LOCPATH={locales}", "LC_ALL=de_DE"),
+            needs=(Needs("/usr/share/i18n/locales/de_DE", "locales"),)),
+    Variant("scenarios in reverse order", is_reversed=True),
+    Variant("a library linked with -ffast-math is loaded", ("LD_PRELOAD={fast_math}",), must=FLUSHED),
+    Variant("a library that rounds upwards is loaded", ("LD_PRELOAD={rounding}",), must=ROUNDED),
+)
+
+WITHOUT_GUARDS = ("CMAKE_CXX_FLAGS_NONE=-DHYRAX_CONTROL_WITHOUT_GUARDS",)
+GXX = Needs("g++", "g++")
+IN_32_BITS = ("g++", Needs("/usr/lib/gcc/*/*/32/libstdc++.a", "g++-12-multilib"))
+# The package g++-multilib, which would have the headers of Linux where -m32 looks, excludes all cross compilers.
+M32 = "-m32 -idirafter /usr/include/x86_64-linux-gnu"
+
+
+def native(compiler, package, *all_flags):
+    """A compiler for this processor, with each of these flags."""
+    return [Row(f"{compiler} {flags}", compiler, flags, needs=(Needs(compiler, package),)) for flags in all_flags]
+
+
+def level(number, cpu):
+    """A microarchitecture level of x86-64."""
+    name = "x86-64" if number == 1 else f"x86-64-v{number}"
+    return Row(f"x86-64-v{number}", "g++", f"-O3 -march={name}", needs=(GXX,), cpu=("lm", *cpu))
+
+
+def windows(flags):
+    """MinGW, under Wine."""
+    return Row(f"Windows {flags}", "x86_64-w64-mingw32-g++-posix", flags, toolchain="mingw.cmake",
+               program="bin/hyrax-replay.exe", runner=("wine",), runs_on="Wine",
+               needs=(Needs("x86_64-w64-mingw32-g++-posix", "g++-mingw-w64-x86-64-posix"), Needs("wine", "wine")))
+
+
+def emulated(name, triple, emulator, package_triple=""):
+    """Another processor, under qemu-user."""
+    return Row(name, f"{triple}-g++", "-O2", toolchain="cross.cmake", settings=(f"HYRAX_TRIPLE={triple}",),
+               runner=(emulator,), runs_on=emulator,
+               needs=(Needs(f"{triple}-g++", f"g++-{package_triple or triple}"), Needs(emulator, "qemu-user")))
+
+
+BUILDS = (
+    Row("g++ -O3", "g++", "-O3", needs=(GXX,), variants=THIS_BUILD),
+    *native("g++", "g++", "-O0", "-O2", "-O3 -march=native", "-O2 -flto"),
+    *native("clang++", "clang", "-O0", "-O2", "-O3 -march=native"),
+    *native("clang++-22", "clang-22", "-O0", "-O2", "-O3 -march=native"),
+    level(1, ()), level(2, V2), level(3, V3), level(4, V4),
+    Row("i386 with SSE2", "g++", f"-O2 {M32}", needs=IN_32_BITS[1:], cpu=("lm",)),
+    windows("-O0"), windows("-O2"),
+    emulated("aarch64", "aarch64-linux-gnu", "qemu-aarch64"),
+    emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64"),
+    emulated("s390x, big-endian", "s390x-linux-gnu", "qemu-s390x"),
+    emulated("ppc64el", "powerpc64le-linux-gnu", "qemu-ppc64le"),
+    emulated("armhf", "arm-linux-gnueabihf", "qemu-arm"),
+    Row("WebAssembly", "clang++-19", "-O2", source=HERE / "wasm", toolchain="wasi.cmake",
+        program="hyrax/bin/hyrax-replay", runner=("node", "--no-warnings", str(HERE / "wasm/run.mjs")), runs_on="node",
+        needs=(Needs("clang++-19", "clang-19"), Needs("wasm-ld-19", "lld-19"), Needs("node", "nodejs"),
+               Needs("/usr/lib/wasm32-wasi/libc.a", "wasi-libc"),
+               Needs("/usr/lib/wasm32-wasi/libc++.a", "libc++-19-dev-wasm32"),
+               Needs("/usr/lib/wasm32-wasi/libc++abi.a", "libc++abi-19-dev-wasm32"),
+               Needs("/usr/lib/llvm-19/lib/clang/19/lib/wasi/*.a", "libclang-rt-19-dev-wasm32"))),
+)
+
+# What must be refused, and one build that must differ: it shows that the matrix would notice.
+CONTROLS = (
+    Row("-ffast-math", flags="-O2 -ffast-math", needs=(GXX,), must=Verdict("compiles", "-ffast-math changes the bits")),
+    Row("x87 on i386", flags=f"-O2 {M32}", last_flags="-mno-sse2 -mfpmath=387", needs=IN_32_BITS[1:], cpu=("lm",),
+        must=Verdict("compiles", "excess precision (x87)")),
+    Row("-ffast-math, guards lifted", flags="-O1 -ffast-math", settings=WITHOUT_GUARDS, needs=(GXX,), cpu=("lm",),
+        must=FLUSHED),
+    Row("x87 on i386, guards lifted", flags=f"-O1 {M32}", last_flags="-mfpmath=387", settings=WITHOUT_GUARDS,
+        needs=IN_32_BITS[1:], cpu=("lm",), must=EXCESS),
+    Row("fused", flags="-O2 -march=native", last_flags="-ffp-contract=fast", needs=(GXX,), cpu=("fma",), must=FUSED),
+    Row("fused, self-test taken out", flags="-O2 -march=native", last_flags="-ffp-contract=fast", is_blind=True,
+        needs=(GXX,), cpu=("fma",), must=DIFFERS),
+)
+
+PACKAGES = sorted({need.package for row in (*BUILDS, *CONTROLS) for need in row.needs})

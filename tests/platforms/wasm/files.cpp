@@ -1,0 +1,25 @@
+// What hyrax-replay asks of tools/files that WASI's C++ library cannot: it has no <filesystem>. Paths
+// are those of scenario files, one by one.
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "tools/files/failure.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+
+std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments) { return arguments; }
+
+std::string read_text_file(const std::string& path) {
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr)
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  std::string text;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+  std::fclose(file);
+  return text;
+}
+
+}  // namespace hyrax
