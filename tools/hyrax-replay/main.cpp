@@ -20,7 +20,7 @@ constexpr char kHelp[] =
     "Usage: hyrax-replay SCENARIO...\n\n"
     "A folder stands for every *.json in it. A line of the output is HASH, two blanks, SCENARIO. A\n"
     "scenario whose `expect` holds a `state_hash` must come to it. `--version` tells version, compiler,\n"
-    "flags and target.\n"
+    "flags, target and instruction set.\n"
     "Exit codes: 0 done, 1 another hash than expected, or a state that is not finite, 2 bad usage or\n"
     "input, 3 cannot read, 5 this machine or build does no strict IEEE-754 arithmetic, 70 own fault.\n";
 
@@ -53,12 +53,13 @@ ExitCode replay_file(const std::string& path) try {
 void print_version() {
   const BuildInfo info = build_info();
   const auto print = [](const char* name, std::string_view value) {
-    std::printf("%-9s %.*s\n", name, static_cast<int>(value.size()), value.data());
+    std::printf("%-15s %.*s\n", name, static_cast<int>(value.size()), value.data());
   };
   print("version", info.version);
   print("compiler", info.compiler);
   print("flags", info.flags);
   print("target", info.target);
+  print("instruction_set", info.instruction_set);
 }
 
 ExitCode run(const std::vector<std::string>& arguments) {

@@ -5,6 +5,7 @@
 
 #include "sim/compare/trajectory_comparer.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/contract_text.h"
 #include "tools/hyrax-sim/difference_text.h"
 #include "tools/store/trajectory_file.h"
 
@@ -127,7 +128,10 @@ ExitCode diff(const DiffRequest& request) {
   if (request.is_json)
     fmt::print("{}\n", to_text(json_of(difference), {.depth_indented = 2}));
   else
-    fmt::print("{}", text_of(difference, request));
+    fmt::print("{}{}", text_of(difference, request),
+               difference.comparison.agrees
+                   ? ""
+                   : contract_text(a.provenance(), b.provenance(), *difference.comparison.difference));
   return difference.comparison.agrees ? ExitCode::agreed : ExitCode::disagreed;
 }
 

@@ -12,7 +12,8 @@
 namespace hyrax {
 namespace {
 
-std::string instruction_set() {
+// What this machine has.
+std::string processor() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
   std::string text = "x86-64";
@@ -40,9 +41,10 @@ Json::Object facts() {
           {"compiler", build.compiler},
           {"flags", build.flags},
           {"target", build.target},
-          {"instruction_set", instruction_set()},
+          {"instruction_set", build.instruction_set},
+          {"processor", processor()},
           {"physics", kPhysicsModel},
-          {"self_test", fault ? std::string(*fault) : std::string("strict IEEE-754 double arithmetic")},
+          {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
           {"hdf5", hdf5_version()},
           {"xxhash", fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},

@@ -1,7 +1,7 @@
 #include "tools/store/file_head.h"
 
-#include "tools/files/build_info.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/store/provenance.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
@@ -37,15 +37,6 @@ bool write_inputs(hid_t file, const std::vector<Input>& inputs) {
                               [](const Input& input) { return input.b; });
 }
 
-void write_provenance(hid_t file) {
-  const h5::Handle group = h5::create_group(file, "provenance");
-  const BuildInfo build = build_info();
-  h5::write_attribute(group, "program", "hyrax-sim " + std::string(build.version));
-  h5::write_attribute(group, "compiler", build.compiler);
-  h5::write_attribute(group, "flags", build.flags);
-  h5::write_attribute(group, "target", build.target);
-}
-
 }  // namespace
 
 bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs) {
@@ -57,7 +48,7 @@ bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inpu
   h5::write_attribute(file, "state_hash", head.state_hash);
   h5::write_attribute(file, "NX_class", "NXroot");
   h5::write_attribute(file, "default", "trajectory");
-  write_provenance(file);
+  write_provenance(file, own_provenance());
   return write_inputs(file, inputs);
 }
 

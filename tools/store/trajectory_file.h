@@ -10,6 +10,7 @@
 #include "sim/trajectory/input.h"
 #include "tools/store/file_head.h"
 #include "tools/store/hdf5.h"
+#include "tools/store/provenance.h"
 
 namespace hyrax {
 
@@ -54,6 +55,7 @@ class TrajectoryFile {
   /// Counts contacts beyond those recorded as well.
   [[nodiscard]] std::int64_t contacts_total() const;
   [[nodiscard]] std::vector<Input> inputs() const;
+  [[nodiscard]] Provenance provenance() const { return read_provenance(file_); }
 
   [[nodiscard]] bool has(const char* group) const;
   /// A dataset of this file.

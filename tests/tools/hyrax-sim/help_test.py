@@ -103,7 +103,7 @@ class Info(ProgramTest):
 
     def test_it_tells_build_machine_and_verdict(self):
         text = self.expect(AGREED, "info").out
-        for name in ("version", "compiler", "flags", "target", "physics", "self_test", "hdf5"):
+        for name in ("version", "compiler", "flags", "target", "instruction_set", "processor", "physics", "self_test", "hdf5"):
             self.assertIn(f"\n{name} ", "\n" + text)
         self.assertIn("hyrax-physics/1", text)
 

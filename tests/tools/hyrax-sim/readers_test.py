@@ -125,7 +125,9 @@ class H5py(Reader):
 
     def test_provenance_tells_the_build_and_no_time(self):
         with h5py.File(self.path) as file:
-            self.assertEqual(sorted(file["provenance"].attrs), ["compiler", "flags", "program", "target"])
+            self.assertEqual(sorted(file["provenance"].attrs),
+                             ["compiler", "flags", "instruction_set", "program", "self_test", "target"])
+            self.assertEqual(file["provenance"].attrs["self_test"], "strict IEEE-754 double arithmetic")
             self.assertRegex(file["provenance"].attrs["program"], r"^hyrax-sim \d")
 
     def test_no_dataset_needs_a_plug_in(self):
