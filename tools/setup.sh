@@ -6,8 +6,12 @@ packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1
   libfmt-dev libxxhash-dev nlohmann-json3-dev)
 packages_to_draw=(gnuplot-nox)
 packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf
-  python3-jsonschema python3-xxhash)
+  python3-jsonschema python3-xxhash locales)
 packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
+# Compilers and emulators of tests/platforms. Not g++-multilib: it excludes all cross compilers.
+packages_for_platforms=(clang-22 g++-12-multilib qemu-user g++-aarch64-linux-gnu g++-arm-linux-gnueabihf
+  g++-powerpc64le-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine wine64
+  nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
 
 readonly exit_cannot_access=3

@@ -1,26 +1,12 @@
-"""Plays scenarios with a program and holds what comes of it to what must."""
+"""Plays scenarios with hyrax-replay and holds what comes of it to what must."""
 
-import dataclasses
 import os
 import subprocess
 
+from library import NOT_STRICT
 from rows import EMULATED_STEPS_MAX, PROJECT
 
 TIMEOUT_S = 600
-NOT_STRICT = 5
-
-
-@dataclasses.dataclass(frozen=True)
-class Result:
-    """A line of the table."""
-
-    name: str
-    built_by: str
-    flags: str
-    runs_on: str
-    verdict: str
-    is_bad: bool = False
-    details: str = ""  # What a person needs who wants to know why it is bad.
 
 
 def run(program, arguments, row, environment):

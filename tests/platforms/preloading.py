@@ -1,5 +1,6 @@
 """Libraries and a locale that variants are run with."""
 
+import functools
 import subprocess
 
 from building import BuildFailed, command
@@ -9,6 +10,7 @@ SOURCES = {"locale": HERE / "preloaded/locale.c", "fast_math": HERE / "preloaded
            "rounding": PROJECT / "tests/tools/hyrax-sim/disturbed_arithmetic.c"}
 
 
+@functools.cache
 def build_library(name, folder):
     """The library of that name. From GCC 13 on -ffast-math alone does not reach into one."""
     library = folder / f"{name}.so"
@@ -23,6 +25,13 @@ def build_library(name, folder):
     return library
 
 
+@functools.cache
+def build_locale(folder):
+    """A folder of locales with one in it, which has a decimal comma."""
+    subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE")], check=True, capture_output=True)
+    return folder
+
+
 def environment_for(variant, folder):
     """What a variant adds to the environment; its libraries and its locale are made when first wanted."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -30,9 +39,7 @@ def environment_for(variant, folder):
     for setting in variant.environment:
         name, value = setting.split("=", 1)
         if value == "{locales}":
-            subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE")], check=True,
-                           capture_output=True)
-            value = str(folder)
+            value = str(build_locale(folder))
         elif value.startswith("{"):
             value = str(build_library(value.strip("{}"), folder))
         added[name] = value

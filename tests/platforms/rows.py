@@ -155,5 +155,3 @@ CONTROLS = (
     Row("fused, self-test taken out", flags="-O2 -march=native", last_flags="-ffp-contract=fast", is_blind=True,
         needs=(GXX,), cpu=("fma",), must=DIFFERS),
 )
-
-PACKAGES = sorted({need.package for row in (*BUILDS, *CONTROLS) for need in row.needs})

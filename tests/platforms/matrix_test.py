@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""The matrix of platforms notices what it must: its own controls.
+
+HYRAX_REPLAY names the program to play with.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parents[1]
+sys.path.insert(0, str(HERE))
+
+# pylint: disable=wrong-import-position
+import result
+from rows import BUILDS, CONTROLS, THIS_BUILD, Needs, Row
+
+AS_MUST_BE, NOT_AS_MUST_BE, BAD_INPUT = 0, 1, 2
+SCENARIO = "flings/first-fling"
+
+
+class Matrix(unittest.TestCase):
+    """The driver, with golden files of its own."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        for digest in (PROJECT / "golden").rglob("*.txt"):
+            copy = self.folder / "golden" / digest.relative_to(PROJECT / "golden")
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(digest, copy)
+
+    def play(self, exit_code, *options, program=os.environ.get("HYRAX_REPLAY", "")):
+        """Plays a program; returns its table and what was told beside it."""
+        done = subprocess.run(
+            [str(HERE / "run"), "--program", program, "--golden", str(self.folder / "golden"), "--folder",
+             str(self.folder / "scratch"), *options], capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, exit_code, done.stdout + done.stderr)
+        return done.stdout, done.stderr
+
+    def test_the_golden_hashes_agree(self):
+        table, errors = self.play(AS_MUST_BE)
+        self.assertEqual(errors, "")
+        self.assertRegex(table, r"(?m)^\| this build .* (\d+) of \1 agree +\|$")
+        self.assertEqual(table, (self.folder / "scratch/platforms.md").read_text(encoding="utf-8"))
+
+    def test_one_digit_of_one_golden_hash_turns_it_red(self):
+        digest = self.folder / "golden" / f"{SCENARIO}.txt"
+        text = digest.read_text(encoding="utf-8")
+        found = re.search(r"^state hash: ([0-9a-f]{31})([0-9a-f])$", text, re.MULTILINE)
+        digest.write_text(text.replace(found.group(0), f"state hash: {found.group(1)}{int(found.group(2), 16) ^ 1:x}"),
+                          encoding="utf-8")
+        table, errors = self.play(NOT_AS_MUST_BE)
+        self.assertRegex(table, r"this build .* 1 of \d+ DIFFERENT")
+        self.assertIn(f"scenarios/{SCENARIO}.json: golden {found.group(1)}", errors)
+
+    def test_a_scenario_without_a_constant_is_told(self):
+        (self.folder / "golden" / f"{SCENARIO}.txt").unlink()
+        _, errors = self.play(BAD_INPUT)
+        self.assertIn(f"{SCENARIO}.json: has neither a golden file nor expect.state_hash", errors)
+
+    def test_a_program_that_plays_and_refuses_nothing_is_red_in_every_line(self):
+        table, errors = self.play(NOT_AS_MUST_BE, program=shutil.which("true"))
+        self.assertEqual(table.count("FAILED: exit code 0, 0 of "), sum(v.must.kind == "agrees" for v in THIS_BUILD) + 1)
+        self.assertEqual(table.count("NOT REFUSED: exit code 0"), sum(v.must.kind == "starts" for v in THIS_BUILD))
+        self.assertEqual(errors.count("BAD: "), len(THIS_BUILD) + 1)
+
+    def test_no_row_of_that_name_is_told(self):
+        _, errors = self.play(BAD_INPUT, "--only", "no such row")
+        self.assertIn("--list tells all there are", errors)
+
+
+class Rows(unittest.TestCase):
+    """The table of rows."""
+
+    def hindrance(self, row, in_ci):
+        """What is said of a row, in CI or not."""
+        was, result.IN_CI = result.IN_CI, in_ci
+        self.addCleanup(setattr, result, "IN_CI", was)
+        return result.hindrance_of(row, row.name)
+
+    def test_what_is_missing_is_skipped_and_in_ci_a_failure(self):
+        row = Row("none", needs=(Needs("no-such-compiler", "g++-none"),))
+        self.assertEqual(self.hindrance(row, False).verdict, "skipped: needs g++-none")
+        self.assertFalse(self.hindrance(row, False).is_bad)
+        self.assertTrue(self.hindrance(row, True).is_bad)
+
+    def test_a_processor_that_cannot_is_no_failure(self):
+        row = Row("none", cpu=("no_such_feature",))
+        self.assertEqual(self.hindrance(row, True).verdict, "not run here: the processor lacks no_such_feature")
+        self.assertFalse(self.hindrance(row, True).is_bad)
+
+    def test_every_package_is_one_that_the_scripts_install(self):
+        setup = (PROJECT / "tools/setup.sh").read_text(encoding="utf-8")
+        installed = {package for packages in re.findall(r"^packages_\w+=\(([^)]*)\)", setup, re.MULTILINE)
+                     for package in packages.split()}
+        needed = {need.package for row in (*BUILDS, *CONTROLS, *THIS_BUILD) for need in row.needs}
+        self.assertEqual(needed - installed, set())
+
+    def test_every_row_has_a_name_and_a_folder_of_its_own(self):
+        rows = (*BUILDS, *CONTROLS)
+        self.assertEqual(len({row.name for row in rows}), len(rows))
+        self.assertEqual(len({row.folder for row in rows}), len(rows))
+
+
+if __name__ == "__main__":
+    unittest.main()
