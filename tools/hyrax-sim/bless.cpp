@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
@@ -11,7 +12,6 @@
 #include "tools/hyrax-sim/margin_text.h"
 #include "tools/hyrax-sim/run_expectations.h"
 #include "tools/hyrax-sim/run_report.h"
-#include "tools/hyrax-sim/scenario_list.h"
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_place.h"

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <thread>
 
+#include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/check_verdict.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/progress.h"
-#include "tools/hyrax-sim/scenario_list.h"
 
 namespace hyrax {
 namespace {

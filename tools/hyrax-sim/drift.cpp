@@ -3,11 +3,11 @@
 #include <memory>
 #include <set>
 
+#include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/drift_options.h"
 #include "tools/hyrax-sim/drift_report.h"
-#include "tools/hyrax-sim/scenario_list.h"
 #include "tools/hyrax-sim/written_run.h"
 
 namespace hyrax {

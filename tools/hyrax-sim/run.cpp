@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <set>
 
+#include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/drift_options.h"
 #include "tools/hyrax-sim/drift_report.h"
 #include "tools/hyrax-sim/run_picture.h"
 #include "tools/hyrax-sim/run_report.h"
-#include "tools/hyrax-sim/scenario_list.h"
 
 namespace hyrax {
 namespace {

@@ -109,6 +109,8 @@ Coverage coverage_of(const ScenarioRun& run) {
     coverage.not_computed.push_back(
         fmt::format("{} of {} rows not stored", summary.steps + 1 - run.rows_recorded, summary.steps + 1));
   if (!run.drift) coverage.not_computed.emplace_back("reference and energy (hyrax-sim drift)");
+  if (!run.not_compared.empty())
+    coverage.not_computed.push_back(fmt::format("comparison with a golden file ({})", run.not_compared));
   return coverage;
 }
 

@@ -43,10 +43,13 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   run.rows_recorded = written.rows_recorded;
   run.drift = std::move(written.drift);
   run.expectations = judge_run(scenario, run.summary);
-  if (!options.compares) return run;
   const auto place = golden_place(path, options.golden_folder);
-  if (place) run.golden_path = place->h5_path;
-  if (place && std::filesystem::exists(place->h5_path))
+  if (!options.compares || !place) {
+    run.not_compared = place ? "values were set" : "no folder `scenarios` above it; --golden DIR names one";
+    return run;
+  }
+  run.golden_path = place->h5_path;
+  if (std::filesystem::exists(place->h5_path))
     run.comparison = compare_with_golden(*place, scenario, run.summary);
   return run;
 }

@@ -28,7 +28,8 @@ struct ScenarioRun {
   std::int64_t rows_recorded = 0;
   std::optional<DriftRun> drift;  ///< On request.
   std::vector<Expectation> expectations;
-  std::string golden_path;               ///< Empty where no place for one is known.
+  std::string golden_path;               ///< Empty where none was looked for.
+  std::string not_compared;              ///< Why none was looked for; else empty.
   std::optional<Comparison> comparison;  ///< With the golden file; nothing where there is none.
 
   [[nodiscard]] bool is_as_expected() const;

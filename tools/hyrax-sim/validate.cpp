@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/frame_clock.h"
+#include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
-#include "tools/hyrax-sim/scenario_list.h"
 
 namespace hyrax {
 namespace {

@@ -267,7 +267,11 @@ class Golden(ProgramTest):
     def test_with_set_it_does_not_compare(self):
         self.change()
         outcome = self.expect(AGREED, "run", self.path, "--set", "/steps=10")
-        self.assertNotIn("golden", outcome.out)
+        self.assertIn("comparison with a golden file (values were set)\n", outcome.out)
+
+    def test_without_a_place_for_one_it_says_so(self):
+        outcome = self.expect(AGREED, "run", self.write("alone.json", fling()))
+        self.assertIn("comparison with a golden file (no folder `scenarios` above it; --golden DIR", outcome.out)
 
     def test_a_missing_golden_file_is_said_and_is_no_failure(self):
         (self.folder / "golden/fling.h5").unlink()

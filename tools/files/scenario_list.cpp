@@ -1,4 +1,4 @@
-#include "tools/hyrax-sim/scenario_list.h"
+#include "tools/files/scenario_list.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -15,7 +15,7 @@ std::vector<std::string> scenarios_in(const std::string& folder) {
   try {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
       if (entry.path().extension() == ".json" && entry.is_regular_file())
-        paths.push_back(entry.path().string());
+        paths.push_back(entry.path().generic_string());
   } catch (const fs::filesystem_error& error) {
     throw Failure(ExitCode::cannot_access, folder + ": cannot be read: " + error.code().message());
   }

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""hyrax-replay: the hash of every row, on every target that can be built for."""
+
+import os
+import pathlib
+import re
+import subprocess
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, Outcome, ProgramTest, fling, main
+
+REPLAY = os.environ["HYRAX_REPLAY"]
+DISTURBED_ARITHMETIC = os.environ["HYRAX_DISTURBED_ARITHMETIC"]
+
+
+class HyraxReplay(ProgramTest):
+    """The console twin, by its exit code and its output."""
+
+    def replay(self, exit_code, *arguments, says="", **options):
+        """Runs hyrax-replay in the folder; holds its exit code, and what it must say on stderr."""
+        outcome = Outcome(subprocess.run([REPLAY, *map(str, arguments)], cwd=self.folder, capture_output=True,
+                                         timeout=120, check=False, **options))
+        self.assertEqual(outcome.exit_code, exit_code, str(outcome))
+        self.assertIn(says, outcome.err)
+        return outcome
+
+    def test_it_comes_to_the_hash_of_every_golden_file(self):
+        lines = self.replay(AGREED, SOURCE / "scenarios").out.splitlines()
+        self.assertEqual(len(lines), len(list((SOURCE / "scenarios").rglob("*.json"))))
+        for line in lines:
+            found, path = line.split("  ")
+            golden = SOURCE / "golden" / pathlib.Path(path).relative_to(SOURCE / "scenarios").with_suffix(".txt")
+            self.assertEqual(found, re.search("[0-9a-f]{32}", golden.read_text()).group(), path)
+
+    def test_another_hash_than_expected_is_told(self):
+        path = self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
+        outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: is " + "0" * 32 +
+                              ", but the run comes to ")
+        self.assertIn(outcome.out.split()[0], outcome.err)
+
+    def test_the_expected_hash_agrees(self):
+        found = self.replay(AGREED, self.write("fling.json", fling())).out.split()[0]
+        self.replay(AGREED, self.write("fling.json", fling(expect={"state_hash": found})))
+
+    def test_with_one_bad_scenario_the_others_still_run(self):
+        good, bad = self.write("good.json", fling()), self.write("bad.json", "{")
+        outcome = self.replay(BAD_INPUT, bad, good, says="bad.json: line 1")
+        self.assertEqual(outcome.out.split()[1], "good.json")
+
+    def test_bad_usage_is_told(self):
+        self.replay(BAD_INPUT, says="SCENARIO is missing")
+        self.replay(BAD_INPUT, "--fast", says="--fast: no such option")
+        self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")
+        self.replay(BAD_INPUT, ".", says=".: holds no scenario")
+
+    def test_disturbed_arithmetic_is_refused(self):
+        path = self.write("fling.json", fling())
+        for how, fault in (("flush", "flushed to zero"), ("round", "not rounded to nearest")):
+            environment = {**os.environ, "LD_PRELOAD": DISTURBED_ARITHMETIC, "HYRAX_DISTURBED": how,
+                           "ASAN_OPTIONS": "verify_asan_link_order=0"}
+            self.assertEqual(self.replay(NOT_STRICT, path, says=fault, env=environment).out, "")
+            self.replay(AGREED, "--help", env=environment)
+
+
+if __name__ == "__main__":
+    main()

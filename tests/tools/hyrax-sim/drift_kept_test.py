@@ -1,0 +1,241 @@
+#!/usr/bin/python3
+"""What is kept of a drift: in files, in `run`, in expectations, in digests and in pictures."""
+
+import itertools
+import json
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+from drift_program import DriftTest, flight
+from program import AGREED, BAD_INPUT, DISAGREED, fling, main
+
+
+class Stored(DriftTest):
+    """The groups /reference and /drift."""
+
+    def groups(self, *arguments, **changes):
+        """The file of a throw, measured as it was played."""
+        self.write("fling.json", fling(**changes))
+        self.expect(AGREED, "run", "fling.json", "--drift", *arguments)
+        return h5py.File(self.folder / "fling.h5")
+
+    def test_without_rows_arcs_and_contacts_are_stored(self):
+        with self.groups() as file:
+            self.assertEqual(sorted(file["drift"]), ["arcs", "contacts"])
+            self.assertEqual(sorted(file["reference"]), ["arcs"])
+        self.expect(AGREED, "run", "fling.json")
+        with h5py.File(self.folder / "fling.h5") as file:
+            self.assertNotIn("drift", file)
+
+    def test_arcs_and_contacts_are_those_of_the_document(self):
+        run = self.drift_of(fling())
+        with self.groups("--reference", "gsl") as file:
+            names = {"duration_s": "duration", "implementation_px": "implementation", "truncation_px": "truncation",
+                     "model_px": "model", "energy_drift_slope_per_s": "energy_drift_slope"}
+            for key in ("first_step", "last_step", "energy_drift_rel_max", "energy_drift_rel_end", *names):
+                stored = file[f"drift/arcs/{names.get(key, key)}"][:].tolist()
+                self.assertEqual(stored, [arc[key] for arc in run["arcs"]], key)
+            self.assertEqual(file["reference/arcs/gsl_vs_closed"][:].tolist(),
+                             [arc["gsl_vs_closed_px"] for arc in run["arcs"]])
+            ends = {code: name for name, code in h5py.check_enum_dtype(file["drift/arcs/ended_by"].dtype).items()}
+            self.assertEqual([ends[code] for code in file["drift/arcs/ended_by"]],
+                             [arc["ended_by"] for arc in run["arcs"]])
+            for key, name in (("step", "step"), ("overshoot_px", "overshoot"), ("time_error_s", "time_error"),
+                              ("effective_restitution", "effective_restitution")):
+                self.assertEqual(file[f"drift/contacts/{name}"][:].tolist(),
+                                 [contact[key] for contact in run["contacts"]])
+            self.assertEqual(file["drift/arcs"].attrs["skipped"], run["skipped_arcs"])
+            self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
+            self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
+
+    def test_rows_stand_beside_the_trajectory_and_are_nan_where_nothing_flies(self):
+        with self.groups("--rows") as file:
+            rows = len(file["trajectory/y"])
+            flies = numpy.zeros(rows, bool)
+            for first, last in zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"]):
+                flies[first:last + 1] = True
+                apart = numpy.hypot(file["trajectory/x"][first:last + 1] - file["reference/x"][first:last + 1],
+                                    file["trajectory/y"][first:last + 1] - file["reference/y"][first:last + 1])
+                numpy.testing.assert_allclose(file["drift/truncation"][first:last + 1], apart, atol=1e-9)
+            for name in ("reference/x", "reference/energy", "drift/implementation", "drift/model", "drift/energy_drift"):
+                self.assertEqual(file[name].shape, (rows,))
+                numpy.testing.assert_array_equal(numpy.isnan(file[name][:]), ~flies, name)
+            self.assertEqual(file["drift/t"][-1], file["trajectory/t"][-1])
+
+    def test_of_a_decimated_run_its_recorded_rows_are_stored(self):
+        with self.groups("--rows") as file:
+            whole = {name: file[name][:] for name in ("drift/truncation", "reference/vy")}
+        with self.groups("--rows", record={"every": 7}) as file:
+            for name, values in whole.items():
+                numpy.testing.assert_array_equal(file[name][:], values[file["trajectory/step"][:]])
+
+    def test_a_row_between_two_arcs_holds_the_errors_of_the_one_it_ends(self):
+        events = [{"step": 20, "fling": {"vx_px_per_s": 0, "vy_px_per_s": -500}}]
+        with self.groups("--rows", events=events) as file:
+            self.assertEqual(file["drift/arcs/last_step"][0], 20)
+            self.assertGreater(file["drift/truncation"][20], file["drift/truncation"][19])
+
+    def test_everything_has_a_name_and_a_unit(self):
+        with self.groups("--rows") as file:
+            def look(name, item):
+                if isinstance(item, h5py.Dataset):
+                    self.assertIn("long_name", item.attrs, name)
+                    if item.dtype.kind == "f":
+                        self.assertIn("units", item.attrs, name)
+            file["drift"].visititems(look)
+            file["reference"].visititems(look)
+
+    def test_the_same_run_gives_the_same_bytes_by_either_command(self):
+        self.write("fling.json", fling())
+        for name in ("a.h5", "b.h5"):
+            self.expect(AGREED, "run", "fling.json", "--drift", "--rows", "--reference", "gsl", "-o", name)
+        self.expect(AGREED, "drift", "fling.json", "--rows", "-o", "c.h5")
+        first, *others = [(self.folder / f"{name}.h5").read_bytes() for name in "abc"]
+        for other in others:
+            self.assertEqual(other, first)
+
+    def test_a_measured_file_is_a_trajectory_like_any_other(self):
+        self.expect(AGREED, "run", self.write("fling.json", fling()), "--drift", "--rows", "-o", "measured.h5")
+        self.expect(AGREED, "run", "fling.json", "-o", "plain.h5")
+        self.expect(AGREED, "diff", "plain.h5", "measured.h5")
+
+
+class Run(DriftTest):
+    """`run --drift`."""
+
+    def test_its_document_holds_what_drift_measures_by_the_closed_form(self):
+        self.write("fling.json", fling())
+        run = self.expect(AGREED, "run", "fling.json", "--drift", "--json").json["runs"][0]
+        self.assertEqual(self.errors(run["drift"]), self.errors(self.drift("fling.json", "--reference", "closed")[0]))
+        self.assertNotIn("reference and energy (hyrax-sim drift)", run["not_computed"])
+
+    def test_it_prints_the_table(self):
+        outcome = self.expect(AGREED, "run", self.write("fling.json", fling()), "--drift")
+        self.assertIn("  any start within", outcome.out)
+
+    def test_how_to_measure_is_refused_where_nothing_is_measured(self):
+        self.write("fling.json", fling())
+        for option in (("--rows",), ("--reference", "gsl"), ("--tolerance", 1e-9)):
+            self.expect(BAD_INPUT, "run", "fling.json", *option, says="add --drift")
+        self.assertEqual(self.names(), ["fling.json"])
+
+
+class Expectations(DriftTest):
+    """Bounds of errors in `expect`."""
+
+    BOUNDS = {"implementation_px_max": 1e-9, "truncation_px_max": 10, "energy_drift_rel_max": 0.5}
+
+    def verdicts(self, exit_code, document):
+        run = self.expect(exit_code, "run", self.write("scenario.json", document), "--json").json["runs"][0]
+        return {verdict["rule"]: verdict for verdict in run["expect"]}
+
+    def test_they_are_judged_by_what_drift_measures(self):
+        document = flight(60, expect=self.BOUNDS)
+        verdicts = self.verdicts(AGREED, document)
+        worst = self.drift_of(document)["worst"]
+        for rule, verdict in verdicts.items():
+            self.assertTrue(verdict["holds"])
+            self.assertEqual(verdict["measured"], worst[rule.removesuffix("_max") if "px" in rule else rule])
+
+    def test_one_that_is_exceeded_does_not_hold(self):
+        verdicts = self.verdicts(DISAGREED, flight(60, expect={**self.BOUNDS, "truncation_px_max": 9.8}))
+        self.assertEqual([rule for rule, verdict in verdicts.items() if not verdict["holds"]], ["truncation_px_max"])
+
+    def test_one_of_what_is_undefined_does_not_hold(self):
+        still = fling(start={"x_px": 0, "y_px": 952, "vx_px_per_s": 0, "vy_px_per_s": 0}, clock={"dt_s": 0}, steps=5,
+                      expect={"energy_drift_rel_max": 1})
+        self.assertEqual(self.verdicts(DISAGREED, still)["energy_drift_rel_max"],
+                         {"rule": "energy_drift_rel_max", "holds": False, "measured": None})
+
+    def test_check_and_bless_judge_them_too(self):
+        good, bad = flight(60, expect=self.BOUNDS), flight(60, expect={"truncation_px_max": 9.8})
+        self.write("scenarios/good.json", {**good, "name": "good"})
+        self.write("scenarios/bad.json", {**bad, "name": "bad"})
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "for the test",
+                    says="scenarios/bad.json: not blessed: its expectations do not hold; truncation_px_max: wanted at "
+                         "most 9.8, measured 9.8")
+        self.expect(AGREED, "check", "scenarios/good.json")
+        self.write("scenarios/good.json", {**bad, "name": "good"})
+        self.assertIn("truncation_px_max", self.expect(DISAGREED, "check", "scenarios/good.json").out)
+
+
+class Margin(DriftTest):
+    """How near a run is to being another one."""
+
+    def contacts(self, shift):
+        """Steps and walls of the contacts of the throw with its start moved."""
+        document = fling()
+        for key, by in zip(("x_px", "y_px", "vx_px_per_s", "vy_px_per_s"), shift):
+            document["start"][key] += by
+        self.expect(AGREED, "run", self.write("moved.json", document), "-o", "moved.h5")
+        with h5py.File(self.folder / "moved.h5") as file:
+            return [file[f"contacts/{name}"][:].tolist() for name in ("step", "last_step", "wall")]
+
+    def test_within_it_all_contacts_stay_and_past_it_one_goes(self):
+        width = self.drift_of(fling())["margin"]["half_width"]
+        here = self.contacts((0, 0, 0, 0))
+
+        def corners(size):
+            return [self.contacts(shift) for shift in itertools.product((-size, size), repeat=4)]
+        self.assertTrue(all(contacts == here for contacts in corners(0.999 * width)))
+        self.assertFalse(all(contacts == here for contacts in corners(1.001 * width)))
+
+    def test_the_digest_says_it(self):
+        self.project("one")
+        digest = (self.folder / "golden/one.txt").read_text(encoding="utf-8")
+        self.assertRegex(digest, r"\nmargin: any start within ±[0-9.]+ px and px/s keeps all contacts; "
+                                 r"nearest decision: [a-z ]+, step [0-9]+\nreason: ")
+
+    def test_a_knife_edge_is_told_from_a_robust_run(self):
+        edge = fling(start={"x_px": 0, "y_px": 100}, steps=50)
+        self.assertIn("KNIFE EDGE", self.expect(AGREED, "drift", self.write("edge.json", edge)).out)
+        self.assertNotIn("KNIFE", self.expect(AGREED, "drift", self.write("fling.json", fling())).out)
+
+    def test_bless_renews_a_digest_of_an_older_form(self):
+        self.project("one")
+        digest = self.folder / "golden/one.txt"
+        lines = digest.read_text(encoding="utf-8").splitlines(keepends=True)
+        digest.write_text("".join(line for line in lines if not line.startswith("margin: ")), encoding="utf-8")
+        rows = (self.folder / "golden/one.h5").stat()
+        outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "the margin, too")
+        self.assertIn("its digest, golden/one.txt, is written anew", outcome.out)
+        self.assertIn("\nmargin: ", digest.read_text(encoding="utf-8"))
+        self.assertIn("\nreason: the margin, too\n", digest.read_text(encoding="utf-8"))
+        self.assertEqual((self.folder / "golden/one.h5").stat().st_mtime_ns, rows.st_mtime_ns)
+        self.assertIn("nothing written", self.expect(AGREED, "bless", "scenarios", "--reason", "again").out)
+
+
+class Figures(DriftTest):
+    """--figures."""
+
+    def texts(self, name):
+        tree = xml.etree.ElementTree.parse(self.folder / name)
+        return " ".join("".join(text.itertext()) for text in tree.iter("{http://www.w3.org/2000/svg}text"))
+
+    def test_four_pictures_with_units_on_their_axes(self):
+        self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out")
+        self.assertEqual(self.names("out"), ["fling-energy-drift.svg", "fling-energy.svg", "fling-errors.svg",
+                                             "fling-restitution.svg"])
+        for name, words in (("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
+                            ("errors", ("time, s", "distance, px", "10⁻¹²")), ("restitution", ("0.60", "0.6, the paper"))):
+            for word in words:
+                self.assertIn(word, self.texts(f"out/fling-{name}.svg"))
+
+    def test_a_run_without_arcs_says_so(self):
+        self.expect(AGREED, "drift", self.write("fling.json", fling(steps=1)), "--figures", "out")
+        self.assertIn("no flight of two steps or more", self.texts("out/fling-energy.svg"))
+
+    def test_equal_names_are_refused(self):
+        self.write("a.json", fling())
+        self.write("b.json", fling())
+        self.expect(BAD_INPUT, "drift", "a.json", "b.json", "--figures", "out", says="another run of the name fling")
+
+    def test_standard_output_is_the_document_alone(self):
+        outcome = self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out", "--json")
+        json.loads(outcome.out)
+
+
+if __name__ == "__main__":
+    main()

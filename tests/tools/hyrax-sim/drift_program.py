@@ -1,0 +1,38 @@
+"""What the tests of `drift` share: its document's shape, a flight, and how it is asked."""
+
+from program import AGREED, NUMBER, Maybe, ProgramTest, fling
+
+ARC = {
+    "first_step": int, "last_step": int, "duration_s": NUMBER, "ended_by": str, "implementation_px": NUMBER,
+    "truncation_px": NUMBER, "model_px": NUMBER, "energy_drift_rel_max": Maybe(NUMBER),
+    "energy_drift_rel_end": Maybe(NUMBER), "energy_drift_slope_per_s": Maybe(NUMBER),
+    "gsl_vs_closed_px": Maybe(NUMBER),
+}
+CONTACT = {
+    "step": int, "wall": str, "time_error_s": Maybe(NUMBER), "overshoot_px": NUMBER, "energy_jump_rel": Maybe(NUMBER),
+    "effective_restitution": Maybe(NUMBER),
+}
+
+
+def flight(rate_hz, steps=None, **changes):
+    """A second of flight from vy = -900 px/s that meets nothing."""
+    return fling(window={"width_px": 100000, "height_px": 100000},
+                 start={"x_px": 4000, "y_px": 50000, "vx_px_per_s": 0, "vy_px_per_s": -900},
+                 clock={"rate_hz": rate_hz}, steps=steps or rate_hz, **changes)
+
+
+class DriftTest(ProgramTest):
+    """What is asked again and again."""
+
+    def drift(self, *arguments):
+        """The measured runs, as JSON."""
+        return self.expect(AGREED, "drift", *arguments, "--json").json["runs"]
+
+    def drift_of(self, document, *arguments):
+        """The one measured run of a document."""
+        return self.drift(self.write("scenario.json", document), *arguments)[0]
+
+    def errors(self, run):
+        """What does not depend on the machine's speed."""
+        return {key: run[key] for key in ("arcs", "contacts", "skipped_arcs", "worst", "effective_restitution",
+                                          "margin", "steps_astray")}

@@ -1,0 +1,124 @@
+#include "tools/files/event_reader.h"
+
+#include "sim/scenario/schedule.h"
+#include "tools/files/quantity_reader.h"
+
+namespace hyrax {
+namespace {
+
+Resize read_resize(const JsonPlace& here) {
+  Resize resize;
+  if (!here.is_object_of({"window", "sprite"})) return resize;
+  if (const JsonPlace window = here.member("window"); window.is_there()) resize.window = read_window(window);
+  if (const JsonPlace sprite = here.member("sprite"); sprite.is_there()) resize.sprite = read_sprite(sprite);
+  if (!resize.window && !resize.sprite) here.wrong("must hold window, sprite or both");
+  return resize;
+}
+
+Action read_action(const JsonPlace& here, std::string_view key) {
+  if (key == "fling") return Fling{read_velocity(here)};
+  if (key == "release") return Release{read_velocity(here)};
+  if (key == "resize") return read_resize(here);
+  if (key == "place") return here.is_object_of({"x_px", "y_px"}) ? Place{read_position(here)} : Place{};
+  if (key == "hitch")
+    return Hitch{here.is_object_of({"dt_s"}) ? here.required("dt_s").number(kFrameRule).value_or(0.0) : 0.0};
+  static_cast<void>(here.is_object_of({}));
+  return key == "grab" ? Action(Grab{}) : Action(Stop{});
+}
+
+// An event, and how much of it could be read.
+struct EventRead {
+  Event event;
+  bool has_time = false;
+  bool has_action = false;  ///< Exactly one, and not a hitch of unknown length.
+};
+
+EventRead read_event(const JsonPlace& here, const std::vector<Problem>& problems) {
+  static constexpr std::string_view kActions[] = {"fling", "place", "stop",   "resize",
+                                                  "hitch", "grab",  "release"};
+  EventRead read;
+  if (!here.is_object_of({"step", "at_s", "fling", "place", "stop", "resize", "hitch", "grab", "release"}))
+    return read;
+  const auto step = here.member("step").integer(0, kStepsMax);
+  const auto at_s = here.member("at_s").number();
+  const bool is_one_time = here.member("step").is_there() != here.member("at_s").is_there();
+  if (!is_one_time) here.wrong("must hold exactly one of step and at_s");
+  if (step) read.event.when = *step;
+  if (at_s) read.event.when = *at_s;
+  read.has_time = is_one_time && (step || at_s);
+  int actions = 0;
+  bool is_bad_hitch = false;
+  for (const std::string_view key : kActions) {
+    const JsonPlace action = here.member(key);
+    if (!action.is_there()) continue;
+    const std::size_t problems_before = problems.size();
+    read.event.action = read_action(action, key);
+    is_bad_hitch |= key == "hitch" && problems.size() > problems_before;
+    ++actions;
+  }
+  if (actions != 1)
+    here.wrong("must hold exactly one action (fling, place, stop, resize, hitch, grab or release), holds " +
+               std::to_string(actions));
+  read.has_action = actions == 1 && !is_bad_hitch;
+  return read;
+}
+
+// As far as every action is known.
+void check_holds(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events) {
+  bool is_held = false;
+  for (std::size_t event = 0; event < events.size() && events[event].has_action; ++event) {
+    const Action& action = events[event].event.action;
+    if (std::holds_alternative<Grab>(action)) {
+      if (is_held) places[event].wrong("grabs a sprite that is held already; release it first");
+      is_held = true;
+    }
+    if (std::holds_alternative<Release>(action)) {
+      if (!is_held) places[event].wrong("releases a sprite that is not held; grab it first");
+      is_held = false;
+    }
+  }
+}
+
+void tell_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps) {
+  const bool has_step = event.member("step").is_there();
+  const JsonPlace when = event.member(has_step ? "step" : "at_s");
+  if (fault == ScheduleFault::goes_backwards)
+    when.breaks_rule("must not come before the event above it");
+  else if (has_step)
+    when.breaks_rule("must be below the number of steps, " + std::to_string(steps));
+  else
+    when.breaks_rule("must come before the end of the run, step " + std::to_string(steps));
+}
+
+// What can be placed on a frame: an `at_s` only if the dt of every frame before it is known.
+void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events,
+                 bool is_clock_good, std::int64_t steps, Scenario scenario) {
+  std::vector<JsonPlace> placed;
+  scenario.events.clear();
+  bool knows_times = is_clock_good;
+  for (std::size_t event = 0; event < events.size(); ++event) {
+    const bool is_timed = std::holds_alternative<double>(events[event].event.when);
+    if (events[event].has_time && (knows_times || !is_timed)) {
+      placed.push_back(places[event]);
+      scenario.events.push_back(events[event].event);
+    }
+    knows_times &= events[event].has_action;
+  }
+  for (const Schedule::Faulty& faulty : schedule_events(scenario, steps).faulty)
+    tell_fault(placed[faulty.event], faulty.fault, steps);
+}
+
+}  // namespace
+
+void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
+                 Scenario& scenario, const std::vector<Problem>& problems) {
+  const auto places = here.elements();
+  if (!places) return;
+  std::vector<EventRead> events;
+  for (const JsonPlace& place : *places) events.push_back(read_event(place, problems));
+  check_holds(*places, events);
+  if (steps) check_times(*places, events, is_clock_good, *steps, scenario);
+  for (EventRead& read : events) scenario.events.push_back(std::move(read.event));
+}
+
+}  // namespace hyrax

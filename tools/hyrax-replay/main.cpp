@@ -1,0 +1,106 @@
+// hyrax-replay: the state hash of scenarios, without HDF5 and GSL, so that it builds for every target.
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "sim/physics/strict_arithmetic.h"
+#include "sim/replay/replay.h"
+#include "tools/files/build_info.h"
+#include "tools/files/failure.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+constexpr char kHelp[] =
+    "hyrax-replay replays scenarios and prints the hash of every row of each.\n\n"
+    "  hyrax-replay scenarios/flings/first-fling.json\n\n"
+    "Usage: hyrax-replay SCENARIO...\n\n"
+    "A folder stands for every *.json in it. A line of the output is HASH, two blanks, SCENARIO. A\n"
+    "scenario whose `expect` holds a `state_hash` must come to it. `--version` tells version, compiler,\n"
+    "flags and target.\n"
+    "Exit codes: 0 done, 1 another hash than expected, or a state that is not finite, 2 bad usage or\n"
+    "input, 3 cannot read, 5 this machine or build does no strict IEEE-754 arithmetic, 70 own fault.\n";
+
+ExitCode judge(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
+  if (summary.non_finite_step) {
+    std::fprintf(stderr, "%s: the state is not finite from step %lld on\n", path.c_str(),
+                 static_cast<long long>(*summary.non_finite_step));
+    return ExitCode::disagreed;
+  }
+  const std::string hash = hex(summary.state_hash);
+  if (scenario.expect && scenario.expect->state_hash && *scenario.expect->state_hash != hash) {
+    std::fprintf(stderr, "%s: /expect/state_hash: is %s, but the run comes to %s\n", path.c_str(),
+                 scenario.expect->state_hash->c_str(), hash.c_str());
+    return ExitCode::disagreed;
+  }
+  return ExitCode::agreed;
+}
+
+ExitCode replay_file(const std::string& path) try {
+  const Scenario scenario = load_scenario(path);
+  RowSink nobody;  // The hash covers every row without showing one.
+  const RunSummary summary = replay(scenario, nobody);
+  std::printf("%s  %s\n", hex(summary.state_hash).c_str(), path.c_str());
+  return judge(path, scenario, summary);
+} catch (const Failure& failure) {
+  std::fprintf(stderr, "%s\n", failure.what());
+  return failure.exit_code();
+}
+
+void print_version() {
+  const BuildInfo info = build_info();
+  const auto print = [](const char* name, std::string_view value) {
+    std::printf("%-9s %.*s\n", name, static_cast<int>(value.size()), value.data());
+  };
+  print("version", info.version);
+  print("compiler", info.compiler);
+  print("flags", info.flags);
+  print("target", info.target);
+}
+
+ExitCode run(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (argument == "--help" || argument == "--version") {
+      argument == "--help" ? static_cast<void>(std::fputs(kHelp, stdout)) : print_version();
+      return ExitCode::agreed;
+    }
+    if (argument.starts_with('-'))
+      throw Failure(ExitCode::bad_input, "hyrax-replay: " + argument +
+                                             ": no such option; `hyrax-replay --help` tells all there are");
+  }
+  if (arguments.empty())
+    throw Failure(
+        ExitCode::bad_input,
+        "hyrax-replay: SCENARIO is missing; as in `hyrax-replay scenarios/flings/first-fling.json`");
+  if (const auto fault = arithmetic_fault())
+    throw Failure(ExitCode::not_strict_ieee, "hyrax-replay: " + std::string(*fault));
+  ExitCode exit_code = ExitCode::agreed;
+  for (const std::string& path : list_scenarios(arguments))
+    exit_code = more_serious(exit_code, replay_file(path));
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace hyrax
+
+int main(int argument_count, char** arguments) {
+  using namespace hyrax;
+  ExitCode exit_code = ExitCode::program_fault;
+  try {
+    exit_code =
+        run(std::vector<std::string>(arguments + (argument_count > 0 ? 1 : 0), arguments + argument_count));
+  } catch (const Failure& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    exit_code = failure.exit_code();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hyrax-replay: a fault of the program itself: %s\n", error.what());
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    std::fputs("hyrax-replay: standard output cannot be written\n", stderr);
+    exit_code = more_serious(exit_code, ExitCode::cannot_access);
+  }
+  return static_cast<int>(exit_code);
+}
