@@ -25,9 +25,8 @@ FrameLog::FrameLog(const std::string& path) : file_(std::fopen(path.c_str(), "wb
   if (!file_) fail_to_write(path, errno);
 }
 
-void FrameLog::frame(const Pet& pet, const ScreenRect& window) {
-  const Keyframe& now = pet.session().now();
-  const Desk& desk = pet.desk();
+void FrameLog::frame(const Keyframe& now, const Desk& desk, const std::vector<Action>& inputs,
+                     const ScreenRect& window) {
   line(to_text(Json::Object{
       {"frame", now.row.step - 1},
       {"t_s", now.row.t_s},
@@ -41,11 +40,11 @@ void FrameLog::frame(const Pet& pet, const ScreenRect& window) {
       {"work_area_px", numbers({desk.origin.x_px, desk.origin.y_px, desk.origin.x_px + desk.work_area.width_px,
                                 desk.origin.y_px + desk.work_area.height_px})},
       {"sprite_px", numbers({desk.sprite.width_px, desk.sprite.height_px})},
-      {"inputs", names_of(pet.inputs_of_frame())}}));
+      {"inputs", names_of(inputs)}}));
 }
 
-void FrameLog::sleep(const Pet& pet) {
-  line(to_text(Json::Object{{"asleep_after_frame", pet.session().now().row.step - 1}}));
+void FrameLog::sleep(const Keyframe& now) {
+  line(to_text(Json::Object{{"asleep_after_frame", now.row.step - 1}}));
 }
 
 // Flushed at once: the line is there when the program is ended from outside.

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "tools/hyrax/pet.h"
+#include "sim/trajectory/keyframe.h"
+#include "tools/hyrax/desk.h"
 
 namespace hyrax {
 
@@ -22,12 +24,13 @@ class FrameLog {
   /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON".
   explicit FrameLog(const std::string& path);
 
-  /// The frame that was just played, and where the system says that the window is:
+  /// A frame as it was played, what was done before it, and where the system says that the window is:
   /// {"frame", "t_s", "dt_s", "x_px", "y_px", "vx_px_per_s", "vy_px_per_s", "held", "window_rect_px": [left,
-  /// top, right, bottom], "work_area_px": [left, top, right, bottom], "sprite_px": [width, height], "inputs": [NAME...]}.
-  void frame(const Pet& pet, const ScreenRect& window);
+  /// top, right, bottom], "work_area_px": [left, top, right, bottom], "sprite_px": [width, height],
+  /// "inputs": [NAME...]}.
+  void frame(const Keyframe& now, const Desk& desk, const std::vector<Action>& inputs, const ScreenRect& window);
   /// {"asleep_after_frame": FRAME}.
-  void sleep(const Pet& pet);
+  void sleep(const Keyframe& now);
 
  private:
   struct Close {

@@ -1,11 +1,15 @@
 #include "tools/hyrax/pet.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 namespace {
 
 constexpr double kTurns_px_per_s = 20.0;  // So that it does not turn about over a trembling speed.
+constexpr int kStandsFrames = 3;          // A bounce touches the ground for one.
 
 Position start_on(const Desk& desk) { return {(desk.work_area.width_px - desk.sprite.width_px) / 2.0, 0.0}; }
 
@@ -83,9 +87,17 @@ void Pet::frame(std::int64_t ticks) {
   follow_hand();
   session_.advance(timer_.elapsed_s(ticks));
   inputs_of_frame_ = std::exchange(inputs_, {});
-  const double vx_px_per_s = session_.now().row.vx_px_per_s;
+  const Row& row = session_.now().row;
+  ground_frames_ = touches(row.contact, Wall::ground) ? std::min(ground_frames_ + 1, kStandsFrames) : 0;
+  const double vx_px_per_s = row.vx_px_per_s;
   if (vx_px_per_s < -kTurns_px_per_s) faces_left_ = true;
   if (vx_px_per_s > kTurns_px_per_s) faces_left_ = false;
+}
+
+Pose Pet::pose() const {
+  if (is_held()) return Pose::held;
+  if (ground_frames_ < kStandsFrames) return Pose::fly;
+  return session_.is_still() ? Pose::sleep : Pose::stand;
 }
 
 Position Pet::position() const { return {session_.now().row.x_px, session_.now().row.y_px}; }

@@ -12,6 +12,9 @@
 
 namespace hyrax {
 
+/// How it is drawn.
+enum class Pose { fly, held, stand, sleep };
+
 /// Turns what happens on a screen into inputs and frames of a session. Knows no system: points come in
 /// px of the screen, time in ticks of a clock that its owner reads.
 class Pet {
@@ -50,6 +53,7 @@ class Pet {
   [[nodiscard]] bool is_paused() const { return is_paused_; }
   [[nodiscard]] bool is_held() const { return hold_.has_value(); }
   [[nodiscard]] bool faces_left() const { return faces_left_; }
+  [[nodiscard]] Pose pose() const;
   [[nodiscard]] const Desk& desk() const { return desk_; }
   /// Its top left corner.
   [[nodiscard]] ScreenPoint place() const { return on_screen(desk_, position()); }
@@ -79,6 +83,7 @@ class Pet {
   std::optional<Hold> hold_;
   bool is_paused_ = false;
   bool faces_left_ = false;
+  int ground_frames_ = 0;  // On end.
   std::vector<Action> inputs_;  // Of the frame to come.
   std::vector<Action> inputs_of_frame_;
 };
