@@ -1,6 +1,6 @@
 #include "tools/hyrax/options.h"
 
-#include <charconv>
+#include <cstdlib>
 
 #include "tools/files/failure.h"
 
@@ -45,10 +45,9 @@ class Arguments {
 
 double seconds_of(const std::string& text) {
   constexpr double kSecondsMax = 1e9;
-  double seconds = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number || !(seconds >= 0.0 && seconds <= kSecondsMax))
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (*end != '\0' || !(seconds >= 0.0 && seconds <= kSecondsMax))
     refuse("--seconds must be a number 0 .. 1e9, is '" + text + "'");
   return seconds;
 }

@@ -1,8 +1,9 @@
 #include "tools/hyrax/recording.h"
 
-#include <filesystem>
-#include <system_error>
+#include <algorithm>
+#include <cstdio>
 
+#include "tools/files/file_name.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/text_file.h"
 
@@ -46,20 +47,20 @@ void Recording::finish() {
   saver_.wait();
   if (whole_.frames() == 0) return;
   write_text_file(path_, scenario_file_text(whole_.scenario(scenario_name_of(path_))));
-  std::error_code unknown;
-  for (std::size_t part = 2; part <= parts_; ++part) std::filesystem::remove(part_path(part), unknown);
+  for (std::size_t part = 2; part <= parts_; ++part) std::remove(part_path(part).c_str());
 }
 
 std::string Recording::part_path(std::size_t part) const {
   if (part == 1) return path_;
-  const std::filesystem::path path(path_);
-  const std::string name = path.stem().string() + "-" + std::to_string(part) + path.extension().string();
-  return (path.parent_path() / name).string();
+  const FileName name = file_name(path_);
+  std::string path(name.folder);
+  path.append(name.stem).append("-").append(std::to_string(part)).append(name.extension);
+  return path;
 }
 
 std::string scenario_name_of(const std::string& path) {
   std::string name;
-  for (const char c : std::filesystem::path(path).stem().string()) name += name_character(c);
+  for (const char c : file_name(path).stem) name += name_character(c);
   name.resize(std::min<std::size_t>(name.size(), kNameLengthMax));
   return name.empty() ? "recording" : name;
 }
