@@ -105,6 +105,7 @@ Position Pet::position() const { return {session_.now().row.x_px, session_.now()
 // Time that was slept through is no frame's.
 void Pet::wake(std::int64_t ticks) {
   if (is_asleep()) timer_.restart(ticks);
+  session_.wake();
   is_paused_ = false;
 }
 

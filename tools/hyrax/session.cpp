@@ -8,7 +8,7 @@ Session::Session(const Keyframe& start) : now_(start), ring_(start) {}
 
 void Session::apply(const Action& action) {
   hyrax::apply(action, now_);
-  still_frames_ = 0;
+  wake();
   ring_.add_input(action);
   if (recording_) recording_->add_input(action);
 }

@@ -31,6 +31,8 @@ class Session {
   /// Whether x and y kept the same bits for the last kStillFrames frames, without input. Frames of no
   /// time are not counted: they are no sign of rest.
   [[nodiscard]] bool is_still() const { return still_frames_ >= kStillFrames; }
+  /// Counts the frames without motion anew, as an input does.
+  void wake() { still_frames_ = 0; }
 
   /// The last minutes.
   [[nodiscard]] Tape just_happened() const { return ring_.tape(); }
