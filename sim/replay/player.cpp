@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/replay/action_effect.h"
 #include "sim/scenario/schedule.h"
 
 namespace hyrax {
@@ -92,34 +93,10 @@ Stretch Replay::Player::stretch(std::int64_t frames) const {
 
 // Takes the row's dt at once, with the events of the frame to come.
 void Replay::Player::apply_events() {
-  for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_)
-    apply(scenario_.events[next_event_].action);
-}
-
-void Replay::Player::apply(const Action& action) {
-  Row& row = now_.row;
-  const auto set_velocity = [&row](const Velocity& velocity) {
-    row.vx_px_per_s = velocity.vx_px_per_s;
-    row.vy_px_per_s = velocity.vy_px_per_s;
-  };
-  if (const auto* fling = std::get_if<Fling>(&action)) set_velocity(fling->velocity);
-  if (std::holds_alternative<Stop>(action)) set_velocity({});
-  if (const auto* hitch = std::get_if<Hitch>(&action)) hitch_dt_s_ = hitch->dt_s;
-  if (const auto* place = std::get_if<Place>(&action)) {
-    row.x_px = place->position.x_px;
-    row.y_px = place->position.y_px;
-  }
-  if (const auto* resize = std::get_if<Resize>(&action)) {
-    now_.window = resize->window.value_or(now_.window);
-    now_.sprite = resize->sprite.value_or(now_.sprite);
-  }
-  if (std::holds_alternative<Grab>(action)) {
-    set_velocity({});
-    now_.is_held = true;
-  }
-  if (const auto* release = std::get_if<Release>(&action)) {
-    set_velocity(release->velocity);
-    now_.is_held = false;
+  for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_) {
+    const Action& action = scenario_.events[next_event_].action;
+    apply(action, now_);
+    if (const auto* hitch = std::get_if<Hitch>(&action)) hitch_dt_s_ = hitch->dt_s;
   }
 }
 

@@ -50,7 +50,6 @@ class Replay::Player {
   [[nodiscard]] Stretch stretch(std::int64_t frames) const;
   [[nodiscard]] std::int64_t room() const;
   void apply_events();
-  void apply(const Action& action);
   void play_hitch();
   void play_even_stretch(std::int64_t end);
   void play_uneven_stretch(std::int64_t end);

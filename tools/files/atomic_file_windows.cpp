@@ -2,24 +2,25 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 
+#include <io.h>
 #include <process.h>
 #include <windows.h>
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
+#include "tools/files/file_name.h"
 
 namespace hyrax {
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path) {
-  std::error_code unknown;
-  if (std::filesystem::is_directory(path, unknown)) fail_to_write(path, EISDIR);
-  const std::filesystem::path target(path);
-  std::string part = ".";
-  part += target.filename().string() + "." + std::to_string(_getpid()) + ".part";
-  part_path_ = (target.parent_path() / part).string();
+  const DWORD attributes = GetFileAttributesA(path.c_str());
+  if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0)
+    fail_to_write(path, EISDIR);
+  const FileName name = file_name(path);
+  part_path_.append(name.folder).append(".").append(name.stem).append(name.extension);
+  part_path_ += "." + std::to_string(_getpid()) + ".part";
   std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
   if (file == nullptr) fail_to_write(path, errno);
   std::fclose(file);
@@ -32,14 +33,14 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::write(std::string_view text) const {
   std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
   if (file == nullptr) fail_to_write(path_, errno);
-  const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  // On the disk before it takes its place, so that a power cut leaves the old file or the new one.
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
+                          std::fflush(file) == 0 && _commit(_fileno(file)) == 0;
   if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);
 }
 
 void AtomicFile::commit() {
-  const std::wstring from = std::filesystem::path(part_path_).wstring();
-  const std::wstring to = std::filesystem::path(path_).wstring();
-  if (MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) == 0)
+  if (MoveFileExA(part_path_.c_str(), path_.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) == 0)
     throw Failure(
         ExitCode::cannot_access,
         path_ + ": cannot be written: " + std::system_category().message(static_cast<int>(GetLastError())));

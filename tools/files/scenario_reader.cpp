@@ -1,12 +1,12 @@
 #include "tools/files/scenario_reader.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/event_reader.h"
 #include "tools/files/expect_reader.h"
 #include "tools/files/failure.h"
+#include "tools/files/file_name.h"
 #include "tools/files/json_reader.h"
 #include "tools/files/quantity_reader.h"
 #include "tools/files/text_file.h"
@@ -195,7 +195,7 @@ Scenario to_scenario(const Json& document, const std::string& source, const std:
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {
   Json document = parse_json(read_text_file(path), path);
   for (const Override& given : overrides) put_over(document, given, path);
-  return to_scenario(document, path, std::filesystem::path(path).stem().string());
+  return to_scenario(document, path, std::string(file_name(path).stem));
 }
 
 Scenario parse_scenario(std::string_view text, const std::string& source) {

@@ -3,9 +3,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <memory>
-#include <system_error>
+
+#include <sys/stat.h>
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
@@ -18,6 +18,11 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
+bool is_folder(const std::string& path) {
+  struct stat status{};
+  return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
 [[noreturn]] void fail_to_read(const std::string& path, int error_number) {
   throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(error_number));
 }
@@ -25,8 +30,7 @@ using File = std::unique_ptr<std::FILE, Close>;
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
-  std::error_code unknown;
-  if (std::filesystem::is_directory(path, unknown)) fail_to_read(path, EISDIR);
+  if (is_folder(path)) fail_to_read(path, EISDIR);
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail_to_read(path, errno);
   std::string text;

@@ -1,0 +1,72 @@
+// How fast a hand was when it let go.
+#include "tools/hyrax/hand.h"
+
+#include <gtest/gtest.h>
+
+namespace hyrax {
+namespace {
+
+constexpr std::int64_t kTicksPerS = 10'000'000;
+constexpr std::int64_t kMs = kTicksPerS / 1000;
+
+// A hand that moves by `way` every `period_ms`, `moves` times.
+Hand moved_hand(ScreenPoint way, std::int64_t period_ms, int moves) {
+  Hand hand(kTicksPerS, {500, 400}, 0);
+  for (int move = 1; move <= moves; ++move)
+    hand.move({500 + move * way.x_px, 400 + move * way.y_px}, move * period_ms * kMs);
+  return hand;
+}
+
+TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
+  const Hand hand = moved_hand({12, -9}, 10, 30);
+  EXPECT_EQ(hand.velocity(300 * kMs), (Velocity{1200.0, -900.0}));
+}
+
+TEST(Hand, ForgetsWhatItDidBefore) {
+  Hand hand(kTicksPerS, {0, 0}, 0);
+  hand.move({-900, 300}, 100 * kMs);
+  for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kMs);
+  EXPECT_EQ(hand.velocity(200 * kMs), (Velocity{500.0, 0.0}));
+}
+
+TEST(Hand, ThatStoppedBeforeItLetGoGivesNothing) {
+  const Hand hand = moved_hand({12, -9}, 10, 30);
+  EXPECT_EQ(hand.velocity(400 * kMs), Velocity{});
+  EXPECT_EQ(hand.velocity(60'000 * kMs), Velocity{});
+}
+
+TEST(Hand, ThatSlowsDownGivesLess) {
+  const Hand hand = moved_hand({12, -9}, 10, 30);
+  EXPECT_EQ(hand.velocity(350 * kMs), (Velocity{600.0, -450.0}));
+}
+
+TEST(Hand, OfAShortFlickGivesTheFlicksVelocity) {
+  const Hand hand = moved_hand({20, 0}, 10, 4);
+  EXPECT_EQ(hand.velocity(40 * kMs), (Velocity{2000.0, 0.0}));
+}
+
+TEST(Hand, DoesNotThrowByAClickThatTrembles) {
+  Hand hand(kTicksPerS, {0, 0}, 0);
+  hand.move({1, 0}, 1);
+  EXPECT_EQ(hand.velocity(2), (Velocity{100.0, 0.0}));
+}
+
+TEST(Hand, ThatNeverMovedGivesNothing) {
+  EXPECT_EQ(Hand(kTicksPerS, {7, 7}, 5).velocity(5), Velocity{});
+}
+
+TEST(Hand, UnderAClockThatStandsStillIsAsFastAsInTheShortestDrag) {
+  Hand hand(kTicksPerS, {0, 0}, 50);
+  hand.move({30, -10}, 50);
+  EXPECT_EQ(hand.velocity(50), (Velocity{3000.0, -1000.0}));
+}
+
+TEST(Hand, ReportsMovesOfSeldomMessages) {
+  Hand hand(kTicksPerS, {0, 0}, 0);
+  hand.move({40, 0}, 80 * kMs);
+  hand.move({80, 0}, 160 * kMs);
+  EXPECT_EQ(hand.velocity(160 * kMs), (Velocity{800.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,64 @@
+// The command line of hyrax.exe.
+#include "tools/hyrax/options.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/files/failure.h"
+
+namespace hyrax {
+namespace {
+
+std::string refusal(const std::vector<std::string>& arguments) {
+  try {
+    static_cast<void>(parse_options(arguments));
+    return "taken";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input);
+    return failure.what();
+  }
+}
+
+TEST(Options, AreAllLeftOut) {
+  const Options options = parse_options({});
+  EXPECT_FALSE(options.record_path || options.replay_path || options.log_path || options.seconds);
+  EXPECT_FALSE(options.only_exits || options.wants_help || options.wants_version);
+}
+
+TEST(Options, StandBesideTheirValueOrBehindAnEqualsSign) {
+  const Options options = parse_options({"--record", "a b.json", "--log=run.log", "--seconds", "2.5"});
+  EXPECT_EQ(options.record_path, "a b.json");
+  EXPECT_EQ(options.log_path, "run.log");
+  EXPECT_EQ(options.seconds, 2.5);
+}
+
+TEST(Options, OfAReplay) {
+  const Options options = parse_options({"--exit", "--replay", "x.json"});
+  EXPECT_EQ(options.replay_path, "x.json");
+  EXPECT_TRUE(options.only_exits);
+}
+
+TEST(Options, ThatAreNoneAreRefused) {
+  EXPECT_EQ(refusal({"--recrod", "x"}), "hyrax: '--recrod' is no option; hyrax --help lists the options");
+  EXPECT_NE(refusal({"x.json"}).find("'x.json' is no option"), std::string::npos);
+}
+
+TEST(Options, WithoutTheirValueAreRefused) {
+  EXPECT_NE(refusal({"--record"}).find("--record needs a value"), std::string::npos);
+  EXPECT_NE(refusal({"--log="}).find("--log needs a value"), std::string::npos);
+  EXPECT_NE(refusal({"--exit=yes"}).find("--exit takes no value, is given 'yes'"), std::string::npos);
+}
+
+TEST(Options, RefuseSecondsThatAreNoTime) {
+  for (const char* const text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
+    EXPECT_NE(refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9, is '" + std::string(text)),
+              std::string::npos)
+        << text;
+}
+
+TEST(Options, RefuseWhatCannotStandTogether) {
+  EXPECT_NE(refusal({"--exit"}).find("--exit needs --replay FILE"), std::string::npos);
+  EXPECT_NE(refusal({"--record", "a", "--replay", "b"}).find("cannot stand together"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hyrax

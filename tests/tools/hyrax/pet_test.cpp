@@ -1,0 +1,261 @@
+// The hyrax on a desk: hand, clock, screen and sleep.
+#include "tools/hyrax/pet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/replay/replay.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/scenario_writer.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::int64_t kTicksPerS = 10'000'000;
+constexpr std::int64_t kMs = kTicksPerS / 1000;
+constexpr std::int64_t kFrame = kTicksPerS / 60;
+constexpr Desk kDesk{{100, 50}, {1024, 768}, {128, 128}};
+
+// A hyrax on a desk, and a clock that the test turns.
+class PetOnADesk : public testing::Test {
+ protected:
+  void frames(int count, std::int64_t frame_ticks = kFrame) {
+    for (int frame = 0; frame < count; ++frame) pet.frame(ticks += frame_ticks);
+  }
+  void sleep() {
+    for (int frame = 0; frame < 10'000 && !pet.is_asleep(); ++frame) frames(1);
+    ASSERT_TRUE(pet.is_asleep());
+  }
+  // A hand that drags by 12 px to the right and 9 px up every 10 ms.
+  void drag_away(int moves) {
+    for (int move = 1; move <= moves; ++move) {
+      ticks += 10 * kMs;
+      hand = {hand.x_px + 12, hand.y_px - 9};
+      pet.drag(hand, ticks);
+      if (move % 2 == 0) pet.frame(ticks);
+    }
+  }
+  void grab() {
+    hand = {pet.place().x_px + 64, pet.place().y_px + 64};
+    pet.grab(hand, ticks);
+  }
+  const Row& row() const { return pet.session().now().row; }
+
+  // What was shown replays to the same bits, whatever was done.
+  void TearDown() override {
+    const Tape tape = pet.session().just_happened();
+    if (tape.frames() == 0) return;
+    RowSink nobody;
+    const Scenario read = parse_scenario(scenario_file_text(tape.scenario("pet")), "pet");
+    EXPECT_EQ(hex(replay(read, nobody).state_hash), hex(tape.state_hash()));
+  }
+
+  std::int64_t ticks = 77;
+  ScreenPoint hand;
+  Pet pet{kDesk, kTicksPerS, ticks};
+};
+
+TEST_F(PetOnADesk, FallsFromTheMiddleOfTheTop) {
+  EXPECT_EQ(pet.place(), (ScreenPoint{100 + 448, 50}));
+  frames(30);
+  EXPECT_GT(row().y_px, 100.0);
+  EXPECT_TRUE(same_bits(row().x_px, 448.0));
+}
+
+TEST_F(PetOnADesk, MovesByTheTimeThatPassed) {
+  frames(1, 5 * kMs);
+  EXPECT_TRUE(same_bits(row().dt_s, 0.005));
+  frames(1, 3 * kTicksPerS);  // The program was stopped for three seconds.
+  EXPECT_TRUE(same_bits(row().dt_s, 3.0));
+}
+
+TEST_F(PetOnADesk, IsOnlyDampedWhileTheClockStandsStill) {
+  frames(5);
+  const Row before = row();
+  frames(1, 0);
+  EXPECT_TRUE(same_bits(row().dt_s, 0.0));
+  EXPECT_TRUE(same_bits(row().y_px, before.y_px));
+  EXPECT_TRUE(same_bits(row().vy_px_per_s, before.vy_px_per_s * 0.999));
+}
+
+TEST_F(PetOnADesk, DoesNotSleepInTheAirUnderAClockThatStandsStill) {
+  frames(5);
+  frames(10 * Session::kStillFrames, 0);
+  EXPECT_FALSE(pet.is_asleep());
+}
+
+TEST_F(PetOnADesk, TakesAClockThatGoesBackForOneThatStands) {
+  frames(2);
+  frames(1, -5 * kMs);
+  EXPECT_TRUE(same_bits(row().dt_s, 0.0));
+}
+
+TEST_F(PetOnADesk, FollowsTheHand) {
+  frames(10);
+  const ScreenPoint before = pet.place();
+  grab();
+  drag_away(10);
+  EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 120, before.y_px - 90}));
+  EXPECT_EQ(pet.pose(), Pose::held);
+}
+
+TEST_F(PetOnADesk, FliesAsFastAsTheHandThatLetItGo) {
+  frames(10);
+  grab();
+  drag_away(30);
+  pet.let_go(hand, ticks, kDesk);
+  const Velocity velocity{row().vx_px_per_s, row().vy_px_per_s};
+  EXPECT_EQ(velocity, (Velocity{1200.0, -900.0}));
+  EXPECT_FALSE(pet.is_held());
+}
+
+TEST_F(PetOnADesk, BeginsItsFlightWhenItIsLetGo) {
+  grab();
+  drag_away(10);
+  ticks += 9 * kMs;
+  pet.let_go(hand, ticks, kDesk);
+  frames(1, 4 * kMs);
+  EXPECT_TRUE(same_bits(row().dt_s, 0.004));
+}
+
+TEST_F(PetOnADesk, IsGrabbedAndLetGoWithinOneFrame) {
+  frames(10);
+  grab();
+  pet.let_go(hand, ticks, kDesk);
+  frames(1);
+  EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Grab{}, Release{}}));
+}
+
+TEST_F(PetOnADesk, DropsWhenTheHandIsTakenAway) {
+  grab();
+  drag_away(10);
+  pet.drop(ticks);
+  const Velocity velocity{row().vx_px_per_s, row().vy_px_per_s};
+  EXPECT_EQ(velocity, Velocity{});
+  frames(20);
+  EXPECT_GT(row().vy_px_per_s, 0.0);
+}
+
+TEST_F(PetOnADesk, SleepsAfterItKeptItsPlaceForSixtyFrames) {
+  sleep();
+  EXPECT_EQ(pet.pose(), Pose::sleep);
+  const std::int64_t step = row().step;
+  frames(100);
+  EXPECT_EQ(row().step, step);
+}
+
+TEST_F(PetOnADesk, WakesToAFrameThatDoesNotHoldTheNight) {
+  sleep();
+  ticks += 3600 * kTicksPerS;
+  pet.fling({500.0, -500.0}, ticks);
+  frames(1);
+  EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
+}
+
+TEST_F(PetOnADesk, SleepsInAHandThatDoesNotMove) {
+  frames(10);
+  grab();
+  drag_away(10);
+  sleep();
+  drag_away(2);
+  EXPECT_FALSE(pet.is_asleep());
+  pet.let_go(hand, ticks, kDesk);
+  frames(10);
+}
+
+TEST_F(PetOnADesk, StandsStillWhilePaused) {
+  frames(10);
+  pet.pause();
+  frames(10);
+  EXPECT_EQ(row().step, 10);
+  pet.resume(ticks);
+  frames(1);
+  EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
+}
+
+TEST_F(PetOnADesk, GoesOnWhenItIsGrabbedInAPause) {
+  frames(10);
+  pet.pause();
+  grab();
+  EXPECT_FALSE(pet.is_paused());
+}
+
+TEST_F(PetOnADesk, ComesBackToWhereItBegan) {
+  frames(100);
+  grab();
+  pet.reset(ticks);
+  EXPECT_FALSE(pet.is_held());
+  EXPECT_EQ(pet.place(), (ScreenPoint{100 + 448, 50}));
+  frames(10);
+}
+
+TEST_F(PetOnADesk, IsPushedUpByAWorkAreaThatShrinks) {
+  sleep();
+  Desk lower = kDesk;
+  lower.work_area.height_px = 600;
+  pet.move_to(lower, ticks += kTicksPerS);
+  EXPECT_FALSE(pet.is_asleep());
+  frames(1);
+  EXPECT_TRUE(same_bits(row().y_px, 600.0 - 128.0));
+  EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Resize{Size{1024, 600}, {}}}));
+}
+
+TEST_F(PetOnADesk, FallsOnWhenTheWorkAreaGrows) {
+  sleep();
+  Desk higher = kDesk;
+  higher.work_area.height_px = 1000;
+  pet.move_to(higher, ticks += kTicksPerS);
+  frames(200);
+  EXPECT_TRUE(same_bits(row().y_px, 1000.0 - 128.0));
+}
+
+TEST_F(PetOnADesk, LivesOnADeskSmallerThanItself) {
+  Desk tiny = kDesk;
+  tiny.work_area = {100, 90};
+  pet.move_to(tiny, ticks);
+  frames(200);
+  EXPECT_TRUE(std::isfinite(row().x_px) && std::isfinite(row().vx_px_per_s));
+}
+
+TEST_F(PetOnADesk, KeepsItsPlaceOnTheScreenWhenItChangesTheMonitor) {
+  const Desk other{{-1280, -300}, {1280, 984}, {192, 192}};
+  frames(10);
+  grab();
+  hand = {-600, 100};
+  pet.drag(hand, ticks += 10 * kMs);
+  frames(1);
+  const ScreenPoint before = pet.place();
+  pet.let_go(hand, ticks += 10 * kMs, other);
+  EXPECT_EQ(pet.place(), before);
+  EXPECT_EQ(pet.session().now().window, (Size{1280, 984}));
+  EXPECT_EQ(pet.session().now().sprite, (Size{192, 192}));
+  frames(300);
+  EXPECT_LE(row().y_px, 984.0 - 192.0);
+}
+
+TEST_F(PetOnADesk, StaysInTheHandWhenTheDeskMovesUnderIt) {
+  frames(10);
+  grab();
+  drag_away(4);
+  const ScreenPoint before = pet.place();
+  Desk moved = kDesk;
+  moved.origin = {140, 90};
+  pet.move_to(moved, ticks);
+  EXPECT_EQ(pet.place(), before);
+  drag_away(2);
+  EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 24, before.y_px - 18}));
+}
+
+TEST_F(PetOnADesk, LooksWhereItFlies) {
+  pet.fling({-500.0, -500.0}, ticks);
+  frames(1);
+  EXPECT_TRUE(pet.faces_left());
+  EXPECT_EQ(pet.pose(), Pose::fly);
+  pet.fling({500.0, -500.0}, ticks);
+  frames(1);
+  EXPECT_FALSE(pet.faces_left());
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,119 @@
+// What the user does with hand and menu.
+#include "sim/scenario/split_mix64.h"
+#include "tools/files/build_info.h"
+#include "tools/hyrax/app.h"
+#include "tools/hyrax/report.h"
+
+namespace hyrax {
+namespace {
+
+constexpr UINT_PTR kModalTimer = 1;
+
+ScreenPoint pointer_of_message() {
+  // Where the pointer was when the message was sent; it may be elsewhere by now.
+  const DWORD place = GetMessagePos();
+  return {static_cast<std::int16_t>(LOWORD(place)), static_cast<std::int16_t>(HIWORD(place))};
+}
+
+// A menu or a message box keeps the message loop to itself; meanwhile a timer plays the frames.
+class Modal {
+ public:
+  explicit Modal(HWND window) : window_(window) { SetTimer(window, kModalTimer, USER_TIMER_MINIMUM, nullptr); }
+  Modal(const Modal&) = delete;
+  Modal& operator=(const Modal&) = delete;
+  ~Modal() { KillTimer(window_, kModalTimer); }
+
+ private:
+  HWND window_;
+};
+
+// Up and to a side, another way each time.
+Velocity any_throw(std::uint64_t seed) {
+  const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
+  return {side * (600.0 + 1400.0 * split_mix64_unit(seed, 1)), -800.0 - 900.0 * split_mix64_unit(seed, 2)};
+}
+
+}  // namespace
+
+void App::on_button_down() {
+  if (playback_ || pet_.is_held()) return;
+  SetCapture(window_);
+  pet_.grab(pointer_of_message(), clock_ticks());
+  is_frame_due_ = true;
+}
+
+void App::on_mouse_move() {
+  if (!pet_.is_held()) return;
+  const bool was_asleep = pet_.is_asleep();
+  pet_.drag(pointer_of_message(), clock_ticks());
+  if (was_asleep) is_frame_due_ = true;
+}
+
+void App::on_button_up() {
+  if (!pet_.is_held()) return;
+  const ScreenPoint hand = pointer_of_message();
+  settle_on(monitor_under(hand));
+  pet_.let_go(hand, clock_ticks(), home_.desk);
+  ReleaseCapture();  // It is let go by now, so that the loss of capture means nothing.
+  pacer_.arm();
+}
+
+void App::on_capture_lost(HWND taker) {
+  if (taker == window_ || !pet_.is_held()) return;
+  pet_.drop(clock_ticks());
+  pacer_.arm();
+}
+
+void App::open_menu() {
+  Choice choice = Choice::none;
+  {
+    const Modal modal(window_);
+    choice = choose_from_menu(window_, {pet_.is_paused(), pet_.session().is_recording()});
+  }
+  obey(choice);
+  is_frame_due_ = true;
+}
+
+void App::obey(Choice choice) {
+  switch (choice) {
+    case Choice::none:
+      return;
+    case Choice::throw_it:
+      return throw_it();
+    case Choice::pause:
+      return toggle_pause();
+    case Choice::reset:
+      return pet_.reset(clock_ticks());
+    case Choice::start_recording:
+      return start_new_recording();
+    case Choice::save_recording:
+      return save_recording();
+    case Choice::save_just_happened:
+      return save_just_happened();
+    case Choice::about:
+      return tell_about();
+    case Choice::quit:
+      return static_cast<void>(DestroyWindow(window_));
+  }
+}
+
+void App::throw_it() {
+  pet_.fling(any_throw(static_cast<std::uint64_t>(clock_ticks())), clock_ticks());
+}
+
+void App::toggle_pause() {
+  if (pet_.is_paused())
+    pet_.resume(clock_ticks());
+  else
+    pet_.pause();
+}
+
+void App::tell_about() {
+  const Modal modal(window_);
+  const std::string text = "Hyrax " + std::string(build_info().version) +
+                           "\n\nGrab it, drag it, let go.\n"
+                           "What you record, hyrax-sim replays to the bit.";
+  MessageBoxW(window_, to_wide(text).c_str(), L"About Hyrax", MB_OK | MB_ICONINFORMATION);
+}
+
+}  // namespace hyrax

@@ -1,0 +1,35 @@
+#include "tools/hyrax/desk.h"
+
+#include <cmath>
+
+namespace hyrax {
+namespace {
+
+// Nothing on a screen is farther away than this; a position may be, and windows cannot follow it.
+constexpr double kScreenMax_px = 1e6;
+
+std::int32_t nearest(double offset_px) {
+  if (!(offset_px > -kScreenMax_px)) return static_cast<std::int32_t>(-kScreenMax_px);
+  if (offset_px > kScreenMax_px) return static_cast<std::int32_t>(kScreenMax_px);
+  return static_cast<std::int32_t>(std::lround(offset_px));
+}
+
+}  // namespace
+
+ScreenPoint on_screen(const Desk& desk, const Position& position) {
+  return {desk.origin.x_px + nearest(position.x_px), desk.origin.y_px + nearest(position.y_px)};
+}
+
+std::vector<Action> inputs_of_move(const Desk& from, const Desk& to, const Position& position) {
+  std::vector<Action> inputs;
+  Resize resize;
+  if (from.work_area != to.work_area) resize.window = to.work_area;
+  if (from.sprite != to.sprite) resize.sprite = to.sprite;
+  if (resize.window || resize.sprite) inputs.emplace_back(resize);
+  if (from.origin != to.origin)
+    inputs.emplace_back(Place{{position.x_px + (from.origin.x_px - to.origin.x_px),
+                               position.y_px + (from.origin.y_px - to.origin.y_px)}});
+  return inputs;
+}
+
+}  // namespace hyrax

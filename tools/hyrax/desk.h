@@ -1,0 +1,33 @@
+// The part of the screen that the hyrax lives in, and where it stands there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// A point of the screen, px; a monitor left of or above the main one has negative ones.
+struct ScreenPoint {
+  std::int32_t x_px = 0;
+  std::int32_t y_px = 0;
+  bool operator==(const ScreenPoint&) const = default;
+};
+
+/// The work area of a monitor, and the sprite's size on it. The model's coordinates count from `origin`.
+struct Desk {
+  ScreenPoint origin;
+  Size work_area;
+  Size sprite;
+  bool operator==(const Desk&) const = default;
+};
+
+/// The point of the screen next to a position; halves are rounded away from zero.
+[[nodiscard]] ScreenPoint on_screen(const Desk& desk, const Position& position);
+
+/// The inputs by which a hyrax at `position` comes from one desk to another: its new sizes, and, where
+/// the origin is another, the same point of the screen counted from there.
+[[nodiscard]] std::vector<Action> inputs_of_move(const Desk& from, const Desk& to, const Position& position);
+
+}  // namespace hyrax

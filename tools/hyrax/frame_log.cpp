@@ -1,0 +1,56 @@
+#include "tools/hyrax/frame_log.h"
+
+#include <cerrno>
+
+#include "sim/trajectory/input.h"
+#include "tools/files/atomic_file.h"
+#include "tools/files/json.h"
+
+namespace hyrax {
+namespace {
+
+Json::Array numbers(std::initializer_list<std::int64_t> values) { return Json::Array(values.begin(), values.end()); }
+
+Json::Array names_of(const std::vector<Action>& actions) {
+  Json::Array names;
+  for (const Action& action : actions)
+    for (const Input& input : inputs_of(action, 0))
+      names.emplace_back(kInputKindNames[static_cast<std::size_t>(input.kind)]);
+  return names;
+}
+
+}  // namespace
+
+FrameLog::FrameLog(const std::string& path) : file_(std::fopen(path.c_str(), "wb")) {
+  if (!file_) fail_to_write(path, errno);
+}
+
+void FrameLog::frame(const Keyframe& now, const Desk& desk, const std::vector<Action>& inputs,
+                     const ScreenRect& window) {
+  line(to_text(Json::Object{
+      {"frame", now.row.step - 1},
+      {"t_s", now.row.t_s},
+      {"dt_s", now.row.dt_s},
+      {"x_px", now.row.x_px},
+      {"y_px", now.row.y_px},
+      {"vx_px_per_s", now.row.vx_px_per_s},
+      {"vy_px_per_s", now.row.vy_px_per_s},
+      {"held", now.is_held},
+      {"window_rect_px", numbers({window.left_px, window.top_px, window.right_px, window.bottom_px})},
+      {"work_area_px", numbers({desk.origin.x_px, desk.origin.y_px, desk.origin.x_px + desk.work_area.width_px,
+                                desk.origin.y_px + desk.work_area.height_px})},
+      {"sprite_px", numbers({desk.sprite.width_px, desk.sprite.height_px})},
+      {"inputs", names_of(inputs)}}));
+}
+
+void FrameLog::sleep(const Keyframe& now) {
+  line(to_text(Json::Object{{"asleep_after_frame", now.row.step - 1}}));
+}
+
+// Flushed at once: the line is there when the program is ended from outside.
+void FrameLog::line(const std::string& text) {
+  std::fputs((text + "\n").c_str(), file_.get());
+  std::fflush(file_.get());
+}
+
+}  // namespace hyrax

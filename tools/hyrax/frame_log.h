@@ -1,0 +1,44 @@
+// What was shown, one line of JSON a frame, for tests and for whoever looks into a strange flight.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/trajectory/keyframe.h"
+#include "tools/hyrax/desk.h"
+
+namespace hyrax {
+
+/// Sides of a rectangle of the screen, px; right and bottom are the first that lie outside.
+struct ScreenRect {
+  std::int32_t left_px = 0;
+  std::int32_t top_px = 0;
+  std::int32_t right_px = 0;
+  std::int32_t bottom_px = 0;
+};
+
+class FrameLog {
+ public:
+  /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON".
+  explicit FrameLog(const std::string& path);
+
+  /// A frame as it was played, what was done before it, and where the system says that the window is:
+  /// {"frame", "t_s", "dt_s", "x_px", "y_px", "vx_px_per_s", "vy_px_per_s", "held", "window_rect_px": [left,
+  /// top, right, bottom], "work_area_px": [left, top, right, bottom], "sprite_px": [width, height],
+  /// "inputs": [NAME...]}.
+  void frame(const Keyframe& now, const Desk& desk, const std::vector<Action>& inputs, const ScreenRect& window);
+  /// {"asleep_after_frame": FRAME}.
+  void sleep(const Keyframe& now);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void line(const std::string& text);
+
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,59 @@
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <windows.h>
+#include <shellapi.h>
+
+#include "sim/physics/strict_arithmetic.h"
+#include "tools/files/build_info.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/hyrax/app.h"
+#include "tools/hyrax/report.h"
+
+namespace hyrax {
+namespace {
+
+std::vector<std::string> command_line() {
+  int count = 0;
+  wchar_t** const words = CommandLineToArgvW(GetCommandLineW(), &count);
+  std::vector<std::string> arguments;
+  for (int word = 1; word < count; ++word) arguments.push_back(to_utf8(words[word]));
+  LocalFree(words);
+  return arguments;
+}
+
+ExitCode run(HINSTANCE instance) {
+  const Options options = parse_options(command_line());
+  if (options.wants_help || options.wants_version) {
+    say(options.wants_help ? std::string(help_text()) : "hyrax " + std::string(build_info().version));
+    return ExitCode::agreed;
+  }
+  if (const auto fault = arithmetic_fault())
+    throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
+  if (options.only_exits) {
+    const Verdict verdict = replayed(load_scenario(*options.replay_path));
+    verdict.exit_code == ExitCode::agreed ? say(verdict.sentence) : say_error(verdict.sentence);
+    return verdict.exit_code;
+  }
+  return App(options, instance).run();
+}
+
+}  // namespace
+}  // namespace hyrax
+
+int WINAPI wWinMain(HINSTANCE instance, HINSTANCE, wchar_t*, int) {
+  using namespace hyrax;
+  try {
+    return static_cast<int>(run(instance));
+  } catch (const Failure& failure) {
+    say_error(failure.what());
+    return static_cast<int>(failure.exit_code());
+  } catch (const std::bad_alloc&) {
+    say_error("hyrax: out of memory");
+  } catch (const std::exception& error) {
+    say_error(std::string("hyrax: a fault of the program itself: ") + error.what());
+  }
+  return static_cast<int>(ExitCode::program_fault);
+}

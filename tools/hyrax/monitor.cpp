@@ -1,0 +1,49 @@
+#include "tools/hyrax/monitor.h"
+
+#include <shellscalingapi.h>
+
+#include <algorithm>
+
+namespace hyrax {
+namespace {
+
+constexpr int kSprite_px = 128;  // At 100 %.
+constexpr int kUsualDpi = 96;
+
+Size sprite_at(int dpi) {
+  const int side_px = std::max(MulDiv(kSprite_px, dpi, kUsualDpi), 1);
+  return {side_px, side_px};
+}
+
+}  // namespace
+
+std::optional<Desk> desk_of(HMONITOR monitor) {
+  MONITORINFO info{};
+  info.cbSize = sizeof info;
+  if (GetMonitorInfoW(monitor, &info) == 0) return std::nullopt;
+  UINT dpi_x = kUsualDpi;
+  UINT dpi_y = kUsualDpi;
+  if (FAILED(GetDpiForMonitor(monitor, MDT_EFFECTIVE_DPI, &dpi_x, &dpi_y))) dpi_y = kUsualDpi;
+  const RECT& area = info.rcWork;
+  return Desk{{static_cast<std::int32_t>(area.left), static_cast<std::int32_t>(area.top)},
+              {static_cast<std::int32_t>(area.right - area.left), static_cast<std::int32_t>(area.bottom - area.top)},
+              sprite_at(static_cast<int>(dpi_y))};
+}
+
+HMONITOR monitor_at(ScreenPoint point) {
+  return MonitorFromPoint({point.x_px, point.y_px}, MONITOR_DEFAULTTONEAREST);
+}
+
+int refresh_hz(HMONITOR monitor) {
+  constexpr int kUsual_hz = 60;
+  MONITORINFOEXW info{};
+  info.cbSize = sizeof info;
+  DEVMODEW mode{};
+  mode.dmSize = sizeof mode;
+  if (GetMonitorInfoW(monitor, &info) == 0 ||
+      EnumDisplaySettingsW(info.szDevice, ENUM_CURRENT_SETTINGS, &mode) == 0 || mode.dmDisplayFrequency <= 1)
+    return kUsual_hz;
+  return std::clamp(static_cast<int>(mode.dmDisplayFrequency), 30, 240);
+}
+
+}  // namespace hyrax

@@ -1,0 +1,109 @@
+#include "tools/hyrax/options.h"
+
+#include <cstdlib>
+
+#include "tools/files/failure.h"
+
+namespace hyrax {
+namespace {
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Failure(ExitCode::bad_input, "hyrax: " + sentence + "; hyrax --help lists the options");
+}
+
+// The arguments one by one, an option's value beside it or behind `=`.
+class Arguments {
+ public:
+  explicit Arguments(const std::vector<std::string>& arguments) : arguments_(arguments) {}
+
+  bool next() {
+    if (++at_ > arguments_.size()) return false;
+    const std::string& argument = arguments_[at_ - 1];
+    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+    option_ = argument.substr(0, equals);
+    value_.reset();
+    if (equals != std::string::npos) value_ = argument.substr(equals + 1);
+    return true;
+  }
+  const std::string& option() const { return option_; }
+  std::string value() {
+    if (!value_ && at_ < arguments_.size()) value_ = arguments_[at_++];
+    if (!value_ || value_->empty()) refuse(option_ + " needs a value");
+    return *value_;
+  }
+  bool flag() const {
+    if (value_) refuse(option_ + " takes no value, is given '" + *value_ + "'");
+    return true;
+  }
+
+ private:
+  const std::vector<std::string>& arguments_;
+  std::size_t at_ = 0;
+  std::string option_;
+  std::optional<std::string> value_;
+};
+
+double seconds_of(const std::string& text) {
+  constexpr double kSecondsMax = 1e9;
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (*end != '\0' || !(seconds >= 0.0 && seconds <= kSecondsMax))
+    refuse("--seconds must be a number 0 .. 1e9, is '" + text + "'");
+  return seconds;
+}
+
+void check(const Options& options) {
+  if (options.only_exits && !options.replay_path) refuse("--exit needs --replay FILE");
+  if (options.record_path && options.replay_path)
+    refuse("--record and --replay cannot stand together: a replay is recorded already");
+}
+
+}  // namespace
+
+Options parse_options(const std::vector<std::string>& arguments) {
+  Options options;
+  for (Arguments given(arguments); given.next();) {
+    const std::string& option = given.option();
+    if (option == "--record")
+      options.record_path = given.value();
+    else if (option == "--replay")
+      options.replay_path = given.value();
+    else if (option == "--log")
+      options.log_path = given.value();
+    else if (option == "--seconds")
+      options.seconds = seconds_of(given.value());
+    else if (option == "--exit")
+      options.only_exits = given.flag();
+    else if (option == "--help" || option == "-h")
+      options.wants_help = given.flag();
+    else if (option == "--version")
+      options.wants_version = given.flag();
+    else
+      refuse("'" + option + "' is no option");
+  }
+  check(options);
+  return options;
+}
+
+std::string_view help_text() {
+  return R"(hyrax: a hyrax for your desktop. Grab it, drag it, let go: it flies, bounces and comes to rest.
+Right-click it, or its icon beside the clock: pause, throw, reset, recording, quit.
+
+hyrax [OPTION]...
+
+  --record FILE    record everything from start to end; the file is a scenario that hyrax-sim replays
+                   to the same bits, and at most a second behind, however the program ends
+  --replay FILE    play a scenario, then end: exit code 0 if its state hash agrees, 1 if it differs
+  --exit           with --replay: no window, the exit code alone
+  --log FILE       a line a frame, as JSON
+  --seconds N      end after N seconds
+  --help, --version
+
+Example: hyrax --record my-fling.json
+
+Exit codes: 0 done, 1 the hash differs, 2 bad usage or input, 3 a file or the screen cannot be used,
+5 this machine does not compute strictly, 70 a fault of the program itself.
+)";
+}
+
+}  // namespace hyrax

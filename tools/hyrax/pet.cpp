@@ -1,0 +1,132 @@
+#include "tools/hyrax/pet.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/trajectory/wall.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kTurns_px_per_s = 20.0;  // So that it does not turn about over a trembling speed.
+constexpr int kStandsFrames = 3;          // A bounce touches the ground for one.
+
+Position start_on(const Desk& desk) { return {(desk.work_area.width_px - desk.sprite.width_px) / 2.0, 0.0}; }
+
+Keyframe start_of(const Desk& desk) {
+  Keyframe start;
+  start.row.x_px = start_on(desk).x_px;
+  start.row.y_px = start_on(desk).y_px;
+  start.window = desk.work_area;
+  start.sprite = desk.sprite;
+  return start;
+}
+
+}  // namespace
+
+Pet::Pet(const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
+    : desk_(desk), ticks_per_s_(ticks_per_s), timer_(ticks_per_s, ticks), session_(start_of(desk)) {}
+
+void Pet::grab(ScreenPoint hand, std::int64_t ticks) {
+  wake(ticks);
+  apply(Grab{});
+  hold_ = {.hand = Hand(ticks_per_s_, hand, ticks),
+           .at = hand,
+           .offset = {position().x_px + (desk_.origin.x_px - hand.x_px),
+                      position().y_px + (desk_.origin.y_px - hand.y_px)}};
+}
+
+void Pet::drag(ScreenPoint hand, std::int64_t ticks) {
+  if (hand == hold_->at) return;
+  wake(ticks);
+  hold_->hand.move(hand, ticks);
+  hold_->at = hand;
+  hold_->has_moved = true;
+}
+
+void Pet::let_go(ScreenPoint hand, std::int64_t ticks, const Desk& desk) {
+  drag(hand, ticks);
+  follow_hand();
+  move_to(desk, ticks);
+  release(hold_->hand.velocity(ticks), ticks);
+}
+
+void Pet::drop(std::int64_t ticks) {
+  follow_hand();
+  release({}, ticks);
+}
+
+void Pet::fling(const Velocity& velocity, std::int64_t ticks) {
+  wake(ticks);
+  apply(Fling{velocity});
+}
+
+void Pet::reset(std::int64_t ticks) {
+  if (is_held()) drop(ticks);
+  wake(ticks);
+  apply(Place{start_on(desk_)});
+  apply(Stop{});
+}
+
+void Pet::resume(std::int64_t ticks) {
+  if (!is_paused_) return;
+  is_paused_ = false;
+  timer_.restart(ticks);
+}
+
+void Pet::move_to(const Desk& desk, std::int64_t ticks) {
+  const std::vector<Action> inputs = inputs_of_move(desk_, desk, position());
+  if (inputs.empty()) return;
+  wake(ticks);
+  for (const Action& input : inputs) apply(input);
+  desk_ = desk;
+}
+
+void Pet::frame(std::int64_t ticks) {
+  if (is_asleep()) return;
+  follow_hand();
+  session_.advance(timer_.elapsed_s(ticks));
+  inputs_of_frame_ = std::exchange(inputs_, {});
+  const Row& row = session_.now().row;
+  ground_frames_ = touches(row.contact, Wall::ground) ? std::min(ground_frames_ + 1, kStandsFrames) : 0;
+  const double vx_px_per_s = row.vx_px_per_s;
+  if (vx_px_per_s < -kTurns_px_per_s) faces_left_ = true;
+  if (vx_px_per_s > kTurns_px_per_s) faces_left_ = false;
+}
+
+Pose Pet::pose() const {
+  if (is_held()) return Pose::held;
+  if (ground_frames_ < kStandsFrames) return Pose::fly;
+  return session_.is_still() ? Pose::sleep : Pose::stand;
+}
+
+Position Pet::position() const { return {session_.now().row.x_px, session_.now().row.y_px}; }
+
+// Time that was slept through is no frame's.
+void Pet::wake(std::int64_t ticks) {
+  if (is_asleep()) timer_.restart(ticks);
+  session_.wake();
+  is_paused_ = false;
+}
+
+void Pet::apply(const Action& action) {
+  session_.apply(action);
+  inputs_.push_back(action);
+}
+
+void Pet::follow_hand() {
+  if (!hold_ || !hold_->has_moved) return;
+  hold_->has_moved = false;
+  apply(Place{{hold_->offset.x_px + (hold_->at.x_px - desk_.origin.x_px),
+               hold_->offset.y_px + (hold_->at.y_px - desk_.origin.y_px)}});
+}
+
+// The first frame of flight begins here: its time is not that since the last frame before.
+void Pet::release(const Velocity& velocity, std::int64_t ticks) {
+  wake(ticks);
+  apply(Release{velocity});
+  hold_.reset();
+  timer_.restart(ticks);
+}
+
+}  // namespace hyrax

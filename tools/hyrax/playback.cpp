@@ -1,0 +1,47 @@
+#include "tools/hyrax/playback.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::int64_t kFramesAtOnceMax = 100'000;
+
+}  // namespace
+
+Verdict verdict_on(const Scenario& scenario, const RunSummary& run) {
+  const std::string hash = hex(run.state_hash);
+  const std::string name = scenario.name + ": ";
+  if (run.non_finite_step)
+    return {ExitCode::disagreed,
+            name + "the state became non-finite at step " + std::to_string(*run.non_finite_step)};
+  if (!scenario.expect || !scenario.expect->state_hash)
+    return {ExitCode::agreed, name + "state hash " + hash + "; the scenario has none to compare it with"};
+  if (*scenario.expect->state_hash != hash)
+    return {ExitCode::disagreed,
+            name + "state hash " + hash + " differs from the scenario's, " + *scenario.expect->state_hash};
+  return {ExitCode::agreed, name + "state hash " + hash + " agrees"};
+}
+
+Verdict replayed(const Scenario& scenario) {
+  RowSink nobody;
+  return verdict_on(scenario, replay(scenario, nobody));
+}
+
+Playback::Playback(const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks)
+    : scenario_(scenario), ticks_per_s_(ticks_per_s), begin_ticks_(ticks), replay_(scenario, nobody_) {}
+
+void Playback::play(std::int64_t ticks) {
+  const double elapsed_s = static_cast<double>(ticks - begin_ticks_) / static_cast<double>(ticks_per_s_);
+  for (std::int64_t frames = 0; !is_over() && now().row.t_s < elapsed_s && frames < kFramesAtOnceMax; ++frames) {
+    replay_.play_to(now().row.step + 1);
+    is_non_finite_ = !is_finite_state(now().row);
+  }
+}
+
+bool Playback::is_over() const { return is_non_finite_ || now().row.step >= replay_.steps(); }
+
+Verdict Playback::finish() {
+  replay_.play_to(replay_.steps());
+  return verdict_on(scenario_, replay_.finish());
+}
+
+}  // namespace hyrax

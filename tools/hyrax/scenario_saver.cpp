@@ -1,0 +1,61 @@
+#include "tools/hyrax/scenario_saver.h"
+
+#include "tools/files/failure.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+
+ScenarioSaver::ScenarioSaver() : thread_([this] { work(); }) {}
+
+ScenarioSaver::~ScenarioSaver() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void ScenarioSaver::save(const std::string& path, Scenario scenario) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!jobs_.empty() && jobs_.back().path == path) jobs_.pop_back();
+    jobs_.push_back({path, std::move(scenario)});
+  }
+  changed_.notify_all();
+}
+
+void ScenarioSaver::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return jobs_.empty() && !is_busy_; });
+}
+
+std::optional<std::string> ScenarioSaver::take_failure() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(failure_, std::nullopt);
+}
+
+void ScenarioSaver::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return !jobs_.empty() || is_ending_; });
+    if (jobs_.empty()) return;
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    is_busy_ = true;
+    lock.unlock();
+    std::optional<std::string> failure;
+    try {
+      write_text_file(job.path, scenario_file_text(job.scenario));
+    } catch (const Failure& refused) {
+      failure = refused.what();
+    }
+    lock.lock();
+    is_busy_ = false;
+    if (failure) failure_ = failure;
+    changed_.notify_all();
+  }
+}
+
+}  // namespace hyrax

@@ -1,0 +1,50 @@
+// Writes scenarios beside the program's other work.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// A thread that makes text of scenarios and puts it on the disk, so that no frame waits for a disk. Each
+/// file is replaced whole: whoever opens it finds the old one or the new one, at any moment, after a
+/// crash and after a power cut.
+class ScenarioSaver {
+ public:
+  ScenarioSaver();
+  ScenarioSaver(const ScenarioSaver&) = delete;
+  ScenarioSaver& operator=(const ScenarioSaver&) = delete;
+  /// Writes what is left.
+  ~ScenarioSaver();
+
+  /// Writes the file as soon as the disk lets it. One for the same path that still waits is left out.
+  void save(const std::string& path, Scenario scenario);
+  /// Returns when all is written.
+  void wait();
+  /// Sentences on what could not be written since the last call; a later save may have mended it.
+  [[nodiscard]] std::optional<std::string> take_failure();
+
+ private:
+  struct Job {
+    std::string path;
+    Scenario scenario;
+  };
+
+  void work();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> jobs_;
+  bool is_busy_ = false;
+  bool is_ending_ = false;
+  std::optional<std::string> failure_;
+  std::thread thread_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,44 @@
+#include "tools/hyrax/session.h"
+
+#include "sim/replay/action_effect.h"
+
+namespace hyrax {
+
+Session::Session(const Keyframe& start) : now_(start), ring_(start) {}
+
+void Session::apply(const Action& action) {
+  hyrax::apply(action, now_);
+  wake();
+  ring_.add_input(action);
+  if (recording_) recording_->add_input(action);
+}
+
+void Session::advance(double dt_s) {
+  const Row before = now_.row;
+  const Stretch frame{.window = now_.window,
+                      .sprite = now_.sprite,
+                      .is_held = now_.is_held,
+                      .contact_before = before.contact,
+                      .dt_s = &dt_s,
+                      .frames = 1};
+  Body body{before.x_px, before.y_px, before.vx_px_per_s, before.vy_px_per_s};
+  row_.shrink(0);
+  play(frame, body, rest_, row_, log_);
+  now_.timeline.play(dt_s);
+  now_.row = row_.row(0);
+  now_.row.step = before.step + 1;
+  now_.row.t_s = now_.timeline.time_s();
+  const bool is_in_place = same_bits(now_.row.x_px, before.x_px) && same_bits(now_.row.y_px, before.y_px);
+  if (!is_in_place) still_frames_ = 0;
+  if (is_in_place && dt_s > 0.0 && !is_still()) ++still_frames_;
+  ring_.add_frame(now_);
+  if (recording_) recording_->add_frame(now_);
+}
+
+void Session::finish_recording() {
+  Recording finished = std::move(*recording_);
+  recording_.reset();
+  finished.finish();
+}
+
+}  // namespace hyrax

@@ -1,0 +1,70 @@
+#include "tools/hyrax/tape.h"
+
+#include <algorithm>
+#include <span>
+
+namespace hyrax {
+namespace {
+
+void pack(std::vector<std::byte>& rows, const Row& row) {
+  rows.resize(rows.size() + kPackedRowBytes);
+  pack_row(&*rows.end() - kPackedRowBytes, row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s,
+           row.contact);
+}
+
+// A scenario begins with a sprite that nobody holds: who holds it from the first frame on, grabs it there,
+// which stops it, so that a speed set while it was held is set again.
+std::vector<Event> first_inputs(const Keyframe& start) {
+  if (!start.is_held) return {};
+  std::vector<Event> inputs = {{std::int64_t{0}, Grab{}}};
+  const Velocity velocity{start.row.vx_px_per_s, start.row.vy_px_per_s};
+  if (!same_bits(velocity.vx_px_per_s, 0.0) || !same_bits(velocity.vy_px_per_s, 0.0))
+    inputs.push_back({std::int64_t{0}, Fling{velocity}});
+  return inputs;
+}
+
+}  // namespace
+
+Tape::Tape(const Keyframe& start) : start_(start) {
+  Row row = start.row;
+  row.dt_s = 0.0;
+  row.contact = 0;
+  pack(rows_, row);
+}
+
+void Tape::add_frame(const Row& row) { pack(rows_, row); }
+
+void Tape::append(const Tape& next) {
+  const std::int64_t frames_before = frames();
+  for (const Event& input : next.inputs_)
+    inputs_.push_back({std::get<std::int64_t>(input.when) + frames_before, input.action});
+  rows_.insert(rows_.end(), next.rows_.begin() + kPackedRowBytes, next.rows_.end());
+}
+
+Digest Tape::state_hash() const {
+  constexpr std::size_t kBlockBytes = kBlockRows * kPackedRowBytes;
+  StateHash hash;
+  for (std::size_t at = 0; at < rows_.size(); at += kBlockBytes)
+    hash.add(digest(std::span(rows_).subspan(at, std::min(kBlockBytes, rows_.size() - at))));
+  return hash.value();
+}
+
+Scenario Tape::scenario(const std::string& name) const {
+  Scenario scenario;
+  scenario.name = name;
+  scenario.window = start_.window;
+  scenario.sprite = start_.sprite;
+  scenario.start = {start_.row.x_px, start_.row.y_px};
+  scenario.start_velocity = {start_.row.vx_px_per_s, start_.row.vy_px_per_s};
+  RecordedSteps trace;
+  for (std::size_t at = kPackedRowBytes; at < rows_.size(); at += kPackedRowBytes)
+    trace.dt_s.push_back(from_little_endian(&rows_[at]));
+  scenario.clock.base = std::move(trace);
+  scenario.events = first_inputs(start_);
+  for (const Event& input : inputs_)
+    if (std::get<std::int64_t>(input.when) < frames()) scenario.events.push_back(input);
+  scenario.expect.emplace().state_hash = hex(state_hash());
+  return scenario;
+}
+
+}  // namespace hyrax
