@@ -37,6 +37,8 @@ bool write_inputs(hid_t file, const std::vector<Input>& inputs) {
                               [](const Input& input) { return input.b; });
 }
 
+}  // namespace
+
 void write_provenance(hid_t file) {
   const h5::Handle group = h5::create_group(file, "provenance");
   const BuildInfo build = build_info();
@@ -45,8 +47,6 @@ void write_provenance(hid_t file) {
   h5::write_attribute(group, "flags", build.flags);
   h5::write_attribute(group, "target", build.target);
 }
-
-}  // namespace
 
 bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs) {
   h5::write_attribute(file, "format", kTrajectoryFormat);

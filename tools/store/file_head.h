@@ -1,4 +1,4 @@
-// What every trajectory file says of itself: attributes, inputs, provenance.
+// What every trajectory file says of itself: attributes, inputs, provenance; the last is of all files.
 #pragma once
 
 #include <cstdint>
@@ -21,5 +21,8 @@ struct FileHead {
 /// Writes the attributes of `/`, the group /events and the group /provenance.
 /// Returns false where the file could not be written.
 [[nodiscard]] bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs);
+
+/// Writes the group /provenance: program, compiler, flags, target.
+void write_provenance(hid_t file);
 
 }  // namespace hyrax
