@@ -44,4 +44,6 @@ struct StudyKind {
   StudyOutcome (*make)(const StudyRequest& request);
 };
 
+[[nodiscard]] StudyKind hard_cases_study();
+
 }  // namespace hyrax
