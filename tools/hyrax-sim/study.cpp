@@ -17,7 +17,7 @@ namespace {
 
 // All studies, in the order of the help.
 const std::vector<StudyKind>& studies() {
-  static const std::vector<StudyKind> kinds = {hard_cases_study()};
+  static const std::vector<StudyKind> kinds = {hard_cases_study(), paper_study()};
   return kinds;
 }
 

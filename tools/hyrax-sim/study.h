@@ -45,5 +45,6 @@ struct StudyKind {
 };
 
 [[nodiscard]] StudyKind hard_cases_study();
+[[nodiscard]] StudyKind paper_study();
 
 }  // namespace hyrax
