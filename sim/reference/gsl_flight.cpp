@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 
 namespace hyrax {
 namespace {
@@ -16,21 +17,25 @@ namespace {
 enum Unknown : std::size_t { kDy, kVy, kDx, kVx, kUnknowns };
 constexpr std::size_t kUnknownsInY = 2;
 
+// Time is counted in frames, since the drag of a frame is the same however short it is: by the second
+// its rate would go beyond the largest double where a frame is subnormal.
+//   dy/dn = v h,  dv/dn = G h - c v,  with h = dt and c = -ln(alpha)
 struct Force {
   double gravity_px_per_s2 = 0.0;
-  double drag_rate_per_s = 0.0;
+  double drag_per_frame = 0.0;
+  double frame_s = 0.0;
   std::size_t unknowns = kUnknowns;
 };
 
 // GSL's explicit steppers take a NaN for a success, so it is refused here.
 int derivatives(double, const double state[], double rates[], void* parameters) {
   const Force& force = *static_cast<const Force*>(parameters);
-  rates[kDy] = state[kVy];
-  rates[kVy] = force.gravity_px_per_s2 - force.drag_rate_per_s * state[kVy];
+  rates[kDy] = force.frame_s * state[kVy];
+  rates[kVy] = force.gravity_px_per_s2 * force.frame_s - force.drag_per_frame * state[kVy];
   double sum = rates[kDy] + rates[kVy];
   if (force.unknowns == kUnknowns) {
-    rates[kDx] = state[kVx];
-    rates[kVx] = -force.drag_rate_per_s * state[kVx];
+    rates[kDx] = force.frame_s * state[kVx];
+    rates[kVx] = -force.drag_per_frame * state[kVx];
     sum += rates[kDx] + rates[kVx];
   }
   return std::isfinite(sum) ? GSL_SUCCESS : GSL_EBADFUNC;
@@ -42,8 +47,8 @@ int jacobian(double, const double[], double by_state[], double by_time[], void* 
   std::fill_n(by_state, n * n, 0.0);
   std::fill_n(by_time, n, 0.0);
   for (std::size_t position = 0; position < n; position += 2) {
-    by_state[position * n + position + 1] = 1.0;
-    by_state[(position + 1) * n + position + 1] = -force.drag_rate_per_s;
+    by_state[position * n + position + 1] = force.frame_s;
+    by_state[(position + 1) * n + position + 1] = -force.drag_per_frame;
   }
   return GSL_SUCCESS;
 }
@@ -83,10 +88,10 @@ struct FreeDriver {
 // One driver, allocated once, for 2 or 4 unknowns.
 class Driver {
  public:
-  Driver(const GslOptions& options, double gravity_px_per_s2, std::size_t unknowns)
-      : force_{gravity_px_per_s2, 0.0, unknowns}, system_{derivatives, jacobian, unknowns, &force_} {
-    constexpr double kAnyFirstStep_s = 1e-3;  // Each restart sets its own.
-    driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, type_of(options.stepper), kAnyFirstStep_s,
+  Driver(const GslOptions& options, const Model& model, std::size_t unknowns)
+      : force_{model.gravity_px_per_s2, -std::log(model.air_drag), 0.0, unknowns},
+        system_{derivatives, jacobian, unknowns, &force_} {
+    driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, type_of(options.stepper), kFirstStep_frames,
                                                 options.tolerance, options.tolerance));
     if (!driver_) throw std::bad_alloc();
     gsl_odeiv2_driver_set_nmax(driver_.get(), kGslStepsPerFrameMax);
@@ -94,38 +99,31 @@ class Driver {
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
-  void restart(double drag_rate_per_s, double frame_s) {
-    force_.drag_rate_per_s = drag_rate_per_s;
-    frame_s_ = frame_s;
-    frames_ = 0.0;
-    t_s_ = 0.0;
-    gsl_odeiv2_driver_reset_hstart(driver_.get(), frame_s);
+  void restart(double frame_s) {
+    force_.frame_s = frame_s;
+    time_frames_ = 0.0;
+    gsl_odeiv2_driver_reset_hstart(driver_.get(), kFirstStep_frames);
   }
   // One frame on. Time goes on from the restart, since the multistep methods take a step that begins
-  // at the time of the last one for its repetition; it is a product, which does not drift.
+  // at the time of the last one for its repetition.
   bool advance(double* state) {
-    frames_ += 1.0;
-    return gsl_odeiv2_driver_apply(driver_.get(), &t_s_, frames_ * frame_s_, state) == GSL_SUCCESS;
+    return gsl_odeiv2_driver_apply(driver_.get(), &time_frames_, time_frames_ + 1.0, state) == GSL_SUCCESS;
   }
 
  private:
+  static constexpr double kFirstStep_frames = 1.0;
+
   Force force_;
   gsl_odeiv2_system system_;
   std::unique_ptr<gsl_odeiv2_driver, FreeDriver> driver_;
-  double frame_s_ = 0.0;
-  double frames_ = 0.0;  // Since the restart.
-  double t_s_ = 0.0;
+  double time_frames_ = 0.0;  // Since the restart: whole after every frame.
 };
 
 }  // namespace
 
 struct GslFlight::Solver {
   Solver(const GslOptions& chosen, const Model& model)
-      : options(chosen),
-        air_drag(model.air_drag),
-        log_air_drag(std::log(model.air_drag)),
-        in_y(chosen, model.gravity_px_per_s2, kUnknownsInY),
-        in_both(chosen, model.gravity_px_per_s2, kUnknowns) {}
+      : options(chosen), in_y(chosen, model, kUnknownsInY), in_both(chosen, model, kUnknowns) {}
 
   bool is_sound() const {
     return std::all_of(state, state + kUnknowns, [](double value) { return std::isfinite(value); });
@@ -134,26 +132,18 @@ struct GslFlight::Solver {
   bool advance(double dt_s) {
     if (!(dt_s >= 0.0) || !std::isfinite(dt_s))
       return false;  // GSL does nothing to t1 = NaN, and is content.
-    if (dt_s == 0.0) {
-      state[kVy] *= air_drag;
-      state[kVx] *= air_drag;
-      rate_dt_s = 0.0;
-      return true;
-    }
     Driver& driver = solves_x ? in_both : in_y;
-    if (dt_s != rate_dt_s) driver.restart(-log_air_drag / dt_s, dt_s);
-    rate_dt_s = dt_s;
+    if (frame_s != dt_s) driver.restart(dt_s);
+    frame_s = dt_s;
     return driver.advance(state);
   }
 
   GslOptions options;
-  double air_drag;
-  double log_air_drag;
   Driver in_y;
   Driver in_both;
   bool solves_x = true;
   bool has_failed = false;
-  double rate_dt_s = 0.0;  // Of the frames since the last restart.
+  std::optional<double> frame_s;  // Of the frames since the last restart.
   double state[kUnknowns] = {};
 };
 
@@ -168,7 +158,7 @@ GslFlight::~GslFlight() = default;
 void GslFlight::start(const Velocity& velocity, bool solves_x) {
   Solver& solver = *solver_;
   solver.solves_x = solves_x;
-  solver.rate_dt_s = 0.0;
+  solver.frame_s.reset();
   solver.state[kDy] = solver.state[kDx] = 0.0;
   solver.state[kVy] = velocity.vy_px_per_s;
   solver.state[kVx] = solves_x ? velocity.vx_px_per_s : 0.0;

@@ -10,6 +10,7 @@ namespace hyrax {
 [[nodiscard]] Command bless_command();
 [[nodiscard]] Command diff_command();
 [[nodiscard]] Command drift_command();
+[[nodiscard]] Command study_command();
 [[nodiscard]] Command validate_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command info_command();

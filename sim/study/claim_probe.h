@@ -1,0 +1,47 @@
+// What measuring a claim takes again and again.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "sim/scenario/split_mix64.h"
+#include "sim/study/core.h"
+#include "sim/study/paper_claim.h"
+
+namespace hyrax {
+
+/// The paper's desktop: bounds of 1920 x 1080 with a sprite of 128.
+inline constexpr Room kDesktopRoom{1792, 952};
+inline constexpr double kSpriteSide_px = 128.0;
+/// Far from all walls, so that only flight is seen.
+inline constexpr Room kOpenRoom{2'000'000'000, 2'000'000'000};
+inline constexpr double kSixtieth_s = 1.0 / 60.0;
+
+[[nodiscard]] inline ClaimVerdict holds_if(bool holds) {
+  return holds ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
+}
+
+/// Equal but for a few roundings.
+[[nodiscard]] inline bool is_close(double a, double b, double relative = 1e-12) {
+  return std::fabs(a - b) <= relative * std::fmax(std::fabs(a), std::fabs(b));
+}
+
+/// A number as words carry it, four digits.
+[[nodiscard]] inline std::string digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// Draw `index` of `seed`, in low .. high.
+[[nodiscard]] inline double drawn(std::uint64_t seed, std::uint64_t index, double low, double high) {
+  return low + (high - low) * split_mix64_unit(seed, index);
+}
+
+/// Where a throw comes to lie: x after so long that nothing moves any more.
+[[nodiscard]] inline Body thrown(Body body, double rate_hz, double duration_s, Room room = kDesktopRoom) {
+  return core_steps(body, 1.0 / rate_hz, room, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
+}
+
+}  // namespace hyrax

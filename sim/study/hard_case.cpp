@@ -1,0 +1,102 @@
+#include "sim/study/hard_case.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/compare/expectations.h"
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "sim/study/row_digest.h"
+#include "sim/study/step_watch.h"
+
+namespace hyrax {
+namespace {
+
+// Takes the digest of the rows that pass.
+class DigestSink : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t row = 0; row < batch.size(); ++row) digest_.add(batch.row(row));
+  }
+  [[nodiscard]] Digest finish() { return digest_.finish(); }
+
+ private:
+  RowDigest digest_;
+};
+
+// At the first input past the start, if there is one, and at two thirds.
+std::vector<std::int64_t> stops_of(const Scenario& scenario, std::int64_t steps) {
+  std::vector<std::int64_t> stops{steps / 3, 2 * steps / 3};
+  for (const std::int64_t frame : schedule_events(scenario, steps).frames)
+    if (frame > 0) {
+      stops.front() = frame;
+      break;
+    }
+  std::sort(stops.begin(), stops.end());
+  return stops;
+}
+
+Digest resumed_digest(const Scenario& scenario) {
+  DigestSink sink;
+  std::optional<Replay> run(std::in_place, scenario, sink);
+  for (const std::int64_t stop : stops_of(scenario, run->steps())) {
+    run->play_to(stop);
+    const Keyframe stopped = run->keyframe();
+    run->finish();
+    run.emplace(scenario, stopped, sink);
+  }
+  run->play_to(run->steps());
+  run->finish();
+  return sink.finish();
+}
+
+double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
+
+// At rest by position, and both speeds 0.
+double rest_margin(const RunSummary& summary, double speed_px_per_s) {
+  return summary.at_rest_since_s ? -speed_px_per_s : -std::max(speed_px_per_s, 1.0);
+}
+
+void judge_expectations(const HardCase& hard_case, const RunSummary& summary, HardCaseResult& result) {
+  const std::optional<Expect>& expect = hard_case.scenario.expect;
+  if (!expect) return;
+  for (const Expectation& expectation : judge(*expect, summary)) {
+    result.measures[static_cast<std::size_t>(Invariant::expectations)].see(zero_or_less(expectation.holds),
+                                                                           summary.steps);
+    if (!expectation.holds && result.expectation_broken.empty())
+      result.expectation_broken = expectation.rule + ": wanted " + expectation.wanted;
+  }
+}
+
+}  // namespace
+
+HardCaseResult play_hard_case(const HardCase& hard_case) {
+  const Scenario& scenario = hard_case.scenario;
+  StepWatch watch(scenario);
+  const RunSummary watched = replay(scenario, watch, {.skips_repetition = false, .checks_bounds = true});
+  HardCaseResult result{.measures = watch.measures(),
+                        .steps = watched.steps,
+                        .knife_edges = watch.knife_edges(),
+                        .expectation_broken = {}};
+  const auto see = [&](Invariant invariant, double margin) {
+    result.measures[static_cast<std::size_t>(invariant)].see(margin, watched.steps);
+  };
+  RowSink nobody;
+  see(Invariant::repeated, zero_or_less(replay(scenario, nobody).state_hash == watched.state_hash));
+  see(Invariant::resumed, zero_or_less(resumed_digest(scenario) == watched.state_hash));
+  if (hard_case.asks_rest) see(Invariant::comes_to_rest, rest_margin(watched, watch.last_speed_px_per_s()));
+  judge_expectations(hard_case, watched, result);
+  return result;
+}
+
+CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invariant invariant) {
+  const bool is_known = std::any_of(hard_case.findings.begin(), hard_case.findings.end(),
+                                    [&](const Finding& finding) { return finding.invariant == invariant; });
+  const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
+  if (is_known) return holds ? CaseVerdict::finding_gone : CaseVerdict::finding;
+  return holds ? CaseVerdict::held : CaseVerdict::broken;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,69 @@
+// What must hold in every step of every run, however hard.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace hyrax {
+
+enum class Invariant : std::uint8_t {
+  finite,
+  in_bounds,
+  step_energy,
+  energy_ceiling,
+  speed,
+  clamp,
+  mirror,
+  y_alone,
+  no_time,
+  resumed,
+  repeated,
+  comes_to_rest,
+  expectations,
+};
+inline constexpr std::size_t kInvariantCount = 13;
+
+struct InvariantText {
+  std::string_view name;  ///< As tables and expected findings call it.
+  std::string_view rule;  ///< What must hold, in a few words.
+  std::string_view unit;  ///< Of its margin.
+};
+
+inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
+    {"finite", "state and time are finite, time does not go back", "decades"},
+    {"in-bounds", "inside the window after a step, if it has room", "px"},
+    {"step-energy", "flight loses energy, a clamp adds no more than its lift", "px2/s2"},
+    {"energy-ceiling", "since the last input never above what it gave, or the buzz", "px2/s2"},
+    {"speed", "no faster than the same fling falling freely for ever", "px/s"},
+    {"clamp", "no clamp without overshoot, no overshoot without clamp", "px"},
+    {"mirror", "left and right exchanged: the same contacts, to rounding", "px"},
+    {"y-alone", "y and vy are the same bits whatever x does", "px/s"},
+    {"no-time", "a frame of no time changes nothing", "px/s"},
+    {"resumed", "stopped and resumed: the same bits as the whole", "1"},
+    {"repeated", "run twice: the same bits, repetition skipped or not", "1"},
+    {"comes-to-rest", "left alone, it ends without speed", "px/s"},
+    {"expectations", "what the scenario's author expects", "1"},
+}};
+
+/// How an invariant fared over a run. A margin is what was left to its bound: 0 or more holds.
+struct InvariantMeasure {
+  bool is_asked = false;
+  bool holds = true;
+  double margin = std::numeric_limits<double>::infinity();  ///< The smallest.
+  std::int64_t worst_step = -1;                             ///< Row number of the smallest.
+
+  /// A NaN holds nothing, and nothing is worse.
+  void see(double step_margin, std::int64_t step) {
+    is_asked = true;
+    if (!(step_margin >= 0.0)) holds = false;
+    if (margin != margin || step_margin >= margin) return;
+    margin = step_margin + 0.0;  // No -0.
+    worst_step = step;
+  }
+};
+
+using InvariantMeasures = std::array<InvariantMeasure, kInvariantCount>;
+
+}  // namespace hyrax

@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""`study hard-cases`: which cases it judges, what it writes, and how it ends."""
+
+import csv
+
+import h5py
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, main
+
+HARD = SOURCE / "scenarios/hard"
+CALM = fling(name="calm", steps=900)
+
+
+class HardCases(ProgramTest):
+    """The study, on scenarios of the project and on the user's own."""
+
+    def study(self, exit_code, *arguments, **options):
+        """Runs the study without figures; its output goes into out/."""
+        return self.expect(exit_code, "study", "hard-cases", "--quick", "--no-figures", "-o", "out", *arguments, **options)
+
+    def test_there_are_enough_cases_and_each_says_why(self):
+        self.study(AGREED, HARD)
+        with h5py.File(self.folder / "out/hard-cases.h5") as file:
+            names = file["cases/case"].asstr()[:]
+            self.assertGreaterEqual(len(set(names)), 50)
+            self.assertEqual(len(set(names)), len(names))
+            self.assertTrue(all(len(why) > 20 for why in file["cases/why"].asstr()[:]))
+            self.assertTrue((file["cases/steps"][:] > 0).all())
+
+    def test_the_csv_file_tells_verdict_margin_and_worst_step(self):
+        self.study(AGREED, HARD / "rest.json")
+        with open(self.folder / "out/hard-cases.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        by_case = {(row["case"], row["invariant"]): row for row in rows}
+        self.assertEqual(by_case["rest/60-hz", "comes-to-rest"]["verdict"], "finding")
+        self.assertEqual(by_case["rest/240-hz", "comes-to-rest"]["verdict"], "held")
+        self.assertEqual({row["verdict"] for row in rows}, {"held", "finding"})
+        for row in rows:
+            self.assertEqual(float(row[next(key for key in row if key.startswith("margin"))]) < 0.0,
+                             row["verdict"] == "finding", row)
+
+    def test_findings_are_shown_and_pass_the_gate(self):
+        outcome = self.study(AGREED, HARD / "sprite-larger-than-window.json", "--gate")
+        self.assertIn("two walls claim the sprite", outcome.out)
+
+    def test_a_scenario_of_the_users_own_is_a_case(self):
+        document = self.study(AGREED, self.write("calm.json", CALM), "--gate", "--json").json
+        self.assertEqual([case["case"] for case in document["cases"]], ["calm"])
+        self.assertEqual(document["cases"][0]["invariants"]["mirror"]["verdict"], "held")
+        self.assertEqual(document["broken"], [])
+
+    def test_an_expectation_that_does_not_hold_breaks_it_and_only_the_gate_tells_by_exit_code(self):
+        self.write("calm.json", {**CALM, "expect": {"final_y_px": [0, 1]}})
+        self.study(AGREED, "calm.json")
+        self.study(DISAGREED, "calm.json", "--gate", says="calm: expectations: final_y_px: wanted 0 .. 1")
+
+    def test_long_cases_are_left_out_of_the_quick_study(self):
+        document = self.study(AGREED, HARD / "a-fling-a-minute.json", "--json").json
+        names = [case["case"] for case in document["cases"]]
+        self.assertEqual(names, ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
+        self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="with --quick no case is left")
+
+    def test_it_is_the_same_every_time(self):
+        for name in ("a", "b"):
+            self.expect(AGREED, "study", "hard-cases", "--quick", "--no-figures", HARD / "corners.json", "-o", name)
+        self.assertEqual((self.folder / "a/hard-cases.h5").read_bytes(), (self.folder / "b/hard-cases.h5").read_bytes())
+
+    def test_bad_input_is_told(self):
+        self.study(CANNOT_ACCESS, says="scenarios/hard")
+        self.study(BAD_INPUT, self.write("bad.json", fling(steps=-1)), says="/steps")
+        self.write("one/calm.json", CALM)
+        self.write("two/calm.json", CALM)
+        self.study(BAD_INPUT, "one/calm.json", "two/calm.json", says="another scenario of the name calm")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_the_figure_names_scenarios_and_invariants(self):
+        self.expect(AGREED, "study", "hard-cases", HARD / "corners.json", "-o", "out")
+        picture = (self.folder / "out/hard-cases.svg").read_text(encoding="utf-8")
+        for word in ("corners ×9", "step-energy", "comes-to-rest"):
+            self.assertIn(word, picture)
+
+
+if __name__ == "__main__":
+    main()

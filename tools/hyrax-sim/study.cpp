@@ -1,0 +1,97 @@
+#include "tools/hyrax-sim/study.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "tools/files/text_file.h"
+#include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/study_request.h"
+#include "tools/report/gnuplot.h"
+#include "tools/store/study_csv.h"
+#include "tools/store/study_file.h"
+
+namespace hyrax {
+namespace {
+
+// All studies, in the order of the help.
+const std::vector<StudyKind>& studies() {
+  static const std::vector<StudyKind> kinds = {hard_cases_study(), paper_study()};
+  return kinds;
+}
+
+std::string study_list() {
+  std::string list;
+  for (const StudyKind& kind : studies()) list += fmt::format("{:<12} {}\n", kind.name, kind.summary);
+  return list;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be made a folder: " + error.message());
+}
+
+// Returns the paths of what was written.
+std::vector<std::string> write_outcome(const StudyKind& kind, const StudyOutcome& outcome,
+                                       const StudyArguments& arguments) {
+  const std::string stem = (std::filesystem::path(arguments.folder) / kind.name).lexically_normal().string();
+  std::vector<std::string> paths = {stem + ".h5", stem + ".csv"};
+  write_study_file(paths[0], {kind.name, kind.summary}, outcome.tables);
+  write_text_file(paths[1], csv_text(outcome.tables.front()));
+  if (arguments.draws_nothing) return paths;
+  for (const StudyFigure& figure : outcome.figures) {
+    paths.push_back(stem + figure.suffix + ".svg");
+    draw_figure(paths.back(), figure.script);
+  }
+  return paths;
+}
+
+void tell_json(const StudyKind& kind, StudyOutcome& outcome, const std::vector<std::string>& paths) {
+  Json::Object document{{"study", kind.name},
+                        {"files", Json::Array(paths.begin(), paths.end())},
+                        {"broken", Json::Array(outcome.broken.begin(), outcome.broken.end())}};
+  for (auto& member : outcome.json) document.push_back(std::move(member));
+  fmt::print("{}\n", to_text(Json(std::move(document)), {.depth_indented = 3}));
+}
+
+void tell(const StudyOutcome& outcome, const std::vector<std::string>& paths) {
+  fmt::print("{}", outcome.verdict);
+  for (const std::string& sentence : outcome.broken) fmt::print("does not hold: {}\n", sentence);
+  fmt::print("written: {}\n", fmt::join(paths, ", "));
+}
+
+ExitCode study(const StudyArguments& arguments) {
+  const StudyKind& kind = find_study(studies(), arguments.words.front());
+  const StudyRequest request = study_request(kind, arguments);
+  StudyOutcome outcome = kind.make(request);
+  make_folder(arguments.folder);
+  const std::vector<std::string> paths = write_outcome(kind, outcome, arguments);
+  if (arguments.is_json)
+    tell_json(kind, outcome, paths);
+  else
+    tell(outcome, paths);
+  if (!arguments.is_gate || outcome.broken.empty()) return ExitCode::agreed;
+  for (const std::string& sentence : outcome.broken)
+    fmt::print(stderr, "hyrax-sim study {}: {}\n", kind.name, sentence);
+  return ExitCode::disagreed;
+}
+
+}  // namespace
+
+Command study_command() {
+  return {.name = "study",
+          .summary = "speed against error, what a scene needs, hard cases, rest, and the paper's claims",
+          .example =
+              "hyrax-sim study speed-error -o studies\n"
+              "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto arguments = std::make_shared<StudyArguments>();
+            declare_study(options, *arguments, study_list());
+            return [arguments] { return study(*arguments); };
+          }};
+}
+
+}  // namespace hyrax
