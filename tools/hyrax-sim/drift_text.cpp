@@ -161,7 +161,7 @@ std::string truncation_of(const DriftSummary& summary) {
 // One line, the last: what a step costs here, what it errs by, and the same for frames half as long.
 std::string speed_text(const DriftReport& report) {
   if (!report.step_ns) return "";
-  std::string text = fmt::format("  this machine {} ns a step, truncation {} px, drift {} %/s; half dt",
+  std::string text = fmt::format("  this machine {} ns/step, trunc. {} px, drift {} %/s; half dt",
                                  brief(*report.step_ns), truncation_of(report.run.summary),
                                  drift_of(report.run.longest_arc));
   if (!report.half_dt.half) return text + fmt::format(" unmeasured: {}\n", report.half_dt.why_not);

@@ -165,7 +165,7 @@ class Table(DriftTest):
                       "keeps all contacts; nearest decision:", "  left out     "):
             self.assertIn(words, table)
         last = table.splitlines()[-1]
-        self.assertRegex(last, r"this machine \S+ ns a step, truncation \S+ px, drift \S+ %/s; "
+        self.assertRegex(last, r"this machine \S+ ns/step, trunc\. \S+ px, drift \S+ %/s; "
                                r"half dt: \S+ ns, \S+ px, \S+ %/s")
 
     def test_long_lists_are_cut(self):
