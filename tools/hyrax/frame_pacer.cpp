@@ -38,7 +38,9 @@ void FramePacer::arm() {
   constexpr std::int64_t kTimerUnitsPerSecond = 10'000'000;
   const std::int64_t now_ticks = clock_ticks();
   due_ticks_ += period_ticks_;
-  if (due_ticks_ <= now_ticks || due_ticks_ > now_ticks + 2 * period_ticks_) due_ticks_ = now_ticks + period_ticks_;
+  const std::int64_t wait_ticks = due_ticks_ - now_ticks;
+  if (wait_ticks < period_ticks_ - period_ticks_ / 4 || wait_ticks > period_ticks_)
+    due_ticks_ = now_ticks + period_ticks_;
   LARGE_INTEGER due;
   due.QuadPart = -std::max<std::int64_t>((due_ticks_ - now_ticks) * kTimerUnitsPerSecond / clock_ticks_per_s(), 1);
   SetWaitableTimer(timer_, &due, 0, nullptr, nullptr, FALSE);

@@ -21,7 +21,8 @@ class FramePacer {
 
   void set_rate(int hz) { period_ticks_ = clock_ticks_per_s() / hz; }
   [[nodiscard]] HANDLE handle() const { return timer_; }
-  /// Sets the timer to the next due time: a period after the one before, or after now if that is past.
+  /// Sets the timer to the next due time: a period after the one before, so that the rate is kept; or, late,
+  /// a period from now. A late frame is never followed by a short one: there a hyrax at rest would hop.
   void arm();
 
  private:
