@@ -19,7 +19,7 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;
 
 bool is_folder(const std::string& path) {
-  struct stat status{};
+  struct stat status {};
   return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 

@@ -18,7 +18,8 @@ constexpr UINT kTrayMessage = WM_APP + 1;
 
 std::int64_t end_of(const Options& options) {
   if (!options.seconds) return std::numeric_limits<std::int64_t>::max();
-  return clock_ticks() + static_cast<std::int64_t>(*options.seconds * static_cast<double>(clock_ticks_per_s()));
+  return clock_ticks() +
+         static_cast<std::int64_t>(*options.seconds * static_cast<double>(clock_ticks_per_s()));
 }
 
 HWND make_window(HINSTANCE instance, WNDPROC take_message, void* app) {
@@ -30,12 +31,12 @@ HWND make_window(HINSTANCE instance, WNDPROC take_message, void* app) {
   kind.hCursor = LoadCursorW(nullptr, IDC_HAND);
   kind.lpszClassName = kClass;
   RegisterClassExW(&kind);
-  const HWND window = CreateWindowExW(WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE, kClass,
-                                      kTitle, WS_POPUP, 0, 0, 1, 1, nullptr, nullptr, instance, app);
+  const HWND window = CreateWindowExW(WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE,
+                                      kClass, kTitle, WS_POPUP, 0, 0, 1, 1, nullptr, nullptr, instance, app);
   if (window == nullptr)
-    throw Failure(ExitCode::cannot_access,
-                  "hyrax: no window can be made (error " + std::to_string(GetLastError()) +
-                      "); it needs a screen, as of a user who is logged in");
+    throw Failure(ExitCode::cannot_access, "hyrax: no window can be made (error " +
+                                               std::to_string(GetLastError()) +
+                                               "); it needs a screen, as of a user who is logged in");
   return window;
 }
 
@@ -131,12 +132,13 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
       look_at_screen();
       return 0;
     case WM_POWERBROADCAST:
-      if (wide == PBT_APMRESUMEAUTOMATIC) pet_.skip_time(clock_ticks());
+      on_power(wide);
       return TRUE;
     case WM_ENDSESSION:
       if (wide != 0) finish_recording();
       return 0;
     case WM_DESTROY:
+      tray_.reset();
       window_ = nullptr;
       PostQuitMessage(0);
       return 0;
@@ -154,7 +156,7 @@ void App::wait_for_work() {
   is_frame_due_ = handles == 1 && woken_by == WAIT_OBJECT_0;
 }
 
-bool App::is_asleep() const { return !playback_ && pet_.is_asleep(); }
+bool App::is_asleep() const { return is_suspended_ || (!playback_ && pet_.is_asleep()); }
 
 DWORD App::ms_to_end() const {
   if (end_ticks_ == std::numeric_limits<std::int64_t>::max()) return INFINITE;
@@ -163,6 +165,7 @@ DWORD App::ms_to_end() const {
 }
 
 void App::play_frame() {
+  if (is_suspended_) return;
   pin_arithmetic();
   if (playback_) return play_replayed_frame();
   look_at_screen();
@@ -193,7 +196,8 @@ void App::show(const Keyframe& now, Pose pose, bool faces_left) {
   const ScreenPoint at = on_screen(home_.desk, {now.row.x_px, now.row.y_px});
   if (at == shown_at_) return;
   shown_at_ = at;
-  SetWindowPos(window_, nullptr, at.x_px, at.y_px, 0, 0, SWP_NOSIZE | SWP_NOZORDER | SWP_NOACTIVATE | SWP_NOOWNERZORDER);
+  SetWindowPos(window_, nullptr, at.x_px, at.y_px, 0, 0,
+               SWP_NOSIZE | SWP_NOZORDER | SWP_NOACTIVATE | SWP_NOOWNERZORDER);
 }
 
 void App::log(const Keyframe& now, const std::vector<Action>& inputs) {

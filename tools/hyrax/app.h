@@ -51,6 +51,8 @@ class App {
   [[nodiscard]] bool is_asleep() const;
   [[nodiscard]] DWORD ms_to_end() const;
 
+  void on_power(WPARAM change);
+
   // Screen.
   [[nodiscard]] static Monitor monitor_under(ScreenPoint point);
   void settle_on(const Monitor& monitor);
@@ -91,6 +93,7 @@ class App {
   std::int64_t end_ticks_;
   std::int64_t next_save_ticks_ = 0;
   bool is_frame_due_ = true;
+  bool is_suspended_ = false;  // The machine is about to sleep, or sleeps.
   std::optional<ExitCode> exit_code_;
   std::exception_ptr fault_;  // Of a message, which may not be thrown through the system.
 };

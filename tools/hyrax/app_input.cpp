@@ -18,7 +18,9 @@ ScreenPoint pointer_of_message() {
 // A menu or a message box keeps the message loop to itself; meanwhile a timer plays the frames.
 class Modal {
  public:
-  explicit Modal(HWND window) : window_(window) { SetTimer(window, kModalTimer, USER_TIMER_MINIMUM, nullptr); }
+  explicit Modal(HWND window) : window_(window) {
+    SetTimer(window, kModalTimer, USER_TIMER_MINIMUM, nullptr);
+  }
   Modal(const Modal&) = delete;
   Modal& operator=(const Modal&) = delete;
   ~Modal() { KillTimer(window_, kModalTimer); }
@@ -65,10 +67,12 @@ void App::on_capture_lost(HWND taker) {
 }
 
 void App::open_menu() {
+  if (pet_.is_held()) return;
   Choice choice = Choice::none;
   {
     const Modal modal(window_);
-    choice = choose_from_menu(window_, {pet_.is_paused(), pet_.session().is_recording()});
+    choice =
+        choose_from_menu(window_, {playback_.has_value(), pet_.is_paused(), pet_.session().is_recording()});
   }
   obey(choice);
   is_frame_due_ = true;
@@ -97,9 +101,7 @@ void App::obey(Choice choice) {
   }
 }
 
-void App::throw_it() {
-  pet_.fling(any_throw(static_cast<std::uint64_t>(clock_ticks())), clock_ticks());
-}
+void App::throw_it() { pet_.fling(any_throw(static_cast<std::uint64_t>(clock_ticks())), clock_ticks()); }
 
 void App::toggle_pause() {
   if (pet_.is_paused())

@@ -8,6 +8,9 @@
 namespace hyrax {
 namespace {
 
+// Twice a second: what a save holds is on the disk before it is a second old.
+constexpr std::int64_t kSavesPerSecond = 2;
+
 // "Documents\Hyrax", made if need be; the current folder where the user has no documents.
 std::wstring recordings_folder() {
   PWSTR documents = nullptr;
@@ -23,8 +26,8 @@ std::string new_path(const wchar_t* name) {
   SYSTEMTIME time{};
   GetLocalTime(&time);
   wchar_t stamp[32];
-  wsprintfW(stamp, L"-%04d%02d%02d-%02d%02d%02d.json", time.wYear, time.wMonth, time.wDay, time.wHour, time.wMinute,
-            time.wSecond);
+  wsprintfW(stamp, L"-%04d%02d%02d-%02d%02d%02d.json", time.wYear, time.wMonth, time.wDay, time.wHour,
+            time.wMinute, time.wSecond);
   return to_utf8(recordings_folder() + L"\\" + name + stamp);
 }
 
@@ -33,7 +36,7 @@ std::string new_path(const wchar_t* name) {
 void App::start_recording(const std::string& path) {
   const AtomicFile probe(path);  // So that a place where nothing can be written is told now.
   pet_.session().start_recording(path, saver_);
-  next_save_ticks_ = clock_ticks() + clock_ticks_per_s();
+  next_save_ticks_ = clock_ticks() + clock_ticks_per_s() / kSavesPerSecond;
 }
 
 void App::start_new_recording() {
@@ -65,7 +68,7 @@ void App::save_if_due() {
   Recording& recording = pet_.session().recording();
   if (recording.is_full()) return save_recording();
   if (clock_ticks() < next_save_ticks_ && !pet_.is_asleep()) return;
-  next_save_ticks_ = clock_ticks() + clock_ticks_per_s();
+  next_save_ticks_ = clock_ticks() + clock_ticks_per_s() / kSavesPerSecond;
   recording.save();
   if (const auto failure = saver_.take_failure()) tray_->tell(*failure);
 }

@@ -1,4 +1,4 @@
-// What the program does when the screen changes, or another monitor becomes the hyrax's.
+// What the program does when the screen changes, another monitor becomes the hyrax's, or the machine sleeps.
 #include "tools/hyrax/app.h"
 #include "tools/hyrax/monitor.h"
 
@@ -27,6 +27,18 @@ void App::look_at_screen() {
   }
   if (pet_.desk() == home_.desk) return;
   pet_.move_to(home_.desk, clock_ticks());
+  is_frame_due_ = true;
+}
+
+// Time that the machine slept through is not the hyrax's.
+void App::on_power(WPARAM change) {
+  if (change == PBT_APMSUSPEND) {
+    is_suspended_ = true;
+    if (pet_.session().is_recording()) pet_.session().recording().save();
+  }
+  if (change != PBT_APMRESUMEAUTOMATIC) return;
+  is_suspended_ = false;
+  pet_.skip_time(clock_ticks());
   is_frame_due_ = true;
 }
 

@@ -9,7 +9,9 @@
 namespace hyrax {
 namespace {
 
-Json::Array numbers(std::initializer_list<std::int64_t> values) { return Json::Array(values.begin(), values.end()); }
+Json::Array numbers(std::initializer_list<std::int64_t> values) {
+  return Json::Array(values.begin(), values.end());
+}
 
 Json::Array names_of(const std::vector<Action>& actions) {
   Json::Array names;
@@ -37,8 +39,9 @@ void FrameLog::frame(const Keyframe& now, const Desk& desk, const std::vector<Ac
       {"vy_px_per_s", now.row.vy_px_per_s},
       {"held", now.is_held},
       {"window_rect_px", numbers({window.left_px, window.top_px, window.right_px, window.bottom_px})},
-      {"work_area_px", numbers({desk.origin.x_px, desk.origin.y_px, desk.origin.x_px + desk.work_area.width_px,
-                                desk.origin.y_px + desk.work_area.height_px})},
+      {"work_area_px",
+       numbers({desk.origin.x_px, desk.origin.y_px, desk.origin.x_px + desk.work_area.width_px,
+                desk.origin.y_px + desk.work_area.height_px})},
       {"sprite_px", numbers({desk.sprite.width_px, desk.sprite.height_px})},
       {"inputs", names_of(inputs)}}));
 }

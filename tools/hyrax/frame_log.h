@@ -28,7 +28,8 @@ class FrameLog {
   /// {"frame", "t_s", "dt_s", "x_px", "y_px", "vx_px_per_s", "vy_px_per_s", "held", "window_rect_px": [left,
   /// top, right, bottom], "work_area_px": [left, top, right, bottom], "sprite_px": [width, height],
   /// "inputs": [NAME...]}.
-  void frame(const Keyframe& now, const Desk& desk, const std::vector<Action>& inputs, const ScreenRect& window);
+  void frame(const Keyframe& now, const Desk& desk, const std::vector<Action>& inputs,
+             const ScreenRect& window);
   /// {"asleep_after_frame": FRAME}.
   void sleep(const Keyframe& now);
 

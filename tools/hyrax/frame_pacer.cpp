@@ -30,7 +30,8 @@ std::int64_t clock_ticks_per_s() {
   return frequency.QuadPart;
 }
 
-FramePacer::FramePacer() : timer_(make_timer()), period_ticks_(clock_ticks_per_s() / 60), due_ticks_(clock_ticks()) {}
+FramePacer::FramePacer()
+    : timer_(make_timer()), period_ticks_(clock_ticks_per_s() / 60), due_ticks_(clock_ticks()) {}
 
 FramePacer::~FramePacer() { CloseHandle(timer_); }
 
@@ -42,7 +43,8 @@ void FramePacer::arm() {
   if (wait_ticks < period_ticks_ - period_ticks_ / 4 || wait_ticks > period_ticks_)
     due_ticks_ = now_ticks + period_ticks_;
   LARGE_INTEGER due;
-  due.QuadPart = -std::max<std::int64_t>((due_ticks_ - now_ticks) * kTimerUnitsPerSecond / clock_ticks_per_s(), 1);
+  due.QuadPart =
+      -std::max<std::int64_t>((due_ticks_ - now_ticks) * kTimerUnitsPerSecond / clock_ticks_per_s(), 1);
   SetWaitableTimer(timer_, &due, 0, nullptr, nullptr, FALSE);
 }
 

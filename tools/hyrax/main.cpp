@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <windows.h>
+
 #include <shellapi.h>
 
 #include "sim/physics/strict_arithmetic.h"

@@ -18,6 +18,7 @@ enum class Choice {
 };
 
 struct MenuState {
+  bool is_replay = false;  ///< Nothing can be done to a hyrax that only repeats itself.
   bool is_paused = false;
   bool is_recording = false;
 };

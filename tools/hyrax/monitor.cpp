@@ -25,9 +25,10 @@ std::optional<Desk> desk_of(HMONITOR monitor) {
   UINT dpi_y = kUsualDpi;
   if (FAILED(GetDpiForMonitor(monitor, MDT_EFFECTIVE_DPI, &dpi_x, &dpi_y))) dpi_y = kUsualDpi;
   const RECT& area = info.rcWork;
-  return Desk{{static_cast<std::int32_t>(area.left), static_cast<std::int32_t>(area.top)},
-              {static_cast<std::int32_t>(area.right - area.left), static_cast<std::int32_t>(area.bottom - area.top)},
-              sprite_at(static_cast<int>(dpi_y))};
+  return Desk{
+      {static_cast<std::int32_t>(area.left), static_cast<std::int32_t>(area.top)},
+      {static_cast<std::int32_t>(area.right - area.left), static_cast<std::int32_t>(area.bottom - area.top)},
+      sprite_at(static_cast<int>(dpi_y))};
 }
 
 HMONITOR monitor_at(ScreenPoint point) {

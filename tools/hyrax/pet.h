@@ -83,7 +83,7 @@ class Pet {
   std::optional<Hold> hold_;
   bool is_paused_ = false;
   bool faces_left_ = false;
-  int ground_frames_ = 0;  // On the ground, as the eye sees it, in a row.
+  int ground_frames_ = 0;       // On the ground, as the eye sees it, in a row.
   std::vector<Action> inputs_;  // Of the frame to come.
   std::vector<Action> inputs_of_frame_;
 };

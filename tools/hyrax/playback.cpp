@@ -31,7 +31,8 @@ Playback::Playback(const Scenario& scenario, std::int64_t ticks_per_s, std::int6
 
 void Playback::play(std::int64_t ticks) {
   const double elapsed_s = static_cast<double>(ticks - begin_ticks_) / static_cast<double>(ticks_per_s_);
-  for (std::int64_t frames = 0; !is_over() && now().row.t_s < elapsed_s && frames < kFramesAtOnceMax; ++frames) {
+  for (std::int64_t frames = 0; !is_over() && now().row.t_s < elapsed_s && frames < kFramesAtOnceMax;
+       ++frames) {
     replay_.play_to(now().row.step + 1);
     is_non_finite_ = !is_finite_state(now().row);
   }

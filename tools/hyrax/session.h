@@ -38,7 +38,9 @@ class Session {
   [[nodiscard]] Tape just_happened() const { return ring_.tape(); }
 
   /// Records from here on. REQUIRES: it records nothing yet.
-  void start_recording(const std::string& path, ScenarioSaver& saver) { recording_.emplace(path, now_, saver); }
+  void start_recording(const std::string& path, ScenarioSaver& saver) {
+    recording_.emplace(path, now_, saver);
+  }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
   /// REQUIRES: is_recording().
   [[nodiscard]] Recording& recording() { return *recording_; }

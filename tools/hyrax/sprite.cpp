@@ -96,15 +96,16 @@ class Canvas {
 void draw(const Canvas& canvas, const Look& look, Size size) {
   const auto picture = load(resource_of(look.pose, size.width_px));
   if (look.faces_left) picture->RotateFlip(::Gdiplus::RotateNoneFlipX);
-  ::Gdiplus::Bitmap target(size.width_px, size.height_px, 4 * size.width_px, PixelFormat32bppPARGB, canvas.pixels());
+  ::Gdiplus::Bitmap target(size.width_px, size.height_px, 4 * size.width_px, PixelFormat32bppPARGB,
+                           canvas.pixels());
   ::Gdiplus::Graphics graphics(&target);
   graphics.SetCompositingMode(::Gdiplus::CompositingModeSourceCopy);
   const bool is_exact = static_cast<INT>(picture->GetWidth()) == size.width_px;  // Then no pixel is mixed.
   graphics.SetInterpolationMode(is_exact ? ::Gdiplus::InterpolationModeNearestNeighbor
                                          : ::Gdiplus::InterpolationModeHighQualityBicubic);
   graphics.SetPixelOffsetMode(::Gdiplus::PixelOffsetModeHighQuality);
-  const auto drawn = graphics.DrawImage(picture.get(), ::Gdiplus::Rect(0, 0, size.width_px, size.height_px), 0, 0,
-                                        static_cast<INT>(picture->GetWidth()),
+  const auto drawn = graphics.DrawImage(picture.get(), ::Gdiplus::Rect(0, 0, size.width_px, size.height_px),
+                                        0, 0, static_cast<INT>(picture->GetWidth()),
                                         static_cast<INT>(picture->GetHeight()), ::Gdiplus::UnitPixel);
   if (drawn != ::Gdiplus::Ok) fail_to_draw("GDI+ status " + std::to_string(drawn));
 }
@@ -121,14 +122,16 @@ Gdiplus::~Gdiplus() { ::Gdiplus::GdiplusShutdown(token_); }
 
 void Sprite::show(HWND window, const Look& look) {
   if (look == shown_) return;
-  const Size size{std::clamp(look.size.width_px, 1, kSideMax_px), std::clamp(look.size.height_px, 1, kSideMax_px)};
+  const Size size{std::clamp(look.size.width_px, 1, kSideMax_px),
+                  std::clamp(look.size.height_px, 1, kSideMax_px)};
   const Canvas canvas(size);
   draw(canvas, look, size);
   SIZE extent{size.width_px, size.height_px};
   POINT origin{0, 0};
   BLENDFUNCTION blend{AC_SRC_OVER, 0, 255, AC_SRC_ALPHA};
-  UpdateLayeredWindow(window, nullptr, nullptr, &extent, canvas.device(), &origin, 0, &blend, ULW_ALPHA);
-  shown_ = look;
+  if (UpdateLayeredWindow(window, nullptr, nullptr, &extent, canvas.device(), &origin, 0, &blend,
+                          ULW_ALPHA) != 0)
+    shown_ = look;
 }
 
 }  // namespace hyrax

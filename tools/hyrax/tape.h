@@ -22,7 +22,9 @@ class Tape {
   /// An input of the frame to come.
   void add_input(const Action& action) { inputs_.push_back({frames(), action}); }
   void add_frame(const Row& row);
-  [[nodiscard]] std::int64_t frames() const { return static_cast<std::int64_t>(rows_.size() / kPackedRowBytes) - 1; }
+  [[nodiscard]] std::int64_t frames() const {
+    return static_cast<std::int64_t>(rows_.size() / kPackedRowBytes) - 1;
+  }
 
   /// REQUIRES: `next` began where this one ends.
   void append(const Tape& next);

@@ -51,9 +51,7 @@ TEST(Hand, DoesNotThrowByAClickThatTrembles) {
   EXPECT_EQ(hand.velocity(2), (Velocity{100.0, 0.0}));
 }
 
-TEST(Hand, ThatNeverMovedGivesNothing) {
-  EXPECT_EQ(Hand(kTicksPerS, {7, 7}, 5).velocity(5), Velocity{});
-}
+TEST(Hand, ThatNeverMovedGivesNothing) { EXPECT_EQ(Hand(kTicksPerS, {7, 7}, 5).velocity(5), Velocity{}); }
 
 TEST(Hand, UnderAClockThatStandsStillIsAsFastAsInTheShortestDrag) {
   Hand hand(kTicksPerS, {0, 0}, 50);

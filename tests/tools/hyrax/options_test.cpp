@@ -50,8 +50,9 @@ TEST(Options, WithoutTheirValueAreRefused) {
 
 TEST(Options, RefuseSecondsThatAreNoTime) {
   for (const char* const text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
-    EXPECT_NE(refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9, is '" + std::string(text)),
-              std::string::npos)
+    EXPECT_NE(
+        refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9, is '" + std::string(text)),
+        std::string::npos)
         << text;
 }
 

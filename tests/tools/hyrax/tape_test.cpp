@@ -135,7 +135,8 @@ TEST(Tape, OfOneFrameReplays) {
 
 TEST(Ring, LetsTheOldestGoAndStillReplays) {
   Session session(start());
-  while (session.now().row.step < 3 * Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax)) live(session);
+  while (session.now().row.step < 3 * Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax))
+    live(session);
   const Tape tape = session.just_happened();
   EXPECT_GE(tape.frames(), Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax - 1));
   EXPECT_LE(tape.frames(), Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax));
