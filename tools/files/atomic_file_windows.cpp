@@ -13,6 +13,23 @@
 #include "tools/files/file_name.h"
 
 namespace hyrax {
+namespace {
+
+// Whoever reads the old file at this moment, as a virus scanner does, keeps it from being replaced.
+bool replace(const std::string& from, const std::string& to) {
+  constexpr int kTries = 20;
+  constexpr DWORD kPause_ms = 10;
+  for (int tries = 1;; ++tries) {
+    if (MoveFileExA(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0)
+      return true;
+    const DWORD error = GetLastError();
+    const bool may_pass = error == ERROR_SHARING_VIOLATION || error == ERROR_ACCESS_DENIED;
+    if (!may_pass || tries == kTries) return false;
+    Sleep(kPause_ms);
+  }
+}
+
+}  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path) {
   const DWORD attributes = GetFileAttributesA(path.c_str());
@@ -40,7 +57,7 @@ void AtomicFile::write(std::string_view text) const {
 }
 
 void AtomicFile::commit() {
-  if (MoveFileExA(part_path_.c_str(), path_.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) == 0)
+  if (!replace(part_path_, path_))
     throw Failure(
         ExitCode::cannot_access,
         path_ + ": cannot be written: " + std::system_category().message(static_cast<int>(GetLastError())));

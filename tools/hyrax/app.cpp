@@ -123,13 +123,13 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
     case kTrayMessage:
       if (low == WM_RBUTTONUP || low == WM_LBUTTONUP) open_menu();
       return 0;
-    case WM_TIMER:  // While a menu or a message has the message loop.
-      play_frame();
+    case WM_TIMER:
+      wide == kLookTimer ? look_again_at_screen() : play_frame();
       return 0;
     case WM_DISPLAYCHANGE:
     case WM_SETTINGCHANGE:
     case WM_DPICHANGED:
-      look_at_screen();
+      on_screen_change();
       return 0;
     case WM_POWERBROADCAST:
       on_power(wide);
@@ -168,7 +168,7 @@ void App::play_frame() {
   if (is_suspended_) return;
   pin_arithmetic();
   if (playback_) return play_replayed_frame();
-  look_at_screen();
+  if (clock_ticks() >= next_look_ticks_) look_at_screen();
   if (pet_.is_asleep()) return;
   pacer_.arm();
   pet_.frame(clock_ticks());

@@ -39,6 +39,13 @@ class App {
     Desk desk;
   };
 
+  // Timers of the window: one plays frames while a menu or a message has the message loop to itself, one
+  // looks at the screen once more.
+  static constexpr UINT_PTR kModalTimer = 1;
+  static constexpr UINT_PTR kLookTimer = 2;
+
+  class Modal;
+
   static LRESULT CALLBACK take_message(HWND window, UINT message, WPARAM wide, LPARAM low);
   LRESULT on_message(UINT message, WPARAM wide, LPARAM low);
 
@@ -57,6 +64,8 @@ class App {
   [[nodiscard]] static Monitor monitor_under(ScreenPoint point);
   void settle_on(const Monitor& monitor);
   void look_at_screen();
+  void on_screen_change();
+  void look_again_at_screen();
 
   // Hand and menu.
   void on_button_down();
@@ -92,6 +101,8 @@ class App {
   std::unique_ptr<TrayIcon> tray_;
   std::int64_t end_ticks_;
   std::int64_t next_save_ticks_ = 0;
+  std::int64_t next_look_ticks_ = 0;
+  std::string told_;  // Of what could not be written, last.
   bool is_frame_due_ = true;
   bool is_suspended_ = false;  // The machine is about to sleep, or sleeps.
   std::optional<ExitCode> exit_code_;

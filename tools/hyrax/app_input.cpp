@@ -7,16 +7,22 @@
 namespace hyrax {
 namespace {
 
-constexpr UINT_PTR kModalTimer = 1;
-
 ScreenPoint pointer_of_message() {
   // Where the pointer was when the message was sent; it may be elsewhere by now.
   const DWORD place = GetMessagePos();
   return {static_cast<std::int16_t>(LOWORD(place)), static_cast<std::int16_t>(HIWORD(place))};
 }
 
+// Up and to a side, another way each time.
+Velocity any_throw(std::uint64_t seed) {
+  const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
+  return {side * (600.0 + 1400.0 * split_mix64_unit(seed, 1)), -800.0 - 900.0 * split_mix64_unit(seed, 2)};
+}
+
+}  // namespace
+
 // A menu or a message box keeps the message loop to itself; meanwhile a timer plays the frames.
-class Modal {
+class App::Modal {
  public:
   explicit Modal(HWND window) : window_(window) {
     SetTimer(window, kModalTimer, USER_TIMER_MINIMUM, nullptr);
@@ -28,14 +34,6 @@ class Modal {
  private:
   HWND window_;
 };
-
-// Up and to a side, another way each time.
-Velocity any_throw(std::uint64_t seed) {
-  const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
-  return {side * (600.0 + 1400.0 * split_mix64_unit(seed, 1)), -800.0 - 900.0 * split_mix64_unit(seed, 2)};
-}
-
-}  // namespace
 
 void App::on_button_down() {
   if (playback_ || pet_.is_held()) return;

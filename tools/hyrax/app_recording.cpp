@@ -70,7 +70,8 @@ void App::save_if_due() {
   if (clock_ticks() < next_save_ticks_ && !pet_.is_asleep()) return;
   next_save_ticks_ = clock_ticks() + clock_ticks_per_s() / kSavesPerSecond;
   recording.save();
-  if (const auto failure = saver_.take_failure()) tray_->tell(*failure);
+  const auto failure = saver_.take_failure();
+  if (failure && *failure != told_) tray_->tell(told_ = *failure);
 }
 
 }  // namespace hyrax

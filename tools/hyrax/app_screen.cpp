@@ -3,6 +3,12 @@
 #include "tools/hyrax/monitor.h"
 
 namespace hyrax {
+namespace {
+
+// To ask costs more than a frame.
+constexpr std::int64_t kLooksPerSecond = 4;
+
+}  // namespace
 
 App::Monitor App::monitor_under(ScreenPoint point) {
   constexpr Desk kNoScreen{{0, 0}, {1024, 768}, {128, 128}};  // A window will not be made either.
@@ -15,9 +21,9 @@ void App::settle_on(const Monitor& monitor) {
   pacer_.set_rate(refresh_hz(monitor.handle));
 }
 
-// Asked at every frame, too: when the system tells of another size, it still gives the old work area.
 void App::look_at_screen() {
   if (playback_) return;
+  next_look_ticks_ = clock_ticks() + clock_ticks_per_s() / kLooksPerSecond;
   if (const auto desk = desk_of(home_.handle)) {
     home_.desk = *desk;
   } else {
@@ -28,6 +34,18 @@ void App::look_at_screen() {
   if (pet_.desk() == home_.desk) return;
   pet_.move_to(home_.desk, clock_ticks());
   is_frame_due_ = true;
+}
+
+// When the system tells of another size, it may still give the old work area.
+void App::on_screen_change() {
+  constexpr UINT kLater_ms = 300;
+  look_at_screen();
+  SetTimer(window_, kLookTimer, kLater_ms, nullptr);
+}
+
+void App::look_again_at_screen() {
+  KillTimer(window_, kLookTimer);
+  look_at_screen();
 }
 
 // Time that the machine slept through is not the hyrax's.
