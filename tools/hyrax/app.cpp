@@ -150,7 +150,7 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
 
 void App::wait_for_work() {
   const HANDLE timer = pacer_.handle();
-  const DWORD handles = is_asleep() ? 0 : 1;
+  const DWORD handles = is_asleep() && !pet_.is_held() ? 0 : 1;
   const DWORD woken_by =
       MsgWaitForMultipleObjectsEx(handles, &timer, ms_to_end(), QS_ALLINPUT, MWMO_INPUTAVAILABLE);
   is_frame_due_ = handles == 1 && woken_by == WAIT_OBJECT_0;
@@ -168,9 +168,10 @@ void App::play_frame() {
   if (is_suspended_) return;
   pin_arithmetic();
   if (playback_) return play_replayed_frame();
+  pacer_.arm();
+  follow_hand();
   if (clock_ticks() >= next_look_ticks_) look_at_screen();
   if (pet_.is_asleep()) return;
-  pacer_.arm();
   pet_.frame(clock_ticks());
   const Keyframe& now = pet_.session().now();
   show(now, pet_.pose(), pet_.faces_left());

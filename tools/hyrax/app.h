@@ -71,6 +71,8 @@ class App {
   void on_button_down();
   void on_mouse_move();
   void on_button_up();
+  void follow_hand();
+  void let_go(ScreenPoint hand);
   void on_capture_lost(HWND taker);
   void open_menu();
   void obey(Choice choice);

@@ -13,6 +13,11 @@ ScreenPoint pointer_of_message() {
   return {static_cast<std::int16_t>(LOWORD(place)), static_cast<std::int16_t>(HIWORD(place))};
 }
 
+bool is_button_down() {
+  const bool is_left_handed = GetSystemMetrics(SM_SWAPBUTTON) != 0;
+  return GetAsyncKeyState(is_left_handed ? VK_RBUTTON : VK_LBUTTON) < 0;
+}
+
 // Up and to a side, another way each time.
 Velocity any_throw(std::uint64_t seed) {
   const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
@@ -50,8 +55,19 @@ void App::on_mouse_move() {
 }
 
 void App::on_button_up() {
-  if (!pet_.is_held()) return;
-  const ScreenPoint hand = pointer_of_message();
+  if (pet_.is_held()) let_go(pointer_of_message());
+}
+
+// Asked at every frame of a hold: a window that is not in the foreground may be told nothing of a pointer
+// that left it, and then a button that came up would never let go.
+void App::follow_hand() {
+  POINT pointer{};
+  if (!pet_.is_held() || GetCursorPos(&pointer) == 0) return;
+  const ScreenPoint hand{static_cast<std::int32_t>(pointer.x), static_cast<std::int32_t>(pointer.y)};
+  is_button_down() ? pet_.drag(hand, clock_ticks()) : let_go(hand);
+}
+
+void App::let_go(ScreenPoint hand) {
   settle_on(monitor_under(hand));
   pet_.let_go(hand, clock_ticks(), home_.desk);
   ReleaseCapture();  // It is let go by now, so that the loss of capture means nothing.
