@@ -24,6 +24,7 @@ def settings_of(row, folder):
     yield "CMAKE_BUILD_TYPE=None"  # Adds no flags of its own.
     yield "HYRAX_SIM=OFF"
     yield f"CMAKE_CXX_FLAGS={row.flags}"
+    yield f"CMAKE_CXX_FLAGS_NONE={row.more_flags}"
     if row.toolchain:
         yield f"CMAKE_TOOLCHAIN_FILE={PROJECT}/tools/cmake/{row.toolchain}"
     else:

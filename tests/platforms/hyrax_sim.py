@@ -4,10 +4,9 @@ import json
 import os
 import subprocess
 
-from library import NOT_STRICT
 from preloading import environment_for
 from result import Result, hindrance_of
-from rows import PROJECT, THIS_BUILD
+from rows import NOT_STRICT, PROJECT, THIS_BUILD
 
 MANY = 8
 TIMEOUT_S = 600

@@ -8,9 +8,6 @@ import re
 from rows import PROJECT
 
 
-NOT_STRICT = 5  # The exit code of a program whose arithmetic is not strict.
-
-
 class NoConstant(Exception):
     """A scenario that nothing holds to a hash."""
 

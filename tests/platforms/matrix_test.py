@@ -30,6 +30,11 @@ SCENARIO = "flings/first-fling"
 class Matrix(unittest.TestCase):
     """The driver, with golden files of its own."""
 
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
+        cls.addClassCleanup(shutil.rmtree, cls.scratch)
+
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
@@ -42,7 +47,7 @@ class Matrix(unittest.TestCase):
         """Plays a program; returns its table and what was told beside it."""
         done = subprocess.run(
             [str(HERE / "run"), "--program", program, "--golden", str(self.folder / "golden"), "--folder",
-             str(self.folder / "scratch"), *options], capture_output=True, text=True, timeout=120, check=False)
+             str(self.scratch), *options], capture_output=True, text=True, timeout=120, check=False)
         self.assertEqual(done.returncode, exit_code, done.stdout + done.stderr)
         return done.stdout, done.stderr
 
@@ -50,7 +55,7 @@ class Matrix(unittest.TestCase):
         table, errors = self.play(AS_MUST_BE)
         self.assertEqual(errors, "")
         self.assertRegex(table, r"(?m)^\| this build .* (\d+) of \1 agree +\|$")
-        self.assertEqual(table, (self.folder / "scratch/platforms.md").read_text(encoding="utf-8"))
+        self.assertEqual(table, (self.scratch / "platforms.md").read_text(encoding="utf-8"))
 
     def test_one_digit_of_one_golden_hash_turns_it_red(self):
         digest = self.folder / "golden" / f"{SCENARIO}.txt"

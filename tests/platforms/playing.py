@@ -3,8 +3,7 @@
 import os
 import subprocess
 
-from library import NOT_STRICT
-from rows import EMULATED_STEPS_MAX, PROJECT
+from rows import EMULATED_STEPS_MAX, NOT_STRICT, PROJECT
 
 TIMEOUT_S = 600
 

@@ -14,6 +14,8 @@ SOURCES = {"locale": HERE / "preloaded/locale.c", "fast_math": HERE / "preloaded
 def build_library(name, folder):
     """The library of that name. From GCC 13 on -ffast-math alone does not reach into one."""
     library = folder / f"{name}.so"
+    if library.exists() and library.stat().st_mtime > SOURCES[name].stat().st_mtime:
+        return library
     compile_it = ("gcc", "-shared", "-fPIC", "-O2", SOURCES[name], "-o", library, "-lm")
     if name != "fast_math":
         command(*compile_it)
@@ -28,7 +30,9 @@ def build_library(name, folder):
 @functools.cache
 def build_locale(folder):
     """A folder of locales with one in it, which has a decimal comma."""
-    subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE")], check=True, capture_output=True)
+    if not (folder / "de_DE").exists():
+        subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE")], check=True,
+                       capture_output=True)
     return folder
 
 

@@ -9,6 +9,8 @@ PROJECT = HERE.parents[1]
 # Soaks take too long on an emulated processor: there, scenarios of more steps are left out, and the table says so.
 EMULATED_STEPS_MAX = 10_000_000
 
+NOT_STRICT = 5  # The exit code where arithmetic is not strict IEEE-754.
+
 
 @dataclasses.dataclass(frozen=True)
 class Needs:
@@ -57,6 +59,7 @@ class Row:
     source: pathlib.Path = PROJECT
     toolchain: str = ""
     settings: tuple = ()  # More CMake settings, NAME=VALUE.
+    more_flags: str = ""  # No part of what the row is about, and not shown.
     program: str = "bin/hyrax-replay"
     runner: tuple = ()  # What runs the program where this processor does not.
     runs_on: str = "this machine"
@@ -88,11 +91,11 @@ THIS_BUILD = (
     Variant("a library that rounds upwards is loaded", ("LD_PRELOAD={rounding}",), must=ROUNDED),
 )
 
-WITHOUT_GUARDS = ("CMAKE_CXX_FLAGS_NONE=-DHYRAX_CONTROL_WITHOUT_GUARDS",)
 GXX = Needs("g++", "g++")
-IN_32_BITS = ("g++", Needs("/usr/lib/gcc/*/*/32/libstdc++.a", "g++-12-multilib"))
+IN_32_BITS = Needs("/usr/lib/gcc/*/*/32/libstdc++.a", "g++-12-multilib")
 # The package g++-multilib, which would have the headers of Linux where -m32 looks, excludes all cross compilers.
-M32 = "-m32 -idirafter /usr/include/x86_64-linux-gnu"
+HEADERS_OF_32_BITS = "-idirafter /usr/include/x86_64-linux-gnu"
+WITHOUT_GUARDS = "-DHYRAX_CONTROL_WITHOUT_GUARDS"
 
 
 def native(compiler, package, *all_flags):
@@ -113,11 +116,11 @@ def windows(flags):
                needs=(Needs("x86_64-w64-mingw32-g++-posix", "g++-mingw-w64-x86-64-posix"), Needs("wine", "wine")))
 
 
-def emulated(name, triple, emulator, package_triple=""):
+def emulated(name, triple, emulator):
     """Another processor, under qemu-user."""
     return Row(name, f"{triple}-g++", "-O2", toolchain="cross.cmake", settings=(f"HYRAX_TRIPLE={triple}",),
                runner=(emulator,), runs_on=emulator,
-               needs=(Needs(f"{triple}-g++", f"g++-{package_triple or triple}"), Needs(emulator, "qemu-user")))
+               needs=(Needs(f"{triple}-g++", f"g++-{triple}"), Needs(emulator, "qemu-user")))
 
 
 BUILDS = (
@@ -126,7 +129,7 @@ BUILDS = (
     *native("clang++", "clang", "-O0", "-O2", "-O3 -march=native"),
     *native("clang++-22", "clang-22", "-O0", "-O2", "-O3 -march=native"),
     level(1, ()), level(2, V2), level(3, V3), level(4, V4),
-    Row("i386 with SSE2", "g++", f"-O2 {M32}", needs=IN_32_BITS[1:], cpu=("lm",)),
+    Row("i386 with SSE2", "g++", "-O2 -m32", more_flags=HEADERS_OF_32_BITS, needs=(GXX, IN_32_BITS), cpu=("lm",)),
     windows("-O0"), windows("-O2"),
     emulated("aarch64", "aarch64-linux-gnu", "qemu-aarch64"),
     emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64"),
@@ -145,12 +148,12 @@ BUILDS = (
 # What must be refused, and one build that must differ: it shows that the matrix would notice.
 CONTROLS = (
     Row("-ffast-math", flags="-O2 -ffast-math", needs=(GXX,), must=Verdict("compiles", "-ffast-math changes the bits")),
-    Row("x87 on i386", flags=f"-O2 {M32}", last_flags="-mno-sse2 -mfpmath=387", needs=IN_32_BITS[1:], cpu=("lm",),
-        must=Verdict("compiles", "excess precision (x87)")),
-    Row("-ffast-math, guards lifted", flags="-O1 -ffast-math", settings=WITHOUT_GUARDS, needs=(GXX,), cpu=("lm",),
+    Row("x87 on i386", flags="-O2 -m32", last_flags="-mfpmath=387", more_flags=HEADERS_OF_32_BITS,
+        needs=(GXX, IN_32_BITS), cpu=("lm",), must=Verdict("compiles", "excess precision (x87)")),
+    Row("-ffast-math, guards lifted", flags="-O1 -ffast-math", more_flags=WITHOUT_GUARDS, needs=(GXX,), cpu=("lm",),
         must=FLUSHED),
-    Row("x87 on i386, guards lifted", flags=f"-O1 {M32}", last_flags="-mfpmath=387", settings=WITHOUT_GUARDS,
-        needs=IN_32_BITS[1:], cpu=("lm",), must=EXCESS),
+    Row("x87 on i386, guards lifted", flags="-O1 -m32", last_flags="-mfpmath=387",
+        more_flags=f"{HEADERS_OF_32_BITS} {WITHOUT_GUARDS}", needs=(GXX, IN_32_BITS), cpu=("lm",), must=EXCESS),
     Row("fused", flags="-O2 -march=native", last_flags="-ffp-contract=fast", needs=(GXX,), cpu=("fma",), must=FUSED),
     Row("fused, self-test taken out", flags="-O2 -march=native", last_flags="-ffp-contract=fast", is_blind=True,
         needs=(GXX,), cpu=("fma",), must=DIFFERS),

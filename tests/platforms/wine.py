@@ -32,9 +32,11 @@ class Wine:
             self.call("wineserver", "-w", timeout=END_S_MAX)
 
     def settings(self):
+        """Where it lives, and that it neither draws nor talks."""
         return {"WINEPREFIX": str(self.folder), "WINEARCH": "win64", "WINEDEBUG": "-all", "DISPLAY": "",
                 "WINEDLLOVERRIDES": "mscoree,mshtml="}
 
     def call(self, *command, timeout):
+        """Runs a command of Wine's."""
         subprocess.run(command, env={**os.environ, **self.settings()}, stdin=subprocess.DEVNULL,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=timeout, check=False)
