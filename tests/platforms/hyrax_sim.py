@@ -36,8 +36,9 @@ def agreement(name, done):
 def refusal(name, done, sentence):
     """The line of a check that must be refused."""
     is_refused = done.returncode == NOT_STRICT and not done.stdout and sentence in done.stderr.decode()
-    verdict = f"refused at start, exit code 5: {sentence}" if is_refused else f"NOT REFUSED: exit code {done.returncode}"
-    return line(name, verdict, not is_refused, done.stderr.decode())
+    if is_refused:
+        return line(name, f"refused at start, exit code 5: {sentence}", False)
+    return line(name, f"NOT REFUSED: exit code {done.returncode}", True, done.stderr.decode())
 
 
 def lines_of(program, golden, folder):

@@ -14,7 +14,8 @@ IN_CI = os.environ.get("CI") == "true"
 def processor_features():
     """The flags of /proc/cpuinfo; none where the processor is of another family."""
     cpuinfo = pathlib.Path("/proc/cpuinfo")
-    found = re.search(r"^flags\s*:(.*)$", cpuinfo.read_text(encoding="utf-8"), re.MULTILINE) if cpuinfo.exists() else None
+    text = cpuinfo.read_text(encoding="utf-8") if cpuinfo.exists() else ""
+    found = re.search(r"^flags\s*:(.*)$", text, re.MULTILINE)
     return frozenset(found.group(1).split()) if found else frozenset()
 
 

@@ -48,7 +48,8 @@ class Matrix:
         try:
             lines = list(self.lines_of(row))
         except (BuildFailed, subprocess.SubprocessError, OSError) as error:
-            lines = [Result(row.name, row.compiler, flags_of(row), row.runs_on, "FAILED to build or run", True, str(error))]
+            verdict = "FAILED to build or run"
+            lines = [Result(row.name, row.compiler, flags_of(row), row.runs_on, verdict, True, str(error))]
         tell(f"{row.name:<32}{time.monotonic() - begin:6.1f} s  {lines[0].verdict}")
         return lines
 

@@ -38,7 +38,8 @@ std::string contract_text(const Provenance& a, const Provenance& b, DifferenceCl
                                  any(std::not_fn(both_tell)) ? ", as far as both files tell" : "");
   for (const ProvenanceField& field : kProvenanceFields)
     if (differs(a, b, field))
-      text += fmt::format("  {:<10} {}: '{}' and '{}'\n", "", field.name, *(a.*field.value), *(b.*field.value));
+      text +=
+          fmt::format("  {:<10} {}: '{}' and '{}'\n", "", field.name, *(a.*field.value), *(b.*field.value));
   return text + fmt::format("  {:<10} {}\n", "meaning", meaning(difference, contracts_differ));
 }
 
