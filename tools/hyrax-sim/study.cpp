@@ -8,6 +8,7 @@
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/study_request.h"
+#include "tools/hyrax-sim/study_speed_error.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/study_csv.h"
 #include "tools/store/study_file.h"
@@ -17,7 +18,12 @@ namespace {
 
 // All studies, in the order of the help.
 const std::vector<StudyKind>& studies() {
-  static const std::vector<StudyKind> kinds = {};
+  static const std::vector<StudyKind> kinds = {
+      {.name = "speed-error",
+       .summary = "what every method and rate costs, and how far it is from the exact motion",
+       .takes_scenarios = true,
+       .make = make_speed_error},
+  };
   return kinds;
 }
 
