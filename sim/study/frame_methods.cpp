@@ -253,7 +253,7 @@ std::vector<MethodKind> frame_methods() {
       {"verlet", "velocity Verlet", "", 2, true, 0.0, maker<FrameMethod<VerletFlight>>()},
       {"rk4", "Runge-Kutta 4", "", 4, true, 0.0, maker<FrameMethod<Rk4Flight>>()},
       {"exact-flight", "exact flight step", "", kExactOrder, true, 0.0, maker<FrameMethod<ExactFlight>>()},
-      {"event-driven", "event-driven, exact", "", kExactOrder, true, 0.0, maker<EventDriven>()}};
+      {"event-driven", "event-driven", "", kExactOrder, true, 0.0, maker<EventDriven>()}};
 }
 
 }  // namespace hyrax

@@ -11,8 +11,6 @@
 namespace hyrax {
 namespace {
 
-constexpr double kErrorsAsked_px[] = {100.0, 10.0, 1.0, 0.1, 0.01, 1e-6};
-
 using Frames = std::vector<std::vector<double>>;
 
 bool suits(const MethodKind& kind, const Problem& problem) {
@@ -108,9 +106,9 @@ void fit_orders(SpeedError& study) {
     }
 }
 
-void find_cheapest(SpeedError& study) {
+void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px) {
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
-    for (const double error_px : kErrorsAsked_px) {
+    for (const double error_px : errors_asked_px) {
       CheapestBelow answer{problem, error_px, {}, {}};
       const auto improve = [&](std::optional<std::size_t>& best, std::size_t point) {
         if (!best || study.points[point].cost.median_ns < study.points[*best].cost.median_ns) best = point;
@@ -202,7 +200,7 @@ std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vect
 
 SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
                              const SpeedErrorOptions& options, const NanosecondClock& now_ns) {
-  assert(!problems.empty() && problems.front().is_free_flight);
+  assert(!problems.empty());
   SpeedError study;
   study.problems = std::move(problems);
   study.methods = std::move(methods);
@@ -211,7 +209,8 @@ SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKi
   measurer.measure_costs_of_all(now_ns);
   mark_pareto(study);
   fit_orders(study);
-  find_cheapest(study);
+  find_cheapest(study, options.errors_asked_px);
+  if (!study.problems.front().is_free_flight) return study;
   for (const double rate_hz : options.rates_hz)
     study.paper.push_back(paper_errors(study.problems.front(), rate_hz));
   return study;

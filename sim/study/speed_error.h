@@ -58,7 +58,7 @@ struct SpeedError {
   std::vector<WorkPoint> points;
   std::vector<OrderFit> orders;
   std::vector<CheapestBelow> cheapest;
-  std::vector<PaperErrors> paper;  ///< Of the first problem.
+  std::vector<PaperErrors> paper;  ///< Of the first problem, if it is free flight.
   ClockProbe probe;
   int repetitions = 0;
 };
@@ -66,10 +66,13 @@ struct SpeedError {
 struct SpeedErrorOptions {
   std::vector<double> rates_hz;  ///< Each kCheckRate_hz times a power of two.
   CostOptions cost;
-  std::function<void(std::int64_t, std::int64_t)> tell;  ///< See measure_costs; may be empty.
+  std::vector<double> errors_asked_px = {100.0, 10.0, 1.0,
+                                         0.1,   0.01, 1e-6};  ///< What is cheapest below each?
+  std::function<void(std::int64_t, std::int64_t)> tell = {};  ///< See measure_costs; may be empty.
 };
 
-/// REQUIRES: the first problem is free flight. Adaptive methods fly the problems of free flight alone.
+/// Adaptive methods fly the problems of free flight alone. SpeedError::paper is empty where the first problem
+/// is none of these. REQUIRES: a problem; the paper's step is the first method.
 [[nodiscard]] SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
                                            const SpeedErrorOptions& options, const NanosecondClock& now_ns);
 

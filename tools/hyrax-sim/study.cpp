@@ -7,6 +7,7 @@
 
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/study_needs.h"
 #include "tools/hyrax-sim/study_request.h"
 #include "tools/hyrax-sim/study_speed_error.h"
 #include "tools/report/gnuplot.h"
@@ -23,6 +24,11 @@ const std::vector<StudyKind>& studies() {
        .summary = "what every method and rate costs, and how far it is from the exact motion",
        .takes_scenarios = true,
        .make = make_speed_error},
+      {.name = "needs",
+       .summary = "what of the model and the scene a scenario needs, and the cheapest way to play it",
+       .takes_scenarios = true,
+       .takes_within = true,
+       .make = make_needs},
   };
   return kinds;
 }

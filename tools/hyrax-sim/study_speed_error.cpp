@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -17,6 +16,7 @@
 #include "tools/hyrax-sim/machine_name.h"
 #include "tools/hyrax-sim/progress.h"
 #include "tools/hyrax-sim/scenario_list.h"
+#include "tools/hyrax-sim/steady_clock_ns.h"
 #include "tools/report/speed_error_figure.h"
 
 namespace hyrax {
@@ -64,12 +64,6 @@ std::vector<double> rates_hz(bool is_quick) {
   for (double rate_hz = kCheckRate_hz; rate_hz <= 7680.0; rate_hz *= is_quick ? 4.0 : 2.0)
     rates.push_back(rate_hz);
   return rates;
-}
-
-std::int64_t steady_ns() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
 }
 
 // A method's point at a rate; nullptr where there is none.
@@ -121,12 +115,12 @@ std::string point_text(const SpeedError& study, const std::optional<std::size_t>
 
 std::string cheapest_text(const SpeedError& study, std::size_t problem) {
   std::string text =
-      fmt::format("{:<18}{:<48}{}\n", "for an error below", "the cheapest is", "the paper's step costs");
+      fmt::format("{:<21}{:<54}{}\n", "for an error below", "the cheapest is", "the paper's step costs");
   for (const CheapestBelow& answer : study.cheapest) {
     if (answer.problem != problem) continue;
     std::string paper = point_text(study, answer.paper_point);
     if (answer.paper_point) paper = paper.substr(paper.find(", ") + 2);
-    text += fmt::format("{:>15g} px {:<48}{}\n", answer.error_px, point_text(study, answer.point), paper);
+    text += fmt::format("{:>15g} px   {:<54}{}\n", answer.error_px, point_text(study, answer.point), paper);
   }
   return text;
 }
@@ -134,9 +128,7 @@ std::string cheapest_text(const SpeedError& study, std::size_t problem) {
 std::string verdict_of(const SpeedError& study, const std::string& machine, bool has_scenarios) {
   std::string text = fmt::format(
       "Speed against error on {}; its clock was steady to {:.1f} %.\n"
-      "Truth: the fixed laws, v' = g - k v with k = 0.06003 1/s (drag as at 60 Hz) from exact impact to "
-      "exact "
-      "impact.\n",
+      "Truth: the fixed laws, v' = g - k v with k = 0.06003 1/s (drag as at 60 Hz), from impact to impact.\n",
       machine, 100.0 * study.probe.drift_rel);
   // One screen: a flight and a fling, or the last of the scenarios that were named.
   std::size_t fling = study.problems.size() - 1;
@@ -195,7 +187,8 @@ StudyOutcome make_speed_error(const StudyRequest& request) {
     if (!progress) progress = std::make_unique<Progress>("samples", total);
     progress->show(done);
   };
-  const SpeedError study = study_speed_error(problems_of(request), std::move(methods), options, steady_ns);
+  const SpeedError study =
+      study_speed_error(problems_of(request), std::move(methods), options, steady_clock_ns);
   progress.reset();
 
   const std::string machine = machine_name();
