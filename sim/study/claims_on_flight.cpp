@@ -54,7 +54,7 @@ Claim drag_factor() {
 
 // Rate of decay over a second of flight.
 double decay_per_s(double speed_px_per_s, double rate_hz) {
-  const Body body = thrown({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpenRoom);
+  const Body body = thrown({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
   return -std::log(body.vx_px_per_s / speed_px_per_s);
 }
 
@@ -96,10 +96,10 @@ Claim exponential() {
 
 // Terminal speed: the fixed point of v <- a (v + G dt).
 Claim terminal_speed() {
-  const Body late = core_steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpenRoom, 20'000);
-  const Body later = core_steps(late, 1e-2, kOpenRoom, 5'000);
-  const double at_60_hz = core_steps({}, kSixtieth_s, kOpenRoom, 40'000).vy_px_per_s;
-  const double at_240_hz = core_steps({}, kSixtieth_s / 4, kOpenRoom, 40'000).vy_px_per_s;
+  const Body late = core_steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpen, 20'000);
+  const Body later = core_steps(late, 1e-2, kOpen, 5'000);
+  const double at_60_hz = core_steps({}, kSixtieth_s, kOpen, 40'000).vy_px_per_s;
+  const double at_240_hz = core_steps({}, kSixtieth_s / 4, kOpen, 40'000).vy_px_per_s;
   return {"2.2-terminal",
           "drag prevents indefinite acceleration under gravity",
           "speed of an endless fall at 60 Hz",
