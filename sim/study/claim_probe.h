@@ -12,10 +12,10 @@
 namespace hyrax {
 
 /// The paper's desktop: bounds of 1920 x 1080 with a sprite of 128.
-inline constexpr Room kDesktopRoom{1792, 952};
+inline constexpr Bounds kDesktop{1792, 952};
 inline constexpr double kSpriteSide_px = 128.0;
 /// Far from all walls, so that only flight is seen.
-inline constexpr Room kOpenRoom{2'000'000'000, 2'000'000'000};
+inline constexpr Bounds kOpen{2'000'000'000, 2'000'000'000};
 inline constexpr double kSixtieth_s = 1.0 / 60.0;
 
 [[nodiscard]] inline ClaimVerdict holds_if(bool holds) {
@@ -40,8 +40,8 @@ inline constexpr double kSixtieth_s = 1.0 / 60.0;
 }
 
 /// Where a throw comes to lie: x after so long that nothing moves any more.
-[[nodiscard]] inline Body thrown(Body body, double rate_hz, double duration_s, Room room = kDesktopRoom) {
-  return core_steps(body, 1.0 / rate_hz, room, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
+[[nodiscard]] inline Body thrown(Body body, double rate_hz, double duration_s, Bounds bounds = kDesktop) {
+  return core_steps(body, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
 }
 
 }  // namespace hyrax

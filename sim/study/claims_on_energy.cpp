@@ -23,28 +23,28 @@ CoreConstants lossless() {
 }
 
 // e = v^2 / 2 + G (bottom - y).
-double energy(const Body& body, Room room) {
+double energy(const Body& body, Bounds bounds) {
   return (body.vx_px_per_s * body.vx_px_per_s + body.vy_px_per_s * body.vy_px_per_s) / 2 +
-         core_constants().gravity_px_per_s2 * (room.bottom_px - body.y_px);
+         core_constants().gravity_px_per_s2 * (bounds.bottom_px - body.y_px);
 }
 
 // Relative change of energy in lossless motion, largest over the run.
-double lossless_drift(StepOrder order, Body body, double duration_s, Room room) {
-  const double first = energy(body, room);
+double lossless_drift(StepOrder order, Body body, double duration_s, Bounds bounds) {
+  const double first = energy(body, bounds);
   double worst = 0.0;
   for (int step = 0; step < static_cast<int>(duration_s / kSixtieth_s); ++step) {
-    body = listing_step(lossless(), order, body, kSixtieth_s, room);
-    worst = std::max(worst, std::fabs(energy(body, room) - first));
+    body = listing_step(lossless(), order, body, kSixtieth_s, bounds);
+    worst = std::max(worst, std::fabs(energy(body, bounds) - first));
   }
   return worst / first;
 }
 
 // A second of flight from vy = -900, and a minute of elastic bounces from the middle of the desktop.
 double flight_drift(StepOrder order) {
-  return lossless_drift(order, {500.0, 700.0, 300.0, -900.0}, 1.0, Room{100'000, 100'000});
+  return lossless_drift(order, {500.0, 700.0, 300.0, -900.0}, 1.0, Bounds{100'000, 100'000});
 }
 double bouncing_drift(StepOrder order) {
-  return lossless_drift(order, {500.0, 400.0, 300.0, 0.0}, 60.0, kDesktopRoom);
+  return lossless_drift(order, {500.0, 400.0, 300.0, 0.0}, 60.0, kDesktop);
 }
 
 // Symplectic Euler in a constant field loses (G dt)^2 / 2 a step: it conserves no energy, but

@@ -40,8 +40,8 @@ double apart_px(StepOrder order) {
   double worst_px = 0.0;
   Body paper{100.0, 500.0, 2400.0, -700.0}, other = paper;
   for (int step = 0; step < 60; ++step) {
-    paper = listing_step(core, StepOrder::paper, paper, kSixtieth_s, kDesktopRoom);
-    other = listing_step(core, order, other, kSixtieth_s, kDesktopRoom);
+    paper = listing_step(core, StepOrder::paper, paper, kSixtieth_s, kDesktop);
+    other = listing_step(core, order, other, kSixtieth_s, kDesktop);
     worst_px = std::max(worst_px, std::hypot(paper.x_px - other.x_px, paper.y_px - other.y_px));
   }
   return worst_px;
@@ -67,13 +67,13 @@ Claim after_position() {
   const CoreConstants core = core_constants();
   std::int64_t outside = 0, outside_walls_first = 0;
   const auto is_outside = [](const Body& body) {
-    return body.x_px < 0.0 || body.x_px > kDesktopRoom.right_px || body.y_px < 0.0 ||
-           body.y_px > kDesktopRoom.bottom_px;
+    return body.x_px < 0.0 || body.x_px > kDesktop.right_px || body.y_px < 0.0 ||
+           body.y_px > kDesktop.bottom_px;
   };
   Body ours{300.0, 500.0, 3000.0, -2000.0}, other = ours;
   for (int step = 0; step < 2000; ++step) {
-    ours = core_step(ours, kSixtieth_s, kDesktopRoom);
-    other = listing_step(core, StepOrder::walls_first, other, kSixtieth_s, kDesktopRoom);
+    ours = core_step(ours, kSixtieth_s, kDesktop);
+    other = listing_step(core, StepOrder::walls_first, other, kSixtieth_s, kDesktop);
     outside += is_outside(ours) ? 1 : 0;
     outside_walls_first += is_outside(other) ? 1 : 0;
   }

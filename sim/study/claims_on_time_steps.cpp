@@ -12,8 +12,8 @@ std::int64_t bounces(double dt_s) {
   std::int64_t count = 0;
   bool was_down = false;
   for (int step = 0; step < static_cast<int>(6.0 / dt_s); ++step) {
-    body = core_step(body, dt_s, kDesktopRoom);
-    const bool is_down = body.y_px == kDesktopRoom.bottom_px;
+    body = core_step(body, dt_s, kDesktop);
+    const bool is_down = body.y_px == kDesktop.bottom_px;
     count += is_down && !was_down ? 1 : 0;
     was_down = is_down;
   }
@@ -63,10 +63,10 @@ bool is_stable(double dt_s) {
     Body body{drawn(5, 4 * fling, 0.0, 1792.0), drawn(5, 4 * fling + 1, 0.0, 952.0),
               drawn(5, 4 * fling + 2, -2000.0, 2000.0), drawn(5, 4 * fling + 3, -2000.0, 2000.0)};
     for (int step = 0; step < 500; ++step) {
-      body = core_step(body, dt_s, kDesktopRoom);
+      body = core_step(body, dt_s, kDesktop);
       const double speed = std::max(std::fabs(body.vx_px_per_s), std::fabs(body.vy_px_per_s));
-      if (!(speed <= bound_px_per_s) || !(body.x_px >= 0.0 && body.x_px <= kDesktopRoom.right_px) ||
-          !(body.y_px >= 0.0 && body.y_px <= kDesktopRoom.bottom_px))
+      if (!(speed <= bound_px_per_s) || !(body.x_px >= 0.0 && body.x_px <= kDesktop.right_px) ||
+          !(body.y_px >= 0.0 && body.y_px <= kDesktop.bottom_px))
         return false;
     }
   }
@@ -101,17 +101,17 @@ CornerThrows corner_throws(double least_px_per_s, double most_px_per_s) {
                is_low = split_mix64_unit(6, 5 * draw + 1) < 0.5;
     const double speed = drawn(6, 5 * draw + 2, least_px_per_s, most_px_per_s);
     const double inset_px = drawn(6, 5 * draw + 3, 0.0, 20.0), other_px = drawn(6, 5 * draw + 4, 0.0, 20.0);
-    const Body body{is_right ? kDesktopRoom.right_px - inset_px : inset_px,
-                    is_low ? kDesktopRoom.bottom_px - other_px : other_px, is_right ? speed : -speed,
+    const Body body{is_right ? kDesktop.right_px - inset_px : inset_px,
+                    is_low ? kDesktop.bottom_px - other_px : other_px, is_right ? speed : -speed,
                     is_low ? speed : -speed};
     const Body flight = core_flight(body, kSixtieth_s);
-    const bool crosses_x = flight.x_px < 0.0 || flight.x_px > kDesktopRoom.right_px;
-    const bool crosses_y = flight.y_px < 0.0 || flight.y_px > kDesktopRoom.bottom_px;
+    const bool crosses_x = flight.x_px < 0.0 || flight.x_px > kDesktop.right_px;
+    const bool crosses_y = flight.y_px < 0.0 || flight.y_px > kDesktop.bottom_px;
     if (!crosses_x || !crosses_y) continue;
     ++seen.crossed;
-    const Body after = core_step(body, kSixtieth_s, kDesktopRoom);
-    const bool is_inside = after.x_px >= 0.0 && after.x_px <= kDesktopRoom.right_px && after.y_px >= 0.0 &&
-                           after.y_px <= kDesktopRoom.bottom_px;
+    const Body after = core_step(body, kSixtieth_s, kDesktop);
+    const bool is_inside = after.x_px >= 0.0 && after.x_px <= kDesktop.right_px && after.y_px >= 0.0 &&
+                           after.y_px <= kDesktop.bottom_px;
     seen.outside += is_inside ? 0 : 1;
   }
   return seen;

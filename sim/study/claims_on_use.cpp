@@ -22,14 +22,14 @@ Claim frame_rate() {
           "spread of the resting places of one fling, 24 to 240 Hz",
           spread_px,
           "px",
-          holds_if(spread_px <= kApproximately * kDesktopRoom.right_px),
+          holds_if(spread_px <= kApproximately * kDesktop.right_px),
           "from " + digits(least_px) + " to " + digits(most_px) +
               " px; a twentieth of the window would be approximate"};
 }
 
 // The largest jump of a step of a slow sprite that is larger than its window by 28 and 48 px.
 Claim sizes() {
-  constexpr Room kNoRoom{-28, -48};
+  constexpr Bounds kNoRoom{-28, -48};
   Body body{-10.0, -20.0, 1.0, 1.0};
   double jump_px = 0.0;
   for (int step = 0; step < 600; ++step) {
@@ -49,7 +49,7 @@ Claim sizes() {
 
 // What resetVelocity does is no more than two zeros; gravity goes on.
 Claim stopping() {
-  const Body stopped = core_steps({900.0, 100.0, 0.0, 0.0}, kSixtieth_s, kOpenRoom, 60);
+  const Body stopped = core_steps({900.0, 100.0, 0.0, 0.0}, kSixtieth_s, kOpen, 60);
   const double moved_px = stopped.y_px - 100.0;
   return {"6.1-reset",
           "resetVelocity sets both velocity components to zero, stopping all motion",
@@ -64,7 +64,7 @@ Claim drawing() {
   double least_px = 1e300;
   Body body{500.0, 300.0, -2000.0, 0.0};
   for (int step = 0; step < 60; ++step) {
-    body = core_step(body, kSixtieth_s, kDesktopRoom);
+    body = core_step(body, kSixtieth_s, kDesktop);
     least_px = std::min(least_px, body.x_px - kSpriteSide_px / 2);
   }
   return {"6.2-drawing",

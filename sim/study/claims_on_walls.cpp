@@ -11,12 +11,11 @@ namespace {
 // Random throws across the desktop, step by step.
 void watch_throws(const std::function<void(const Body& flight, const Body& after)>& see) {
   for (std::uint64_t fling = 0; fling < 200; ++fling) {
-    Body body{drawn(2, 4 * fling, 0.0, kDesktopRoom.right_px),
-              drawn(2, 4 * fling + 1, 0.0, kDesktopRoom.bottom_px), drawn(2, 4 * fling + 2, -4000.0, 4000.0),
-              drawn(2, 4 * fling + 3, -4000.0, 4000.0)};
+    Body body{drawn(2, 4 * fling, 0.0, kDesktop.right_px), drawn(2, 4 * fling + 1, 0.0, kDesktop.bottom_px),
+              drawn(2, 4 * fling + 2, -4000.0, 4000.0), drawn(2, 4 * fling + 3, -4000.0, 4000.0)};
     for (int step = 0; step < 200; ++step) {
       const Body flight = core_flight(body, kSixtieth_s);
-      body = core_step(body, kSixtieth_s, kDesktopRoom);
+      body = core_step(body, kSixtieth_s, kDesktop);
       see(flight, body);
     }
   }
@@ -48,7 +47,7 @@ void see_side(const Body& flight, const Body& after, double right_px, bool is_on
 
 Reach reach_of_throws() {
   Reach reach;
-  const double right_px = kDesktopRoom.right_px, bottom_px = kDesktopRoom.bottom_px;
+  const double right_px = kDesktop.right_px, bottom_px = kDesktop.bottom_px;
   watch_throws([&](const Body& flight, const Body& after) {
     reach.x_least_px = std::min(reach.x_least_px, after.x_px);
     reach.x_most_px = std::max(reach.x_most_px, after.x_px);
@@ -77,7 +76,7 @@ Reach reach_of_throws() {
 
 Claim centre(const Reach& reach) {
   const double out_px = std::max(kSpriteSide_px / 2 - reach.x_least_px,
-                                 reach.x_most_px - (kDesktopRoom.right_px + kSpriteSide_px / 2));
+                                 reach.x_most_px - (kDesktop.right_px + kSpriteSide_px / 2));
   return {"3-centre",
           "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
           "how far the sprite would stick out of the window if x were its centre",
@@ -129,7 +128,7 @@ Claim side_walls(const Reach& reach) {
 }
 
 Claim ceiling() {
-  const Body after = core_step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktopRoom);
+  const Body after = core_step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
   const Body met = core_flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
   const double ratio = after.vy_px_per_s / met.vy_px_per_s;
   return {"3.2.1-top",
@@ -164,7 +163,7 @@ Claim friction_only_on_ground(const Reach& reach) {
 // In words a bounce, which goes up and so has vy < 0 < threshold, would be stopped.
 Claim threshold_in_words(const Reach& reach) {
   const Body from{500.0, 950.0, 0.0, 800.0};
-  const Body bounced = core_step(from, kSixtieth_s, kDesktopRoom);
+  const Body bounced = core_step(from, kSixtieth_s, kDesktop);
   return {"3.2.2-signed",
           "if vy < epsilon, set vy = 0",
           "vy that a bounce from 800 px/s leaves",
@@ -185,15 +184,15 @@ CornerOrders corner_orders() {
   CornerOrders seen;
   const CoreConstants core = core_constants();
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
-    const Body body{kDesktopRoom.right_px - drawn(3, 4 * draw, 0.0, 20.0),
-                    kDesktopRoom.bottom_px - drawn(3, 4 * draw + 1, 0.0, 20.0),
+    const Body body{kDesktop.right_px - drawn(3, 4 * draw, 0.0, 20.0),
+                    kDesktop.bottom_px - drawn(3, 4 * draw + 1, 0.0, 20.0),
                     drawn(3, 4 * draw + 2, 1500.0, 9000.0), drawn(3, 4 * draw + 3, 1500.0, 9000.0)};
-    const Body x_first = listing_step(core, StepOrder::paper, body, kSixtieth_s, kDesktopRoom);
-    const Body y_first = listing_step(core, StepOrder::y_walls_first, body, kSixtieth_s, kDesktopRoom);
+    const Body x_first = listing_step(core, StepOrder::paper, body, kSixtieth_s, kDesktop);
+    const Body y_first = listing_step(core, StepOrder::y_walls_first, body, kSixtieth_s, kDesktop);
     ++seen.corners;
     for (const Body& after : {x_first, y_first})
       seen.inside_px =
-          std::max({seen.inside_px, after.x_px - kDesktopRoom.right_px, after.y_px - kDesktopRoom.bottom_px});
+          std::max({seen.inside_px, after.x_px - kDesktop.right_px, after.y_px - kDesktop.bottom_px});
     seen.apart = std::max({seen.apart, std::fabs(x_first.vx_px_per_s / y_first.vx_px_per_s - 1.0),
                            std::fabs(x_first.vy_px_per_s / y_first.vy_px_per_s - 1.0)});
   }

@@ -18,11 +18,12 @@ CoreConstants core_constants() {
           .rest_threshold_px_per_s = physics::REST_THRESHOLD};
 }
 
-Body core_step(const Body& body, double dt_s, Room room) { return core_steps(body, dt_s, room, 1); }
+Body core_step(const Body& body, double dt_s, Bounds bounds) { return core_steps(body, dt_s, bounds, 1); }
 
-Body core_steps(Body body, double dt_s, Room room, std::int64_t steps) {
+Body core_steps(Body body, double dt_s, Bounds bounds, std::int64_t steps) {
   physics moving = in(body);
-  for (std::int64_t step = 0; step < steps; ++step) moving.update(dt_s, room.right_px, room.bottom_px, 0, 0);
+  for (std::int64_t step = 0; step < steps; ++step)
+    moving.update(dt_s, bounds.right_px, bounds.bottom_px, 0, 0);
   return out(moving);
 }
 

@@ -20,19 +20,19 @@ struct CoreConstants {
 };
 
 /// Where the sprite's top left corner may be: 0 .. right, 0 .. bottom. Negative: there is no room.
-struct Room {
+struct Bounds {
   std::int32_t right_px = 0;
   std::int32_t bottom_px = 0;
-  bool operator==(const Room&) const = default;
+  bool operator==(const Bounds&) const = default;
 };
 
 [[nodiscard]] CoreConstants core_constants();
 
 /// One call of physics::update.
-[[nodiscard]] Body core_step(const Body& body, double dt_s, Room room);
+[[nodiscard]] Body core_step(const Body& body, double dt_s, Bounds bounds);
 
 /// `steps` calls of physics::update with one dt.
-[[nodiscard]] Body core_steps(Body body, double dt_s, Room room, std::int64_t steps);
+[[nodiscard]] Body core_steps(Body body, double dt_s, Bounds bounds, std::int64_t steps);
 
 /// physics::fly, its first half: the step without walls.
 [[nodiscard]] Body core_flight(const Body& body, double dt_s);

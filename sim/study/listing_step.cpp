@@ -22,15 +22,15 @@ void move(Body& body, double dt_s) {
   body.y_px += body.vy_px_per_s * dt_s;
 }
 
-void meet_walls_in_x(const CoreConstants& constants, Body& body, Room room) {
-  const double right_px = room.right_px;
+void meet_walls_in_x(const CoreConstants& constants, Body& body, Bounds bounds) {
+  const double right_px = bounds.right_px;
   if (!(body.x_px < 0.0) && !(body.x_px > right_px)) return;
   body.x_px = body.x_px < 0.0 ? 0.0 : right_px;
   body.vx_px_per_s = -body.vx_px_per_s * constants.restitution;
 }
 
-void meet_walls_in_y(const CoreConstants& constants, Body& body, Room room) {
-  const double bottom_px = room.bottom_px;
+void meet_walls_in_y(const CoreConstants& constants, Body& body, Bounds bounds) {
+  const double bottom_px = bounds.bottom_px;
   if (body.y_px < 0.0) {
     body.y_px = 0.0;
     body.vy_px_per_s = -body.vy_px_per_s * constants.restitution;
@@ -49,26 +49,26 @@ bool same_state(const Body& a, const Body& b) {
 
 }  // namespace
 
-Body listing_step(const CoreConstants& constants, StepOrder order, Body body, double dt_s, Room room) {
+Body listing_step(const CoreConstants& constants, StepOrder order, Body body, double dt_s, Bounds bounds) {
   if (order == StepOrder::position_first) move(body, dt_s);
   if (order == StepOrder::walls_first) {
-    meet_walls_in_x(constants, body, room);
-    meet_walls_in_y(constants, body, room);
+    meet_walls_in_x(constants, body, bounds);
+    meet_walls_in_y(constants, body, bounds);
   }
   if (order == StepOrder::drag_first) drag(constants, body);
   pull(constants, body, dt_s);
   if (order != StepOrder::drag_first) drag(constants, body);
   if (order != StepOrder::position_first) move(body, dt_s);
   if (order == StepOrder::walls_first) return body;
-  if (order == StepOrder::y_walls_first) meet_walls_in_y(constants, body, room);
-  meet_walls_in_x(constants, body, room);
-  if (order != StepOrder::y_walls_first) meet_walls_in_y(constants, body, room);
+  if (order == StepOrder::y_walls_first) meet_walls_in_y(constants, body, bounds);
+  meet_walls_in_x(constants, body, bounds);
+  if (order != StepOrder::y_walls_first) meet_walls_in_y(constants, body, bounds);
   return body;
 }
 
 std::int64_t steps_unlike_listing(std::int64_t steps) {
   constexpr std::int64_t kStepsOfAFling = 500;
-  constexpr Room kRoom{1792, 952};
+  constexpr Bounds kBounds{1792, 952};
   const CoreConstants constants = core_constants();
   std::int64_t unlike = 0;
   Body body;
@@ -76,12 +76,14 @@ std::int64_t steps_unlike_listing(std::int64_t steps) {
     if (step % kStepsOfAFling == 0) {
       const auto first = 4 * static_cast<std::uint64_t>(step);
       const auto draw = [first](std::uint64_t which) { return split_mix64_unit(4711, first + which); };
-      body = {kRoom.right_px * draw(0), kRoom.bottom_px * draw(1), 6000.0 * (draw(2) - 0.5),
+      body = {kBounds.right_px * draw(0), kBounds.bottom_px * draw(1), 6000.0 * (draw(2) - 0.5),
               6000.0 * (draw(3) - 0.5)};
     }
-    const double dt_s = 0.03 * split_mix64_unit(1147, static_cast<std::uint64_t>(step));
-    const Body next = core_step(body, dt_s, kRoom);
-    if (!same_state(next, listing_step(constants, StepOrder::paper, body, dt_s, kRoom))) ++unlike;
+    // Some frames take no time: then a sprite on a bound has not passed it.
+    const double drawn_dt_s = 0.03 * split_mix64_unit(1147, static_cast<std::uint64_t>(step));
+    const double dt_s = step % 7 == 0 ? 0.0 : drawn_dt_s;
+    const Body next = core_step(body, dt_s, kBounds);
+    if (!same_state(next, listing_step(constants, StepOrder::paper, body, dt_s, kBounds))) ++unlike;
     body = next;
   }
   return unlike;

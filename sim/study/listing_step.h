@@ -16,7 +16,7 @@ enum class StepOrder : std::uint8_t {
 };
 
 [[nodiscard]] Body listing_step(const CoreConstants& constants, StepOrder order, Body body, double dt_s,
-                                Room room);
+                                Bounds bounds);
 
 /// Steps of random flings, contacts among them, in which the core is not the listing's step with the core's
 /// own constants, in the paper's order, bit for bit.

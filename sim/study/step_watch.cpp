@@ -22,8 +22,8 @@ std::vector<Input> all_inputs(const Scenario& scenario) {
 
 Body body_of(const Row& row) { return {row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s}; }
 
-// Sizes are whole, and a Room holds their differences exactly.
-Room room_of(const InputPlayback& inputs) {
+// Sizes are whole, and a Bounds holds their differences exactly.
+Bounds bounds_of(const InputPlayback& inputs) {
   return {static_cast<std::int32_t>(inputs.right_px()), static_cast<std::int32_t>(inputs.bottom_px())};
 }
 
@@ -48,11 +48,11 @@ void StepWatch::see(const Row& row) {
   speed_px_per_s_ = std::max(std::fabs(row.vx_px_per_s), std::fabs(row.vy_px_per_s));
   if (has_row_) {
     const InputChange change = inputs_.apply(before_);
-    const Room room = room_of(inputs_);
-    if (change.ends_arc || room != room_ || steps_ == 0) start_from(body_of(before_), room);
+    const Bounds bounds = bounds_of(inputs_);
+    if (change.ends_arc || bounds != bounds_ || steps_ == 0) start_from(body_of(before_), bounds);
     if (!inputs_.is_held()) {
       const Body from = body_of(before_);
-      const Step step{from, core_flight(from, row.dt_s), row, room};
+      const Step step{from, core_flight(from, row.dt_s), row, bounds};
       ++steps_;
       dt_max_s_ = std::max(dt_max_s_, row.dt_s);
       see_bounds(step);
@@ -69,16 +69,16 @@ void StepWatch::see(const Row& row) {
   before_ = row;
 }
 
-void StepWatch::start_from(const Body& body, Room room) {
-  room_ = room;
+void StepWatch::start_from(const Body& body, Bounds bounds) {
+  bounds_ = bounds;
   steps_ = 0;
   dt_max_s_ = 0.0;
   energy_y_start_px2_per_s2_ =
-      square(body.vy_px_per_s) / 2 + core_.gravity_px_per_s2 * std::max(0.0, room.bottom_px - body.y_px);
+      square(body.vy_px_per_s) / 2 + core_.gravity_px_per_s2 * std::max(0.0, bounds.bottom_px - body.y_px);
   vx_max_px_per_s_ = std::fabs(body.vx_px_per_s);
   vy_max_px_per_s_ = std::fabs(body.vy_px_per_s);
-  mirror(body, room);
-  alone_ = {room.right_px / 2.0, body.y_px, 0.0, body.vy_px_per_s};
+  mirror(body, bounds);
+  alone_ = {bounds.right_px / 2.0, body.y_px, 0.0, body.vy_px_per_s};
 }
 
 // The margin is how many decades the largest number is from overflow. The time rule sums frames with a few
@@ -88,8 +88,10 @@ void StepWatch::see_finite(const Row& row) {
                                    std::fabs(row.vy_px_per_s), row.t_s, 1.0});
   const bool is_fine =
       is_finite_state(row) && std::isfinite(row.t_s) && row.t_s >= before_.t_s * (1.0 - 4 * kRounding);
-  const double decades = std::log10(std::numeric_limits<double>::max()) - std::log10(largest);
-  see(Invariant::finite, is_fine ? decades : std::numeric_limits<double>::quiet_NaN(), row.step);
+  if (!is_fine) see(Invariant::finite, std::numeric_limits<double>::quiet_NaN(), row.step);
+  if (largest <= largest_) return;
+  largest_ = largest;
+  see(Invariant::finite, std::log10(std::numeric_limits<double>::max()) - std::log10(largest), row.step);
 }
 
 // 0 <= x <= right where right >= 0, and the same in y. The margin is minus the way outside.
@@ -97,10 +99,10 @@ void StepWatch::see_bounds(const Step& step) {
   const auto outside_px = [](double at_px, double bound_px) {
     return bound_px >= 0.0 ? std::max({0.0, -at_px, at_px - bound_px}) : 0.0;
   };
-  if (step.room.right_px < 0 && step.room.bottom_px < 0) return;
+  if (step.bounds.right_px < 0 && step.bounds.bottom_px < 0) return;
   see(Invariant::in_bounds,
-      -std::max(outside_px(step.row.x_px, step.room.right_px),
-                outside_px(step.row.y_px, step.room.bottom_px)),
+      -std::max(outside_px(step.row.x_px, step.bounds.right_px),
+                outside_px(step.row.y_px, step.bounds.bottom_px)),
       step.row.step);
 }
 
@@ -113,7 +115,7 @@ void StepWatch::see_bounds(const Step& step) {
 // Rounding: vy', vx' have a relative error of at most 3 roundings and y' of 3 in each of its terms; twice
 // that covers the two energies.
 void StepWatch::see_step_energy(const Step& step) {
-  const auto& [from, flight, row, room] = step;
+  const auto& [from, flight, row, bounds] = step;
   const double gravity = core_.gravity_px_per_s2;
   const double drag = std::min(core_.air_drag, 1.0);
   const double allowed =
@@ -137,10 +139,10 @@ void StepWatch::see_energy_ceiling(const Step& step) {
   const double c = core_.restitution * core_.air_drag;
   const double buzz_px_per_s = c < 1.0 ? c * gravity * dt_max_s_ / (1.0 - c) : 0.0;
   const double ceiling = std::max(energy_y_start_px2_per_s2_, square(buzz_px_per_s) / 2);
-  const double energy =
-      square(step.row.vy_px_per_s) / 2 + gravity * (static_cast<double>(step.room.bottom_px) - step.row.y_px);
+  const double energy = square(step.row.vy_px_per_s) / 2 +
+                        gravity * (static_cast<double>(step.bounds.bottom_px) - step.row.y_px);
   const double rounding = 12 * kRounding * static_cast<double>(steps_ + 1) *
-                          (ceiling + gravity * (std::fabs(step.row.y_px) + std::abs(step.room.bottom_px)));
+                          (ceiling + gravity * (std::fabs(step.row.y_px) + std::abs(step.bounds.bottom_px)));
   see(Invariant::energy_ceiling, ceiling + rounding - energy, step.row.step);
 }
 
@@ -162,7 +164,7 @@ void StepWatch::see_speed(const Step& step) {
 // for the friction that a ground contact takes from vx; where it does not, the step ends on the bound. The
 // margin is the overshoot of the nearest clamp.
 void StepWatch::see_clamp(const Step& step) {
-  const auto& [from, flight, row, room] = step;
+  const auto& [from, flight, row, bounds] = step;
   const auto axis_margin = [](double flight_px, double bound_px, double at_px, double speed_change) {
     if (bound_px < 0.0) return std::numeric_limits<double>::infinity();  // Both walls claim the sprite.
     if (flight_px >= 0.0 && flight_px <= bound_px) {
@@ -174,18 +176,18 @@ void StepWatch::see_clamp(const Step& step) {
     const double wall_px = flight_px < 0.0 ? 0.0 : bound_px;
     return at_px == wall_px ? std::fabs(flight_px - wall_px) : -std::fabs(at_px - wall_px);
   };
-  const bool is_ground = !(flight.y_px < 0.0) && flight.y_px > room.bottom_px;
+  const bool is_ground = !(flight.y_px < 0.0) && flight.y_px > bounds.bottom_px;
   const double vx_flight = is_ground ? flight.vx_px_per_s * core_.ground_friction : flight.vx_px_per_s;
   const double margin = std::min(
-      axis_margin(flight.x_px, room.right_px, row.x_px, minus_difference(row.vx_px_per_s, vx_flight)),
-      axis_margin(flight.y_px, room.bottom_px, row.y_px,
+      axis_margin(flight.x_px, bounds.right_px, row.x_px, minus_difference(row.vx_px_per_s, vx_flight)),
+      axis_margin(flight.y_px, bounds.bottom_px, row.y_px,
                   minus_difference(row.vy_px_per_s, flight.vy_px_per_s)));
   see(Invariant::clamp, margin, row.step);
 }
 
-void StepWatch::mirror(const Body& body, Room room) {
-  mirrored_ = {room.right_px - body.x_px, body.y_px, -body.vx_px_per_s, body.vy_px_per_s};
-  mirror_slack_px_ = kRounding * (std::fabs(body.x_px) + std::abs(room.right_px));
+void StepWatch::mirror(const Body& body, Bounds bounds) {
+  mirrored_ = {bounds.right_px - body.x_px, body.y_px, -body.vx_px_per_s, body.vy_px_per_s};
+  mirror_slack_px_ = kRounding * (std::fabs(body.x_px) + std::abs(bounds.right_px));
 }
 
 // A second run from right - x with -vx. Every operation on vx is odd, so its vx is -vx to the bit and its y
@@ -193,32 +195,32 @@ void StepWatch::mirror(const Body& body, Room room) {
 // of x + h vx, which add up until a wall sets both exactly. Where that sum could decide about a wall
 // otherwise, it is a knife edge, and the mirrored run starts anew.
 void StepWatch::see_mirror(const Step& step) {
-  const auto& [from, flight, row, room] = step;
+  const auto& [from, flight, row, bounds] = step;
   mirror_slack_px_ +=
       2 * kRounding *
-      (std::fabs(flight.x_px) + std::fabs(flight.vx_px_per_s * row.dt_s) + std::abs(room.right_px));
-  mirrored_ = core_step(mirrored_, row.dt_s, room);
-  const double apart_px = std::fabs(mirrored_.x_px - (room.right_px - row.x_px));
+      (std::fabs(flight.x_px) + std::fabs(flight.vx_px_per_s * row.dt_s) + std::abs(bounds.right_px));
+  mirrored_ = core_step(mirrored_, row.dt_s, bounds);
+  const double apart_px = std::fabs(mirrored_.x_px - (bounds.right_px - row.x_px));
   const double apart_px_per_s = std::fabs(mirrored_.vx_px_per_s + row.vx_px_per_s);
   const bool is_same_y =
       same_bits(mirrored_.y_px, row.y_px) && same_bits(mirrored_.vy_px_per_s, row.vy_px_per_s);
   if (is_same_y && apart_px_per_s == 0.0 && apart_px <= mirror_slack_px_) {
     see(Invariant::mirror, mirror_slack_px_ - apart_px, row.step);
-    if (flight.x_px < 0.0 || flight.x_px > room.right_px) mirror_slack_px_ = 0.0;
+    if (flight.x_px < 0.0 || flight.x_px > bounds.right_px) mirror_slack_px_ = 0.0;
     return;
   }
-  const double to_wall_px = std::min(std::fabs(flight.x_px), std::fabs(flight.x_px - room.right_px));
+  const double to_wall_px = std::min(std::fabs(flight.x_px), std::fabs(flight.x_px - bounds.right_px));
   if (is_same_y && to_wall_px <= mirror_slack_px_)
     ++knife_edges_;
   else
     see(Invariant::mirror, -std::max({apart_px, apart_px_per_s, std::numeric_limits<double>::denorm_min()}),
         row.step);
-  mirror(body_of(row), room);
+  mirror(body_of(row), bounds);
 }
 
 // The same y and vy from another x, without motion in x: at every step the same bits.
 void StepWatch::see_y_alone(const Step& step) {
-  alone_ = core_step(alone_, step.row.dt_s, step.room);
+  alone_ = core_step(alone_, step.row.dt_s, step.bounds);
   const double margin = std::min(minus_difference(alone_.y_px, step.row.y_px),
                                  minus_difference(alone_.vy_px_per_s, step.row.vy_px_per_s));
   see(Invariant::y_alone, margin, step.row.step);
@@ -228,9 +230,9 @@ void StepWatch::see_y_alone(const Step& step) {
 
 // A frame in which no time passes, away from walls.
 void StepWatch::see_no_time(const Step& step) {
-  const auto& [from, flight, row, room] = step;
+  const auto& [from, flight, row, bounds] = step;
   const bool is_inside =
-      from.x_px >= 0.0 && from.x_px <= room.right_px && from.y_px >= 0.0 && from.y_px <= room.bottom_px;
+      from.x_px >= 0.0 && from.x_px <= bounds.right_px && from.y_px >= 0.0 && from.y_px <= bounds.bottom_px;
   if (row.dt_s != 0.0 || !is_inside) return;
   see(Invariant::no_time,
       -std::max({std::fabs(row.x_px - from.x_px), std::fabs(row.y_px - from.y_px),

@@ -34,11 +34,11 @@ class StepWatch : public RowSink {
     Body from;
     Body flight;
     const Row& row;
-    Room room;
+    Bounds bounds;
   };
 
   void see(const Row& row);
-  void start_from(const Body& body, Room room);
+  void start_from(const Body& body, Bounds bounds);
   void see_finite(const Row& row);
   void see_bounds(const Step& step);
   void see_step_energy(const Step& step);
@@ -51,14 +51,15 @@ class StepWatch : public RowSink {
   void see(Invariant invariant, double margin, std::int64_t step) {
     measures_[static_cast<std::size_t>(invariant)].see(margin, step);
   }
-  void mirror(const Body& body, Room room);
+  void mirror(const Body& body, Bounds bounds);
 
   CoreConstants core_;
   InputPlayback inputs_;
   InvariantMeasures measures_{};
   Row before_;
-  Room room_;
+  Bounds bounds_;
   bool has_row_ = false;
+  double largest_ = 0.0;  // Of all numbers yet.
   double speed_px_per_s_ = 0.0;
   double speed_before_px_per_s_ = 0.0;
 

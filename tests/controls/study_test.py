@@ -76,5 +76,45 @@ class HardCases(StudyControl):
                             for sentence in sentences), json.dumps(sentences[:3]))
 
 
+class Paper(StudyControl):
+    """A changed core flips the verdicts that its change is about, and the author is told which."""
+
+    EXPECTED = SOURCE / "tests/tools/hyrax-sim/paper_verdicts.json"
+
+    def flipped(self, control):
+        """The claims with another verdict than the paper's core has: {claim: verdict}."""
+        outcome = self.study(control, "paper", "--expect", str(self.EXPECTED))
+        expected = json.loads(self.EXPECTED.read_text(encoding="utf-8"))["verdicts"]
+        flipped = {claim["claim"]: claim["verdict"] for claim in outcome.json["claims"]
+                   if claim["verdict"] != expected[claim["claim"]]}
+        self.assertEqual(outcome.exit_code, DISAGREED if flipped else AGREED, outcome)
+        self.assertEqual(len(outcome.json["broken"]), len(flipped))
+        return flipped
+
+    def test_no_change_flips_nothing(self):
+        self.assertEqual(self.flipped("unchanged"), {})
+
+    def test_each_change_flips_its_claims(self):
+        for control, claims in (
+                ("gravity_by_one_ulp", {"5-gravity": "does not hold"}),
+                ("drag_before_gravity", {"4.3-damps-gain": "does not hold", "6-exactly": "does not hold",
+                                         "2.4-first-order": "does not hold", "2.3-energy": "not measured"}),
+                ("bounce_gains", {"3-restitution": "does not hold", "5-restitution": "does not hold",
+                                  "3.2.2-infinite-bounce": "does not hold"}),
+                ("rest_rule_gone", {"3.2.2-infinite-bounce": "does not hold"}),
+                ("right_wall_softer", {"3-restitution": "does not hold"}),
+                ("no_floor", {"3-exact-position": "does not hold", "4.2-tunnel": "holds",
+                              "4.2-rare": "does not hold", "4.3-not-stuck": "does not hold"}),
+                ("ground_not_strict", {"6-exactly": "does not hold"}),
+                ("drag_needs_time", {"6-exactly": "does not hold"}),
+                ("y_sees_x", {"2.3-new-velocity": "does not hold"})):
+            with self.subTest(control=control):
+                flipped = self.flipped(control)
+                self.assertLessEqual(claims.items(), flipped.items())
+
+    def test_a_constant_alone_flips_no_law(self):
+        self.assertEqual(set(self.flipped("gravity_by_one_ulp")), {"5-gravity"})
+
+
 if __name__ == "__main__":
     main()

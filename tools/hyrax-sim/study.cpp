@@ -7,7 +7,11 @@
 
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/study_hard_cases.h"
+#include "tools/hyrax-sim/study_needs.h"
+#include "tools/hyrax-sim/study_paper.h"
 #include "tools/hyrax-sim/study_request.h"
+#include "tools/hyrax-sim/study_speed_error.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/study_csv.h"
 #include "tools/store/study_file.h"
@@ -17,7 +21,25 @@ namespace {
 
 // All studies, in the order of the help.
 const std::vector<StudyKind>& studies() {
-  static const std::vector<StudyKind> kinds = {hard_cases_study(), paper_study()};
+  static const std::vector<StudyKind> kinds = {
+      {.name = "speed-error",
+       .summary = "what every method and rate costs, and how far it is from the exact motion",
+       .takes_scenarios = true,
+       .make = make_speed_error},
+      {.name = "needs",
+       .summary = "what of the model and the scene a scenario needs, and the cheapest way to play it",
+       .takes_scenarios = true,
+       .takes_within = true,
+       .make = make_needs},
+      {.name = "hard-cases",
+       .summary = "what must hold in every step, however hard the scene",
+       .takes_scenarios = true,
+       .make = make_hard_cases},
+      {.name = "paper",
+       .summary = "every claim of the paper, measured",
+       .takes_expect = true,
+       .make = make_paper},
+  };
   return kinds;
 }
 

@@ -44,7 +44,4 @@ struct StudyKind {
   StudyOutcome (*make)(const StudyRequest& request);
 };
 
-[[nodiscard]] StudyKind hard_cases_study();
-[[nodiscard]] StudyKind paper_study();
-
 }  // namespace hyrax

@@ -1,3 +1,5 @@
+#include "tools/hyrax-sim/study_hard_cases.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/progress.h"
-#include "tools/hyrax-sim/study.h"
 #include "tools/report/hard_cases_figure.h"
 
 namespace hyrax {
@@ -109,22 +110,15 @@ Json::Object json_of(const std::vector<PlayedCase>& cases) {
   return {{"cases", std::move(entries)}};
 }
 
-StudyOutcome make(const StudyRequest& request) {
+}  // namespace
+
+StudyOutcome make_hard_cases(const StudyRequest& request) {
   const std::vector<PlayedCase> cases = play(cases_of(request));
   return {.tables = {hard_case_verdicts(cases), hard_case_list(cases)},
           .figures = {{"", hard_cases_figure_script(cases)}},
           .verdict = verdict_text(cases),
           .broken = broken_sentences(cases),
           .json = json_of(cases)};
-}
-
-}  // namespace
-
-StudyKind hard_cases_study() {
-  return {.name = "hard-cases",
-          .summary = "what must hold in every step, however hard the scene",
-          .takes_scenarios = true,
-          .make = make};
 }
 
 }  // namespace hyrax

@@ -1,3 +1,5 @@
+#include "tools/hyrax-sim/study_paper.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "sim/study/core.h"
 #include "sim/study/paper_claim.h"
-#include "tools/hyrax-sim/study.h"
 #include "tools/hyrax-sim/verdict_file.h"
 #include "tools/report/paper_figure.h"
 
@@ -57,7 +58,9 @@ Json::Object json_of(const std::vector<Claim>& claims) {
   return {{"claims", std::move(entries)}};
 }
 
-StudyOutcome make(const StudyRequest& request) {
+}  // namespace
+
+StudyOutcome make_paper(const StudyRequest& request) {
   const std::vector<Claim> claims = all_claims(step_time_s());
   return {.tables = {claim_table(claims)},
           .figures = {{"", paper_figure_script(claims)}},
@@ -65,13 +68,6 @@ StudyOutcome make(const StudyRequest& request) {
           .broken = request.expect_file.empty() ? std::vector<std::string>{}
                                                 : unexpected_verdicts(request.expect_file, claims),
           .json = json_of(claims)};
-}
-
-}  // namespace
-
-StudyKind paper_study() {
-  return {
-      .name = "paper", .summary = "every claim of the paper, measured", .takes_expect = true, .make = make};
 }
 
 }  // namespace hyrax

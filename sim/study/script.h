@@ -1,0 +1,65 @@
+// A scenario laid out frame by frame, so that parts of it can be left out and all else stays where it is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "sim/study/variant_step.h"
+
+namespace hyrax {
+
+struct ScriptEvent {
+  std::int64_t frame = 0;
+  Action action;
+  std::size_t input = 0;  ///< Index into Script::inputs.
+};
+
+/// Longer scenarios are cut to so many frames.
+inline constexpr std::int64_t kScriptFramesMax = 100'000;
+
+struct Script {
+  std::string name;
+  Motion start;
+  Room room;
+  std::vector<double> frames_s;       ///< As the clock gives them, jitter and all.
+  std::vector<double> even_frames_s;  ///< Without jitter; empty where there is none to leave out.
+  std::vector<ScriptEvent> events;    ///< In order of time.
+  /// Names of what can be left out alone, as "fling, frame 120": an event, or a grab with its release.
+  std::vector<std::string> inputs;
+  bool is_cut = false;  ///< It is the scenario's first kScriptFramesMax frames.
+};
+
+/// A recorded clock's even frames have its mean.
+[[nodiscard]] Script script_of(const Scenario& scenario);
+
+/// What of a script is left out, beside parts of the step.
+struct Omitted {
+  bool jitter = false;
+  std::vector<bool> inputs = {};  ///< By their index; shorter than Script::inputs: the others stay.
+
+  [[nodiscard]] bool has_input(std::size_t input) const { return input < inputs.size() && inputs[input]; }
+};
+
+/// What an event does to the state, as the format's rules have it.
+void happen(const Action& action, Motion& motion, Room& room, bool& is_held, double& dt_s);
+
+/// Plays the script; `see(motion, contact)` gets every row but the first.
+template <class PartSet, class See>
+void play(const Script& script, const Omitted& omitted, const PartSet& parts, const See& see) {
+  const std::vector<double>& frames_s = omitted.jitter ? script.even_frames_s : script.frames_s;
+  Motion motion = script.start;
+  Room room = script.room;
+  bool is_held = false;
+  auto event = script.events.begin();
+  for (std::size_t frame = 0; frame < frames_s.size(); ++frame) {
+    double dt_s = frames_s[frame];
+    for (; event != script.events.end() && event->frame == static_cast<std::int64_t>(frame); ++event)
+      if (!omitted.has_input(event->input)) happen(event->action, motion, room, is_held, dt_s);
+    const std::uint8_t contact = is_held ? std::uint8_t{0} : step(motion, dt_s, room, parts);
+    see(motion, contact);
+  }
+}
+
+}  // namespace hyrax
