@@ -90,12 +90,17 @@ bool comes_to_rest(const Script& script, const Rows& rows) {
   return anchor.at_rest_since_s(t_s).has_value();
 }
 
+// What a step costs shows in so many frames.
+constexpr std::int64_t kFramesTimedMax = 10'000;
+
 // A run for the clock. Nobody looks at its rows, but the last one must be made.
 template <class PartSet>
 std::function<void()> timed(const Script& script, const Omitted& omitted, const PartSet& parts) {
   return [&script, omitted, parts] {
     Motion last;
-    play(script, omitted, parts, [&last](const Motion& motion, std::uint8_t) { last = motion; });
+    play(
+        script, omitted, parts, [&last](const Motion& motion, std::uint8_t) { last = motion; },
+        kFramesTimedMax);
     volatile double seen = last.x_px + last.y_px;
     static_cast<void>(seen);
   };
@@ -160,7 +165,7 @@ void take_times(SceneNeeds& needs, const Script& script, const std::vector<Omiss
                                   : timed(script, omission.omitted, AllParts()));
   const Costs measured = measure_costs(works, now_ns, options);
   const auto step_ns = [&](std::size_t work) {
-    return measured.costs[work].median_ns / static_cast<double>(needs.steps);
+    return measured.costs[work].median_ns / static_cast<double>(std::min(needs.steps, kFramesTimedMax));
   };
   needs.step_ns = step_ns(0);
   for (std::size_t part = 0; part < needs.parts.size(); ++part)

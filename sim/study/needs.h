@@ -63,8 +63,8 @@ struct NeedsOptions {
 [[nodiscard]] SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
                                      const NanosecondClock& now_ns);
 
-/// The difference that leaving out `parts` and what the script leaves out makes.
-[[nodiscard]] PathDifference difference_without(const Script& whole, const Script& script,
+/// The difference that leaving these out makes.
+[[nodiscard]] PathDifference difference_without(const Script& script, const Omitted& omitted,
                                                 const Parts& parts);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);

@@ -1,6 +1,7 @@
 // A scenario laid out frame by frame, so that parts of it can be left out and all else stays where it is.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,15 +46,17 @@ struct Omitted {
 /// What an event does to the state, as the format's rules have it.
 void happen(const Action& action, Motion& motion, Room& room, bool& is_held, double& dt_s);
 
-/// Plays the script; `see(motion, contact)` gets every row but the first.
+/// Plays the script, or its first `frames_max` frames; `see(motion, contact)` gets every row but the first.
 template <class PartSet, class See>
-void play(const Script& script, const Omitted& omitted, const PartSet& parts, const See& see) {
+void play(const Script& script, const Omitted& omitted, const PartSet& parts, const See& see,
+          std::size_t frames_max = kScriptFramesMax) {
   const std::vector<double>& frames_s = omitted.jitter ? script.even_frames_s : script.frames_s;
   Motion motion = script.start;
   Room room = script.room;
   bool is_held = false;
   auto event = script.events.begin();
-  for (std::size_t frame = 0; frame < frames_s.size(); ++frame) {
+  const std::size_t frames = std::min(frames_s.size(), frames_max);
+  for (std::size_t frame = 0; frame < frames; ++frame) {
     double dt_s = frames_s[frame];
     for (; event != script.events.end() && event->frame == static_cast<std::int64_t>(frame); ++event)
       if (!omitted.has_input(event->input)) happen(event->action, motion, room, is_held, dt_s);

@@ -77,8 +77,10 @@ std::string needs_script(const SceneNeeds& scene, double within_px) {
     if (path_px > 0.0) low = std::min(low, path_px / 2.0);
     if (std::isfinite(path_px)) high = std::max(high, path_px);
   }
-  low = std::max(low, 1e-15);
-  high *= 30.0;  // Room for the words behind the longest bar.
+  // What is far below the tolerance need not be told apart.
+  low = within_px > 0.0 ? std::max(low, within_px * 1e-4) : std::max(low, 1e-15);
+  const double longest = high;
+  high *= std::pow(high / low, 0.4);  // Room for the words behind the longest bar.
   script += margins(canvas, 190, canvas.width - 28, kTop, bottom);
   script += fmt::format(
       "set object 2 rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n",
@@ -102,7 +104,7 @@ std::string needs_script(const SceneNeeds& scene, double within_px) {
   for (std::size_t i = 0; i < count; ++i) {
     const PartNeed& part = scene.parts[i];
     const auto y = static_cast<double>(i);
-    const double path_px = std::isfinite(part.difference.path_px) ? part.difference.path_px : high / 30.0;
+    const double path_px = std::isfinite(part.difference.path_px) ? part.difference.path_px : longest;
     const double end = std::max(path_px, low);
     if (part.need != Need::not_exercised)
       script += fmt::format(

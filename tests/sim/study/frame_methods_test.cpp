@@ -1,0 +1,104 @@
+// The methods of a work-precision diagram: the paper's is the shipped core, the others have their orders.
+#include <gtest/gtest.h>
+
+#include "sim/physics/physics.h"
+#include "sim/study/method_errors.h"
+#include "sim/study/speed_error.h"
+#include "sim/trajectory/row.h"
+
+namespace hyrax {
+namespace {
+
+MethodKind kind_of(const std::string& name) {
+  for (const MethodKind& kind : frame_methods())
+    if (kind.name == name) return kind;
+  ADD_FAILURE() << "no method " << name;
+  return {};
+}
+
+Problem problem_named(const std::string& name) {
+  for (const Problem& problem : study_problems())
+    if (problem.name == name) return problem;
+  ADD_FAILURE() << "no problem " << name;
+  return {};
+}
+
+MethodErrors errors_of(const std::string& method, const Problem& problem, double rate_hz) {
+  return measure_errors(problem, kind_of(method), stage_frames_s(problem, rate_hz), rate_hz);
+}
+
+// Order from two rates that lie a factor of two apart.
+double order_of(const std::string& method, const Problem& problem, double rate_hz) {
+  return fitted_order({1.0 / rate_hz, 0.5 / rate_hz},
+                      {errors_of(method, problem, rate_hz).position_px,
+                       errors_of(method, problem, 2.0 * rate_hz).position_px});
+}
+
+TEST(FrameMethods, ThePapersStepIsTheShippedCoreBitForBit) {
+  const Room room{{1920, 1080}, {128, 128}};
+  const std::unique_ptr<Method> method = kind_of("paper").make();
+  method->start({300.0, 500.0, 2400.0, -700.0}, room);
+  physics body(300.0, 500.0, 2400.0, -700.0);
+  const double dt_s = 1.0 / 60.0;
+  for (int frame = 0; frame < 2000; ++frame) {
+    ASSERT_TRUE(method->play({&dt_s, 1}));
+    body.update(dt_s, 1920, 1080, 128, 128);
+    const Motion now = method->motion();
+    ASSERT_TRUE(same_bits(now.x_px, body.x()) && same_bits(now.y_px, body.y()) &&
+                same_bits(now.vx_px_per_s, body.vx()) && same_bits(now.vy_px_per_s, body.vy()));
+  }
+}
+
+TEST(FrameMethods, ConvergeInFlightWithTheirOrders) {
+  const Problem arc = problem_named("long-arc");
+  EXPECT_NEAR(order_of("normalised-drag", arc, 240.0), 1.0, 0.02);
+  EXPECT_NEAR(order_of("euler", arc, 240.0), 1.0, 0.02);
+  EXPECT_NEAR(order_of("verlet", arc, 240.0), 2.0, 0.02);
+  EXPECT_NEAR(order_of("rk4", arc, 15.0), 4.0, 0.02);
+}
+
+TEST(FrameMethods, ThePapersStepMovesAwayAsItsFramesGrowShort) {
+  const Problem arc = problem_named("long-arc");
+  EXPECT_LT(order_of("paper", arc, 240.0), -0.5);
+  EXPECT_LT(order_of("paper-4-substeps", arc, 60.0), -0.5);
+}
+
+TEST(FrameMethods, TheExactOnesAreExactInFlight) {
+  for (const char* name : {"long-arc", "fast-arc", "terminal-speed", "hitched-arc"})
+    for (const double rate_hz : {15.0, 60.0, 1920.0}) {
+      const Problem arc = problem_named(name);
+      const MethodErrors errors = errors_of("exact-flight", arc, rate_hz);
+      EXPECT_LT(errors.position_px, rounding_px(errors)) << name << " at " << rate_hz << " Hz";
+      EXPECT_EQ(errors_of("event-driven", arc, rate_hz).position_px, 0.0);
+    }
+}
+
+// What the truth says of impacts is where methods that find them frame by frame tend to.
+TEST(FrameMethods, AllThatSolveTheFixedLawsTendToTheSameFling) {
+  for (const char* name : {"fling", "corner-fling", "jittered-fling"}) {
+    const Problem fling = problem_named(name);
+    for (const char* method : {"normalised-drag", "verlet", "rk4", "exact-flight"}) {
+      const MethodErrors coarse = errors_of(method, fling, 120.0);
+      const MethodErrors fine = errors_of(method, fling, 7680.0);
+      EXPECT_LT(fine.position_px, coarse.position_px / 8.0) << method << ", " << name;
+      // Each of three impacts is found up to a frame late, which jitter makes half as long again.
+      EXPECT_LT(fine.contact_time_s, 3.0 * 1.5 / 7680.0) << method << ", " << name;
+    }
+    EXPECT_GT(errors_of("paper", fling, 7680.0).position_px, 100.0) << name;
+  }
+}
+
+TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
+  class Lost final : public Method {
+   public:
+    void start(const Motion&, const Room&) override {}
+    bool play(std::span<const double>) override { return true; }
+    [[nodiscard]] Motion motion() const override { return {NAN, 0.0, 0.0, 0.0}; }
+  };
+  MethodKind kind{.name = "lost", .words = "", .order = 1, .make = [] { return std::make_unique<Lost>(); }};
+  const Problem arc = problem_named("long-arc");
+  EXPECT_TRUE(measure_errors(arc, kind, stage_frames_s(arc, 60.0), 60.0).is_failed);
+}
+
+}  // namespace
+}  // namespace hyrax

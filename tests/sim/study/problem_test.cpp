@@ -1,0 +1,94 @@
+// Scenarios as problems that can be played at any rate.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/study/problem.h"
+
+namespace hyrax {
+namespace {
+
+Scenario fling() {
+  Scenario scenario;
+  scenario.name = "fling";
+  scenario.window = {1920, 1080};
+  scenario.sprite = {128, 128};
+  scenario.start = {100.0, 100.0};
+  scenario.start_velocity = {900.0, -1200.0};
+  scenario.clock.base = FixedRate{60.0};
+  scenario.length = std::int64_t{120};
+  return scenario;
+}
+
+double sum_s(const std::vector<double>& frames_s) {
+  return std::accumulate(frames_s.begin(), frames_s.end(), 0.0);
+}
+
+TEST(ProblemOfScenario, WithoutEventsIsOneStage) {
+  const Problem problem = problem_of(fling()).problem.value();
+  ASSERT_EQ(problem.stages.size(), 1u);
+  EXPECT_NEAR(problem.duration_s(), 2.0, 1e-12);
+  EXPECT_EQ(stage_frames_s(problem, 240.0).front().size(), 480u);
+}
+
+TEST(ProblemOfScenario, EventsBeginStagesAtTheirTimes) {
+  Scenario scenario = fling();
+  scenario.events = {{std::int64_t{30}, Fling{{-500.0, -500.0}}},
+                     {std::int64_t{60}, Grab{}},
+                     {std::int64_t{90}, Release{{700.0, 0.0}}}};
+  const Problem problem = problem_of(scenario).problem.value();
+  ASSERT_EQ(problem.stages.size(), 4u);
+  for (const Stage& stage : problem.stages) EXPECT_NEAR(stage.duration_s, 0.5, 1e-12);
+  EXPECT_EQ(problem.stages[1].velocity->vx_px_per_s, -500.0);
+  EXPECT_TRUE(problem.stages[2].is_held);
+  EXPECT_FALSE(problem.stages[3].is_held);
+}
+
+TEST(ProblemOfScenario, AHitchIsAFrameOfItsOwnAtEveryRate) {
+  Scenario scenario = fling();
+  scenario.events = {{std::int64_t{60}, Hitch{0.5}}};
+  const Problem problem = problem_of(scenario).problem.value();
+  for (const double rate_hz : {15.0, 960.0}) {
+    const auto stages = stage_frames_s(problem, rate_hz);
+    ASSERT_EQ(stages.size(), 2u);
+    EXPECT_EQ(stages[1].front(), 0.5);
+    EXPECT_NEAR(sum_s(stages[0]) + sum_s(stages[1]), problem.duration_s(), 1e-12);
+  }
+}
+
+TEST(ProblemOfScenario, JitterGoesWithTheRate) {
+  Scenario scenario = fling();
+  scenario.clock.jitter = Jitter{Jitter::Kind::normal, 0.001, 3};
+  const Problem problem = problem_of(scenario).problem.value();
+  const std::vector<double> frames_s = stage_frames_s(problem, 600.0).front();
+  double largest_s = 0.0;
+  for (const double frame_s : frames_s) largest_s = std::max(largest_s, std::fabs(frame_s - 1.0 / 600.0));
+  EXPECT_GT(largest_s, 0.0001);  // A tenth of what it is at 60 Hz, times three or so.
+  EXPECT_LT(largest_s, 0.0006);
+}
+
+TEST(ProblemOfScenario, ALongOneIsCutAndSaysSo) {
+  Scenario scenario = fling();
+  scenario.length = std::int64_t{1'000'000'000};
+  const Problem problem = problem_of(scenario).problem.value();
+  EXPECT_NEAR(problem.duration_s(), kProblemMax_s, 0.1);
+  EXPECT_NE(problem.remark, "");
+}
+
+TEST(ProblemOfScenario, WithoutTimeOrRoomIsRefused) {
+  Scenario scenario = fling();
+  scenario.length = std::int64_t{0};
+  EXPECT_FALSE(problem_of(scenario).problem);
+  scenario = fling();
+  scenario.sprite = {4000, 128};
+  EXPECT_FALSE(problem_of(scenario).problem);
+  EXPECT_NE(problem_of(scenario).why_not, "");
+  scenario = fling();
+  scenario.clock.base = FixedStep{1e6};
+  EXPECT_FALSE(problem_of(scenario).problem);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,112 @@
+// Orders, fronts, answers, and the rules that a study is held to, each with a study that breaks it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/study/speed_error.h"
+#include "sim/study/speed_error_rules.h"
+#include "sim/study/speed_error_tables.h"
+
+namespace hyrax {
+namespace {
+
+// A clock that ticks once a look: costs mean nothing, and no time passes.
+SpeedError some_study() {
+  static const SpeedError study = [] {
+    std::int64_t now_ns = 0;
+    SpeedErrorOptions options;
+    options.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0, 3840.0};
+    options.cost.repetitions = 2;
+    const std::vector<Problem> problems = study_problems();
+    return study_speed_error({problems[0], problems[4]}, frame_methods(), options,
+                             [now_ns]() mutable { return now_ns += 100'000; });
+  }();
+  return study;
+}
+
+bool is_broken(const SpeedError& study, const std::string& words) {
+  const std::vector<BrokenRule> broken = broken_rules(study);
+  return std::any_of(broken.begin(), broken.end(),
+                     [&](const BrokenRule& rule) { return rule.rule.find(words) != rule.rule.npos; });
+}
+
+TEST(FittedOrder, IsTheSlopeOfALineThroughPowers) {
+  EXPECT_NEAR(fitted_order({0.1, 0.05, 0.025}, {0.01, 0.0025, 0.000625}), 2.0, 1e-12);
+  EXPECT_NEAR(fitted_order({1.0, 0.5}, {1.0, 2.0}), -1.0, 1e-12);
+}
+
+TEST(ParetoFront, IsWhatNothingElseBeats) {
+  EXPECT_EQ(pareto_front({1.0, 2.0, 3.0, 4.0}, {5.0, 6.0, 1.0, 1.0}),
+            (std::vector<bool>{true, false, true, false}));
+  EXPECT_EQ(pareto_front({1.0, 1.0}, {2.0, 1.0}), (std::vector<bool>{false, true}));
+  EXPECT_EQ(pareto_front({1.0}, {NAN}), std::vector<bool>{false});
+}
+
+TEST(SpeedErrorRules, HoldOfTheRealMethods) {
+  for (const BrokenRule& rule : broken_rules(some_study()))
+    ADD_FAILURE() << rule.rule << ", " << rule.where << ": " << rule.value;
+}
+
+TEST(SpeedErrorRules, FindAMethodOfAnotherOrder) {
+  SpeedError study = some_study();
+  study.methods[3].order = 2;  // Explicit Euler.
+  EXPECT_TRUE(is_broken(study, "order is the analytic one"));
+}
+
+TEST(SpeedErrorRules, FindAnExactMethodThatIsNot) {
+  SpeedError study = some_study();
+  for (WorkPoint& point : study.points)
+    if (study.methods[point.method].name == "exact-flight") point.errors.position_px += 1e-8;
+  EXPECT_TRUE(is_broken(study, "within rounding"));
+}
+
+TEST(SpeedErrorRules, FindAPapersStepThatConverges) {
+  SpeedError study = some_study();
+  study.paper.back().model_px = 0.1;
+  EXPECT_TRUE(is_broken(study, "leaves the fixed laws"));
+}
+
+TEST(SpeedErrorRules, FindATruncationThatIsNotItsClosedForm) {
+  SpeedError study = some_study();
+  study.paper[2].truncation_px_per_s *= 1.001;
+  EXPECT_TRUE(is_broken(study, "closed form"));
+  study = some_study();
+  for (PaperErrors& paper : study.paper) paper.truncation_px *= paper.rate_hz;
+  EXPECT_TRUE(is_broken(study, "first order"));
+}
+
+TEST(SpeedErrorRules, FindAPapersStepThatIsNotWhereTheReferenceSeesIt) {
+  SpeedError study = some_study();
+  study.points[0].errors.position_px *= 1.001;
+  EXPECT_TRUE(is_broken(study, "as far from the fixed ODE"));
+}
+
+TEST(SpeedErrorRules, FindAnAdaptiveMethodThatMissesItsTolerance) {
+  SpeedError study = some_study();
+  study.methods.push_back(
+      {.name = "gsl-rk8pd-1e-12", .words = "", .order = kAdaptiveOrder, .tolerance = 1e-12});
+  study.points.push_back({0, study.methods.size() - 1, 15.0, {}, {}});
+  EXPECT_FALSE(is_broken(study, "as near as it is asked"));
+  study.points.back().errors.position_px = 1e-3;
+  EXPECT_TRUE(is_broken(study, "as near as it is asked"));
+}
+
+TEST(SpeedError, AnswersWithTheCheapestBelowAnError) {
+  const SpeedError study = some_study();
+  for (const CheapestBelow& answer : study.cheapest)
+    for (std::size_t point = 0; point < study.points.size(); ++point) {
+      const WorkPoint& p = study.points[point];
+      if (p.problem != answer.problem || !(p.errors.position_px < answer.error_px)) continue;
+      ASSERT_TRUE(answer.point);
+      EXPECT_LE(study.points[*answer.point].cost.median_ns, p.cost.median_ns);
+    }
+}
+
+TEST(SpeedErrorTables, HaveARowAPoint) {
+  const std::vector<StudyTable> tables = tables_of(some_study(), "a machine");
+  EXPECT_EQ(tables.front().name, "points");
+  EXPECT_EQ(row_count(tables.front()), some_study().points.size());
+}
+
+}  // namespace
+}  // namespace hyrax

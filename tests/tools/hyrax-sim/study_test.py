@@ -1,0 +1,232 @@
+#!/usr/bin/python3
+"""The command study: what speed-error and needs make, say, and refuse."""
+
+import csv
+import pathlib
+import shutil
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, NUMBER, SOURCE, ProgramTest, fling, main
+
+WITHOUT_GNUPLOT = shutil.which("gnuplot") is None
+
+
+class StudyTest(ProgramTest):
+    """Makes studies, and looks into what they made."""
+
+    def table(self, path, name):
+        """A table of a study's HDF5 file as {column: list}, text decoded."""
+        with h5py.File(self.folder / path) as file:
+            return {key: [value.decode() if isinstance(value, bytes) else value for value in column[:].tolist()]
+                    for key, column in file[name].items()}
+
+    def rows(self, path):
+        """The rows of a CSV file."""
+        with open(self.folder / path, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def words(self, path):
+        """All text of a picture."""
+        tree = xml.etree.ElementTree.parse(self.folder / path)
+        return " ".join("".join(text.itertext()) for text in tree.iter("{http://www.w3.org/2000/svg}text"))
+
+
+class Files(StudyTest):
+    """What every study writes."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling())
+        self.outcome = self.expect(AGREED, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "new/folder")
+
+    def test_they_go_into_the_folder_that_is_named_and_are_named_in_the_end(self):
+        self.assertEqual(self.names("new/folder"), ["needs.csv", "needs.h5"])
+        self.assertIn("written: new/folder/needs.h5, new/folder/needs.csv", self.outcome.out)
+
+    def test_the_file_says_what_it_is_and_where_it_is_from(self):
+        with h5py.File(self.folder / "new/folder/needs.h5") as file:
+            self.assertEqual(file.attrs["format"], "hyrax-study/1")
+            self.assertEqual(file.attrs["study"], "needs")
+            self.assertIn("hyrax-sim", file["provenance"].attrs["program"])
+            for name, table in file.items():
+                lengths = {len(column) for column in table.values()}
+                self.assertLessEqual(len(lengths), 1, name)
+                for column in table.values():
+                    self.assertTrue(column.attrs["long_name"])
+
+    def test_the_csv_file_is_the_first_table(self):
+        rows = self.rows("new/folder/needs.csv")
+        parts = self.table("new/folder/needs.h5", "parts")
+        self.assertEqual([row["part"] for row in rows], parts["part"])
+        self.assertEqual([float(row["path_difference_px"]) for row in rows], parts["path_difference"])
+
+    def test_json_is_one_document_that_names_them(self):
+        document = self.expect(AGREED, "study", "needs", "fling.json", "--quick", "--no-figures", "--json").json
+        self.assertEqual(document["study"], "needs")
+        self.assertEqual(document["files"], ["needs.h5", "needs.csv"])
+        self.assertEqual(document["broken"], [])
+
+
+class Needs(StudyTest):
+    """study needs."""
+
+    def needs(self, *arguments):
+        """One scene's entry of the JSON document."""
+        document = self.expect(AGREED, "study", "needs", *arguments, "--quick", "--no-figures", "--json").json
+        return document["scenes"][0]
+
+    def verdicts(self, *arguments):
+        """{part: verdict} of one scene."""
+        return {part["part"]: part["verdict"] for part in self.needs(*arguments)["parts"]}
+
+    def test_a_throw_needs_what_it_meets(self):
+        verdicts = self.verdicts(self.write("fling.json", fling()))
+        for part in ("gravity", "drag", "right wall", "ground", "restitution"):
+            self.assertEqual(verdicts[part], "needed", part)
+        for part in ("left wall", "top"):
+            self.assertEqual(verdicts[part], "not exercised", part)
+
+    def test_what_counts_depends_on_the_tolerance(self):
+        path = self.write("fling.json", fling())
+        self.assertEqual(self.verdicts(path, "--within", "100000px")["drag"], "below the tolerance")
+        self.assertEqual(self.verdicts(path, "--within", "0.001 px")["drag"], "needed")
+
+    def test_events_and_jitter_are_parts(self):
+        verdicts = self.verdicts(SOURCE / "scenarios/flings/corner-fling.json")
+        for part in ("jitter", "fling, frame 120", "hitch, frame 200", "hold, frame 300", "resize, frame 400"):
+            self.assertEqual(verdicts[part], "needed", part)
+
+    def test_all_that_is_unneeded_can_go_at_once_and_the_cheapest_way_is_told(self):
+        scene = self.needs(self.write("fling.json", fling()))
+        self.assertTrue(scene["holds"])
+        self.assert_shape(scene["cheapest"], {"method": str, "rate_hz": NUMBER, "cost_ns_per_s": NUMBER})
+
+    def test_a_scene_without_exact_solution_says_so(self):
+        path = SOURCE / "scenarios/hard/sprite-larger-than-window.json"
+        self.assertIn("its window cannot hold its sprite",
+                      self.expect(AGREED, "study", "needs", path, "--quick", "--no-figures").out)
+
+    def test_a_scene_without_frames_needs_nothing(self):
+        self.assertEqual(set(self.verdicts(self.write("still.json", fling(steps=0))).values()), {"not exercised"})
+
+    def test_many_scenes_make_a_table_of_coverage_in_which_gaps_show(self):
+        start = {"x_px": 900, "y_px": 300, "vx_px_per_s": 0, "vy_px_per_s": 0}
+        for number in range(5):
+            self.write(f"all/{number}.json", fling(name=f"drop-{number}", start=start, steps=100 + number))
+        outcome = self.expect(AGREED, "study", "needs", "all", "--quick", "--gate", "--no-figures")
+        self.assertIn("Exercised by no scenario: left wall, right wall, top, friction, rest rule, jitter", outcome.out)
+        coverage = self.table("needs.h5", "coverage")
+        self.assertEqual(coverage["gravity"], [2] * 5)
+        self.assertEqual(coverage["left_wall"], [0] * 5)
+
+
+class SpeedError(StudyTest):
+    """study speed-error."""
+
+    def test_it_holds_and_tells_speed_error_and_order(self):
+        outcome = self.expect(AGREED, "study", "speed-error", "--quick", "--gate", "--no-figures")
+        for words in ("the paper's step", "explicit Euler", "for an error below", "at no rate",
+                      "keeps the paper's step from converging"):
+            self.assertIn(words, outcome.out)
+        points = self.table("speed-error.h5", "points")
+        self.assertIn("gsl-rk8pd-1e-12", points["method"])
+        self.assertEqual(set(points["problem"]), {"long-arc", "fling"})
+        self.assertTrue(all(cost > 0 for cost, failed in zip(points["cost"], points["failed"]) if not failed))
+        self.assertGreater(sum(points["pareto"]), 1)
+        clock = self.table("speed-error.h5", "clock")
+        self.assertGreaterEqual(clock["repetitions"][0], 20)
+        orders = self.table("speed-error.h5", "orders")
+        order = {method: value for problem, method, value in zip(orders["problem"], orders["method"], orders["order"])
+                 if problem == "long-arc"}
+        self.assertAlmostEqual(order["euler"], 1, delta=0.1)
+        self.assertAlmostEqual(order["verlet"], 2, delta=0.1)
+        self.assertAlmostEqual(order["rk4"], 4, delta=0.1)
+        self.assertLess(order["paper"], 0)
+
+    def test_scenarios_are_studied_too(self):
+        self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
+        document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--no-figures", "--json").json
+        self.assertIn("mine", {answer["problem"] for answer in document["cheapest"]})
+
+    def test_one_that_has_no_exact_solution_is_refused(self):
+        self.write("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))
+        self.expect(BAD_INPUT, "study", "speed-error", "large.json", "--quick",
+                    says="large.json: cannot be studied for speed against error: its window cannot hold its sprite")
+        self.assertEqual(self.names(), ["large.json"])
+
+    def test_a_name_that_is_taken_is_refused(self):
+        self.write("mine.json", fling())
+        self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="another problem is called fling")
+
+
+@unittest.skipIf(WITHOUT_GNUPLOT, "gnuplot is not installed")
+class Figures(StudyTest):
+    """The pictures."""
+
+    def test_needs_are_drawn_scene_by_scene(self):
+        self.expect(AGREED, "study", "needs", self.write("fling.json", fling()), "--quick")
+        words = self.words("needs-fling.svg")
+        for part in ("What fling needs", "gravity", "rest rule", "not exercised", "px"):
+            self.assertIn(part, words)
+
+    def test_many_scenes_are_one_picture(self):
+        for number in range(5):
+            self.write(f"all/{number}.json", fling(name=f"fling-{number}", steps=10 + number))
+        self.expect(AGREED, "study", "needs", "all", "--quick", "-o", "out")
+        self.assertEqual(self.names("out"), ["needs.csv", "needs.h5", "needs.svg"])
+        self.assertIn("left wall (never)", self.words("out/needs.svg"))
+
+    def test_speed_against_error_is_drawn_for_every_problem(self):
+        self.expect(AGREED, "study", "speed-error", "--quick")
+        self.assertEqual([name for name in self.names() if name.endswith(".svg")],
+                         ["speed-error-fling.svg", "speed-error.svg"])
+        words = self.words("speed-error.svg")
+        for part in ("ns per simulated second", "dt, s", "order 2.00", "Pareto front", "rk8pd", "from converging"):
+            self.assertIn(part, words)
+
+
+class Usage(StudyTest):
+    """What is refused, before anything is made."""
+
+    def test_an_unknown_study_is_told_which_there_are(self):
+        self.expect(BAD_INPUT, "study", "speed", says=("'speed' is no study", "speed-error", "needs"))
+        self.expect(BAD_INPUT, "study", says="study")
+
+    def test_options_without_use_are_refused(self):
+        self.write("fling.json", fling())
+        for arguments, words in ((("speed-error", "--within", "1px"), "speed-error: has no use for --within"),
+                                 (("speed-error", "--expect", "x.json"), "speed-error: has no use for --expect"),
+                                 (("needs",), "a scenario must be given"),
+                                 (("needs", "fling.json", "--within", "1 mm"), "--within: must be a length of at least 0, "
+                                                                               "as 1px, is '1 mm'"),
+                                 (("needs", "fling.json", "--within=-1px"), "--within"),
+                                 (("needs", "fling.json", "--within", "nan"), "--within"),
+                                 (("needs", "fling.json", "fling.json"), "another scenario is called fling")):
+            self.expect(BAD_INPUT, "study", *arguments, says=words)
+        self.assertEqual(self.names(), ["fling.json"])
+
+    def test_bad_scenarios_leave_nothing_behind(self):
+        self.write("bad.json", fling(steps=-1))
+        self.expect(BAD_INPUT, "study", "needs", "bad.json", "-o", "out", says="bad.json: /steps")
+        self.expect(CANNOT_ACCESS, "study", "needs", "none.json", says="none.json: cannot be read")
+        self.assertEqual(self.names(), ["bad.json"])
+
+    def test_a_folder_that_cannot_be_made_is_told(self):
+        self.write("fling.json", fling())
+        self.expect(CANNOT_ACCESS, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json",
+                    says="fling.json: ")
+        self.assertEqual(pathlib.Path(self.folder / "fling.json").stat().st_nlink, 1)
+
+    def test_it_stands_on_the_first_help_screen_and_its_help_names_the_studies(self):
+        common, _ = self.expect(AGREED, "--help").out.split("\nMore:\n")
+        self.assertIn("\n  study ", common)
+        text = self.expect(AGREED, "study", "--help").out
+        for name in ("speed-error", "needs", "--quick", "--gate", "--within", "--no-figures"):
+            self.assertIn(name, text)
+
+
+if __name__ == "__main__":
+    main()
