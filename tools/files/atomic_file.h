@@ -4,10 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "tools/files/part_file.h"
+
 namespace hyrax {
 
-/// A new file is written beside its place, as `.NAME.XXXXXX.part`, and renamed when it is whole.
-/// What is given up, by an exception too, leaves the file at its place as it was.
+/// A new file is written beside its place, as `.NAME.part`, and renamed when it is whole. What is
+/// given up, by an exception too, leaves the file at its place as it was, and so does a process that
+/// is killed.
 class AtomicFile {
  public:
   /// Makes the part file, empty. A symbolic link at `path` is followed: its target is replaced.
@@ -16,9 +19,8 @@ class AtomicFile {
   explicit AtomicFile(const std::string& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
-  ~AtomicFile();
 
-  [[nodiscard]] const std::string& part_path() const { return part_path_; }
+  [[nodiscard]] const std::string& part_path() const { return part_.path(); }
   /// Fills the part file. ERRORS: Failure(cannot_access).
   void write(std::string_view text) const;
   /// Puts the part file in its place. ERRORS: Failure(cannot_access).
@@ -26,7 +28,7 @@ class AtomicFile {
 
  private:
   std::string path_;
-  std::string part_path_;
+  PartFile part_;
 };
 
 /// "PATH: cannot be written: REASON" for the error number that the system gave.

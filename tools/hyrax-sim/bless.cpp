@@ -81,8 +81,9 @@ void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& r
   AtomicFile digest(place.txt_path);
   write_golden(rows, place.h5_path, fresh.run);
   digest.write(digest_of(fresh, rows.part_path(), reason));
-  rows.commit();
+  // The rows come last: until they stand there, `check` compares with the old ones and says so.
   digest.commit();
+  rows.commit();
 }
 
 // The golden file agrees; its digest may be of an older form.

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -7,6 +8,8 @@
 
 int main(int argc, char** argv) {
   using namespace hyrax;
+  // A file that may not grow further is an error like a full disk, and no end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   ExitCode exit_code = ExitCode::program_fault;
   try {
     exit_code =

@@ -37,6 +37,7 @@ Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
   const Handle creation = object_list(H5P_FILE_CREATE);
   const Handle access = access_list(expected_bytes);
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  H5Pset_file_locking(access, false, true);  // It belongs to this process alone until it is whole.
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose};
 }
 
