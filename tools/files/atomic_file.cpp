@@ -2,15 +2,15 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/part_file.h"
 
 namespace hyrax {
 namespace {
@@ -26,38 +26,29 @@ std::string behind_links(const std::string& path) {
 }
 
 // To rename over a device or a pipe would take it away from everyone.
-void refuse_what_is_no_file(const std::string& target, const std::string& path) {
+std::string replaceable(const std::string& path) {
+  std::string target = behind_links(path);
   std::error_code unknown;
   const auto status = std::filesystem::status(target, unknown);
+  if (std::filesystem::is_symlink(target, unknown)) fail_to_write(path, ELOOP);
   if (std::filesystem::is_directory(status)) fail_to_write(path, EISDIR);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw Failure(ExitCode::cannot_access,
                   path + ": cannot be written: it is no file but a device or a pipe");
-}
-
-// mkstemp makes files for the owner alone; this one is to be as any other new file.
-void set_usual_mode(int descriptor) {
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor, 0666 & ~mask);
+  return target;
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(behind_links(path)) {
-  refuse_what_is_no_file(path_, path);
-  const std::filesystem::path target(path_);
-  std::string part = ".";
-  part += target.filename().string() + ".XXXXXX.part";
-  part_path_ = (target.parent_path() / part).string();
-  const int descriptor = mkstemps(part_path_.data(), 5);
-  if (descriptor < 0) fail_to_write(path, errno);
-  set_usual_mode(descriptor);
-  close(descriptor);
+AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)) {
+  PartFile part = make_part_file(path_);
+  part_path_ = std::move(part.path);
+  lock_ = part.descriptor;
 }
 
 AtomicFile::~AtomicFile() {
   if (!part_path_.empty()) unlink(part_path_.c_str());
+  close(lock_);
 }
 
 void AtomicFile::write(std::string_view text) const {

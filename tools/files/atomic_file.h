@@ -6,8 +6,9 @@
 
 namespace hyrax {
 
-/// A new file is written beside its place, as `.NAME.XXXXXX.part`, and renamed when it is whole.
-/// What is given up, by an exception too, leaves the file at its place as it was.
+/// A new file is written beside its place, as `.NAME.part`, and renamed when it is whole. What is
+/// given up, by an exception too, leaves the file at its place as it was, and so does a process that
+/// is killed.
 class AtomicFile {
  public:
   /// Makes the part file, empty. A symbolic link at `path` is followed: its target is replaced.
@@ -27,6 +28,7 @@ class AtomicFile {
  private:
   std::string path_;
   std::string part_path_;
+  [[maybe_unused]] int lock_ = -1;  // Tells other writers that the part file has an owner.
 };
 
 /// "PATH: cannot be written: REASON" for the error number that the system gave.

@@ -1,5 +1,6 @@
 #include "tools/files/json.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -184,14 +185,19 @@ class Writer {
   std::string text_;
 };
 
+[[noreturn]] void fail_at(std::string_view pointer, const std::string& sentence) {
+  throw Failure(ExitCode::bad_input, printable(std::string(pointer) + ": " + sentence));
+}
+
 std::vector<std::string> tokens_of(std::string_view pointer) {
+  if (std::count(pointer.begin(), pointer.end(), '/') > kNestingMax)
+    fail_at(pointer.substr(0, 40), "nested more than " + std::to_string(kNestingMax) + " levels");
   std::vector<std::string> tokens;
   for (const char c : pointer) {
     if (c == '/')
       tokens.emplace_back();
     else if (tokens.empty())
-      throw Failure(ExitCode::bad_input,
-                    std::string(pointer) + ": is no JSON Pointer; it begins with '/', as in /clock/rate_hz");
+      fail_at(pointer, "is no JSON Pointer; it begins with '/', as in /clock/rate_hz");
     else
       tokens.back() += c;
   }
@@ -260,6 +266,19 @@ std::string to_text(double value) {
   return std::string(text, end);
 }
 
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    constexpr char kDigits[] = "0123456789abcdef";
+    if (code < 0x20 || code == 0x7f)
+      shown.append("\\u00").append({kDigits[code >> 4], kDigits[code & 15u]});
+    else
+      shown += c;
+  }
+  return shown;
+}
+
 std::string pointer_to(const std::string& pointer, std::string_view token) {
   std::string text = pointer + "/";
   for (const char c : token) {
@@ -277,9 +296,7 @@ void set_at(Json& document, std::string_view pointer, Json value) {
   Json* at = &document;
   for (const std::string& token : tokens_of(pointer)) {
     at = member_at(*at, token);
-    if (at == nullptr)
-      throw Failure(ExitCode::bad_input,
-                    std::string(pointer) + ": leads nowhere: there is no '" + token + "'");
+    if (at == nullptr) fail_at(pointer, "leads nowhere: there is no '" + token + "'");
   }
   *at = std::move(value);
 }

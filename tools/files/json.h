@@ -74,11 +74,16 @@ struct JsonLayout {
 /// Shortest decimal text that reads back to the same double.
 [[nodiscard]] std::string to_text(double value);
 
+/// The text with control characters as in JSON, so that a sentence that quotes it stays one line and
+/// does nothing to a terminal.
+[[nodiscard]] std::string printable(std::string_view text);
+
 /// A JSON Pointer (RFC 6901) with one reference token more.
 [[nodiscard]] std::string pointer_to(const std::string& pointer, std::string_view token);
 
 /// Sets the value at a JSON Pointer; missing objects on the way are made, "-" appends to an array.
-/// ERRORS: Failure(bad_input) for what is no pointer or leads through something that has no members.
+/// ERRORS: Failure(bad_input) for what is no pointer, is deeper than a document may nest, or leads
+/// through something that has no members.
 void set_at(Json& document, std::string_view pointer, Json value);
 
 }  // namespace hyrax

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace hyrax {
 namespace {
@@ -47,12 +48,12 @@ bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const
     breaks_rule("must be an object");
     return false;
   }
-  for (auto at = object->begin(); at != object->end(); ++at) {
-    const JsonPlace here(&at->second, pointer_to(pointer_, at->first), *problems_);
-    if (std::find(keys.begin(), keys.end(), at->first) == keys.end())
+  std::unordered_set<std::string_view> seen;
+  for (const auto& [key, value] : *object) {
+    const JsonPlace here(&value, pointer_to(pointer_, key), *problems_);
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
       here.wrong("is no key that may stand here; these may: " + joined(keys));
-    const auto same_key = [&](const auto& other) { return other.first == at->first; };
-    if (std::find_if(object->begin(), at, same_key) != at) here.wrong("stands twice; keep one of the two");
+    if (!seen.insert(key).second) here.wrong("stands twice; keep one of the two");
   }
   return true;
 }

@@ -171,14 +171,6 @@ Json value_of(const Override& given) {
   }
 }
 
-void put_over(Json& document, const Override& given, const std::string& path) {
-  try {
-    set_at(document, given.pointer, value_of(given));
-  } catch (const Failure& failure) {
-    throw Failure(failure.exit_code(), path + ": " + failure.what());
-  }
-}
-
 }  // namespace
 
 Scenario to_scenario(const Json& document, const std::string& source, const std::string& fallback_name) {
@@ -187,9 +179,18 @@ Scenario to_scenario(const Json& document, const std::string& source, const std:
   if (problems.empty()) return scenario;
   std::string sentences;
   for (const Problem& problem : problems)
-    sentences += (sentences.empty() ? "" : "\n") + source + ": " +
-                 (problem.pointer.empty() ? "/" : problem.pointer) + ": " + problem.sentence;
+    sentences.append(sentences.empty() ? "" : "\n")
+        .append(printable(source + ": " + (problem.pointer.empty() ? "/" : problem.pointer) + ": " +
+                          problem.sentence));
   throw Failure(ExitCode::bad_input, sentences);
+}
+
+void put_over(Json& document, const Override& given, const std::string& source) {
+  try {
+    set_at(document, given.pointer, value_of(given));
+  } catch (const Failure& failure) {
+    throw Failure(failure.exit_code(), source + ": " + failure.what());
+  }
 }
 
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {

@@ -25,6 +25,10 @@ struct Override {
   std::string value;
 };
 
+/// Puts it over what stands in the document, where missing objects on the way are made.
+/// ERRORS: Failure(bad_input) "SOURCE: POINTER: ..." for what is no pointer or leads nowhere.
+void put_over(Json& document, const Override& given, const std::string& source);
+
 /// Reads a scenario file, overrides applied.
 /// ERRORS: Failure(cannot_access) where the file cannot be read; Failure(bad_input) as above.
 [[nodiscard]] Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides = {});

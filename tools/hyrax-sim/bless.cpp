@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
@@ -39,7 +40,7 @@ GoldenPlace place_of(const std::string& path, const std::string& golden_folder) 
 
 // Says what the blessing changes; returns whether it changes anything.
 bool show_changes(const std::string& path, const GoldenPlace& place, const Scenario& scenario) {
-  if (!fs::exists(place.h5_path) || !fs::exists(place.txt_path)) {
+  if (!is_there(place.h5_path) || !is_there(place.txt_path)) {
     fmt::print("{}: new golden file\n", path);
     return true;
   }
@@ -81,8 +82,9 @@ void write(const GoldenPlace& place, const FreshRun& fresh, const std::string& r
   AtomicFile digest(place.txt_path);
   write_golden(rows, place.h5_path, fresh.run);
   digest.write(digest_of(fresh, rows.part_path(), reason));
-  rows.commit();
+  // The rows come last: until they stand there, `check` compares with the old ones and says so.
   digest.commit();
+  rows.commit();
 }
 
 // The golden file agrees; its digest may be of an older form.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <thread>
 
+#include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/check_verdict.h"
@@ -25,7 +25,7 @@ struct CheckRequest {
 
 std::vector<std::string> paths_of(CheckRequest& request) {
   if (request.files.empty()) {
-    if (!std::filesystem::is_directory("scenarios"))
+    if (!is_folder("scenarios"))
       throw Failure(ExitCode::bad_input,
                     "scenarios: there is no such folder here; name the scenarios or folders to check");
     request.files = {"scenarios"};
@@ -59,19 +59,30 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, const
   return verdicts;
 }
 
+// Comes after the verdicts are printed, which nobody is to lose with the file.
+ExitCode write_junit(const std::string& path, const std::vector<CheckVerdict>& verdicts) {
+  if (path.empty()) return ExitCode::agreed;
+  try {
+    write_text_file(path, check_junit(verdicts));
+    return ExitCode::agreed;
+  } catch (const Failure& failure) {
+    fmt::print(stderr, "{}\n", failure.what());
+    return failure.exit_code();
+  }
+}
+
 ExitCode check(CheckRequest& request) {
   const std::vector<std::string> paths = paths_of(request);
   const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
   const std::vector<CheckVerdict> verdicts =
       check_all(paths, {.golden_folder = request.golden_folder, .is_quick = request.is_quick}, jobs);
-  if (!request.junit.empty()) write_text_file(request.junit, check_junit(verdicts));
   if (request.is_json)
     fmt::print("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
   else
     fmt::print("{}", check_text(verdicts));
   ExitCode exit_code = ExitCode::agreed;
   for (const CheckVerdict& verdict : verdicts) exit_code = more_serious(exit_code, verdict.exit_code);
-  return exit_code;
+  return more_serious(exit_code, write_junit(request.junit, verdicts));
 }
 
 }  // namespace

@@ -122,8 +122,8 @@ Json json_of(const Difference& difference) {
 }
 
 ExitCode diff(const DiffRequest& request) {
-  const TrajectoryFile a(request.files[0]);
-  const TrajectoryFile b(request.files[1]);
+  const TrajectoryFile a = TrajectoryFile::open(request.files[0]);
+  const TrajectoryFile b = TrajectoryFile::open(request.files[1]);
   const Difference difference = compare(a, b, request.tolerance);
   if (request.is_json)
     fmt::print("{}\n", to_text(json_of(difference), {.depth_indented = 2}));

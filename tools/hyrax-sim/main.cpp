@@ -1,5 +1,7 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,8 @@
 
 int main(int argc, char** argv) {
   using namespace hyrax;
+  // A file that may not grow further is an error like a full disk, and no end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   ExitCode exit_code = ExitCode::program_fault;
   try {
     exit_code = run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc),
@@ -15,6 +19,9 @@ int main(int argc, char** argv) {
   } catch (const Failure& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     exit_code = failure.exit_code();
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "%s: cannot be accessed: %s\n", error.path1().c_str(), error.code().message().c_str());
+    exit_code = ExitCode::cannot_access;
   } catch (const std::bad_alloc&) {
     std::fputs("hyrax-sim: out of memory\n", stderr);
   } catch (const std::exception& error) {

@@ -80,7 +80,7 @@ bool is_trajectory(const std::string& path) {
 }
 
 RunRows load_rows(const std::string& path) {
-  if (is_trajectory(path)) return rows_of(std::make_shared<TrajectoryFile>(path));
+  if (is_trajectory(path)) return rows_of(std::make_shared<const TrajectoryFile>(TrajectoryFile::open(path)));
   const Scenario scenario = load_scenario(path);
   return rows_of(scenario, play(scenario));
 }

@@ -71,7 +71,7 @@ std::string read_digest_hash(const std::string& path) {
   const std::size_t key = text.find(std::string("\n").append(kHashKey));
   constexpr std::size_t kDigits = 32;
   const std::size_t begin = key == std::string::npos ? text.size() : key + 1 + kHashKey.size();
-  if (begin + kDigits >= text.size() || text[begin + kDigits] != '\n')
+  if (text.find_first_not_of("0123456789abcdef", begin) != begin + kDigits || text[begin + kDigits] != '\n')
     throw Failure(ExitCode::bad_input, path + ": has no line '" + std::string(kHashKey) +
                                            "' of 32 hex digits; bless the scenario again");
   return text.substr(begin, kDigits);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <mutex>
 
 #include "tools/store/contact_table.h"
 #include "tools/store/row_table.h"
 #include "tools/store/trajectory_file.h"
+#include "tools/store/trial_reading.h"
 
 namespace hyrax {
 namespace {
@@ -123,7 +125,8 @@ void read_blocks(const TrajectoryFile& file, StoredRun& run) {
     std::copy_n(digests.begin() + static_cast<std::ptrdiff_t>(index * sizeof(Digest)), sizeof(Digest),
                 block.digest.begin());
     block.keyframe.row = rows.row(index);
-    if (block.count < 1 || block.count > kStepsMax || block.keyframe.row.step != next_row)
+    if (block.count < 1 || block.count > kStepsMax || block.keyframe.row.step != next_row ||
+        next_row > run.steps)
       file.refuse("/blocks: do not follow upon each other");
     next_row += block.count * static_cast<std::int64_t>(kBlockRows);
     const auto block_rows =
@@ -151,20 +154,7 @@ void read_blocks(const TrajectoryFile& file, StoredRun& run) {
   run.final = rows.row(rows.size() - 1);
 }
 
-}  // namespace
-
-void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run) {
-  h5::Handle file = h5::create_file(target.part_path(), 0);
-  const bool is_written =
-      file.is_open() && write_rows(file, kept_rows(run)) && write_contacts(file, run) &&
-      (run.blocks.empty() || write_blocks(file, run.blocks)) &&
-      write_head(file, {run.scenario, run.steps, run.physics, run.state_hash}, run.inputs) &&
-      file.close() >= 0;
-  if (!is_written) fail_to_write(path, errno == 0 ? EIO : errno);
-}
-
-StoredRun read_golden(const std::string& path) {
-  const TrajectoryFile file(path);
+StoredRun read_run(const TrajectoryFile& file) {
   StoredRun run;
   run.scenario = file.head().scenario;
   run.physics = file.head().physics;
@@ -187,6 +177,26 @@ StoredRun read_golden(const std::string& path) {
                   " at row " + std::to_string(row));
   run.final = run.rows.row(run.rows.size() - 1);
   return run;
+}
+
+}  // namespace
+
+void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run) {
+  h5::Handle file = h5::create_file(target.part_path(), 0);
+  const bool is_written =
+      file.is_open() && write_rows(file, kept_rows(run)) && write_contacts(file, run) &&
+      (run.blocks.empty() || write_blocks(file, run.blocks)) &&
+      write_head(file, {run.scenario, run.steps, run.physics, run.state_hash}, run.inputs) &&
+      file.close() >= 0;
+  if (!is_written) fail_to_write(path, errno == 0 ? EIO : errno);
+}
+
+StoredRun read_golden(const std::string& path) {
+  // HDF5 lets one thread in at a time anyway; a trial wants none of them inside.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  read_on_trial(path, [&] { static_cast<void>(read_run(TrajectoryFile(path))); });
+  return read_run(TrajectoryFile(path));
 }
 
 }  // namespace hyrax

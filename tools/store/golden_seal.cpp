@@ -74,6 +74,10 @@ Scenario without_words(Scenario scenario) {
 constexpr std::string_view kSealKey = "seal: ";
 constexpr std::size_t kDigits = 32;
 
+bool is_hash(const std::string& text) {
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 }  // namespace
 
 std::string seal_line(const GoldenSeal& seal) {
@@ -85,7 +89,15 @@ std::optional<GoldenSeal> seal_in(const std::string& digest_text) {
   if (line == std::string::npos) return std::nullopt;
   const std::size_t begin = line + 1 + kSealKey.size();
   if (digest_text.size() != begin + 2 * kDigits + 2) return std::nullopt;
-  return GoldenSeal{digest_text.substr(begin, kDigits), digest_text.substr(begin + kDigits + 1, kDigits)};
+  const GoldenSeal seal{digest_text.substr(begin, kDigits), digest_text.substr(begin + kDigits + 1, kDigits)};
+  const bool is_whole = is_hash(seal.contents) && is_hash(seal.file) &&
+                        digest_text.compare(line + 1, std::string::npos, seal_line(seal)) == 0;
+  return is_whole ? std::optional(seal) : std::nullopt;
+}
+
+bool seals(const std::string& digest_text, const std::string& h5_path) {
+  const auto seal = seal_in(digest_text);
+  return seal && seal->file == file_hash(h5_path);
 }
 
 std::string contents_hash(const StoredRun& run) {

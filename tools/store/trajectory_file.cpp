@@ -1,5 +1,6 @@
 #include "tools/store/trajectory_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -8,6 +9,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/store/trajectory_format.h"
+#include "tools/store/trial_reading.h"
 
 namespace hyrax {
 namespace {
@@ -22,6 +24,12 @@ h5::Handle open_readable(const std::string& path) {
   h5::Handle file = h5::open_file(path);
   if (!file.is_open()) refuse_file(path, "is no HDF5 file, or was cut short");
   return file;
+}
+
+bool is_usual_number(hid_t type) {
+  for (const hid_t usual : {H5T_IEEE_F64LE, H5T_IEEE_F64BE, H5T_STD_I64LE, H5T_STD_I64BE, H5T_STD_U8LE})
+    if (H5Tequal(type, usual) > 0) return true;
+  return false;
 }
 
 bool is_contiguous(hid_t dataset) {
@@ -49,9 +57,11 @@ NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::strin
   hsize_t length = 0;
   if (H5Sget_simple_extent_ndims(space) != 1 || H5Sget_simple_extent_dims(space, &length, nullptr) != 1)
     throw Failure(ExitCode::bad_input, place_ + ": must have one axis");
-  if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_contiguous(dataset_))
+  const bool is_in_one_piece = is_contiguous(dataset_);
+  if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_in_one_piece)
     throw Failure(ExitCode::bad_input, place_ + ": was never written to its end");
   length_ = static_cast<std::int64_t>(length);
+  is_plain_ = is_in_one_piece && is_usual_number(type);
 }
 
 void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const {
@@ -78,6 +88,24 @@ TrajectoryFile::TrajectoryFile(const std::string& path)
       columns_(row_columns(file_, path)),
       contact_(file_, path, "/trajectory/contact", H5T_INTEGER, sizeof(std::uint8_t)) {
   check_lengths();
+}
+
+TrajectoryFile TrajectoryFile::open(const std::string& path) {
+  read_on_trial(path, [&] { TrajectoryFile(path).read_all(); });
+  return TrajectoryFile(path);
+}
+
+void TrajectoryFile::read_all() const {
+  constexpr std::int64_t kBatch = 65536;
+  const bool is_plain = step_.is_plain() && contact_.is_plain() &&
+                        std::all_of(columns_.begin(), columns_.end(), [](const auto& c) { return c.is_plain(); });
+  // Of plain columns the first and the last row stand for all.
+  const std::int64_t stride = is_plain ? std::max<std::int64_t>(1, row_count() - 1) : kBatch;
+  for (std::int64_t first = 0; first < row_count(); first += stride)
+    static_cast<void>(rows(first, is_plain ? 1 : std::min(kBatch, row_count() - first)));
+  static_cast<void>(contacts());
+  static_cast<void>(contacts_total());
+  static_cast<void>(inputs());
 }
 
 FileHead TrajectoryFile::read_head() const {

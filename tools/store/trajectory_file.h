@@ -22,6 +22,8 @@ class NumberColumn {
                std::size_t element_bytes);
 
   [[nodiscard]] std::int64_t length() const { return length_; }
+  /// Whether it stands in one piece, in a usual format of numbers: the library has nothing to decode.
+  [[nodiscard]] bool is_plain() const { return is_plain_; }
   /// Elements `first` .. `first + count - 1`. REQUIRES: first + count <= length().
   template <class Value>
   [[nodiscard]] std::vector<Value> read(hid_t memory_type, std::int64_t first, std::int64_t count) const {
@@ -36,6 +38,7 @@ class NumberColumn {
   std::string place_;
   h5::Handle dataset_;
   std::int64_t length_ = 0;
+  bool is_plain_ = false;
 };
 
 /// ERRORS: opening and reading throw Failure(cannot_access) where the file cannot be read, and
@@ -43,6 +46,10 @@ class NumberColumn {
 /// of a wrong type or of a length that differs from its neighbours'.
 class TrajectoryFile {
  public:
+  /// Opens a file of whatever origin: all that this class can read of it was read on trial.
+  /// REQUIRES: no other thread is inside HDF5.
+  [[nodiscard]] static TrajectoryFile open(const std::string& path);
+  /// Opens a file without a trial: what HDF5 does with a damaged one is not known.
   explicit TrajectoryFile(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -65,6 +72,7 @@ class TrajectoryFile {
   [[noreturn]] void refuse(const std::string& sentence) const;
 
  private:
+  void read_all() const;
   [[nodiscard]] FileHead read_head() const;
   [[nodiscard]] std::string text(const char* attribute) const;
   void check_lengths() const;
