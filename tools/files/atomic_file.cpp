@@ -5,8 +5,12 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+
+#include <unistd.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/part_file.h"
 
 namespace hyrax {
 namespace {
@@ -36,17 +40,27 @@ std::string replaceable(const std::string& path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)), part_(path_) {}
+AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)) {
+  PartFile part = make_part_file(path_);
+  part_path_ = std::move(part.path);
+  lock_ = part.descriptor;
+}
+
+AtomicFile::~AtomicFile() {
+  if (!part_path_.empty()) unlink(part_path_.c_str());
+  close(lock_);
+}
 
 void AtomicFile::write(std::string_view text) const {
-  std::FILE* const file = std::fopen(part_path().c_str(), "wb");
+  std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
   if (file == nullptr) fail_to_write(path_, errno);
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);
 }
 
 void AtomicFile::commit() {
-  if (const int error_number = part_.become(path_)) fail_to_write(path_, error_number);
+  if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
+  part_path_.clear();
 }
 
 void fail_to_write(const std::string& path, int error_number) {

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "tools/files/part_file.h"
-
 namespace hyrax {
 
 /// A new file is written beside its place, as `.NAME.part`, and renamed when it is whole. What is
@@ -19,8 +17,9 @@ class AtomicFile {
   explicit AtomicFile(const std::string& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
 
-  [[nodiscard]] const std::string& part_path() const { return part_.path(); }
+  [[nodiscard]] const std::string& part_path() const { return part_path_; }
   /// Fills the part file. ERRORS: Failure(cannot_access).
   void write(std::string_view text) const;
   /// Puts the part file in its place. ERRORS: Failure(cannot_access).
@@ -28,7 +27,8 @@ class AtomicFile {
 
  private:
   std::string path_;
-  PartFile part_;
+  std::string part_path_;
+  [[maybe_unused]] int lock_ = -1;  // Tells other writers that the part file has an owner.
 };
 
 /// "PATH: cannot be written: REASON" for the error number that the system gave.

@@ -1,7 +1,6 @@
 #include "tools/files/part_file.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -61,33 +60,20 @@ int make(const std::string& path) {
 
 }  // namespace
 
-PartFile::PartFile(const std::string& target) {
+PartFile make_part_file(const std::string& target) {
   for (int number = 1; number <= kPartsMax; ++number) {
-    path_ = part_path(target, number);
-    descriptor_ = make(path_);
-    if (descriptor_ < 0 && errno == EEXIST) {
-      remove_if_abandoned(path_);
-      descriptor_ = make(path_);
+    PartFile part{part_path(target, number), -1};
+    part.descriptor = make(part.path);
+    if (part.descriptor < 0 && errno == EEXIST) {
+      remove_if_abandoned(part.path);
+      part.descriptor = make(part.path);
     }
-    if (descriptor_ >= 0) return;
+    if (part.descriptor >= 0) return part;
     if (errno != EEXIST) fail_to_write(target, errno);
   }
   throw Failure(ExitCode::cannot_access, target + ": cannot be written: " + std::to_string(kPartsMax) +
                                              " others are writing it; where none is, remove the files " +
                                              part_path(target, 1) + ", .2.part and so on");
-}
-
-PartFile::~PartFile() {
-  if (descriptor_ < 0) return;
-  unlink(path_.c_str());
-  close(descriptor_);
-}
-
-int PartFile::become(const std::string& target) {
-  if (std::rename(path_.c_str(), target.c_str()) != 0) return errno;
-  close(descriptor_);
-  descriptor_ = -1;
-  return 0;
 }
 
 }  // namespace hyrax

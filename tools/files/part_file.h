@@ -5,25 +5,16 @@
 
 namespace hyrax {
 
-/// A new, empty file beside the one that it will become: `.NAME.part`, or `.NAME.2.part` and so on
-/// while other processes write theirs. It is locked as long as its writer lives; one that a killed
-/// writer left is known by that, and removed by the next one who needs its name.
-class PartFile {
- public:
-  /// ERRORS: Failure(cannot_access) where the folder cannot be written to, or too many stand there.
-  explicit PartFile(const std::string& target);
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  /// Removes it, if it has not become its target.
-  ~PartFile();
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-  /// Puts it in the place of `target`. Returns the system's error number, or 0.
-  [[nodiscard]] int become(const std::string& target);
-
- private:
-  std::string path_;
-  int descriptor_ = -1;
+/// Its lock lives with the descriptor: that stays open until the file has its final name or is removed.
+struct PartFile {
+  std::string path;
+  int descriptor = -1;
 };
+
+/// Makes a new, empty file beside the one that it will become: `.NAME.part`, or `.NAME.2.part` and so
+/// on while others write theirs. One that a killed writer left is known by the lock that it lost, and
+/// makes room for the new one.
+/// ERRORS: Failure(cannot_access) where the folder cannot be written to, or too many stand there.
+[[nodiscard]] PartFile make_part_file(const std::string& target);
 
 }  // namespace hyrax

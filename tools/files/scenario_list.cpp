@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tools/files/failure.h"
+#include "tools/files/presence.h"
 
 namespace hyrax {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::string> scenarios_in(const std::string& folder) {
 std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments) {
   std::vector<std::string> paths;
   for (const std::string& argument : arguments) {
-    if (!fs::is_directory(argument)) {
+    if (!is_folder(argument)) {
       paths.push_back(argument);
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
@@ -39,7 +40,7 @@ GoldenPlace place_of(const std::string& path, const std::string& golden_folder) 
 
 // Says what the blessing changes; returns whether it changes anything.
 bool show_changes(const std::string& path, const GoldenPlace& place, const Scenario& scenario) {
-  if (!fs::exists(place.h5_path) || !fs::exists(place.txt_path)) {
+  if (!is_there(place.h5_path) || !is_there(place.txt_path)) {
     fmt::print("{}: new golden file\n", path);
     return true;
   }

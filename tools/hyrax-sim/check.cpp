@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <thread>
 
+#include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/check_verdict.h"
@@ -25,7 +25,7 @@ struct CheckRequest {
 
 std::vector<std::string> paths_of(CheckRequest& request) {
   if (request.files.empty()) {
-    if (!std::filesystem::is_directory("scenarios"))
+    if (!is_folder("scenarios"))
       throw Failure(ExitCode::bad_input,
                     "scenarios: there is no such folder here; name the scenarios or folders to check");
     request.files = {"scenarios"};

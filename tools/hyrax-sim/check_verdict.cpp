@@ -1,8 +1,8 @@
 #include "tools/hyrax-sim/check_verdict.h"
 
 #include <chrono>
-#include <filesystem>
 
+#include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/golden_check.h"
@@ -15,7 +15,6 @@
 namespace hyrax {
 namespace {
 
-namespace fs = std::filesystem;
 using Status = CheckVerdict::Status;
 
 std::vector<Expectation> broken_of(const Scenario& scenario, const RunSummary& summary) {
@@ -53,7 +52,7 @@ RunSummary compare_quickly(const Scenario& scenario, const GoldenPlace& place, C
 // A whole seal says that file and run agree in everything; the file is taken apart only where the
 // seal is broken.
 RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
-  const auto seal = fs::exists(place.txt_path) ? seal_in(read_text_file(place.txt_path)) : std::nullopt;
+  const auto seal = is_there(place.txt_path) ? seal_in(read_text_file(place.txt_path)) : std::nullopt;
   if (!seal) return compare_rows(scenario, place, verdict);
   const FreshRun fresh = play_for_golden(scenario);
   const bool names_this_run = seal->contents == contents_hash(fresh.run);
@@ -66,7 +65,7 @@ RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, Che
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
   const auto place = golden_place(verdict.path, options.golden_folder);
   verdict.golden_path = place ? place->h5_path : "";
-  const bool has_golden = place && fs::exists(place->h5_path);
+  const bool has_golden = place && is_there(place->h5_path);
   const auto compare = options.is_quick ? compare_quickly : compare_whole;
   const RunSummary summary = has_golden ? compare(scenario, *place, verdict) : play(scenario);
   verdict.broken = broken_of(scenario, summary);

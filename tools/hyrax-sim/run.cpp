@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
@@ -61,8 +62,8 @@ Candidate read_candidate(const std::string& path, const std::vector<Override>& o
   return candidate;
 }
 
-bool is_folder(const RunRequest& request, std::size_t scenarios) {
-  return scenarios > 1 || request.output.ends_with('/') || fs::is_directory(request.output);
+bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
+  return scenarios > 1 || request.output.ends_with('/') || is_folder(request.output);
 }
 
 // Where each run is to be written; no two in the same place.
@@ -74,7 +75,7 @@ void place_outputs(const RunRequest& request, std::vector<Candidate>& candidates
     if (request.output.empty())
       candidate.output = file_name;
     else
-      candidate.output = is_folder(request, candidates.size())
+      candidate.output = writes_into_folder(request, candidates.size())
                              ? (fs::path(request.output) / file_name).string()
                              : request.output;
     if (!taken.insert(candidate.output).second)
@@ -85,7 +86,7 @@ void place_outputs(const RunRequest& request, std::vector<Candidate>& candidates
 }
 
 void make_output_folder(const RunRequest& request, std::size_t scenarios) {
-  if (request.output.empty() || !is_folder(request, scenarios)) return;
+  if (request.output.empty() || !writes_into_folder(request, scenarios)) return;
   std::error_code error;
   fs::create_directories(request.output, error);
   if (error) throw Failure(ExitCode::cannot_access, request.output + ": cannot be made: " + error.message());

@@ -1,8 +1,8 @@
 #include "tools/hyrax-sim/scenario_run.h"
 
 #include <algorithm>
-#include <filesystem>
 
+#include "tools/files/presence.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/run_expectations.h"
@@ -18,7 +18,7 @@ namespace {
 // more is played or read.
 Comparison compare_with_golden(const GoldenPlace& place, const Scenario& scenario,
                                const RunSummary& summary) {
-  if (std::filesystem::exists(place.txt_path) && read_digest_hash(place.txt_path) == hex(summary.state_hash) &&
+  if (is_there(place.txt_path) && read_digest_hash(place.txt_path) == hex(summary.state_hash) &&
       seals(read_text_file(place.txt_path), place.h5_path))
     return {};
   return compare_with(read_golden(place.h5_path), scenario).comparison;
@@ -53,7 +53,7 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
     return run;
   }
   run.golden_path = place->h5_path;
-  if (std::filesystem::exists(place->h5_path))
+  if (is_there(place->h5_path))
     run.comparison = compare_with_golden(*place, scenario, run.summary);
   return run;
 }

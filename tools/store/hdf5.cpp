@@ -6,7 +6,13 @@
 namespace hyrax::h5 {
 namespace {
 
-void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+// Before any other call. At the end of the process HDF5 would go once more over what it could not
+// write, and 1.10 can crash on it; all that is to be written was closed long before.
+void begin() {
+  static const herr_t is_left_alone = H5dont_atexit();
+  static_cast<void>(is_left_alone);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Handle object_list(hid_t list_class) {
   Handle list(H5Pcreate(list_class), H5Pclose);
@@ -33,7 +39,7 @@ Handle dataset_list() {
 }  // namespace
 
 Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
-  be_quiet();
+  begin();
   const Handle creation = object_list(H5P_FILE_CREATE);
   const Handle access = access_list(expected_bytes);
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
@@ -42,7 +48,7 @@ Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
 }
 
 Handle open_file(const std::string& path) {
-  be_quiet();
+  begin();
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_list(error ? 0 : bytes)), H5Fclose};

@@ -1,0 +1,212 @@
+#!/usr/bin/python3
+"""Killed while it writes, the program leaves the old file or the whole new one, never another.
+
+HYRAX_KILL_AT_CALL names the library that kills it at a chosen call, kill_at_call.c; HYRAX_KILLS says how many random
+moments are tried beside.
+"""
+
+import os
+import random
+import shutil
+import subprocess
+import time
+
+from program import AGREED, DISAGREED, PROGRAM, ProgramTest, fling, main
+
+LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
+KILLS = int(os.environ.get("HYRAX_KILLS", "24"))
+SIGKILLED = -9
+
+ANOTHER_START = {"x_px": 900, "y_px": 100, "vx_px_per_s": 300, "vy_px_per_s": 0}
+
+
+class Killed(ProgramTest):
+    """A folder as it was before a command, and as the command leaves it."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "before").mkdir()
+
+    def write_before(self, path, content):
+        """A file as it stands before each try."""
+        return self.write(f"before/{path}", content)
+
+    def files(self, folder):
+        """Content of every file, and the names of parts."""
+        found = {str(path.relative_to(self.folder / folder)): path.read_bytes()
+                 for path in (self.folder / folder).rglob("*") if path.is_file()}
+        parts = sorted(name for name in found if name.endswith(".part"))
+        return {name: content for name, content in found.items() if name not in parts}, parts
+
+    def try_in(self, folder, *arguments, **options):
+        """The command in a fresh copy of the folder as it was; returns the process."""
+        shutil.rmtree(self.folder / folder, ignore_errors=True)
+        shutil.copytree(self.folder / "before", self.folder / folder)
+        return subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder / folder, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.DEVNULL, **options)
+
+    def environment(self, at):
+        """In which the program is killed at a call that changes files."""
+        return {**os.environ, "LD_PRELOAD": LIBRARY, "HYRAX_KILL_AT": str(at),
+                "HYRAX_CALLS": str(self.folder / "calls"),
+                "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
+
+    def calls_of(self, *arguments):
+        """How many calls that change files the whole command makes; leaves its outcome in `after`."""
+        self.assertEqual(self.try_in("after", *arguments, env=self.environment(0)).wait(), 0)
+        return int((self.folder / "calls").read_text())
+
+    def assert_old_or_new(self, what):
+        """Every file is as it was, or as the whole command leaves it."""
+        old, _ = self.files("before")
+        new, parts = self.files("after")
+        self.assertEqual(parts, [])
+        now, parts = self.files("now")
+        for name, content in now.items():
+            self.assertIn(content, (old.get(name), new.get(name)), f"{what}: {name} is neither old nor new")
+        for name in old:
+            self.assertIn(name, now, what)
+        for part in parts:
+            self.assertTrue(os.path.basename(part).startswith("."), part)
+
+    def assert_mended_by(self, *arguments):
+        """The same command once more does what it would have done, and leaves no part behind."""
+        done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder / "now", capture_output=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        new, _ = self.files("after")
+        now, parts = self.files("now")
+        self.assertEqual((sorted(now), parts), (sorted(new), []))
+        for name in set(new) - {name for name in new if name.endswith(".txt")}:
+            self.assertEqual(now[name], new[name], name)
+
+    def kill_everywhere(self, *arguments, tries_max=40):
+        """Kills the command before calls that change files: each, or so many spread over all of them."""
+        calls = self.calls_of(*arguments)
+        self.assertGreater(calls, 3)
+        for at in sorted({1 + index * (calls - 1) // (tries_max - 1) for index in range(tries_max)}):
+            code = self.try_in("now", *arguments, env=self.environment(at)).wait()
+            self.assertEqual(code, SIGKILLED, f"at call {at} of {calls}")
+            self.assert_old_or_new(f"killed at call {at} of {calls}")
+            yield at
+
+    def kill_at_random(self, *arguments, kills=None):
+        """Kills the command at random moments, from its start to shortly after its end."""
+        begin = time.monotonic()
+        self.assertEqual(self.try_in("after", *arguments).wait(), 0)
+        duration_s = time.monotonic() - begin
+        moments = random.Random(20)
+        for kill in range(kills or KILLS):
+            process = self.try_in("now", *arguments)
+            time.sleep(moments.uniform(0.0, 1.1 * duration_s))
+            process.kill()
+            process.wait()
+            self.assert_old_or_new(f"kill {kill}")
+            yield kill
+
+
+class Trajectory(Killed):
+    """`run`, over a file that is there already."""
+
+    def setUp(self):
+        super().setUp()
+        self.write_before("fling.json", fling())
+        self.write_before("long.json", fling(name="long", steps=120_000, clock={
+            "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}}))
+        self.write_before("out.h5", "what was there before")
+
+    def test_at_every_call_of_a_small_file(self):
+        for _ in self.kill_everywhere("run", "fling.json", "-o", "out.h5"):
+            self.assert_mended_by("run", "fling.json", "-o", "out.h5")
+
+    def test_at_calls_of_a_large_file(self):
+        for _ in self.kill_everywhere("run", "long.json", "-o", "out.h5", tries_max=12):
+            pass
+        self.assert_mended_by("run", "long.json", "-o", "out.h5")
+
+    def test_at_random_moments(self):
+        for _ in self.kill_at_random("run", "long.json", "-o", "out.h5"):
+            pass
+        self.assert_mended_by("run", "long.json", "-o", "out.h5")
+
+    def test_a_file_that_is_cut_short_would_be_found(self):
+        self.assertEqual(self.try_in("after", "run", "fling.json", "-o", "out.h5").wait(), 0)
+        self.try_in("now", "--version").wait()
+        self.assert_old_or_new("nothing written")
+        whole = (self.folder / "after/out.h5").read_bytes()
+        (self.folder / "now/out.h5").write_bytes(whole[:-1])
+        with self.assertRaises(AssertionError):
+            self.assert_old_or_new("cut short")
+
+
+class Blessing(Killed):
+    """`bless` replaces two files; between the two, nothing may look right that is not."""
+
+    COMMAND = ("bless", "scenarios", "--reason", "another start")
+
+    def setUp(self):
+        super().setUp()
+        self.old = fling(name="fling")
+        self.new = fling(name="fling", start=ANOTHER_START)
+        self.write_before("scenarios/fling.json", self.old)
+        self.expect(AGREED, "bless", "scenarios", "--reason", "the first", cwd=self.folder / "before")
+        self.write_before("scenarios/fling.json", self.new)
+        self.write_before("scenarios/unblessed.json", fling(name="unblessed"))
+
+    def verdict(self, *arguments):
+        """`check` of the changed scenario: exit code and output."""
+        outcome = self.hyrax_sim(*arguments, "scenarios/fling.json", cwd=self.folder / "now")
+        return outcome.exit_code, outcome.out + outcome.err
+
+    def is_whole(self):
+        """Whether both files of the blessing stand there."""
+        new, _ = self.files("after")
+        now, _ = self.files("now")
+        return all(now[name] == new[name] for name in ("golden/fling.h5", "golden/fling.txt"))
+
+    def assert_told(self):
+        """What is not wholly blessed is no agreement, for the new scenario nor for the old one."""
+        wanted = AGREED if self.is_whole() else DISAGREED
+        for command in (("check",), ("check", "--quick"), ("run", "-o", "run.h5")):
+            self.assertEqual(self.verdict(*command)[0], wanted, command)
+        (self.folder / "now/run.h5").unlink()
+
+    def test_at_every_call(self):
+        seen = set()
+        for _ in self.kill_everywhere(*self.COMMAND):
+            self.assert_told()
+            seen.add(self.is_whole())
+            self.assert_mended_by(*self.COMMAND)
+        self.assertEqual(seen, {False, True})
+
+    def test_at_random_moments(self):
+        for _ in self.kill_at_random(*self.COMMAND):
+            self.assert_told()
+        self.assert_mended_by(*self.COMMAND)
+
+    def test_between_the_two_files_the_old_scenario_does_not_agree_either(self):
+        self.calls_of(*self.COMMAND)
+        self.try_in("now", "--version").wait()
+        shutil.copyfile(self.folder / "after/golden/fling.txt", self.folder / "now/golden/fling.txt")
+        self.assert_told()
+        self.write("now/scenarios/fling.json", self.old)
+        for command in (("check",), ("check", "--quick")):
+            exit_code, text = self.verdict(*command)
+            self.assertEqual(exit_code, DISAGREED, command)
+            self.assertIn("golden/fling.txt is not of this golden file, as after a blessing cut short", text)
+
+    def test_a_first_blessing_is_missing_until_its_rows_stand_there(self):
+        for _ in self.kill_everywhere("bless", "scenarios/unblessed.json", "--reason", "x"):
+            rows, digest = (self.folder / "now/golden" / f"unblessed.{kind}" for kind in ("h5", "txt"))
+            self.assertTrue(digest.exists() or not rows.exists())
+            self.assert_mended_by("bless", "scenarios/unblessed.json", "--reason", "x")
+
+    def test_a_digest_written_anew(self):
+        digest = self.folder / "before/golden/fling.txt"
+        self.write_before("scenarios/fling.json", self.old)
+        digest.write_text(digest.read_text().replace("seal: ", "sealed: "))
+        for _ in self.kill_everywhere("bless", "scenarios/fling.json", "--reason", "of an older form"):
+            self.assertEqual(self.verdict("check")[0], AGREED)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,165 @@
+#!/usr/bin/python3
+"""What cannot be written is exit 3 with a sentence, and what was there stays: beside `run`, of which run_failure_test
+tells most, for `bless` and `check --junit`, with limits, other users and links."""
+
+import os
+import resource
+import shutil
+import subprocess
+
+from program import AGREED, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
+
+# HDF5 1.10 loses what it held of a file that it could not write to its end; that is no fault of ours.
+ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
+
+
+def at_most(size):
+    """Keeps the process from making any file larger, as a quota does."""
+    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+
+class Unwritable(ProgramTest):
+    """A project with a blessed throw, which is then changed."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("fling")
+        start = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400}
+        self.write("scenarios/fling.json", fling(name="fling", start=start))
+        self.write("fling.h5", "what was there before")
+        self.before = self.state_of(".")
+
+    def assert_untouched(self):
+        """No byte, no time stamp and no name has changed."""
+        self.assertEqual(self.state_of("."), self.before)
+
+    def bless_fails(self, *says, **options):
+        """`bless` is exit 3, tells why, and changes nothing."""
+        self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", says=says, env=ENVIRONMENT, **options)
+        self.assert_untouched()
+
+
+class Limit(Unwritable):
+    """A limit on the size of files is an error of writing, and does not end the process."""
+
+    def test_run_of_few_rows(self):
+        for size in (0, 1, 4096, 20_000):
+            self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", says="fling.h5: cannot be written: File too large",
+                        preexec_fn=at_most(size), env=ENVIRONMENT)
+            self.assert_untouched()
+
+    def test_run_of_many_rows(self):
+        self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", "--set", "/steps=200000", "--no-skip",
+                    says="fling.h5: cannot be written: File too large", preexec_fn=at_most(3_000_000), env=ENVIRONMENT)
+        self.assert_untouched()
+
+    def test_bless_fails_in_both_files_or_in_none(self):
+        for size in (0, 500, 20_000):
+            self.bless_fails("golden/fling.", "cannot be written: File too large", preexec_fn=at_most(size))
+
+    def test_the_table_outlives_a_junit_file_that_cannot_be_written(self):
+        outcome = self.expect(CANNOT_ACCESS, "check", "--junit", "report.xml", preexec_fn=at_most(10), env=ENVIRONMENT,
+                              says="report.xml: cannot be written: File too large")
+        self.assertIn("1 checked: 0 agreed, 1 disagreed", outcome.out)
+        self.assert_untouched()
+
+
+class Place(Unwritable):
+    """Folders that are not there, are no folders, or belong to somebody else; links."""
+
+    def test_the_table_outlives_a_junit_file_in_a_missing_folder(self):
+        for arguments, wanted in (((), "1 checked: 0 agreed, 1 disagreed"), (("--json",), '"disagreed": 1')):
+            outcome = self.expect(CANNOT_ACCESS, "check", "--junit", "no/such/report.xml", *arguments,
+                                  says="no/such/report.xml: cannot be written: No such file or directory")
+            self.assertIn(wanted, outcome.out)
+
+    def test_a_junit_file_that_is_written_changes_no_verdict(self):
+        self.expect(DISAGREED, "check", "--junit", "report.xml")
+
+    def test_a_folder_in_the_place_of_golden_rows(self):
+        (self.folder / "golden/fling.h5").unlink()
+        (self.folder / "golden/fling.h5/inside").mkdir(parents=True)
+        self.before = self.state_of(".")
+        self.bless_fails("golden/fling.h5: cannot be written: Is a directory")
+
+    def test_a_link_is_kept_and_its_target_blessed(self):
+        (self.folder / "elsewhere").mkdir()
+        for kind in ("h5", "txt"):
+            shutil.move(self.folder / f"golden/fling.{kind}", self.folder / f"elsewhere/{kind}")
+            os.symlink(f"../elsewhere/{kind}", self.folder / f"golden/fling.{kind}")
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x")
+        self.expect(AGREED, "check")
+        for kind in ("h5", "txt"):
+            self.assertTrue((self.folder / f"golden/fling.{kind}").is_symlink())
+        self.assertEqual(self.names("elsewhere"), ["h5", "txt"])
+
+    def test_links_in_a_circle(self):
+        os.symlink("b.h5", self.folder / "a.h5")
+        os.symlink("a.h5", self.folder / "b.h5")
+        self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", "-o", "a.h5",
+                    says="a.h5: cannot be written: Too many levels of symbolic links")
+        self.assert_untouched()
+
+    def unprivileged(self):
+        """The start of a command line by which nobody in particular runs the program; skips where that cannot be."""
+        if os.geteuid() != 0:
+            return []
+        command = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+        self.folder.chmod(0o755)
+        if shutil.which("setpriv") is None or subprocess.run([*command, str(PROGRAM), "--version"], check=False,
+                                                             capture_output=True, cwd="/").returncode != 0:
+            self.skipTest("nobody else can run the program here (setpriv --reuid=65534)")
+        return command
+
+    def as_other(self, *arguments):
+        """Runs it as a user who may write nothing here."""
+        command = self.unprivileged()
+        for path in [self.folder, *self.folder.rglob("*")]:
+            path.chmod(0o555 if path.is_dir() else 0o444)
+        try:
+            return subprocess.run([*command, str(PROGRAM), *arguments], cwd=self.folder, capture_output=True, text=True,
+                                  check=False, env=ENVIRONMENT)
+        finally:
+            for path in [self.folder, *self.folder.rglob("*")]:
+                path.chmod(0o755 if path.is_dir() else 0o644)
+
+    def test_a_folder_without_the_right_to_write(self):
+        for arguments, place in ((("run", "scenarios/fling.json"), "fling.h5"),
+                                 (("bless", "scenarios", "--reason", "x"), "golden/fling."),
+                                 (("check", "--junit", "report.xml"), "report.xml")):
+            done = self.as_other(*arguments)
+            self.assertEqual(done.returncode, CANNOT_ACCESS, done.stderr)
+            self.assertIn(place, done.stderr)
+            self.assertIn("cannot be written: Permission denied", done.stderr)
+            self.assert_untouched()
+
+    def test_what_may_not_be_read(self):
+        command = self.unprivileged()
+        (self.folder / "golden/fling.h5").chmod(0)
+        done = subprocess.run([*command, str(PROGRAM), "diff", "golden/fling.h5", "fling.h5"], cwd=self.folder,
+                              capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr),
+                         (CANNOT_ACCESS, "golden/fling.h5: cannot be read: Permission denied\n"))
+
+
+class FullDisk(Unwritable):
+    """golden/ on a disk that has room for the digest, and not for the rows."""
+
+    def test_bless_leaves_both_files_as_they_were(self):
+        script = "\n".join(["mount -t tmpfs -o size=44k tmpfs disk", "cp golden/fling.* disk",
+                            'code=0; "$1" bless scenarios --golden disk --reason x || code=$?',
+                            "cmp golden/fling.h5 disk/fling.h5", "cmp golden/fling.txt disk/fling.txt", "echo",
+                            "echo exit $code: $(ls -A disk)"])
+        (self.folder / "disk").mkdir()
+        unshare = ["unshare", "--mount", "--map-root-user"]
+        if subprocess.run([*unshare, "mount", "-t", "tmpfs", "tmpfs", str(self.folder / "disk")], check=False,
+                          capture_output=True).returncode != 0:
+            self.skipTest("no file system can be mounted here (unshare --mount --map-root-user)")
+        done = subprocess.run([*unshare, "sh", "-ec", script, "sh", str(PROGRAM)], cwd=self.folder, capture_output=True,
+                              text=True, check=False, env=ENVIRONMENT)
+        self.assertIn("exit 3: fling.h5 fling.txt\n", done.stdout, done.stderr)
+        self.assertIn("cannot be written: No space left on device", done.stderr)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,14 @@
+// What stands at a path, asked without an exception.
+#pragma once
+
+#include <string>
+
+namespace hyrax {
+
+/// Whether something is there, or may be: where the system does not let us know, reading it will say why.
+[[nodiscard]] bool is_there(const std::string& path);
+
+/// Whether a folder is there.
+[[nodiscard]] bool is_folder(const std::string& path);
+
+}  // namespace hyrax
