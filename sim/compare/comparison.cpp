@@ -21,7 +21,10 @@ std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector
   for (const Contact& contact : a) {
     if (contact.wall != wall) continue;
     other = std::find_if_not(other, b.end(), [&](const Contact& c) { return is_before(c, contact); });
-    if (other == b.end() || !is_same(*other, contact)) missing.push_back(contact);
+    if (other == b.end() || !is_same(*other, contact))
+      missing.push_back(contact);
+    else
+      ++other;  // It is the counterpart of one contact, not of two.
   }
   return missing;
 }

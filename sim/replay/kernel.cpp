@@ -7,6 +7,15 @@
 namespace hyrax {
 namespace {
 
+physics core_of(const Row& row) { return physics(row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s); }
+
+void take(Row& row, const physics& core) {
+  row.x_px = core.x();
+  row.y_px = core.y();
+  row.vx_px_per_s = core.vx();
+  row.vy_px_per_s = core.vy();
+}
+
 constexpr std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
 
 bool same_state(const physics& body, const Body& other) {
@@ -162,6 +171,24 @@ void play(const Stretch& stretch, Body& body, RestAnchor& rest, RowBlock& rows, 
       play_any(stretch, physics(body.x_px, body.y_px, body.vx_px_per_s, body.vy_px_per_s), rest, row, log);
   rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
   body = {moved.x(), moved.y(), moved.vx(), moved.vy()};
+}
+
+void fling(Row& row, const Velocity& velocity) {
+  physics core = core_of(row);
+  core.setVelocity(velocity.vx_px_per_s, velocity.vy_px_per_s);
+  take(row, core);
+}
+
+void place(Row& row, const Position& position) {
+  physics core = core_of(row);
+  core.setPos(position.x_px, position.y_px);
+  take(row, core);
+}
+
+void stop(Row& row) {
+  physics core = core_of(row);
+  core.resetVelocity();
+  take(row, core);
 }
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-// Frames of one stretch through physics::update, packed into rows.
+// Frames of one stretch through physics::update, packed into rows; and inputs through its setters.
 //
 // The one place of the replay that sees the core. A stretch has no input: its sizes and whether the
 // sprite is held do not change.
@@ -61,5 +61,10 @@ struct StretchLog {
 /// Plays the stretch: moves `body` and the anchor of rest, and appends a row a frame to `rows`.
 /// REQUIRES: stretch.frames <= rows.room().
 void play(const Stretch& stretch, Body& body, RestAnchor& rest, RowBlock& rows, StretchLog& log);
+
+/// Inputs, as the core takes them: its setVelocity, setPos and resetVelocity.
+void fling(Row& row, const Velocity& velocity);
+void place(Row& row, const Position& position);
+void stop(Row& row);
 
 }  // namespace hyrax

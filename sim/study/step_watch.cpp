@@ -85,7 +85,7 @@ void StepWatch::start_from(const Body& body, Bounds bounds) {
 // roundings (sim/scenario/timeline.h): a frame that adds less may seem to take some of them back.
 void StepWatch::see_finite(const Row& row) {
   const double largest = std::max({std::fabs(row.x_px), std::fabs(row.y_px), std::fabs(row.vx_px_per_s),
-                                   std::fabs(row.vy_px_per_s), row.t_s, 1.0});
+                                   std::fabs(row.vy_px_per_s), 1.0});
   const bool is_fine =
       is_finite_state(row) && std::isfinite(row.t_s) && row.t_s >= before_.t_s * (1.0 - 4 * kRounding);
   if (!is_fine) see(Invariant::finite, std::numeric_limits<double>::quiet_NaN(), row.step);
@@ -110,16 +110,17 @@ void StepWatch::see_bounds(const Step& step) {
 // vy' = a u, y' = y + h vy', and so
 //   e' - e <= (a^2 - 1) u^2 / 2 + (1 - a) G h u - (G h)^2 / 2,
 // which is largest at u = G h / (1 + a): a flight step loses at least a (G h)^2 / (1 + a), whatever its
-// speed. (a = 1: exactly (G h)^2 / 2, facts known of the symplectic Euler step in a constant field.)
-// A clamp then turns speeds without raising them, and lifts by y_flight - y, which adds G times that.
+// speed. (a = 1: exactly (G h)^2 / 2, as symplectic Euler does in a constant field.)
+// A clamp turns speeds without raising them, and lifts by y_flight - y, which adds G times that.
 // Rounding: vy', vx' have a relative error of at most 3 roundings and y' of 3 in each of its terms; twice
 // that covers the two energies.
 void StepWatch::see_step_energy(const Step& step) {
   const auto& [from, flight, row, bounds] = step;
   const double gravity = core_.gravity_px_per_s2;
   const double drag = std::min(core_.air_drag, 1.0);
-  const double allowed =
-      -drag * square(gravity * row.dt_s) / (1.0 + drag) + gravity * (flight.y_px - row.y_px);
+  const bool is_clamped = flight.y_px < 0.0 || flight.y_px > bounds.bottom_px;
+  const double lift_px = is_clamped ? flight.y_px - row.y_px : 0.0;
+  const double allowed = -drag * square(gravity * row.dt_s) / (1.0 + drag) + gravity * lift_px;
   const double gained = (row.vx_px_per_s - from.vx_px_per_s) * (row.vx_px_per_s + from.vx_px_per_s) / 2 +
                         (row.vy_px_per_s - from.vy_px_per_s) * (row.vy_px_per_s + from.vy_px_per_s) / 2 -
                         gravity * (row.y_px - from.y_px);

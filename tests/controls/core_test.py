@@ -72,10 +72,10 @@ class ChangedCore(ProgramTest):
         return set(red)
 
     def assert_nearly_all_red(self, control, concerned):
-        """Rounding hides a change now and then, in a fifth of the concerned scenarios at most."""
+        """Rounding hides a change now and then, in a quarter of the concerned scenarios at most."""
         red = self.red(control)
         self.assertGreater(len(concerned), 30)
-        self.assertGreaterEqual(len(red & concerned), 0.8 * len(concerned), f"green: {sorted(concerned - red)}")
+        self.assertGreaterEqual(len(red & concerned), 0.75 * len(concerned), f"green: {sorted(concerned - red)}")
 
     def test_no_change_is_green(self):
         outcome = self.check("unchanged")

@@ -116,5 +116,39 @@ class Paper(StudyControl):
         self.assertEqual(set(self.flipped("gravity_by_one_ulp")), {"5-gravity"})
 
 
+class Rest(StudyControl):
+    """The boundaries of rest are where the laws put them, and a core of other laws has others or none."""
+
+    def boundaries(self, control, exit_code):
+        """{boundary: (analytic, measured)} by the program with that change."""
+        outcome = self.study(control, "rest")
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return [(entry["analytic_hz"], entry["measured_hz"]) for entry in outcome.json["boundaries"]]
+
+    def test_no_change_is_green(self):
+        for analytic, measured in self.boundaries("unchanged", AGREED):
+            self.assertAlmostEqual(analytic, measured, delta=1e-9 * analytic)
+
+    def test_without_the_rest_rule_there_are_none(self):
+        self.assertEqual([measured for _, measured in self.boundaries("rest_rule_gone", DISAGREED)], [None] * 3)
+
+    def test_another_order_shifts_them_from_the_analytic_place(self):
+        for analytic, measured in self.boundaries("drag_before_gravity", DISAGREED):
+            self.assertGreater(abs(measured - analytic), 1e-4 * analytic)
+
+
+class FrameRate(StudyControl):
+    """The study's own copy of the paper's step is held to the core."""
+
+    def test_no_change_is_green(self):
+        outcome = self.study("unchanged", "frame-rate")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_another_core_is_told(self):
+        outcome = self.study("drag_before_gravity", "frame-rate")
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertIn("is not the core, bit for bit", outcome.json["broken"][0])
+
+
 if __name__ == "__main__":
     main()

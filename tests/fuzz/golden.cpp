@@ -12,7 +12,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!accepts([&] { run = read_golden(file.path()); })) return 0;
   hold(run.rows.size() != 0 || !run.blocks.empty(), "a golden file holds rows or blocks");
   constexpr std::int64_t kStepsPlayed = 20'000;
-  if (step_count(run.scenario) <= kStepsPlayed)
-    static_cast<void>(compare_with(run, run.scenario));
+  if (step_count(run.scenario) <= kStepsPlayed) static_cast<void>(compare_with(run, run.scenario));
   return 0;
 }

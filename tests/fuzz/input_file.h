@@ -16,8 +16,8 @@ class InputFile {
  public:
   explicit InputFile(std::string_view bytes) {
     const int descriptor = mkstemp(path_.data());
-    hold(descriptor >= 0 && ::write(descriptor, bytes.data(), bytes.size()) ==
-                                static_cast<ssize_t>(bytes.size()),
+    hold(descriptor >= 0 &&
+             ::write(descriptor, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
          "an input can be written");
     close(descriptor);
   }
@@ -28,8 +28,8 @@ class InputFile {
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
-  std::string path_ = std::string(std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp") +
-                      "/hyrax-fuzz-XXXXXX";
+  std::string path_ =
+      std::string(std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp") + "/hyrax-fuzz-XXXXXX";
 };
 
 }  // namespace hyrax

@@ -1,8 +1,8 @@
 // Reads inputs that are kept, once each: files, and all files in folders, given as arguments.
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 

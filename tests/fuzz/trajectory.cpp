@@ -16,6 +16,7 @@ void read_all(const std::string& path) {
   static_cast<void>(file.contacts());
   static_cast<void>(file.contacts_total());
   static_cast<void>(file.inputs());
+  static_cast<void>(file.provenance());
 }
 
 }  // namespace

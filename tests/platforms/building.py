@@ -4,7 +4,7 @@ import subprocess
 
 from rows import PROJECT
 
-TIMEOUT_S = 900
+TIMEOUT_S = 1800
 
 
 class BuildFailed(Exception):

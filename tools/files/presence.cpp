@@ -1,18 +1,24 @@
 #include "tools/files/presence.h"
 
-#include <filesystem>
-#include <system_error>
+#include <cerrno>
+
+#include <sys/stat.h>
 
 namespace hyrax {
 
 bool is_there(const std::string& path) {
-  std::error_code unknown;
-  return std::filesystem::status(path, unknown).type() != std::filesystem::file_type::not_found;
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
 
 bool is_folder(const std::string& path) {
-  std::error_code unknown;
-  return std::filesystem::is_directory(path, unknown);
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+bool is_regular_file(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
 }  // namespace hyrax

@@ -5,23 +5,20 @@
 #include <cstring>
 #include <memory>
 
-#include <sys/stat.h>
-
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
+#include "tools/files/presence.h"
 
 namespace hyrax {
 namespace {
+
+// A trace of ten million frames is a good half of it; a device may have no end.
+constexpr std::size_t kTextMax = 256 << 20;
 
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, Close>;
-
-bool is_folder(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
-}
 
 [[noreturn]] void fail_to_read(const std::string& path, int error_number) {
   throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(error_number));
@@ -35,8 +32,12 @@ std::string read_text_file(const std::string& path) {
   if (!file) fail_to_read(path, errno);
   std::string text;
   char part[65536];
-  for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, file.get())) > 0;)
+  for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, file.get())) > 0;) {
     text.append(part, size);
+    if (text.size() > kTextMax)
+      throw Failure(ExitCode::bad_input,
+                    path + ": holds more than 256 MiB, as no file does that is read here");
+  }
   if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
   return text;
 }

@@ -6,7 +6,7 @@
 
 namespace hyrax {
 
-/// ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON".
+/// ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON"; Failure(bad_input) beyond 256 MiB.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it was.

@@ -80,6 +80,8 @@ ExitCode check(CheckRequest& request) {
     fmt::print("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
   else
     fmt::print("{}", check_text(verdicts));
+  for (const CheckVerdict& verdict : verdicts)
+    if (!verdict.note.empty()) fmt::print(stderr, "{}\n", verdict.note);
   ExitCode exit_code = ExitCode::agreed;
   for (const CheckVerdict& verdict : verdicts) exit_code = more_serious(exit_code, verdict.exit_code);
   return more_serious(exit_code, write_junit(request.junit, verdicts));

@@ -1,6 +1,7 @@
 #include "tools/hyrax-sim/check_verdict.h"
 
 #include <chrono>
+#include <exception>
 
 #include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
@@ -31,35 +32,47 @@ RunSummary compare_rows(const Scenario& scenario, const GoldenPlace& place, Chec
   return compared.summary;
 }
 
-// A blessing that was cut short leaves the new digest beside the old file.
-void refuse_digest_of_another(const GoldenPlace& place, CheckVerdict& verdict) {
-  if (!verdict.comparison.agrees) return;
-  verdict.comparison.agrees = false;
-  verdict.comparison.difference = DifferenceClass::shape;
-  verdict.comparison.shape =
-      place.txt_path + " is not of this golden file, as after a blessing cut short; bless the scenario again";
+// Where a golden pair whose rows agree is not as it was blessed, in words; nothing where the file's bytes
+// alone are other ones: another build's provenance, or the same contents laid out anew.
+std::optional<std::string> fault_of_words(const std::string& kept, const std::string& fresh_digest,
+                                          const std::string& contents, const GoldenPlace& place) {
+  const auto seal = seal_in(kept);
+  const std::string file = seal ? seal->file : file_hash(place.h5_path);
+  if (const auto fault = digest_fault(kept, fresh_digest + seal_line({contents, file})))
+    return place.txt_path + ": " + *fault;
+  return golden_words_fault(place.h5_path);
+}
+
+// A whole digest, its seal included, says that file and run agree in everything; the file is taken
+// apart only where the digest is not what blessing the run would write, as after a blessing cut short.
+RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
+  if (!is_there(place.txt_path)) return compare_rows(scenario, place, verdict);
+  const std::string kept = read_text_file(place.txt_path);
+  const FreshRun fresh = play_for_golden(scenario);
+  const std::string digest =
+      golden_digest_text(fresh.run, fresh.summary, digest_reason(kept), digest_margin(kept));
+  const std::string contents = contents_hash(fresh.run);
+  if (!digest_fault(kept, digest + seal_line({contents, file_hash(place.h5_path)}))) return fresh.summary;
+  const RunSummary summary = compare_rows(scenario, place, verdict);
+  if (!verdict.comparison.agrees) return summary;
+  if (const auto fault = fault_of_words(kept, digest, contents, place)) {
+    verdict.comparison.agrees = false;
+    verdict.comparison.difference = DifferenceClass::shape;
+    verdict.comparison.shape =
+        "all rows agree, but the golden file and its digest are not as they were blessed: " + *fault +
+        "; restore both, or bless the scenario again";
+  } else {
+    verdict.note = place.h5_path + ": agrees, but its bytes are not those that " + place.txt_path +
+                   " seals: its provenance or its layout is another";
+  }
+  return summary;
 }
 
 RunSummary compare_quickly(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
   const RunSummary summary = play(scenario);
   const bool names_this_run = read_digest_hash(place.txt_path) == hex(summary.state_hash);
-  if (names_this_run && seals(read_text_file(place.txt_path), place.h5_path)) return summary;
-  compare_rows(scenario, place, verdict);
-  if (!names_this_run) refuse_digest_of_another(place, verdict);
-  return summary;
-}
-
-// A whole seal says that file and run agree in everything; the file is taken apart only where the
-// seal is broken.
-RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
-  const auto seal = is_there(place.txt_path) ? seal_in(read_text_file(place.txt_path)) : std::nullopt;
-  if (!seal) return compare_rows(scenario, place, verdict);
-  const FreshRun fresh = play_for_golden(scenario);
-  const bool names_this_run = seal->contents == contents_hash(fresh.run);
-  if (names_this_run && seal->file == file_hash(place.h5_path)) return fresh.summary;
-  const RunSummary summary = compare_rows(scenario, place, verdict);
-  if (!names_this_run) refuse_digest_of_another(place, verdict);
-  return summary;
+  const bool is_whole = names_this_run && seals(read_text_file(place.txt_path), place.h5_path);
+  return is_whole ? summary : compare_whole(scenario, place, verdict);
 }
 
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
@@ -117,6 +130,10 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
     verdict.status = Status::failed;
     verdict.error = failure.what();
     verdict.exit_code = failure.exit_code();
+  } catch (const std::exception& error) {  // It would end a thread, and the program with it.
+    verdict.status = Status::failed;
+    verdict.error = path + ": a fault of the program itself: " + error.what();
+    verdict.exit_code = ExitCode::program_fault;
   }
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return verdict;

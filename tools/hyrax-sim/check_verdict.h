@@ -19,6 +19,7 @@ struct CheckVerdict {
   Comparison comparison;
   std::vector<Expectation> broken;  ///< Expectations that do not hold.
   std::string error;                ///< Of a failed one.
+  std::string note;                 ///< What is worth knowing of one that agrees; else empty.
   ExitCode exit_code = ExitCode::agreed;
   double seconds = 0.0;
 };

@@ -1,8 +1,10 @@
 #include "tools/hyrax-sim/difference_text.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "tools/store/hex_float.h"
 
 namespace hyrax {
 namespace {
@@ -10,7 +12,8 @@ namespace {
 constexpr std::size_t kContactsListed = 8;
 
 std::string value_text(const std::optional<double>& value) {
-  return value ? fmt::format("{}  ({:a})", *value, *value) : std::string("not kept in the golden file");
+  return value ? fmt::format("{}  ({})", *value, hex_float(*value))
+               : std::string("not kept in the golden file");
 }
 
 std::string divergence_text(const Divergence& first) {

@@ -161,9 +161,9 @@ std::string truncation_of(const DriftSummary& summary) {
 // One line, the last: what a step costs here, what it errs by, and the same for frames half as long.
 std::string speed_text(const DriftReport& report) {
   if (!report.step_ns) return "";
-  std::string text = fmt::format("  this machine {} ns/step, trunc. {} px, drift {} %/s; half dt",
-                                 brief(*report.step_ns), truncation_of(report.run.summary),
-                                 drift_of(report.run.longest_arc));
+  std::string text =
+      fmt::format("  this machine {} ns/step, trunc. {} px, drift {} %/s; half dt", brief(*report.step_ns),
+                  truncation_of(report.run.summary), drift_of(report.run.longest_arc));
   if (!report.half_dt.half) return text + fmt::format(" unmeasured: {}\n", report.half_dt.why_not);
   const HalfDt& half = *report.half_dt.half;
   return text + fmt::format(": {} ns, {} px, {} %/s\n", brief(2.0 * half.step_ns),

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", failure.what());
     exit_code = failure.exit_code();
   } catch (const std::filesystem::filesystem_error& error) {
-    std::fprintf(stderr, "%s: cannot be accessed: %s\n", error.path1().c_str(), error.code().message().c_str());
+    std::fprintf(stderr, "%s: cannot be accessed: %s\n", error.path1().c_str(),
+                 error.code().message().c_str());
     exit_code = ExitCode::cannot_access;
   } catch (const std::bad_alloc&) {
     std::fputs("hyrax-sim: out of memory\n", stderr);

@@ -7,10 +7,12 @@
 
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/study_frame_rate.h"
 #include "tools/hyrax-sim/study_hard_cases.h"
 #include "tools/hyrax-sim/study_needs.h"
 #include "tools/hyrax-sim/study_paper.h"
 #include "tools/hyrax-sim/study_request.h"
+#include "tools/hyrax-sim/study_rest.h"
 #include "tools/hyrax-sim/study_speed_error.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/study_csv.h"
@@ -35,6 +37,8 @@ const std::vector<StudyKind>& studies() {
        .summary = "what must hold in every step, however hard the scene",
        .takes_scenarios = true,
        .make = make_hard_cases},
+      {.name = "frame-rate", .summary = "one fling on every display, steady or not", .make = make_frame_rate},
+      {.name = "rest", .summary = "how a sprite ends on the floor, at every display rate", .make = make_rest},
       {.name = "paper",
        .summary = "every claim of the paper, measured",
        .takes_expect = true,
@@ -45,7 +49,8 @@ const std::vector<StudyKind>& studies() {
 
 std::string study_list() {
   std::string list;
-  for (const StudyKind& kind : studies()) list += fmt::format("{:<12} {}\n", kind.name, kind.summary);
+  for (const StudyKind& kind : studies())
+    list += fmt::format("{}{:<12} {}", list.empty() ? "" : "\n", kind.name, kind.summary);
   return list;
 }
 

@@ -188,7 +188,7 @@ void App::play_replayed_frame() {
   log(now, {});
   if (!playback_->is_over()) return;
   const Verdict verdict = playback_->finish();
-  say(verdict.sentence);
+  say(verdict);
   exit_code_ = verdict.exit_code;
 }
 

@@ -35,7 +35,7 @@ ExitCode run(HINSTANCE instance) {
     throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
   if (options.only_exits) {
     const Verdict verdict = replayed(load_scenario(*options.replay_path));
-    verdict.exit_code == ExitCode::agreed ? say(verdict.sentence) : say_error(verdict.sentence);
+    say(verdict);
     return verdict.exit_code;
   }
   return App(options, instance).run();

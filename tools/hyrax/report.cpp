@@ -32,6 +32,10 @@ void say(std::string_view text) { say_on(STD_OUTPUT_HANDLE, text, MB_ICONINFORMA
 
 void say_error(std::string_view text) { say_on(STD_ERROR_HANDLE, text, MB_ICONERROR); }
 
+void say(const Verdict& verdict) {
+  verdict.exit_code == ExitCode::agreed ? say(verdict.sentence) : say_error(verdict.sentence);
+}
+
 std::wstring to_wide(std::string_view utf8) {
   const int size = static_cast<int>(utf8.size());
   std::wstring wide(static_cast<std::size_t>(MultiByteToWideChar(CP_UTF8, 0, utf8.data(), size, nullptr, 0)),

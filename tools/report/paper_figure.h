@@ -8,7 +8,8 @@
 
 namespace hyrax {
 
-/// For each claim: section, the paper's words, verdict, number, and below what was measured, or when it holds.
+/// For each claim: section, the paper's words, verdict, number, and below what was measured, or when it
+/// holds.
 [[nodiscard]] std::string paper_figure_script(const std::vector<Claim>& claims);
 
 }  // namespace hyrax

@@ -22,8 +22,8 @@ constexpr double kRightEnd = 1150;
 constexpr double kKeyTop = 600;
 constexpr double kKeyLine = 24;
 // Where an error of nothing is drawn: below all others, and not so far that these lie flat.
-constexpr double kNothingInFlight_px = 1e-13;
-constexpr double kNothingAmongWalls_px = 1e-3;
+constexpr double kNothing_px = 1e-13;
+constexpr double kNothingAmongLarge_px = 1e-3;
 
 struct LineStyle {
   std::string_view colour;
@@ -63,6 +63,21 @@ std::vector<Curve> curves_of(const SpeedError& study, std::size_t problem) {
   return curves;
 }
 
+double line_of_nothing_px(const std::vector<Curve>& curves) {
+  for (const Curve& curve : curves)
+    for (const WorkPoint* point : curve.points)
+      if (point->errors.position_px > 0.0 && point->errors.position_px < kNothingAmongLarge_px)
+        return kNothing_px;
+  return kNothingAmongLarge_px;
+}
+
+// Every error of the curve is rounding.
+bool is_exact(const Curve& curve) {
+  return std::all_of(curve.points.begin(), curve.points.end(), [](const WorkPoint* point) {
+    return point->errors.position_px <= rounding_px(point->errors);
+  });
+}
+
 bool is_adaptive(const SpeedError& study, const Curve& curve) {
   return study.methods[curve.method].tolerance > 0.0;
 }
@@ -90,13 +105,12 @@ std::string pareto_block(const std::vector<Curve>& curves, double nothing_px) {
 }
 
 // What the key says of a method's order on this problem.
-std::string order_words(const SpeedError& study, std::size_t problem, std::size_t method) {
-  if (study.methods[method].name == "event-driven") return "the truth itself";
-  if (study.methods[method].order == kExactOrder && study.problems[problem].is_free_flight)
-    return "exact but for rounding";
+std::string order_words(const SpeedError& study, const Curve& curve) {
+  if (study.methods[curve.method].name == "event-driven") return "the truth itself";
+  if (is_exact(curve)) return "exact but for rounding";
   for (const OrderFit& fit : study.orders)
-    if (fit.problem == problem && fit.method == method) {
-      if (fit.order < 0.0) return fmt::format("order {:.2f}: grows", fit.order);
+    if (fit.problem == curve.points.front()->problem && fit.method == curve.method) {
+      if (fit.order < 0.0) return fmt::format("order −{:.2f}, grows", -fit.order);
       return fmt::format("order {:.2f}", fit.order);
     }
   return "too few points for an order";
@@ -132,10 +146,7 @@ struct Range {
 class Diagram {
  public:
   Diagram(const SpeedError& study, std::size_t problem, const std::string& machine)
-      : study_(study),
-        problem_(problem),
-        curves_(curves_of(study, problem)),
-        nothing_px_(study.problems[problem].is_free_flight ? kNothingInFlight_px : kNothingAmongWalls_px) {
+      : study_(study), curves_(curves_of(study, problem)), nothing_px_(line_of_nothing_px(curves_)) {
     const Problem& played = study.problems[problem];
     std::string words = "Speed against error: " + played.words;
     if (!played.remark.empty()) words += ", " + played.remark;
@@ -210,7 +221,7 @@ class Diagram {
     script_ += fmt::format(
         "set label 22 'drawn here: no error at all' at graph 0.99, first {:.3g} right font ',11' tc rgb "
         "'{}'\n",
-        1.7 * nothing_px_, style::kQuietInk);
+        4.0 * nothing_px_, style::kQuietInk);
     plot("1:2", true, true);
     // What was drawn once need not be drawn again over it.
     script_ += "unset label\nunset object\nunset arrow\n";
@@ -242,10 +253,10 @@ class Diagram {
       for (const WorkPoint* point : curve.points)
         if (!point->errors.is_failed) last = point;
       if (last == nullptr) continue;
-      script_ += fmt::format(
-          "set label {} {} at first {:.6g}, first {:.6g} left offset 0.8,0 font ',11' tc rgb '{}'\n", label++,
-          quoted(name), last->cost.median_ns, std::max(last->errors.position_px, nothing_px_),
-          style::kQuietInk);
+      script_ +=
+          fmt::format("set label {} {} at first {:.6g}, first {:.6g} {} font ',11' tc rgb '{}'\n", label++,
+                      quoted(name), last->cost.median_ns, std::max(last->errors.position_px, nothing_px_),
+                      name == "rk8pd" ? "right offset -0.5,-0.5" : "left offset 0.8,0", style::kQuietInk);
     }
   }
 
@@ -268,7 +279,7 @@ class Diagram {
       if (is_adaptive(study_, curve))
         has_adaptive = true;
       else
-        add(style_of(curve), study_.methods[curve.method].words, order_words(study_, problem_, curve.method));
+        add(style_of(curve), study_.methods[curve.method].words, order_words(study_, curve));
     }
     if (has_adaptive) add({style::kFaintInk, 1.5, "solid"}, "GSL's steppers, over tolerances", "");
     const double x = kLeft - 40 + 375.0 * static_cast<double>(place / 4);
@@ -292,7 +303,6 @@ class Diagram {
   }
 
   const SpeedError& study_;
-  std::size_t problem_;
   std::vector<Curve> curves_;
   double nothing_px_;
   std::string script_;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <mutex>
 
+#include "tools/store/attribute_list.h"
 #include "tools/store/contact_table.h"
 #include "tools/store/row_table.h"
 #include "tools/store/trajectory_file.h"
@@ -11,6 +13,9 @@
 
 namespace hyrax {
 namespace {
+
+// HDF5 lets one thread in at a time anyway; a reading on trial wants none of them inside.
+std::mutex one_at_a_time;
 
 // The state at a block's first row stands in /trajectory; here is what else a replay needs.
 struct KeyframeColumn {
@@ -151,6 +156,11 @@ void read_blocks(const TrajectoryFile& file, StoredRun& run) {
                     ", which no replay comes to");
     }
   }
+  if (run.steps >= next_row || run.steps < next_row - static_cast<std::int64_t>(kBlockRows))
+    file.refuse("/blocks/count: its blocks do not end with the run's last row");
+  const bool ends_with_a_block = run.blocks.back().keyframe.row.step == run.steps;
+  if (file.row_count() != blocks + (ends_with_a_block ? 0 : 1) || rows.step.back() != run.steps)
+    file.refuse("/trajectory: must hold the row at which each block begins, and the last one");
   run.final = rows.row(rows.size() - 1);
 }
 
@@ -192,11 +202,25 @@ void write_golden(const AtomicFile& target, const std::string& path, const Store
 }
 
 StoredRun read_golden(const std::string& path) {
-  // HDF5 lets one thread in at a time anyway; a trial wants none of them inside.
-  static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   read_on_trial(path, [&] { static_cast<void>(read_run(TrajectoryFile(path))); });
   return read_run(TrajectoryFile(path));
+}
+
+std::optional<std::string> golden_words_fault(const std::string& path) {
+  const StoredRun run = read_golden(path);
+  const AtomicFile as_written((std::filesystem::temp_directory_path() / "hyrax-golden.h5").string());
+  const std::lock_guard lock(one_at_a_time);
+  write_golden(as_written, as_written.part_path(), run);
+  const auto list = [](const std::string& file) { return attribute_list(h5::open_file(file)); };
+  read_on_trial(path, [&] { static_cast<void>(list(path)); });
+  const std::vector<std::string> said = list(path);
+  const std::vector<std::string> wanted = list(as_written.part_path());
+  const auto [line, wanted_line] = std::mismatch(said.begin(), said.end(), wanted.begin(), wanted.end());
+  if (line == said.end() && wanted_line == wanted.end()) return std::nullopt;
+  return path + ": " +
+         (wanted_line == wanted.end() ? "must not hold " : "must say " + *wanted_line + ", says ") +
+         (line == said.end() ? "nothing" : *line);
 }
 
 }  // namespace hyrax

@@ -1,6 +1,7 @@
 // Golden files: a run as a trajectory file, every row of a short one, block digests of a long one.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sim/trajectory/stored_run.h"
@@ -14,5 +15,11 @@ void write_golden(const AtomicFile& target, const std::string& path, const Store
 
 /// ERRORS: as TrajectoryFile's.
 [[nodiscard]] StoredRun read_golden(const std::string& path);
+
+/// Where a golden file says in words, its provenance aside, what write_golden does not: in its attributes,
+/// which hold no run, or in what stands in it besides. Nothing where it does not.
+/// ERRORS: as TrajectoryFile's; Failure(cannot_access) where the folder for temporary files cannot be
+/// written to.
+[[nodiscard]] std::optional<std::string> golden_words_fault(const std::string& path);
 
 }  // namespace hyrax

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trial_reading.h"
@@ -21,6 +22,7 @@ namespace {
 h5::Handle open_readable(const std::string& path) {
   if (access(path.c_str(), R_OK) != 0)
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  if (!is_regular_file(path)) refuse_file(path, "is no file");
   h5::Handle file = h5::open_file(path);
   if (!file.is_open()) refuse_file(path, "is no HDF5 file, or was cut short");
   return file;
@@ -97,8 +99,9 @@ TrajectoryFile TrajectoryFile::open(const std::string& path) {
 
 void TrajectoryFile::read_all() const {
   constexpr std::int64_t kBatch = 65536;
-  const bool is_plain = step_.is_plain() && contact_.is_plain() &&
-                        std::all_of(columns_.begin(), columns_.end(), [](const auto& c) { return c.is_plain(); });
+  const bool is_plain =
+      step_.is_plain() && contact_.is_plain() &&
+      std::all_of(columns_.begin(), columns_.end(), [](const auto& c) { return c.is_plain(); });
   // Of plain columns the first and the last row stand for all.
   const std::int64_t stride = is_plain ? std::max<std::int64_t>(1, row_count() - 1) : kBatch;
   for (std::int64_t first = 0; first < row_count(); first += stride)
@@ -106,6 +109,7 @@ void TrajectoryFile::read_all() const {
   static_cast<void>(contacts());
   static_cast<void>(contacts_total());
   static_cast<void>(inputs());
+  static_cast<void>(provenance());
 }
 
 FileHead TrajectoryFile::read_head() const {

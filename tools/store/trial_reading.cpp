@@ -44,7 +44,7 @@ void set_limit(int resource, std::uint64_t value) {
 void set_limits(std::uint64_t file_bytes) {
   constexpr std::uint64_t kMemoryLeast = 128 << 20;
   constexpr std::uint64_t kMemoryPerByte = 8;
-  constexpr std::uint64_t kTimeLeast_s = 2;
+  constexpr std::uint64_t kTimeLeast_s = 1;
   constexpr std::uint64_t kBytesPerSecond = 20 << 20;
   constexpr std::uint64_t kWaitPerTime = 20;  // On a busy machine.
   set_limit(RLIMIT_CORE, 0);
@@ -81,7 +81,8 @@ std::string damage_told_by(int status) {
     return WEXITSTATUS(status) == out_of_memory ? "reading it takes memory out of all proportion"
                                                 : "reading it goes wrong";
   const int number = WTERMSIG(status);
-  if (number == SIGXCPU || number == SIGKILL || number == SIGALRM) return "reading it does not come to an end";
+  if (number == SIGXCPU || number == SIGKILL || number == SIGALRM)
+    return "reading it does not come to an end";
   return "the HDF5 library crashes on it";
 }
 
@@ -91,7 +92,8 @@ void read_on_trial(const std::string& path, const std::function<void()>& read) {
   std::error_code unknown;
   const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
   const pid_t child = fork();
-  if (child < 0) throw Failure(ExitCode::cannot_access, path + ": cannot be read: no process for it can be made");
+  if (child < 0)
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: no process for it can be made");
   if (child == 0) {
     die_silently();
     set_limits(unknown ? 0 : bytes);

@@ -9,7 +9,7 @@ namespace hyrax {
 /// Reads the file in a child process, under limits on time and memory in proportion to its size.
 /// HDF5 1.10 checks little of what it is given: a damaged file can crash it, keep it busy for ever,
 /// or make it ask for any amount of memory. What a child survived, this process can read the same way.
-/// Costs half a millisecond.
+/// Costs a fork: some milliseconds.
 /// @param read must do to the file all that is to be done here; what it throws as a Failure is left
 /// for the reading here to find again.
 /// REQUIRES: no other thread is inside HDF5.

@@ -1,6 +1,8 @@
 // The methods of a work-precision diagram: the paper's is the shipped core, the others have their orders.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/physics/physics.h"
 #include "sim/study/method_errors.h"
 #include "sim/study/speed_error.h"
@@ -93,7 +95,7 @@ TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
    public:
     void start(const Motion&, const Room&) override {}
     bool play(std::span<const double>) override { return true; }
-    [[nodiscard]] Motion motion() const override { return {NAN, 0.0, 0.0, 0.0}; }
+    [[nodiscard]] Motion motion() const override { return {std::nan(""), 0.0, 0.0, 0.0}; }
   };
   MethodKind kind{.name = "lost", .words = "", .order = 1, .make = [] { return std::make_unique<Lost>(); }};
   const Problem arc = problem_named("long-arc");

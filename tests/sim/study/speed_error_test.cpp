@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/study/speed_error.h"
 #include "sim/study/speed_error_rules.h"
@@ -39,7 +40,7 @@ TEST(ParetoFront, IsWhatNothingElseBeats) {
   EXPECT_EQ(pareto_front({1.0, 2.0, 3.0, 4.0}, {5.0, 6.0, 1.0, 1.0}),
             (std::vector<bool>{true, false, true, false}));
   EXPECT_EQ(pareto_front({1.0, 1.0}, {2.0, 1.0}), (std::vector<bool>{false, true}));
-  EXPECT_EQ(pareto_front({1.0}, {NAN}), std::vector<bool>{false});
+  EXPECT_EQ(pareto_front({1.0}, {std::nan("")}), std::vector<bool>{false});
 }
 
 TEST(SpeedErrorRules, HoldOfTheRealMethods) {

@@ -1,6 +1,7 @@
 // The step with parts that can be left out is physics::update bit for bit where none is.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "sim/physics/physics.h"

@@ -231,11 +231,22 @@ TEST(JsonPointer, ReadsItsEscapes) {
 TEST(JsonPointer, SaysWhereItLeadsNowhere) {
   EXPECT_NE(set("{}", "a", 1).find("is no JSON Pointer; it begins with '/'"), std::string::npos);
   EXPECT_EQ(set("[1]", "/1", 9), "/1: leads nowhere: there is no '1'");
+  EXPECT_EQ(set("[1]", std::string("/\0\x1b", 3), 9),
+            "/\\u0000\\u001b: leads nowhere: there is no '\\u0000\\u001b'");
   EXPECT_EQ(set("[1]", "/x", 9), "/x: leads nowhere: there is no 'x'");
   EXPECT_EQ(set("[1]", "/-1", 9), "/-1: leads nowhere: there is no '-1'");
   EXPECT_EQ(set(R"({"a": 1})", "/a/b", 9), "/a/b: leads nowhere: there is no 'b'");
   EXPECT_EQ(set("[1]", "/99999999999999999999", 9),
             "/99999999999999999999: leads nowhere: there is no '99999999999999999999'");
+}
+
+TEST(JsonPointer, GoesNoDeeperThanADocumentMayNest) {
+  std::string pointer;
+  for (int level = 0; level < 100; ++level) pointer += "/a";
+  EXPECT_EQ(set("{}", pointer, 9).rfind("{ \"a\": ", 0), 0u);
+  EXPECT_NE(set("{}", pointer + "/a", 9).find("nested more than 100 levels"), std::string::npos);
+  for (int level = 0; level < 100'000; ++level) pointer += "/a";
+  EXPECT_LT(set("{}", pointer, 9).size(), 200u);
 }
 
 }  // namespace

@@ -140,6 +140,21 @@ TEST_F(ScenarioFile, TakesALaterOverrideOverAnEarlierOne) {
   EXPECT_EQ(step_count(load_scenario(path, {{"/steps", "7"}, {"/steps", "8"}})), 8);
 }
 
+// What a key says may be meant for a terminal.
+TEST_F(ScenarioFile, TellsAKeyInPrintableCharacters) {
+  const std::string told = refusal(file("bad.json", R"({"\u0000\u001b[2J\n": 1})"), {});
+  EXPECT_NE(told.find(R"(/\u0000\u001b[2J\u000a: is no key)"), std::string::npos) << told;
+}
+
+// Looking through all earlier keys for each would take a while.
+TEST_F(ScenarioFile, TellsManyKeysThatMayNotStand) {
+  std::string text = "{";
+  for (int key = 0; key < 100'000; ++key) text += "\"" + std::to_string(key) + "\": 0,";
+  const std::string told = refusal(file("keys.json", text + "\"0\": 0}"), {});
+  EXPECT_NE(told.find("/99999: is no key"), std::string::npos);
+  EXPECT_NE(told.find("/0: stands twice"), std::string::npos);
+}
+
 TEST_F(ScenarioFile, HoldsOverridesToTheSameRules) {
   const std::string path = file("plain.json", kNameless);
   EXPECT_EQ(refusal(path, {{"/steps", "many"}}),

@@ -241,26 +241,58 @@ class Seal(CheckTest):
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
         self.assertEqual((first["step"], first["field"]), (5, "y"))
 
-    def test_without_a_seal_the_file_decides(self):
-        for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1], self.text + "\n"):
-            self.digest.write_text(text)
-            self.check(AGREED)
+    def test_without_a_digest_the_file_decides(self):
         self.digest.unlink()
         self.check(AGREED)
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         self.check(DISAGREED)
 
-    def test_a_file_hash_that_is_wrong_lets_the_rows_decide(self):
-        self.digest.write_text(self.text.replace(self.file, 32 * "0"))
-        self.check(AGREED)
-
-    def test_the_seal_of_another_run_is_no_agreement(self):
-        self.digest.write_text(self.text.replace(self.contents, 32 * "0"))
+    def assert_not_as_blessed(self, text, says):
+        """With this digest beside a golden file that agrees, `check` names the line; blessing mends it."""
+        self.digest.write_text(text)
         entry = self.check(DISAGREED)["results"][2]
         self.assertEqual((entry["class"], entry["first_divergence"]), ("shape", None))
-        self.assertIn("golden/third.txt is not of this golden file", self.expect(DISAGREED, "check").out)
+        said = self.expect(DISAGREED, "check").out
+        self.assertIn("they were blessed: golden/third.txt: line ", said)
+        self.assertIn(says, said)
         self.bless("scenarios/third.json")
-        self.assertEqual(self.digest.read_text(), self.text)
+        self.check(AGREED)
+
+    def test_a_broken_seal_is_no_agreement(self):
+        for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1],
+                     self.text.replace(self.contents, 32 * "0"), self.text.replace(self.file, 32 * "z")):
+            self.assert_not_as_blessed(text, f"must be 'seal: {self.contents} {self.file}', is ")
+        self.assert_not_as_blessed(self.text + "\n", "must be nothing, is ''")
+
+    def test_a_digest_that_tells_another_run_is_no_agreement(self):
+        for line, other in (("steps: 300", "steps: 301"), ("ground 8\n", "ground 7\n"), ("vy ", "vx ")):
+            self.assertIn(line, self.text)
+            self.assert_not_as_blessed(self.text.replace(line, other), "must be '")
+
+    def test_the_words_of_a_digest_are_free(self):
+        self.digest.write_text(self.text.replace("reason: for the test", "reason: for another test"))
+        self.check(AGREED)
+
+    def change(self, place, name, value):
+        """Changes an attribute of the golden file."""
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file[place].attrs[name] = value
+
+    def test_another_provenance_is_said_and_agrees(self):
+        self.change("provenance", "compiler", "another")
+        self.expect(AGREED, "check", says="golden/third.h5: agrees, but its bytes are not those that golden/third.txt "
+                    "seals: its provenance or its layout is another\n")
+
+    def test_other_words_are_no_agreement(self):
+        for place, name, value in (("trajectory/x", "units", "m"), ("contacts/t", "long_name", "time"),
+                                   ("trajectory", "signal", "x"), ("trajectory/y", "scale", "1")):
+            self.change(place, name, value)
+            said = self.expect(DISAGREED, "check").out
+            self.assertIn(f"/{place}@{name}", said)
+            self.bless("scenarios/third.json")
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["more"] = 1
+        self.assertIn("/more", self.expect(DISAGREED, "check").out)
 
     def test_the_digest_of_another_scenario_is_no_agreement(self):
         shutil.copyfile(self.folder / "golden/a/first.txt", self.digest)

@@ -113,5 +113,37 @@ TEST_F(DigestFile, ThatIsMissingCannotBeAccessed) {
   }
 }
 
+TEST(GoldenDigest, GivesReasonAndMarginBack) {
+  const std::string text = golden_digest_text(some_run(), some_summary(), "a longer throw", "wide");
+  EXPECT_EQ(digest_reason(text), "a longer throw");
+  EXPECT_EQ(digest_margin(text), "wide");
+  EXPECT_EQ(digest_margin(golden_digest_text(some_run(), some_summary(), "x")), "");
+}
+
+TEST(GoldenDigest, IsWholeWhereEveryLineIs) {
+  const std::string text = golden_digest_text(some_run(), some_summary(), "x");
+  EXPECT_EQ(digest_fault(text, text), std::nullopt);
+  EXPECT_EQ(digest_fault("scenario: another name" + text.substr(text.find('\n')), text), std::nullopt);
+}
+
+TEST(GoldenDigest, TellsTheLineThatIsNotWhatBlessingWouldWrite) {
+  const std::string text = golden_digest_text(some_run(), some_summary(), "x");
+  EXPECT_EQ(digest_fault("scenario: fling\nphysics: hyrax-physics/2\n", text),
+            "line 2: must be 'physics: hyrax-physics/1', is 'physics: hyrax-physics/2'");
+  EXPECT_EQ(digest_fault(text + "more\n", text), "line 15: must be nothing, is 'more'");
+  EXPECT_EQ(digest_fault(text.substr(0, text.size() - 1), text),
+            "line 14: must be 'reason: x', is 'reason: x' without an end of line");
+}
+
+TEST(GoldenDigest, HasAFaultWhereverABitIsFlipped) {
+  const std::string text = golden_digest_text(some_run(), some_summary(), "x");
+  for (std::size_t place = std::string("scenario: fling").size(); place < text.size(); ++place)
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string damaged = text;
+      damaged[place] = static_cast<char>(damaged[place] ^ 1 << bit);
+      EXPECT_NE(digest_fault(damaged, text), std::nullopt) << place << " bit " << bit;
+    }
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -100,5 +100,26 @@ TEST(Seal, IsNoneInADigestThatWasCutShortOrGoesOn) {
   EXPECT_EQ(seal_in(digest + "more\n"), std::nullopt);
 }
 
+TEST(Seal, IsNoneOfOtherCharacters) {
+  for (const char wrong : {'g', 'A', ' ', '\n', '\0'}) {
+    for (const std::size_t place : {0u, 31u, 32u, 33u, 64u}) {
+      std::string line = seal_line(kSeal);
+      if (place == 32 && wrong == ' ') continue;  // There it belongs.
+      line[line.find(' ') + 1 + place] = wrong;
+      EXPECT_EQ(seal_in("steps: 600\n" + line), std::nullopt) << wrong << " at " << place;
+    }
+  }
+}
+
+TEST(Seal, IsOfOneFile) {
+  const TempFolder folder;
+  write_bytes(folder.at("one"), "a golden file");
+  const std::string digest = "steps: 600\n" + seal_line({kSeal.contents, file_hash(folder.at("one"))});
+  EXPECT_TRUE(seals(digest, folder.at("one")));
+  EXPECT_FALSE(seals("steps: 600\n", folder.at("one")));
+  write_bytes(folder.at("one"), "a golden fild");
+  EXPECT_FALSE(seals(digest, folder.at("one")));
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -1,0 +1,67 @@
+"""A golden pair that is damaged in many ways, and what `check` says of every one."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+from program import PROGRAM
+
+# What the published exit codes can be of a golden file that is damaged; a signal is none of them.
+EXIT_CODES = {0, 1, 2, 3}
+_BATCH = 250
+_PATIENCE_S = 120
+
+
+class GoldenPair:
+    """A blessed scenario: its golden file's bytes, and its digest."""
+
+    def __init__(self, document):
+        self.document = json.dumps(document)
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            scenario = pathlib.Path(folder, "scenarios/whole.json")
+            scenario.parent.mkdir()
+            scenario.write_text(self.document, encoding="utf-8")
+            subprocess.run([PROGRAM, "bless", "scenarios", "--reason", "for the test"], cwd=folder, check=True,
+                           capture_output=True)
+            self.h5 = pathlib.Path(folder, "golden/whole.h5").read_bytes()
+            self.txt = pathlib.Path(folder, "golden/whole.txt").read_bytes()
+
+    def verdicts(self, damaged):
+        """What `check` says of each (golden file, digest or None): "agreed", a class, "failed" or "died"."""
+        found = []
+        for first in range(0, len(damaged), _BATCH):
+            found += self._verdicts(damaged[first:first + _BATCH])
+        return found
+
+    def _verdicts(self, damaged):
+        """One process reads many; where it dies, halves tell by whose fault."""
+        results = self._check(damaged)
+        if results is not None:
+            return results
+        if len(damaged) == 1:
+            return ["died"]
+        middle = len(damaged) // 2
+        return self._verdicts(damaged[:middle]) + self._verdicts(damaged[middle:])
+
+    def _check(self, damaged):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
+        try:
+            for name in ("scenarios", "golden"):
+                (folder / name).mkdir()
+            for number, (h5, txt) in enumerate(damaged):
+                (folder / f"scenarios/{number:04}.json").write_text(self.document, encoding="utf-8")
+                (folder / f"golden/{number:04}.h5").write_bytes(h5)
+                if txt is not None:
+                    (folder / f"golden/{number:04}.txt").write_bytes(txt)
+            try:
+                done = subprocess.run([PROGRAM, "check", "--json"], cwd=folder, capture_output=True, check=False,
+                                      timeout=_PATIENCE_S)
+            except subprocess.TimeoutExpired:
+                return None
+            if done.returncode not in EXIT_CODES:
+                return None
+            return [entry["class"] or entry["status"] for entry in json.loads(done.stdout)["results"]]
+        finally:
+            shutil.rmtree(folder)

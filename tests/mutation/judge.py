@@ -1,0 +1,116 @@
+"""Builds a mutant and asks `hyrax-sim check` whether it is the program that the golden files were made with."""
+
+import dataclasses
+import json
+import pathlib
+import shutil
+import subprocess
+
+from workshop import CannotBuild
+
+# A check of all scenarios takes a fraction of a second.
+_SECONDS_MAX = 3
+_MEMORY_MAX_KIB = 4 << 20
+_PATIENCE_S = 120
+
+
+@dataclasses.dataclass(frozen=True)
+class Verdict:
+    """What became of a mutant: caught, survived, or refused by the compiler; and how it was caught."""
+
+    fate: str
+    scenario: str = ""
+    step: str = ""
+    difference: str = ""
+    is_same_code: bool = False
+
+
+class Judge:
+    """Holds mutants of a project to its scenarios and golden files."""
+
+    def __init__(self, workshop, subjects, scenarios):
+        self.workshop = workshop
+        self.scenarios = pathlib.Path(scenarios)
+        self.subject_of = {subject.path: subject for subject in subjects}
+        self._units = sorted({unit for subject in subjects for unit in subject.units})
+        self._original = {}
+
+    def prepare(self):
+        """Builds the unchanged units; the program made of them must be green, or mutants would be red for no reason."""
+        self.workshop.prepare(self._units)
+        place = self.workshop.folder / "unchanged"
+        self._original = {unit: self.workshop.compile(unit, place) for unit in self._units}
+        self.workshop.link("hyrax-sim", self._original, place / "hyrax-sim")
+        verdict = self._check(place / "hyrax-sim", [self.scenarios])
+        if verdict is not None:
+            raise CannotBuild(f"the unchanged program disagrees with {self.scenarios}: {verdict}")
+
+    def try_out(self, mutant, name):
+        """The verdict on a mutant; `name` is of a folder of its own."""
+        place = self.workshop.folder / name
+        subject = self.subject_of[mutant.path]
+        try:
+            return self._try_out(mutant, subject, place)
+        except CannotBuild:
+            return Verdict("refused")
+        finally:
+            shutil.rmtree(place, ignore_errors=True)
+
+    def prepare_unit_tests(self, mutants):
+        """Makes ready to ask unit tests about these mutants."""
+        self.workshop.prepare(sorted({unit for mutant in mutants for unit in self.subject_of[mutant.path].test_units}))
+
+    def fails_unit_test(self, mutant, name):
+        """Whether the subject's unit tests fail with the mutant."""
+        place = self.workshop.folder / name
+        subject = self.subject_of[mutant.path]
+        try:
+            objects = {unit: self.workshop.compile(unit, place, mutant) for unit in subject.test_units}
+            self.workshop.link(subject.test, objects, place / subject.test)
+            done = self._limited([place / subject.test, "--gtest_brief=1", "--gtest_fail_fast"])
+            return done is None or done.returncode != 0
+        finally:
+            shutil.rmtree(place, ignore_errors=True)
+
+    def _try_out(self, mutant, subject, place):
+        objects = {unit: self.workshop.compile(unit, place, mutant) for unit in subject.units_for(mutant)}
+        if all(unit in self._original and path.read_bytes() == self._original[unit].read_bytes()
+               for unit, path in objects.items()):
+            return Verdict("survived", is_same_code=True)
+        program = place / "hyrax-sim"
+        self.workshop.link("hyrax-sim", objects, program)
+        likely = [path for path in (self.scenarios / f"{name}.json" for name in subject.likely) if path.exists()]
+        found = self._check(program, likely) if likely else None
+        return found or self._check(program, [self.scenarios]) or Verdict("survived")
+
+    def _check(self, program, paths):
+        """How a check of these scenarios goes red; None where it does not."""
+        done = self._limited([program, "check", "--json", "--jobs", "1", *paths])
+        if done is None or done.returncode < 0 or done.returncode > 128:
+            return Verdict("caught", difference="hangs" if done is None or self._is_late(done) else "crashes")
+        if done.returncode == 0:
+            return None
+        if not done.stdout:
+            return Verdict("caught", difference="fails")
+        entries = json.loads(done.stdout)["results"]
+        by_path = {entry["scenario"]: entry for entry in entries}
+        order = [str(path) for path in paths if str(path) in by_path] or list(by_path)
+        entry = by_path[next(path for path in order if by_path[path]["status"] != "agreed")]
+        first = entry["first_divergence"] or {}
+        scenario = pathlib.Path(entry["scenario"]).relative_to(self.scenarios).with_suffix("")
+        kind = entry["class"] or ("failed" if entry["status"] == "failed" else "expect")
+        return Verdict("caught", str(scenario), str(first.get("step", "")), kind)
+
+    def _limited(self, command):
+        """Runs a program that may run away; None where it sleeps."""
+        memory = "" if self.workshop.is_sanitized else f"ulimit -v {_MEMORY_MAX_KIB}; "
+        script = f'ulimit -c 0; ulimit -t {_SECONDS_MAX}; {memory}exec "$@"'
+        try:
+            return subprocess.run(["sh", "-c", script, "sh", *map(str, command)], cwd=self.workshop.source,
+                                  capture_output=True, text=True, check=False, timeout=_PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            return None
+
+    @staticmethod
+    def _is_late(done):
+        return done.returncode in (-24, -9, 128 + 24, 128 + 9)  # SIGXCPU, then SIGKILL.

@@ -1,0 +1,39 @@
+"""What is written of mutants that `check` cannot tell from the program, and whether it still holds."""
+
+import dataclasses
+import json
+
+
+@dataclasses.dataclass(frozen=True)
+class Reason:
+    """Why no scenario tells a mutant from the program; and where a unit test does, that it does."""
+
+    text: str
+    is_told_by_unit_test: bool
+
+
+def read_reasons(path):
+    """{(file, mutant's name): Reason}"""
+    reasons = {}
+    for entry in json.loads(path.read_text(encoding="utf-8")):
+        for file, names in entry["mutants"].items():
+            for name in names:
+                if (file, name) in reasons:
+                    raise ValueError(f"{path}: {file}: {name}: stands twice")
+                reasons[file, name] = Reason(entry["reason"], entry.get("told_by") == "unit test")
+    return reasons
+
+
+def faults_of(reasons, mutants, verdicts):
+    """Sentences about reasons that do not hold: of no mutant, or of one that is caught or does not compile.
+
+    mutants: all there are; verdicts: {mutant: Verdict} of those that were tried.
+    """
+    known = {(mutant.path, mutant.name) for mutant in mutants}
+    faults = [f"{path}: {name}: there is no such mutant; take its reason out" for path, name in reasons
+              if (path, name) not in known]
+    for mutant, verdict in verdicts.items():
+        if (mutant.path, mutant.name) in reasons and verdict.fate != "survived":
+            faults.append(f"{mutant.path}: {mutant.name}: is said to be equivalent, and is {verdict.fate}; "
+                          "take its reason out")
+    return faults

@@ -1,0 +1,49 @@
+// The listing's step with its order free: the core in the paper's order, and not in any other.
+#include <gtest/gtest.h>
+
+#include "sim/study/listing_step.h"
+#include "sim/trajectory/row.h"
+
+namespace hyrax {
+namespace {
+
+// Frames of a throw across a desktop after which the order tells, of 300.
+int frames_unlike_core(StepOrder order) {
+  constexpr Bounds kBounds{1792, 952};
+  Body core{300.0, 500.0, 2400.0, -700.0};
+  Body other = core;
+  int unlike = 0;
+  for (int frame = 0; frame < 300; ++frame) {
+    core = core_step(core, 1.0 / 60.0, kBounds);
+    other = listing_step(core_constants(), order, other, 1.0 / 60.0, kBounds);
+    unlike += same_bits(core.x_px, other.x_px) && same_bits(core.y_px, other.y_px) &&
+                      same_bits(core.vx_px_per_s, other.vx_px_per_s) &&
+                      same_bits(core.vy_px_per_s, other.vy_px_per_s)
+                  ? 0
+                  : 1;
+  }
+  return unlike;
+}
+
+TEST(ListingStep, IsTheCoreInThePapersOrder) {
+  EXPECT_EQ(frames_unlike_core(StepOrder::paper), 0);
+  EXPECT_EQ(steps_unlike_listing(100'000), 0);
+}
+
+TEST(ListingStep, IsAnotherInAnother) {
+  for (const StepOrder order : {StepOrder::drag_first, StepOrder::position_first, StepOrder::walls_first})
+    EXPECT_GT(frames_unlike_core(order), 0);
+}
+
+TEST(ListingStep, TakesTheConstantsItIsGiven) {
+  CoreConstants elastic = core_constants();
+  elastic.air_drag = 1.0;
+  elastic.restitution = 1.0;
+  const Body after =
+      listing_step(elastic, StepOrder::paper, {10.0, 100.0, -900.0, 0.0}, 1.0 / 60.0, {1792, 952});
+  EXPECT_EQ(after.vx_px_per_s, 900.0);
+  EXPECT_EQ(after.vy_px_per_s, elastic.gravity_px_per_s2 * (1.0 / 60.0));
+}
+
+}  // namespace
+}  // namespace hyrax

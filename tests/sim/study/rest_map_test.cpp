@@ -1,0 +1,79 @@
+// Final states by value, and the boundaries between them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim/study/rest_map.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kBottom_px = 952.0;
+
+FinalState state_of(double vy, double next_vy, double rate_hz = 60.0) {
+  return final_state({0.0, kBottom_px, 0.0, vy}, {0.0, kBottom_px, 0.0, next_vy}, rate_hz, kBottom_px);
+}
+
+double buzz_px_per_s() {
+  const CoreConstants core = core_constants();
+  return -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0 /
+         (1.0 + core.air_drag * core.restitution);
+}
+
+TEST(FinalState, OfNoSpeedIsRest) { EXPECT_EQ(state_of(0.0, -0.0), FinalState::rest); }
+
+TEST(FinalState, OfABuzzBetweenNeighbouringDoublesIsABuzz) {
+  EXPECT_EQ(state_of(buzz_px_per_s(), std::nextafter(buzz_px_per_s(), 0.0)), FinalState::buzz);
+}
+
+TEST(FinalState, OfACycleIsOneWhicheverRowComesFirst) {
+  const CoreConstants core = core_constants();
+  const double thrown = -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0;
+  EXPECT_EQ(state_of(0.0, thrown), FinalState::cycle);
+  EXPECT_EQ(state_of(thrown, 0.0), FinalState::cycle);
+}
+
+TEST(FinalState, OfAnyOtherSpeedOrPlaceIsMotion) {
+  EXPECT_EQ(state_of(-3.0, 0.0), FinalState::moving);
+  EXPECT_EQ(final_state({0.0, kBottom_px - 1e-9, 0.0, 0.0}, {0.0, kBottom_px, 0.0, 0.0}, 60.0, kBottom_px),
+            FinalState::moving);
+}
+
+TEST(RestBoundaries, AreFoundWhereTheyAreDerived) {
+  const std::vector<RestBoundary> boundaries = rest_boundaries();
+  ASSERT_EQ(boundaries.size(), 3u);
+  for (const RestBoundary& boundary : boundaries) {
+    EXPECT_TRUE(boundary.agrees()) << boundary.name;
+    ASSERT_TRUE(boundary.measured_hz.has_value());
+    EXPECT_NEAR(*boundary.measured_hz, boundary.analytic_hz, 1e-9 * boundary.analytic_hz);
+  }
+}
+
+TEST(RestBoundaries, DisagreeWhereTheyAreNotFoundOrElsewhere) {
+  EXPECT_FALSE((RestBoundary{"none", 100.0, {}}.agrees()));
+  EXPECT_FALSE((RestBoundary{"off", 100.0, 100.001}.agrees()));
+}
+
+TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
+  for (const RateEnds& ends : rest_map({24.0, 57.0, 58.0, 60.0, 89.0, 91.0, 143.0, 144.0, 500.0}, 30)) {
+    EXPECT_EQ(ends.unforeseen, 0) << ends.rate_hz;
+    EXPECT_LE(ends.time_low_s, ends.time_median_s);
+    EXPECT_LE(ends.time_median_s, ends.time_high_s);
+  }
+}
+
+TEST(Bounces, KeepTheCoresRestitutionOnAverage) {
+  double sum = 0.0;
+  const std::vector<BounceSeen> bounces = bounces_at(240.0, 50);
+  ASSERT_EQ(bounces.size(), 50u);
+  for (const BounceSeen& seen : bounces) {
+    EXPECT_GE(seen.phase, 0.0);
+    EXPECT_LE(seen.phase, 1.0);
+    sum += seen.restitution;
+  }
+  EXPECT_NEAR(sum / 50.0, core_constants().restitution, 1e-3);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+"""The command line of hyrax.exe: what it says, and the exit codes that a script can rely on."""
+
+import sys
+import unittest
+
+from hyrax_program import HyraxTest
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, fling
+from wine import HYRAX, skip_without
+
+HASH_OF_FLING = "0" * 32  # Of another run.
+
+
+class CommandLine(HyraxTest):
+    """Nothing of this shows a window."""
+
+    def expect_of_hyrax(self, exit_code, *arguments, says=""):
+        """Runs the program to its end; what it says stands on either stream."""
+        done = self.wine.run(HYRAX, *arguments, cwd=self.folder)
+        self.assertEqual(done.exit_code, exit_code, str(done))
+        self.assertIn(says, done.out if exit_code == AGREED else done.err)
+        self.assertEqual(done.err if exit_code == AGREED else done.out, "")
+
+    def test_it_tells_of_itself(self):
+        self.expect_of_hyrax(AGREED, "--help", says="hyrax --record my-fling.json")
+        self.expect_of_hyrax(AGREED, "--version", says="hyrax ")
+
+    def test_what_is_no_option_is_refused(self):
+        self.expect_of_hyrax(BAD_INPUT, "--recrod", "x", says="hyrax: '--recrod' is no option; hyrax --help lists the options")
+        self.expect_of_hyrax(BAD_INPUT, "--exit", says="--exit needs --replay FILE")
+        self.expect_of_hyrax(BAD_INPUT, "--seconds", "soon", says="--seconds must be a number 0 .. 1e9, is 'soon'")
+
+    def test_a_scenario_that_is_wrong_is_refused(self):
+        path = self.write("wrong.json", fling(steps=-1))
+        self.expect_of_hyrax(BAD_INPUT, "--replay", path, "--exit", says="wrong.json: /steps")
+
+    def test_a_file_that_cannot_be_used_is_told(self):
+        self.expect_of_hyrax(CANNOT_ACCESS, "--replay", "missing.json", "--exit", says="missing.json: cannot be read")
+        self.expect_of_hyrax(CANNOT_ACCESS, "--record", "nowhere/fling.json", says="nowhere/fling.json: cannot be written")
+        self.expect_of_hyrax(CANNOT_ACCESS, "--log", "nowhere/fling.log", says="nowhere/fling.log: cannot be written")
+
+    def test_a_replay_compares_the_hash(self):
+        self.expect_of_hyrax(AGREED, "--replay", self.write("fling.json", fling()), "--exit", says="fling: state hash ")
+        other = self.write("other.json", fling(expect={"state_hash": HASH_OF_FLING}))
+        self.expect_of_hyrax(DISAGREED, "--replay", other, "--exit", says=f"differs from the scenario's, {HASH_OF_FLING}")
+
+    def test_a_replay_in_the_window_comes_to_the_same(self):
+        other = self.write("short.json", fling(steps=30, expect={"state_hash": HASH_OF_FLING}))
+        self.expect_of_hyrax(DISAGREED, "--replay", other, says="differs")
+
+    def test_a_file_may_have_any_name(self):
+        self.expect_of_hyrax(AGREED, "--record", "Ein Flug über Ærø.json", "--seconds", "0.5")
+        self.expect(AGREED, "run", "Ein Flug über Ærø.json", "-o", "flight.h5")
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    skip_without("wine")
+    unittest.main()

@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+"""What a desktop does to a program in flight and at rest: nothing is lost, and nothing leaves the model."""
+
+import pathlib
+import signal
+import subprocess
+import sys
+import unittest
+
+from hyrax_program import FLING, HyraxTest
+from wine import FLINGER, skip_without
+
+SPRITE_PX = 128
+SCREEN = [1024, 768]
+SMALL_SCREEN = [800, 600]
+
+# The recording is written every second; the writing itself takes a moment.
+LOST_MAX_S = 1.5
+
+
+class Disturbance(HyraxTest):
+    """Each test does one thing to the program that no hand does."""
+
+    def assert_resized(self, flight, size):
+        """A recorded input gave the window this size."""
+        sizes = [[event["resize"].get("window", {}).get(side) for side in ("width_px", "height_px")]
+                 for event in flight.events("resize")]
+        self.assertIn(size, sizes)
+
+    def assert_on_the_ground(self, frame, size):
+        """The feet are on the lower edge of the work area."""
+        left, _, right, bottom = frame["window_rect_px"]
+        self.assertEqual(bottom, size[1])
+        self.assertTrue(0 <= left and right <= size[0])
+
+    def test_the_display_shrinks_and_grows_in_flight(self):
+        process = self.start_and_fling()
+        self.hand("display", *SMALL_SCREEN)
+        self.wait_for_input("resize-window", 1)
+        self.hand("sleep", 500, "display", *SCREEN)
+        self.wait_for_input("resize-window", 2)
+        self.wait_for_sleep()
+        flight = self.close(process)
+        self.assert_is_the_model(flight)
+        self.assert_resized(flight, SMALL_SCREEN)
+        self.assert_resized(flight, SCREEN)
+        self.assert_on_the_ground(flight.frames[-1], SCREEN)
+
+    def test_the_display_shrinks_and_grows_at_rest(self):
+        process = self.start()
+        self.wait_for_sleep()
+        self.hand("display", *SMALL_SCREEN)
+        self.wait_for_input("resize-window", 1)
+        self.wait_for_sleep()
+        self.hand("display", *SCREEN)
+        self.wait_for_input("resize-window", 2)
+        self.wait_for_sleep()
+        flight = self.close(process)
+        self.assert_is_the_model(flight)
+        first, second = (event["step"] for event in flight.events("resize"))
+        self.assert_on_the_ground(flight.frames[first - 1], SCREEN)
+        self.assert_on_the_ground(flight.frames[first], SMALL_SCREEN)
+        self.assert_on_the_ground(flight.frames[second - 1], SMALL_SCREEN)
+        self.assert_on_the_ground(flight.frames[-1], SCREEN)
+
+    def test_a_sprite_larger_than_the_work_area(self):
+        self.set_scaling_dpi(960)
+        self.addCleanup(self.set_scaling_dpi, 96)
+        flight = self.fling_and_watch(1500)
+        width, height = flight.frames[-1]["sprite_px"]
+        self.assertGreater(max(width / SCREEN[0], height / SCREEN[1]), 1)
+        self.assert_is_the_model(flight)
+
+    def test_a_freeze_of_three_seconds_in_flight(self):
+        process = self.start_and_fling()
+        self.hand("suspend", 3000, "sleep", 1000)
+        flight = self.close(process)
+        self.assertGreater(max(flight.dt_s()), 2.9)
+        self.assert_is_the_model(flight)
+        for frame in flight.frames:
+            if not frame["held"]:
+                self.assertTrue(0 <= frame["x_px"] <= SCREEN[0] - SPRITE_PX and
+                                0 <= frame["y_px"] <= SCREEN[1] - SPRITE_PX, frame)
+
+    def test_time_asleep_is_no_frame(self):
+        process = self.start()
+        self.wait_for_sleep()
+        self.hand("sleep", 3000, *FLING)
+        self.wait_for_input("release")
+        flight = self.close(process)
+        self.assert_is_the_model(flight)
+        asleep = next(number for number, line in enumerate(flight.log) if "asleep_after_frame" in line)
+        awake = flight.log[asleep + 1]
+        self.assertEqual(awake["frame"], flight.log[asleep]["asleep_after_frame"] + 1)
+        self.assertLess(awake["dt_s"], 3)
+        self.assertEqual(len(flight.events("release")), 1)
+
+    def test_killed_in_mid_recording_it_loses_at_most_a_second(self):
+        for wait_ms in (100, 500, 900):
+            process = self.start_and_fling()
+            self.hand("sleep", wait_ms)
+            process.kill()
+            flight = self.end(process)
+            self.assertEqual(flight.exit_code, -signal.SIGKILL)
+            recorded = flight.document["clock"]["dt_s"]
+            shown = flight.dt_s()
+            self.assertEqual(recorded, shown[:len(recorded)])
+            self.assertLess(sum(shown[len(recorded):]), LOST_MAX_S)
+            self.rows(flight.path)
+            self.wine.end()
+
+    def set_scaling_dpi(self, dpi):
+        """The scaling that the user has set for the display."""
+        done = self.wine.run("reg", "add", r"HKCU\Control Panel\Desktop", "/v", "LogPixels", "/t", "REG_DWORD",
+                             "/d", dpi, "/f")
+        self.assertEqual(done.exit_code, 0, done.err)
+        self.wine.end()
+
+
+class StandingClock(HyraxTest):
+    """The program's clocks stand still while a file exists."""
+
+    def test_frames_of_no_time_are_played_and_recorded(self):
+        stop = self.folder / "clock-stands"
+        clock = self.folder / "standing_clock.so"
+        subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", clock,
+                        pathlib.Path(__file__).with_name("standing_clock.c"), "-ldl"], check=True)
+        self.wine.run(FLINGER, "sleep", 0)  # Starts Wine's server, whose clock goes on.
+        self.wine.environment.update(LD_PRELOAD=str(clock), HYRAX_CLOCK_STANDS=str(stop))
+        process = self.start_and_fling()
+        stop.touch()
+        self.hand("sleep", 1000)
+        stop.unlink()
+        self.hand("sleep", 1000)
+        flight = self.close(process)
+        self.assertGreater(flight.dt_s().count(0), 5)
+        self.assert_is_the_model(flight)
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    skip_without("wine", "cc")
+    unittest.main()

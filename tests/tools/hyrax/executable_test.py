@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+"""hyrax.exe as a file: what it needs, what it holds, what it is protected by, and that it is made twice the same."""
+
+import hashlib
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from wine import FOLDER, HYRAX, HYRAX_REPLAY, skip_without
+
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
+TOOLS = "x86_64-w64-mingw32-"
+
+# Parts of every Windows 10, of the compiler's nothing.
+WINDOWS_DLLS = {"advapi32.dll", "gdi32.dll", "gdiplus.dll", "kernel32.dll", "msvcrt.dll", "ole32.dll", "shcore.dll",
+                "shell32.dll", "shlwapi.dll", "user32.dll", "version.dll", "winmm.dll"}
+SIZE_MAX_BYTES = 1_000_000
+HIGH_ENTROPY, DYNAMIC_BASE, NX_COMPATIBLE = 0x20, 0x40, 0x100
+
+HYRAX_SIM = pathlib.Path(os.environ.get("HYRAX_SIM", "hyrax-sim"))
+
+RT_ICON, RT_RCDATA, RT_GROUP_ICON, RT_VERSION, RT_MANIFEST = 3, 10, 14, 16, 24
+
+
+def run(*command, **options):
+    """What a program says."""
+    return subprocess.run([*map(str, command)], check=True, capture_output=True, **options).stdout
+
+
+def imports(path):
+    """The DLLs that a program names."""
+    return {name.lower() for name in re.findall(r"DLL Name: (\S+)", run(TOOLS + "objdump", "-p", path).decode())}
+
+
+def resources(path):
+    """Its resources, as {type: {name: bytes}}. They lie in the section .rsrc as a tree of three levels."""
+    sections = run(TOOLS + "objdump", "-h", path).decode()
+    size, address = (int(text, 16) for text in re.search(r"\.rsrc\s+(\w+)\s+(\w+)", sections).groups())
+    base = int(re.search(r"ImageBase\s+(\w+)", run(TOOLS + "objdump", "-p", path).decode()).group(1), 16)
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder, "rsrc")
+        run(TOOLS + "objcopy", "-O", "binary", "--only-section=.rsrc", "--set-section-flags",
+            ".rsrc=alloc,load,contents", path, copy)
+        tree = copy.read_bytes()[:size]
+
+    def entries(place):
+        named, numbered = struct.unpack_from("<HH", tree, place + 12)
+        for entry in range(named + numbered):
+            yield struct.unpack_from("<II", tree, place + 16 + 8 * entry)
+
+    found = {}
+    for kind, names in entries(0):
+        for name, languages in entries(names & 0x7FFFFFFF):
+            for _, leaf in entries(languages & 0x7FFFFFFF):
+                place, length = struct.unpack_from("<II", tree, leaf)
+                begin = place - (address - base)
+                found.setdefault(kind, {})[name] = tree[begin:begin + length]
+    return found
+
+
+class Executable(unittest.TestCase):
+    """What stands in the file."""
+
+    def test_it_needs_only_what_every_windows_has(self):
+        for program in (HYRAX, HYRAX_REPLAY):
+            self.assertLessEqual(imports(program), WINDOWS_DLLS)
+        self.assertIn("gdiplus.dll", imports(HYRAX))
+
+    def test_a_dll_of_the_compiler_would_be_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder, "needy.exe")
+            run(TOOLS + "g++-posix", "-x", "c++", "-", "-o", program,
+                input=b"#include <string>\nint main(int n, char**) { return std::to_string(n).size(); }")
+            self.assertFalse(imports(program) <= WINDOWS_DLLS)
+
+    def test_it_is_small(self):
+        self.assertLess(HYRAX.stat().st_size, SIZE_MAX_BYTES)
+
+    def test_it_is_protected(self):
+        for program in (HYRAX, HYRAX_REPLAY):
+            head = run(TOOLS + "objdump", "-p", program).decode()
+            flags = int(re.search(r"DllCharacteristics\s+(\w+)", head).group(1), 16)
+            for flag in (HIGH_ENTROPY, DYNAMIC_BASE, NX_COMPATIBLE):
+                self.assertTrue(flags & flag, f"{flags:#x} lacks {flag:#x}")
+            self.assertIn("[.reloc]", head)
+
+    def test_it_opens_no_console(self):
+        self.assertIn("Windows GUI", run(TOOLS + "objdump", "-p", HYRAX).decode())
+        self.assertIn("Windows CUI", run(TOOLS + "objdump", "-p", HYRAX_REPLAY).decode())
+
+    def test_it_has_icon_version_manifest_and_sprites(self):
+        found = resources(HYRAX)
+        self.assertEqual(len(found[RT_ICON]), 7)
+        self.assertEqual(len(found[RT_GROUP_ICON]), 1)
+        manifest, = found[RT_MANIFEST].values()
+        for word in (b"PerMonitorV2", b"asInvoker", b"{8e0f7a12-bfb3-4fe8-b9a5-48fd50a15a9a}"):  # The last: Windows 10.
+            self.assertIn(word, manifest)
+        version, = found[RT_VERSION].values()
+        project = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
+        self.assertIn(project.encode("utf-16-le"), version)
+        pictures = sorted(path.read_bytes() for path in (SOURCE / "tools/hyrax/sprite").glob("*.png"))
+        self.assertEqual(sorted(found[RT_RCDATA].values()), pictures)
+
+    def test_no_gpl_library_is_linked(self):
+        files = (FOLDER / "mingw/build.ninja").read_text()
+        link = re.findall(r"build bin/hyrax(?:-replay)?\.exe:(.*?)\n\n", files, re.DOTALL)
+        self.assertEqual(len(link), 2)
+        for line in link:
+            self.assertNotRegex(line, r"(?i)gsl|hdf5|mpfr|gmp")
+        for program in (HYRAX, HYRAX_REPLAY):
+            self.assertNotRegex(program.read_bytes(), rb"gsl_")
+        self.assertRegex(HYRAX_SIM.read_bytes(), rb"gsl_")  # Where it is linked, it is seen.
+
+    def test_built_again_it_is_the_same_bytes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            again = pathlib.Path(folder, "again")
+            run("cmake", "--log-level=ERROR", "-S", SOURCE, "-B", again, "--preset", "mingw", "-DHYRAX_WERROR=OFF",
+                env={**os.environ, "CCACHE_DISABLE": "1"})
+            run("ninja", "-C", again, "hyrax", "hyrax-replay")
+            for name in (HYRAX.name, HYRAX_REPLAY.name):
+                digests = {hashlib.sha256((place / "bin" / name).read_bytes()).hexdigest()
+                           for place in (again, FOLDER / "mingw")}
+                self.assertEqual(len(digests), 1, f"{name} differs")
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    skip_without(TOOLS + "objdump", TOOLS + "g++-posix")
+    unittest.main()

@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""A real drag and fling: what the window did is what the model says, and what the recording replays."""
+
+import json
+import multiprocessing
+import sys
+import unittest
+
+from hyrax_program import HyraxTest
+from program import AGREED
+from wine import skip_without
+
+REPEATS = 10
+BURNERS = 4
+SEEN_S = 0.03
+
+
+def burn():
+    """Keeps a core busy."""
+    while True:
+        pass
+
+
+class Fling(HyraxTest):
+    """The hand takes the hyrax while it bounces, drags it, and lets it go in motion."""
+
+    def assert_was_flung(self, flight):
+        """It was held, followed the hand, and left it upwards to the right."""
+        self.assertEqual([len(flight.events(kind)) for kind in ("grab", "release")], [1, 1])
+        self.assertGreater(len(flight.events("place")), 0)
+        # Of a hand that it did not see for longer, on a busy machine, it knows no speed.
+        if max(frame["dt_s"] for frame in flight.frames if frame["held"]) < SEEN_S:
+            velocity = flight.events("release")[0]["release"]
+            self.assertGreater(velocity["vx_px_per_s"], 0)
+            self.assertLess(velocity["vy_px_per_s"], 0)
+        self.assert_is_the_model(flight)
+
+    def test_the_window_goes_where_the_model_goes(self):
+        flight = self.fling_and_watch(2500)
+        self.assert_was_flung(flight)
+        self.assert_replays_everywhere(flight)
+
+    def test_check_takes_the_recording_as_it_is(self):
+        flight = self.fling_and_watch(500)
+        scenarios = self.folder / "scenarios"
+        scenarios.mkdir()
+        flight.path.rename(scenarios / "flight.json")
+        self.expect(AGREED, "check", "scenarios")
+
+    def test_ten_times_in_a_row(self):
+        hashes = set()
+        for _ in range(REPEATS):
+            flight = self.fling_and_watch(300)
+            self.assert_was_flung(flight)
+            hashes.add(flight.document["expect"]["state_hash"])
+            self.wine.end()
+        self.assertEqual(len(hashes), REPEATS, "a hand is never twice the same")
+
+    def test_under_load(self):
+        burners = [multiprocessing.Process(target=burn, daemon=True) for _ in range(BURNERS)]
+        for burner in burners:
+            burner.start()
+            self.addCleanup(burner.join)
+            self.addCleanup(burner.kill)
+        for _ in range(3):
+            self.assert_was_flung(self.fling_and_watch(1000))
+            self.wine.end()
+
+    def test_another_path_would_be_found(self):
+        flight = self.fling_and_watch(300)
+        flight.frames[-3]["window_rect_px"][0] += 1
+        flight.frames[-3]["window_rect_px"][2] += 1
+        with self.assertRaises(AssertionError):
+            self.assert_is_the_model(flight)
+        flight.frames[-3]["window_rect_px"][0] -= 1
+        flight.frames[-3]["window_rect_px"][2] -= 1
+        self.assert_is_the_model(flight)
+        document = flight.document
+        document["clock"]["dt_s"][3] += 1e-7
+        flight.path.write_text(json.dumps(document))
+        with self.assertRaises(AssertionError):
+            self.assert_is_the_model(flight)
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    skip_without("wine")
+    unittest.main()

@@ -1,0 +1,177 @@
+"""hyrax.exe as a user has it: started under Wine, dragged, flung, disturbed, ended; what it wrote, held to the model.
+
+HYRAX_REPLAY is the console twin of this machine; see wine.py and program.py for the others.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import time
+
+import h5py
+import numpy
+
+from program import AGREED, DISAGREED, Outcome, ProgramTest
+from wine import FLINGER, HYRAX, HYRAX_REPLAY, Wine
+
+REPLAY = pathlib.Path(os.environ.get("HYRAX_REPLAY", "hyrax-replay")).resolve()
+
+WM_CLOSE = 0x10
+ENDS_BY_ITSELF_S = 120
+TIMEOUT_S = 150
+
+# The hand draws back to the left, then throws to the right and up, at about (1200, -800) px/s.
+FLING = "point 64 64 grab by -6 -10 20 12 by 14 -9 12 10 release".split()
+
+
+def read_log(path):
+    """The lines of a log so far; the last may be in the making."""
+    lines = path.read_text().split("\n") if path.exists() else []
+    return [json.loads(line, parse_int=float) for line in lines[:-1]]  # -0 is a float, and another one than 0.
+
+
+class Flight:
+    """What a run of the program left behind: its log, its recording, its exit code."""
+
+    def __init__(self, folder, exit_code, err):
+        self.exit_code = exit_code
+        self.err = err
+        self.path = folder / "flight.json"
+        self.log = read_log(folder / "flight.log")
+        self.frames = [line for line in self.log if "frame" in line]
+
+    @property
+    def document(self):
+        """The recording."""
+        return json.loads(self.path.read_text())
+
+    def events(self, kind):
+        """The events of one kind, with their steps."""
+        return [event for event in self.document.get("events", []) if kind in event]
+
+    def dt_s(self):
+        """Times of the frames."""
+        return [frame["dt_s"] for frame in self.frames]
+
+
+class HyraxTest(ProgramTest):
+    """A desktop, and a hyrax upon it."""
+
+    display = None
+
+    def setUp(self):
+        super().setUp()
+        self.wine = Wine(self.display)
+        self.addCleanup(self.wine.end)
+
+    # --- doing
+
+    def start(self, *options):
+        """Starts the program, recording and logging into the folder."""
+        for name in ("flight.json", "flight.log"):
+            (self.folder / name).unlink(missing_ok=True)
+        with open(self.folder / "stderr", "wb") as err:
+            process = self.wine.start(HYRAX, "--record", "flight.json", "--log", "flight.log", "--seconds",
+                                      ENDS_BY_ITSELF_S, *options, cwd=self.folder, stdout=subprocess.DEVNULL,
+                                      stderr=err)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def hand(self, *words):
+        """Does what the words say, which flinger.cpp lists."""
+        done = self.wine.run(FLINGER, "find", 30, *words, timeout=TIMEOUT_S)
+        self.assertEqual(done.exit_code, 0, done.err)
+        return done.out
+
+    def wait_for(self, what, has_come):
+        """Waits until the log fulfils a condition: on a busy machine nothing else tells when something is done."""
+        give_up_s = time.monotonic() + TIMEOUT_S
+        while not has_come(log := read_log(self.folder / "flight.log")):
+            if time.monotonic() > give_up_s:
+                inputs = [(line["t_s"], line["inputs"]) for line in log if line.get("inputs")]
+                self.fail(f"{what}: it did not come to that; inputs {inputs}, at last {log[-1:]}")
+            time.sleep(0.2)
+
+    def wait_for_input(self, kind, count=1):
+        """Waits until a frame with such an input was played."""
+        self.wait_for(kind, lambda log: sum(kind in line.get("inputs", ()) for line in log) >= count)
+
+    def wait_for_time(self, t_s):
+        """Waits until the hyrax has lived for so long."""
+        self.wait_for(f"{t_s} s", lambda log: any(line.get("t_s", 0) >= t_s for line in log))
+
+    def wait_for_sleep(self):
+        """Waits until it is at rest and plays no more frames."""
+        self.wait_for("asleep", lambda log: log and "asleep_after_frame" in log[-1])
+
+    def start_and_fling(self):
+        """The program, at work upon a hyrax that came down from the top, bounced, and was flung by the hand."""
+        process = self.start()
+        self.wait_for_time(3.5)
+        self.hand(*FLING)
+        self.wait_for_input("release")
+        return process
+
+    def end(self, process):
+        """Waits until the program has ended; returns what it left behind."""
+        exit_code = process.wait(TIMEOUT_S)
+        return Flight(self.folder, exit_code, (self.folder / "stderr").read_text(errors="replace"))
+
+    def close(self, process):
+        """Ends the program as its user does; returns what it left behind."""
+        self.hand("post", WM_CLOSE, 0, 0)
+        flight = self.end(process)
+        self.assertEqual(flight.exit_code, 0, flight.err)
+        return flight
+
+    def fling_and_watch(self, wait_ms):
+        """From start to end: a fling, and so much of the flight after it."""
+        process = self.start_and_fling()
+        self.hand("sleep", wait_ms)
+        return self.close(process)
+
+    # --- judging
+
+    def rows(self, path):
+        """What hyrax-sim makes of a recording: its expectations hold, and the rows are these."""
+        self.expect(AGREED, "run", path, "-o", "flight.h5")
+        with h5py.File(self.folder / "flight.h5") as file:
+            return {name: file["trajectory"][name][...] for name in ("dt", "x", "y", "vx", "vy", "contact")}
+
+    def assert_is_the_model(self, flight):
+        """The recording replays to its own hash; its rows are what was shown, bit for bit; the window was there."""
+        rows = self.rows(flight.path)
+        shown = flight.frames
+        self.assertEqual(len(shown), len(rows["dt"]) - 1)
+        for name, key in (("dt", "dt_s"), ("x", "x_px"), ("y", "y_px"), ("vx", "vx_px_per_s"), ("vy", "vy_px_per_s")):
+            logged = numpy.array([frame[key] for frame in shown], float)
+            numpy.testing.assert_array_equal(logged.view(numpy.int64), rows[name][1:].view(numpy.int64), name)
+        self.assert_window_follows(flight)
+
+    def assert_window_follows(self, flight):
+        """The system has the window where the model has the hyrax, but for rounding to whole pixels."""
+        for frame in flight.frames:
+            left, top, right, bottom = frame["window_rect_px"]
+            origin = frame["work_area_px"]
+            self.assertLessEqual(abs(left - origin[0] - frame["x_px"]), 0.5, frame)
+            self.assertLessEqual(abs(top - origin[1] - frame["y_px"]), 0.5, frame)
+            self.assertEqual([right - left, bottom - top], frame["sprite_px"], frame)
+
+    def assert_replays_everywhere(self, flight):
+        """hyrax-replay of this machine, hyrax-replay.exe and hyrax.exe find its hash; a nudge they find out."""
+        found = flight.document["expect"]["state_hash"]
+        nudged = self.folder / "nudged.json"
+        document = flight.document
+        document["clock"]["dt_s"][-1] = float(numpy.nextafter(document["clock"]["dt_s"][-1], numpy.inf))
+        nudged.write_text(json.dumps(document))
+        for path, exit_code in ((flight.path, AGREED), (nudged, DISAGREED)):
+            native = Outcome(subprocess.run([REPLAY, path.name], cwd=self.folder, check=False, capture_output=True,
+                                            timeout=60))
+            twin = self.wine.run(HYRAX_REPLAY, path.name, cwd=self.folder)
+            window = self.wine.run(HYRAX, "--replay", path.name, "--exit", cwd=self.folder)
+            for done in (native, twin, window):
+                self.assertEqual(done.exit_code, exit_code, str(done))
+            for done in (native, twin):
+                self.assertEqual(done.out.split()[0] == found, exit_code == AGREED)

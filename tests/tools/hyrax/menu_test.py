@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""The menu of the hyrax, by a right click and a key: what it does is an input of the scene, or a file that replays."""
+
+import sys
+import time
+import unittest
+
+from hyrax_program import HyraxTest, read_log
+from program import AGREED
+from wine import FOLDER, HYRAX, skip_without
+
+ESCAPE, RETURN = 27, 13
+OPENS_MS = 800
+TRIES = 8
+WAIT_S = 5
+
+
+class Menu(HyraxTest):
+    """Whatever is chosen, is chosen from a hyrax at rest."""
+
+    def setUp(self):
+        super().setUp()
+        for path in self.saved():
+            path.unlink()
+
+    # --- doing
+
+    def start_without_recording(self):
+        """Starts the program as a user does who has not thought of recording."""
+        process = self.wine.start(HYRAX, "--log", "flight.log", "--seconds", 600, cwd=self.folder)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def choose(self, letters, has_come):
+        """Opens the menu for each letter and chooses by it, again if the menu was not open in time on a busy machine."""
+        for _ in range(TRIES):
+            self.wait_for_sleep()
+            for letter in letters:
+                self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord(letter))
+            give_up_s = time.monotonic() + WAIT_S
+            while time.monotonic() < give_up_s:
+                if has_come():
+                    return
+                time.sleep(0.05)
+            self.hand("key", ESCAPE, "sleep", 100)
+        self.fail(f"{letters}: nothing came of it")
+
+    def has_input(self, *kinds):
+        """Whether a frame had just these inputs."""
+        return any(line.get("inputs") == [*kinds] for line in read_log(self.folder / "flight.log"))
+
+    @staticmethod
+    def saved(name=""):
+        """Files among the user's documents, by the beginning of their name."""
+        return sorted(FOLDER.glob(f"prefix/drive_c/users/*/Documents/Hyrax/{name}*.json"))
+
+    # --- judging
+
+    def test_throw_and_reset_are_inputs(self):
+        process = self.start()
+        self.choose("T", lambda: self.has_input("fling"))
+        self.choose("R", lambda: self.has_input("place", "stop"))
+        self.wait_for_sleep()
+        flight = self.close(process)
+        self.assert_is_the_model(flight)
+
+    def test_what_just_happened_is_saved_after_the_fact(self):
+        process = self.start_without_recording()
+        self.choose("J", lambda: self.saved("just-happened"))
+        path, = self.saved("just-happened")
+        self.expect(AGREED, "run", path, "-o", self.folder / "happened.h5")
+        self.choose("Q", lambda: process.poll() is not None)
+        self.assertEqual(process.returncode, 0)
+
+    def test_a_recording_is_begun_and_saved(self):
+        process = self.start_without_recording()
+        self.choose("CT", lambda: self.saved("recording"))
+        self.choose("S", lambda: True)
+        self.choose("Q", lambda: process.poll() is not None)
+        path, = self.saved("recording")
+        self.expect(AGREED, "run", path, "-o", self.folder / "recorded.h5")
+        self.assertIn('"fling"', path.read_text())
+
+    def test_about_waits_for_its_reader_and_quit_ends_it(self):
+        process = self.start_without_recording()
+        self.wait_for_sleep()
+        self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord("A"), "sleep", OPENS_MS, "key", RETURN)
+        self.choose("Q", lambda: process.poll() is not None)
+        self.assertEqual(process.returncode, 0)
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    skip_without("wine")
+    unittest.main()

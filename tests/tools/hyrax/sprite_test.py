@@ -1,0 +1,130 @@
+#!/usr/bin/python3
+"""The committed pictures are what the drawings render to, and what the program takes them for."""
+
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+import numpy
+
+from wine import skip_without
+
+SPRITE = pathlib.Path(__file__).resolve().parents[3] / "tools/hyrax/sprite"
+POSES = ("stand", "fly", "held", "sleep")
+SIDES_PX = {100: 128, 125: 160, 150: 192, 175: 224, 200: 256}
+RESOURCES_MAX_BYTES = 350_000
+
+# `render` keeps 56 of 256 levels, and another version of the renderer may place an edge a little otherwise.
+LEVELS_OFF_MAX = 24
+SHARE_OFF_MAX = 0.002
+
+
+def read_png(data):
+    """The pixels of an RGBA PNG of 8 bits a channel, not interlaced, as an array [row, column, channel]."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", "not a PNG"
+    compressed, place = b"", 8
+    while place < len(data):
+        length, kind = struct.unpack(">I4s", data[place:place + 8])
+        body = data[place + 8:place + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour, _, _, interlace = struct.unpack(">IIBBBBB", body)
+            assert (depth, colour, interlace) == (8, 6, 0), "not RGBA of 8 bits"
+        elif kind == b"IDAT":
+            compressed += body
+        place += 12 + length
+    lines = numpy.frombuffer(zlib.decompress(compressed), numpy.uint8).reshape(height, 1 + 4 * width)
+    pixels = numpy.zeros((height + 1, width + 1, 4), int)
+    for row, line in enumerate(lines, 1):
+        unfilter(int(line[0]), line[1:].reshape(width, 4).astype(int), pixels[row], pixels[row - 1])
+    return pixels[1:, 1:]
+
+
+def unfilter(kind, line, now, above):
+    """Undoes the filter of one line (PNG specification, section 9.2). Column 0 of `now` and `above` is clear."""
+    if kind == 1:
+        now[1:] = numpy.cumsum(line, axis=0) % 256
+    elif kind in (0, 2):
+        now[1:] = (line + (above[1:] if kind == 2 else 0)) % 256
+    else:
+        for column, value in enumerate(line, 1):
+            left, up, corner = now[column - 1], above[column], above[column - 1]
+            if kind == 3:
+                guess = (left + up) // 2
+            else:
+                to_left, to_up, to_corner = (abs(up - corner), abs(left - corner), abs(left + up - 2 * corner))
+                guess = numpy.where((to_left <= to_up) & (to_left <= to_corner), left,
+                                    numpy.where(to_up <= to_corner, up, corner))
+            now[column] = (value + guess) % 256
+
+
+def premultiplied(pixels):
+    """What is seen: colour counts as far as it is opaque."""
+    alpha = pixels[..., 3:]
+    return numpy.concatenate([pixels[..., :3] * alpha // 255, alpha], axis=2)
+
+
+def share_off(left, right):
+    """The share of pixels that differ visibly."""
+    difference = numpy.abs(premultiplied(left) - premultiplied(right)).max(axis=2)
+    return float((difference > LEVELS_OFF_MAX).mean())
+
+
+class Sprite(unittest.TestCase):
+    """Four poses at five scales."""
+
+    def committed(self, pose, scale):
+        """A picture as the program has it."""
+        return read_png((SPRITE / f"{pose}-{scale}.png").read_bytes())
+
+    def rendered(self, pose, side_px):
+        """The drawing as rsvg-convert renders it here."""
+        with tempfile.NamedTemporaryFile("w", suffix=".css") as style:
+            style.write(f".pose {{ display: none }} #{pose} {{ display: inline }}")
+            style.flush()
+            done = subprocess.run(["rsvg-convert", "--stylesheet", style.name, "--width", str(side_px), "--height",
+                                   str(side_px), str(SPRITE / "hyrax.svg")], check=True, capture_output=True)
+        return read_png(done.stdout)
+
+    def test_every_picture_is_its_drawing(self):
+        for pose in POSES:
+            for scale, side_px in SIDES_PX.items():
+                with self.subTest(pose=pose, scale=scale):
+                    picture = self.committed(pose, scale)
+                    self.assertEqual(picture.shape, (side_px, side_px, 4))
+                    self.assertLess(share_off(picture, self.rendered(pose, side_px)), SHARE_OFF_MAX)
+
+    def test_another_pose_and_a_shift_would_be_found(self):
+        picture = self.committed("stand", 100)
+        self.assertGreater(share_off(picture, self.rendered("fly", 128)), SHARE_OFF_MAX)
+        self.assertGreater(share_off(picture, numpy.roll(picture, 1, axis=1)), SHARE_OFF_MAX)
+
+    def test_it_stands_on_the_ground_and_fills_its_square(self):
+        for pose in ("stand", "sleep"):
+            opaque = self.committed(pose, 100)[..., 3] > 128
+            self.assertTrue(opaque[126].any(), "the feet are above the ground")
+            self.assertGreater(opaque.any(axis=0).sum(), 0.9 * 128)
+        for pose in POSES:
+            alpha = self.committed(pose, 200)[..., 3]
+            self.assertEqual(alpha[0, 0], 0, "the corner is not clear")
+            edge = ((alpha > 0) & (alpha < 255)).sum()
+            self.assertGreater(edge, 500, "the edge is not smooth")
+
+    def test_the_icon_has_every_size(self):
+        data = (SPRITE / "hyrax.ico").read_bytes()
+        reserved, kind, count = struct.unpack("<HHH", data[:6])
+        sides = [data[6 + 16 * entry] or 256 for entry in range(count)]
+        self.assertEqual((reserved, kind, sides), (0, 1, [16, 20, 24, 32, 48, 64, 256]))
+
+    def test_they_leave_room_for_the_program(self):
+        self.assertLess(sum(path.stat().st_size for path in SPRITE.iterdir() if path.suffix in (".png", ".ico")),
+                        RESOURCES_MAX_BYTES)
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    skip_without("rsvg-convert")
+    unittest.main()
