@@ -36,7 +36,8 @@ double energy_lost(double dt_s) {
   const double gravity = core_constants().gravity_px_per_s2;
   Body body{0.0, 0.0, 0.0, -900.0};
   const double first = 900.0 * 900.0 / 2;
-  for (double t_s = 0.0; t_s < 1.0 - dt_s / 2; t_s += dt_s) body = core_flight(body, dt_s);
+  const long frames = std::lround(1.0 / dt_s);
+  for (long frame = 0; frame < frames; ++frame) body = core_flight(body, dt_s);
   return 1.0 - (body.vy_px_per_s * body.vy_px_per_s / 2 - gravity * body.y_px) / first;
 }
 

@@ -1,6 +1,7 @@
 // A column made of one quantity of many records.
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@ template <class Value, class Records, class Get>
 StudyColumn column_of(const std::string& name, const std::string& unit, const std::string& long_name,
                       const Records& records, const Get& get) {
   std::vector<Value> values;
+  values.reserve(std::size(records));
   for (const auto& record : records) values.push_back(get(record));
   return {name, unit, long_name, std::move(values)};
 }

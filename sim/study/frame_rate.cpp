@@ -51,7 +51,7 @@ class FlingPlayed {
   }
 
   // Points of the path go into `path`, unless it is null.
-  Landing play(DisplayClock kind, double rate_hz, std::vector<PathPoint>* path) {
+  Landing play(DisplayClock kind, double rate_hz, std::vector<FanPoint>* path) {
     const Clock clock = clock_of(kind, rate_hz);
     const FrameClock frames(clock);
     landing_.clock = kind;

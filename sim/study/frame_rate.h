@@ -34,7 +34,7 @@ struct Landing {
 };
 
 /// A point of the drawn fling's path.
-struct PathPoint {
+struct FanPoint {
   std::size_t method = 0;
   double rate_hz = 0.0;
   double t_s = 0.0;
@@ -56,7 +56,7 @@ struct Independence {
 
 struct FrameRateStudy {
   std::vector<Landing> landings;
-  std::vector<PathPoint> paths;
+  std::vector<FanPoint> paths;
   std::vector<Independence> scores;  ///< By method, then by clock.
 };
 [[nodiscard]] FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings);
@@ -66,7 +66,7 @@ inline constexpr Motion kDrawnFling{100.0, 100.0, 900.0, -1200.0};
 inline constexpr Room kDrawnRoom{{1920, 1080}, {128, 128}};
 
 [[nodiscard]] StudyTable landing_table(const std::vector<Landing>& landings);
-[[nodiscard]] StudyTable path_table(const std::vector<PathPoint>& paths);
+[[nodiscard]] StudyTable path_table(const std::vector<FanPoint>& paths);
 [[nodiscard]] StudyTable independence_table(const std::vector<Independence>& scores);
 
 }  // namespace hyrax

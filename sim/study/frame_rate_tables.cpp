@@ -40,14 +40,14 @@ StudyTable landing_table(const std::vector<Landing>& landings) {
                              [](const Landing& landing) { return landing.across_px; })}};
 }
 
-StudyTable path_table(const std::vector<PathPoint>& paths) {
+StudyTable path_table(const std::vector<FanPoint>& paths) {
   return {
       "paths",
       "the drawn fling at some rates",
       {method_column(paths), rate_column(paths),
-       column_of<double>("t", "s", "time", paths, [](const PathPoint& point) { return point.t_s; }),
-       column_of<double>("x", "px", "position", paths, [](const PathPoint& point) { return point.x_px; }),
-       column_of<double>("y", "px", "position", paths, [](const PathPoint& point) { return point.y_px; })}};
+       column_of<double>("t", "s", "time", paths, [](const FanPoint& point) { return point.t_s; }),
+       column_of<double>("x", "px", "position", paths, [](const FanPoint& point) { return point.x_px; }),
+       column_of<double>("y", "px", "position", paths, [](const FanPoint& point) { return point.y_px; })}};
 }
 
 StudyTable independence_table(const std::vector<Independence>& scores) {

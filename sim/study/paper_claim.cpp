@@ -27,10 +27,12 @@ std::vector<Claim> all_claims(double step_s) {
 StudyTable claim_table(const std::vector<Claim>& claims) {
   const auto column = [&](auto field) {
     std::vector<std::string> values;
+    values.reserve(claims.size());
     for (const Claim& claim : claims) values.emplace_back(field(claim));
     return values;
   };
   std::vector<double> numbers;
+  numbers.reserve(claims.size());
   for (const Claim& claim : claims) numbers.push_back(claim.number);
   return {
       "claims",

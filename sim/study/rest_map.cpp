@@ -138,6 +138,7 @@ FinalState final_state(const Body& row, const Body& next, double rate_hz, double
 std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t flings) {
   const std::vector<RestBoundary> boundaries = rest_boundaries();
   std::vector<RateEnds> map;
+  map.reserve(rates_hz.size());
   for (const double rate_hz : rates_hz) map.push_back(ends_at(rate_hz, flings, boundaries));
   return map;
 }

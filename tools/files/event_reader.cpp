@@ -33,7 +33,7 @@ struct EventRead {
   bool has_action = false;  ///< Exactly one, and not a hitch of unknown length.
 };
 
-EventRead read_event(const JsonPlace& here, const std::vector<Problem>& problems) {
+EventRead read_event(const JsonPlace& here, const std::vector<JsonProblem>& problems) {
   static constexpr std::string_view kActions[] = {"fling", "place", "stop",   "resize",
                                                   "hitch", "grab",  "release"};
   EventRead read;
@@ -111,7 +111,7 @@ void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRe
 }  // namespace
 
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
-                 Scenario& scenario, const std::vector<Problem>& problems) {
+                 Scenario& scenario, const std::vector<JsonProblem>& problems) {
   const auto places = here.elements();
   if (!places) return;
   std::vector<EventRead> events;

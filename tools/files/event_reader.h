@@ -14,6 +14,6 @@ namespace hyrax {
 /// @param steps of the run, where they are known.
 /// @param problems what was told so far.
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
-                 Scenario& scenario, const std::vector<Problem>& problems);
+                 Scenario& scenario, const std::vector<JsonProblem>& problems);
 
 }  // namespace hyrax

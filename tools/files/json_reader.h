@@ -14,7 +14,7 @@
 namespace hyrax {
 
 /// A wrong place: its JSON Pointer, and a sentence with rule, value and remedy.
-struct Problem {
+struct JsonProblem {
   std::string pointer;
   std::string sentence;
 };
@@ -29,7 +29,7 @@ struct NumberRule {
 /// One place of a document. What is not there is not wrong: ask `is_there`.
 class JsonPlace {
  public:
-  JsonPlace(const Json* json, std::string pointer, std::vector<Problem>& problems)
+  JsonPlace(const Json* json, std::string pointer, std::vector<JsonProblem>& problems)
       : json_(json), pointer_(std::move(pointer)), problems_(&problems) {}
 
   [[nodiscard]] bool is_there() const { return json_ != nullptr; }
@@ -58,7 +58,7 @@ class JsonPlace {
  private:
   const Json* json_;
   std::string pointer_;
-  std::vector<Problem>* problems_;
+  std::vector<JsonProblem>* problems_;
 };
 
 }  // namespace hyrax

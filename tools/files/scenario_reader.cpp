@@ -139,7 +139,7 @@ void read_record(const JsonPlace& here, Scenario& scenario) {
 }
 
 Scenario read_document(const JsonPlace& document, const std::string& fallback_name,
-                       const std::vector<Problem>& problems) {
+                       const std::vector<JsonProblem>& problems) {
   Scenario scenario;
   if (!document.is_object_of({"$schema", "format", "name", "description", "window", "sprite", "start",
                               "clock", "steps", "duration_s", "events", "record", "expect"}))
@@ -174,11 +174,11 @@ Json value_of(const Override& given) {
 }  // namespace
 
 Scenario to_scenario(const Json& document, const std::string& source, const std::string& fallback_name) {
-  std::vector<Problem> problems;
+  std::vector<JsonProblem> problems;
   Scenario scenario = read_document(JsonPlace(&document, "", problems), fallback_name, problems);
   if (problems.empty()) return scenario;
   std::string sentences;
-  for (const Problem& problem : problems)
+  for (const JsonProblem& problem : problems)
     sentences.append(sentences.empty() ? "" : "\n")
         .append(printable(source + ": " + (problem.pointer.empty() ? "/" : problem.pointer) + ": " +
                           problem.sentence));

@@ -64,7 +64,7 @@ std::string fan_script(const FrameRateStudy& study, std::size_t method) {
   frame.add(fmt::format("set xrange [0:{}]\nset yrange [{}:0]\nset xtics 200\nset ytics 200\n", right_px,
                         bottom_px));
   std::map<double, std::string> lines;
-  for (const PathPoint& point : study.paths)
+  for (const FanPoint& point : study.paths)
     if (point.method == method)
       lines[point.rate_hz] += fmt::format("{:.6g} {:.6g}\n", point.x_px, point.y_px);
   std::string command;

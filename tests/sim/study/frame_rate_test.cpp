@@ -29,7 +29,7 @@ TEST(FrameRate, APathEndsWhereItLands) {
   ASSERT_FALSE(study.paths.empty());
   const Landing& landing = study.landings.front();
   double last_px = 0.0;
-  for (const PathPoint& point : study.paths)
+  for (const FanPoint& point : study.paths)
     if (point.method == landing.method) last_px = point.x_px;
   EXPECT_NEAR(last_px, landing.x_px, 0.5);
 }
