@@ -8,8 +8,9 @@ import subprocess
 
 from workshop import CannotBuild
 
-# A check of all scenarios takes a fraction of a second.
+# What one check may take of a processor: of all scenarios, and of some; it takes some hundredths.
 _SECONDS_MAX = 3
+_SECONDS_MAX_OF_SOME = 1
 _MEMORY_MAX_KIB = 4 << 20
 _PATIENCE_S = 120
 
@@ -37,7 +38,7 @@ class Judge:
 
     def prepare(self):
         """Builds the unchanged units; the program made of them must be green, or mutants would be red for no reason."""
-        self.workshop.prepare(self._units)
+        self.workshop.prepare(self._units, self.subject_of)
         place = self.workshop.folder / "unchanged"
         self._original = {unit: self.workshop.compile(unit, place) for unit in self._units}
         self.workshop.link("hyrax-sim", self._original, place / "hyrax-sim")
@@ -58,7 +59,8 @@ class Judge:
 
     def prepare_unit_tests(self, mutants):
         """Makes ready to ask unit tests about these mutants."""
-        self.workshop.prepare(sorted({unit for mutant in mutants for unit in self.subject_of[mutant.path].test_units}))
+        units = {unit for mutant in mutants for unit in self.subject_of[mutant.path].test_units}
+        self.workshop.prepare(sorted(units), self.subject_of)
 
     def fails_unit_test(self, mutant, name):
         """Whether the subject's unit tests fail with the mutant."""
@@ -80,12 +82,12 @@ class Judge:
         program = place / "hyrax-sim"
         self.workshop.link("hyrax-sim", objects, program)
         likely = [path for path in (self.scenarios / f"{name}.json" for name in subject.likely) if path.exists()]
-        found = self._check(program, likely) if likely else None
+        found = self._check(program, likely, _SECONDS_MAX_OF_SOME) if likely else None
         return found or self._check(program, [self.scenarios]) or Verdict("survived")
 
-    def _check(self, program, paths):
+    def _check(self, program, paths, seconds_max=_SECONDS_MAX):
         """How a check of these scenarios goes red; None where it does not."""
-        done = self._limited([program, "check", "--json", "--jobs", "1", *paths])
+        done = self._limited([program, "check", "--json", "--jobs", "1", *paths], seconds_max)
         if done is None or done.returncode < 0 or done.returncode > 128:
             return Verdict("caught", difference="hangs" if done is None or self._is_late(done) else "crashes")
         if done.returncode == 0:
@@ -101,10 +103,10 @@ class Judge:
         kind = entry["class"] or ("failed" if entry["status"] == "failed" else "expect")
         return Verdict("caught", str(scenario), str(first.get("step", "")), kind)
 
-    def _limited(self, command):
+    def _limited(self, command, seconds_max=_SECONDS_MAX):
         """Runs a program that may run away; None where it sleeps."""
         memory = "" if self.workshop.is_sanitized else f"ulimit -v {_MEMORY_MAX_KIB}; "
-        script = f'ulimit -c 0; ulimit -t {_SECONDS_MAX}; {memory}exec "$@"'
+        script = f'ulimit -c 0; ulimit -t {seconds_max}; {memory}exec "$@"'
         try:
             return subprocess.run(["sh", "-c", script, "sh", *map(str, command)], cwd=self.workshop.source,
                                   capture_output=True, text=True, check=False, timeout=_PATIENCE_S)

@@ -6,10 +6,14 @@ import json
 
 @dataclasses.dataclass(frozen=True)
 class Reason:
-    """Why no scenario tells a mutant from the program; and where a unit test does, that it does."""
+    """Why no scenario tells a mutant from the program, and where a unit test does, that it does.
+
+    may_crash: what it does is undefined, so it may as well be caught by crashing.
+    """
 
     text: str
     is_told_by_unit_test: bool
+    may_crash: bool = False
 
 
 def read_reasons(path):
@@ -20,7 +24,8 @@ def read_reasons(path):
             for name in names:
                 if (file, name) in reasons:
                     raise ValueError(f"{path}: {file}: {name}: stands twice")
-                reasons[file, name] = Reason(entry["reason"], entry.get("told_by") == "unit test")
+                reasons[file, name] = Reason(entry["reason"], entry.get("told_by") == "unit test",
+                                             entry.get("may_crash", False))
     return reasons
 
 
@@ -33,7 +38,8 @@ def faults_of(reasons, mutants, verdicts):
     faults = [f"{path}: {name}: there is no such mutant; take its reason out" for path, name in reasons
               if (path, name) not in known]
     for mutant, verdict in verdicts.items():
-        if (mutant.path, mutant.name) in reasons and verdict.fate != "survived":
+        reason = reasons.get((mutant.path, mutant.name))
+        if reason and verdict.fate != "survived" and not (reason.may_crash and verdict.difference == "crashes"):
             faults.append(f"{mutant.path}: {mutant.name}: is said to be equivalent, and is {verdict.fate}; "
                           "take its reason out")
     return faults

@@ -34,16 +34,18 @@ std::vector<std::string> paths_of(CheckRequest& request) {
   return list_scenarios(request.files);
 }
 
-// Each worker takes the next scenario until none is left; verdicts stand in the paths' order.
-std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, const CheckOptions& options,
+// Each worker takes the next scenario until none is left; verdicts stand in the paths' order. A golden
+// file is taken apart, in a child process first, only after the workers are gone.
+std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
                                     std::int64_t jobs) {
   std::vector<CheckVerdict> verdicts(paths.size());
   std::atomic<std::size_t> next = 0;
-  std::atomic<std::size_t> done = 0;
+  std::atomic<std::int64_t> done = 0;
+  options.reads_golden = jobs == 1;
   const auto work = [&] {
     for (std::size_t index = next++; index < paths.size(); index = next++) {
       verdicts[index] = check_scenario(paths[index], options);
-      ++done;
+      if (!verdicts[index].is_open) ++done;
     }
   };
   std::vector<std::jthread> workers;
@@ -53,9 +55,15 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, const
   Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
   for (std::size_t index = next++; index < paths.size(); index = next++) {
     verdicts[index] = check_scenario(paths[index], options);
-    progress.show(static_cast<std::int64_t>(++done));
+    progress.show(verdicts[index].is_open ? done.load() : ++done);
   }
   workers.clear();
+  options.reads_golden = true;
+  for (CheckVerdict& verdict : verdicts) {
+    if (!verdict.is_open) continue;
+    verdict = check_scenario(verdict.path, options);
+    progress.show(++done);
+  }
   return verdicts;
 }
 

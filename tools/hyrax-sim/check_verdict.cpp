@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <exception>
+#include <optional>
 
 #include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
@@ -45,14 +46,19 @@ std::optional<std::string> fault_of_words(const std::string& kept, const std::st
 
 // A whole digest, its seal included, says that file and run agree in everything; the file is taken
 // apart only where the digest is not what blessing the run would write, as after a blessing cut short.
-RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
-  if (!is_there(place.txt_path)) return compare_rows(scenario, place, verdict);
+// Nothing where it would have to be, and is not to be.
+std::optional<RunSummary> compare_whole(const Scenario& scenario, const GoldenPlace& place,
+                                        const CheckOptions& options, CheckVerdict& verdict) {
+  const bool has_digest = is_there(place.txt_path);
+  if (!has_digest && !options.reads_golden) return std::nullopt;
+  if (!has_digest) return compare_rows(scenario, place, verdict);
   const std::string kept = read_text_file(place.txt_path);
   const FreshRun fresh = play_for_golden(scenario);
   const std::string digest =
       golden_digest_text(fresh.run, fresh.summary, digest_reason(kept), digest_margin(kept));
   const std::string contents = contents_hash(fresh.run);
   if (!digest_fault(kept, digest + seal_line({contents, file_hash(place.h5_path)}))) return fresh.summary;
+  if (!options.reads_golden) return std::nullopt;
   const RunSummary summary = compare_rows(scenario, place, verdict);
   if (!verdict.comparison.agrees) return summary;
   if (const auto fault = fault_of_words(kept, digest, contents, place)) {
@@ -68,11 +74,12 @@ RunSummary compare_whole(const Scenario& scenario, const GoldenPlace& place, Che
   return summary;
 }
 
-RunSummary compare_quickly(const Scenario& scenario, const GoldenPlace& place, CheckVerdict& verdict) {
+std::optional<RunSummary> compare_quickly(const Scenario& scenario, const GoldenPlace& place,
+                                          const CheckOptions& options, CheckVerdict& verdict) {
   const RunSummary summary = play(scenario);
   const bool names_this_run = read_digest_hash(place.txt_path) == hex(summary.state_hash);
   const bool is_whole = names_this_run && seals(read_text_file(place.txt_path), place.h5_path);
-  return is_whole ? summary : compare_whole(scenario, place, verdict);
+  return is_whole ? summary : compare_whole(scenario, place, options, verdict);
 }
 
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
@@ -80,12 +87,15 @@ void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerd
   verdict.golden_path = place ? place->h5_path : "";
   const bool has_golden = place && is_there(place->h5_path);
   const auto compare = options.is_quick ? compare_quickly : compare_whole;
-  const RunSummary summary = has_golden ? compare(scenario, *place, verdict) : play(scenario);
-  verdict.broken = broken_of(scenario, summary);
+  const std::optional<RunSummary> summary =
+      has_golden ? compare(scenario, *place, options, verdict) : play(scenario);
+  verdict.is_open = !summary;
+  if (!summary) return;
+  verdict.broken = broken_of(scenario, *summary);
   const bool is_judged = has_golden || (scenario.expect && scenario.expect->state_hash);
   if (!is_judged)
     verdict.status = Status::missing;
-  else if (!verdict.comparison.agrees || !verdict.broken.empty() || summary.non_finite_step)
+  else if (!verdict.comparison.agrees || !verdict.broken.empty() || summary->non_finite_step)
     verdict.status = Status::disagreed;
 }
 

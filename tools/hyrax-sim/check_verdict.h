@@ -20,6 +20,7 @@ struct CheckVerdict {
   std::vector<Expectation> broken;  ///< Expectations that do not hold.
   std::string error;                ///< Of a failed one.
   std::string note;                 ///< What is worth knowing of one that agrees; else empty.
+  bool is_open = false;             ///< Nothing is said yet: the golden file would have to be read.
   ExitCode exit_code = ExitCode::agreed;
   double seconds = 0.0;
 };
@@ -28,7 +29,8 @@ struct CheckVerdict {
 
 struct CheckOptions {
   std::string golden_folder;
-  bool is_quick = false;  ///< The digest's hash decides; rows are read only on a mismatch.
+  bool is_quick = false;     ///< The digest's hash decides; rows are read only on a mismatch.
+  bool reads_golden = true;  ///< Where the digest does not decide. Not with other threads about.
 };
 
 /// Plays a scenario and compares; never throws Failure: it becomes a verdict.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <mutex>
 
 #include "tools/store/attribute_list.h"
 #include "tools/store/contact_table.h"
@@ -13,9 +12,6 @@
 
 namespace hyrax {
 namespace {
-
-// HDF5 lets one thread in at a time anyway; a reading on trial wants none of them inside.
-std::mutex one_at_a_time;
 
 // The state at a block's first row stands in /trajectory; here is what else a replay needs.
 struct KeyframeColumn {
@@ -202,7 +198,6 @@ void write_golden(const AtomicFile& target, const std::string& path, const Store
 }
 
 StoredRun read_golden(const std::string& path) {
-  const std::lock_guard lock(one_at_a_time);
   read_on_trial(path, [&] { static_cast<void>(read_run(TrajectoryFile(path))); });
   return read_run(TrajectoryFile(path));
 }
@@ -210,7 +205,6 @@ StoredRun read_golden(const std::string& path) {
 std::optional<std::string> golden_words_fault(const std::string& path) {
   const StoredRun run = read_golden(path);
   const AtomicFile as_written((std::filesystem::temp_directory_path() / "hyrax-golden.h5").string());
-  const std::lock_guard lock(one_at_a_time);
   write_golden(as_written, as_written.part_path(), run);
   const auto list = [](const std::string& file) { return attribute_list(h5::open_file(file)); };
   read_on_trial(path, [&] { static_cast<void>(list(path)); });

@@ -12,7 +12,7 @@ namespace hyrax {
 /// Costs a fork: some milliseconds.
 /// @param read must do to the file all that is to be done here; what it throws as a Failure is left
 /// for the reading here to find again.
-/// REQUIRES: no other thread is inside HDF5.
+/// REQUIRES: this process has no other thread: the child would wait for ever for a lock that one holds.
 /// ERRORS: Failure(bad_input) "PATH: is damaged: ..." where the child did not survive.
 void read_on_trial(const std::string& path, const std::function<void()>& read);
 
