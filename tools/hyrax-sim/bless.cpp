@@ -40,7 +40,7 @@ GoldenPlace place_of(const std::string& path, const std::string& golden_folder) 
 
 // Says what the blessing changes; returns whether it changes anything.
 bool show_changes(const std::string& path, const GoldenPlace& place, const Scenario& scenario) {
-  if (!is_there(place.h5_path) || !is_there(place.txt_path)) {
+  if (!has_golden_file(place) || !is_there(place.txt_path)) {
     fmt::print("{}: new golden file\n", path);
     return true;
   }

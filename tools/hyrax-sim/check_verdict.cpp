@@ -85,7 +85,7 @@ std::optional<RunSummary> compare_quickly(const Scenario& scenario, const Golden
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
   const auto place = golden_place(verdict.path, options.golden_folder);
   verdict.golden_path = place ? place->h5_path : "";
-  const bool has_golden = place && is_there(place->h5_path);
+  const bool has_golden = place && has_golden_file(*place);
   const auto compare = options.is_quick ? compare_quickly : compare_whole;
   const std::optional<RunSummary> summary =
       has_golden ? compare(scenario, *place, options, verdict) : play(scenario);

@@ -53,7 +53,7 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
     return run;
   }
   run.golden_path = place->h5_path;
-  if (is_there(place->h5_path)) run.comparison = compare_with_golden(*place, scenario, run.summary);
+  if (has_golden_file(*place)) run.comparison = compare_with_golden(*place, scenario, run.summary);
   return run;
 }
 

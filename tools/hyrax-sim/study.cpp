@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
@@ -60,19 +61,28 @@ void make_folder(const std::string& folder) {
   if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be made a folder: " + error.message());
 }
 
-// Returns the paths of what was written.
-std::vector<std::string> write_outcome(const StudyKind& kind, const StudyOutcome& outcome,
-                                       const StudyArguments& arguments) {
+// What was written, and why a figure was not, if one was not: nobody is to lose the verdict with it.
+struct WrittenStudy {
+  std::vector<std::string> paths;
+  std::optional<Failure> undrawn;
+};
+
+WrittenStudy write_outcome(const StudyKind& kind, const StudyOutcome& outcome,
+                           const StudyArguments& arguments) {
   const std::string stem = (std::filesystem::path(arguments.folder) / kind.name).lexically_normal().string();
-  std::vector<std::string> paths = {stem + ".h5", stem + ".csv"};
-  write_study_file(paths[0], {kind.name, kind.summary}, outcome.tables);
-  write_text_file(paths[1], csv_text(outcome.tables.front()));
-  if (arguments.draws_nothing) return paths;
-  for (const StudyFigure& figure : outcome.figures) {
-    paths.push_back(stem + figure.suffix + ".svg");
-    draw_figure(paths.back(), figure.script);
+  WrittenStudy written{.paths = {stem + ".h5", stem + ".csv"}, .undrawn = {}};
+  write_study_file(written.paths[0], {kind.name, kind.summary}, outcome.tables);
+  write_text_file(written.paths[1], csv_text(outcome.tables.front()));
+  if (arguments.draws_nothing) return written;
+  try {
+    for (const StudyFigure& figure : outcome.figures) {
+      draw_figure(stem + figure.suffix + ".svg", figure.script);
+      written.paths.push_back(stem + figure.suffix + ".svg");
+    }
+  } catch (const Failure& failure) {
+    written.undrawn = failure;
   }
-  return paths;
+  return written;
 }
 
 void tell_json(const StudyKind& kind, StudyOutcome& outcome, const std::vector<std::string>& paths) {
@@ -94,15 +104,16 @@ ExitCode study(const StudyArguments& arguments) {
   const StudyRequest request = study_request(kind, arguments);
   StudyOutcome outcome = kind.make(request);
   make_folder(arguments.folder);
-  const std::vector<std::string> paths = write_outcome(kind, outcome, arguments);
+  const WrittenStudy written = write_outcome(kind, outcome, arguments);
   if (arguments.is_json)
-    tell_json(kind, outcome, paths);
+    tell_json(kind, outcome, written.paths);
   else
-    tell(outcome, paths);
-  if (!arguments.is_gate || outcome.broken.empty()) return ExitCode::agreed;
-  for (const std::string& sentence : outcome.broken)
-    fmt::print(stderr, "hyrax-sim study {}: {}\n", kind.name, sentence);
-  return ExitCode::disagreed;
+    tell(outcome, written.paths);
+  if (arguments.is_gate)
+    for (const std::string& sentence : outcome.broken)
+      fmt::print(stderr, "hyrax-sim study {}: {}\n", kind.name, sentence);
+  if (written.undrawn) throw *written.undrawn;
+  return arguments.is_gate && !outcome.broken.empty() ? ExitCode::disagreed : ExitCode::agreed;
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <filesystem>
 
+#include "tools/files/failure.h"
+#include "tools/files/presence.h"
+
 namespace hyrax {
 namespace {
 
@@ -37,6 +40,14 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
   }
   if (!golden_folder.empty()) return place_at(fs::path(golden_folder) / path.filename());
   return std::nullopt;
+}
+
+bool has_golden_file(const GoldenPlace& place) {
+  for (const std::string& path : {place.h5_path, place.txt_path})
+    if (is_there(path) && !is_folder(path) && !is_regular_file(path))
+      throw Failure(ExitCode::bad_input,
+                    path + ": is a pipe or a device; a golden file must be a regular file");
+  return is_there(place.h5_path);
 }
 
 }  // namespace hyrax

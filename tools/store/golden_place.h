@@ -18,4 +18,9 @@ struct GoldenPlace {
 [[nodiscard]] std::optional<GoldenPlace> golden_place(const std::string& scenario_path,
                                                       const std::string& golden_folder);
 
+/// Whether a golden file stands there.
+/// ERRORS: Failure(bad_input) "PATH: is a pipe or a device ..." where it or its digest is one, for reading
+/// that might never come to an end.
+[[nodiscard]] bool has_golden_file(const GoldenPlace& place);
+
 }  // namespace hyrax

@@ -153,6 +153,30 @@ class Verdict(CheckTest):
         self.assertEqual(document["results"][2]["status"], "failed")
         self.assertIn("golden/third.h5: is no HDF5 file", document["results"][2]["error"])
 
+    def test_one_that_is_a_pipe_is_not_waited_for(self):
+        for name in ("golden/third.txt", "golden/third.h5"):
+            with self.subTest(name):
+                path = self.folder / name
+                kept = path.read_bytes()
+                path.unlink()
+                os.mkfifo(path)
+                (error,) = [entry["error"] for entry in self.check(BAD_INPUT)["results"] if entry["status"] == "failed"]
+                self.assertEqual(error, f"{name}: is a pipe or a device; a golden file must be a regular file")
+                self.expect(BAD_INPUT, "run", "scenarios/third.json", "-o", "out.h5", says=error)
+                self.expect(BAD_INPUT, "bless", "scenarios/third.json", "--reason", "anew", says=error)
+                path.unlink()
+                path.write_bytes(kept)
+
+    def test_all_that_must_be_taken_apart_are_whatever_the_workers(self):
+        for path in self.folder.glob("golden/**/*.txt"):
+            path.unlink()
+        for jobs in (1, 2, 8):
+            self.assertEqual(self.counts(self.check(AGREED, "--jobs", str(jobs))), (3, 0, 0, 0))
+        for path in self.folder.glob("golden/**/*.h5"):
+            nudge(path, "trajectory/y", 5)
+        for jobs in (1, 2, 8):
+            self.assertEqual(self.counts(self.check(DISAGREED, "--jobs", str(jobs))), (0, 3, 0, 0))
+
     def test_it_looks_for_golden_files_in_another_folder_if_told(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
         self.check(GOLDEN_MISSING)

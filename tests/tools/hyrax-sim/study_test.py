@@ -109,6 +109,13 @@ class Needs(StudyTest):
         self.assertIn("its window cannot hold its sprite",
                       self.expect(AGREED, "study", "needs", path, "--quick", "--no-figures").out)
 
+    def test_without_gnuplot_the_verdict_is_told_all_the_same(self):
+        outcome = self.expect(CANNOT_ACCESS, "study", "needs", self.write("fling.json", fling()), "--quick",
+                              env={"PATH": str(self.folder)}, says="gnuplot")
+        self.assertIn("gravity", outcome.out)
+        self.assertIn("written: needs.h5, needs.csv\n", outcome.out)
+        self.assertEqual(self.names(), ["fling.json", "needs.csv", "needs.h5"])
+
     def test_a_scene_without_frames_needs_nothing(self):
         self.assertEqual(set(self.verdicts(self.write("still.json", fling(steps=0))).values()), {"not exercised"})
 
