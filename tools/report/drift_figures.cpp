@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "tools/files/failure.h"
-#include "tools/report/drift_plot.h"
+#include "tools/report/drift_frame.h"
 #include "tools/report/gnuplot.h"
 
 namespace hyrax {
@@ -83,15 +83,16 @@ std::string energy_figure_script(const DriftPicture& picture) {
   const int exponent = exponent_of(range);
   const double scale = std::pow(10.0, exponent);
   const std::string unit = exponent == 0 ? "px²/s²" : power_of_ten(exponent) + " px²/s²";
-  DriftPlot plot(picture, "Energy in flight: the run, and the exact solution from each arc's first state",
-                 "time, s", "specific energy, " + unit);
+  PlotFrame plot =
+      drift_frame(picture, "Energy in flight: the run, and the exact solution from each arc's first state",
+                  "time, s", "specific energy, " + unit);
   plot.add_block("energy", lines_of(picture, [scale](const RowErrors& row, const ArcErrors&) {
                    return fmt::format("{:.7g} {:.7g}", row.energy_px2_per_s2 / scale,
                                       run_energy(row) / scale);
                  }));
-  plot.explain_line("run", style::kBlue, 3, "solid");
+  plot.explain_line("run", style::kBlue, 3);
   plot.explain_line("exact", style::kInk, 1.5, "(5,4)");
-  plot.mark_arcs();
+  mark_arcs(plot, picture);
   if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
   if (range.low >= 0.0) plot.add("set yrange [0:*]\n");
   return plot.script(
@@ -101,15 +102,15 @@ std::string energy_figure_script(const DriftPicture& picture) {
 }
 
 std::string energy_drift_figure_script(const DriftPicture& picture) {
-  DriftPlot plot(picture, "Energy drift of each arc: the run minus the exact solution", "time, s",
-                 "drift, % of the arc's largest energy");
+  PlotFrame plot = drift_frame(picture, "Energy drift of each arc: the run minus the exact solution",
+                               "time, s", "drift, % of the arc's largest energy");
   plot.add_block("drift", lines_of(picture, [](const RowErrors& row, const ArcErrors& arc) {
                    if (!(arc.energy_largest_px2_per_s2 > 0.0)) return std::string("NaN");
                    return fmt::format("{:.5g}",
                                       100.0 * row.energy_drift_px2_per_s2 / arc.energy_largest_px2_per_s2);
                  }));
-  plot.explain_line("energy drift", style::kBlue, 2.5, "solid");
-  plot.mark_arcs();
+  plot.explain_line("energy drift", style::kBlue);
+  mark_arcs(plot, picture);
   plot.add(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 1.5 lc rgb '{}' back\n",
                        style::kInk));
   if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
@@ -117,18 +118,19 @@ std::string energy_drift_figure_script(const DriftPicture& picture) {
 }
 
 std::string errors_figure_script(const DriftPicture& picture) {
-  DriftPlot plot(picture,
-                 "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt (truncation), "
-                 "the step itself",
-                 "time, s", "distance, px (logarithmic)");
+  PlotFrame plot = drift_frame(
+      picture,
+      "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt (truncation), "
+      "the step itself",
+      "time, s", "distance, px (logarithmic)");
   plot.add_block("errors", lines_of(picture, [](const RowErrors& row, const ArcErrors&) {
                    return positive(row.implementation_px) + " " + positive(row.truncation_px) + " " +
                           positive(row.model_px);
                  }));
-  plot.explain_line("model", style::kOrange, 5, "solid");
-  plot.explain_line("truncation", style::kBlue, 2, "solid");
-  plot.explain_line("implementation", style::kGreen, 2, "solid");
-  plot.mark_arcs();
+  plot.explain_line("model", style::kOrange, 5);
+  plot.explain_line("truncation", style::kBlue, 2);
+  plot.explain_line("implementation", style::kGreen, 2);
+  mark_arcs(plot, picture);
   if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
   plot.add(decades(picture));
   return plot.script(
@@ -143,7 +145,7 @@ std::string restitution_figure_script(const DriftPicture& picture) {
   std::string subtitle = "Effective restitution: speed after the contact / speed at the true impact";
   if (spread.count() > 0)
     subtitle += fmt::format("; mean {:.3f}, spread {:.3f}", spread.mean(), spread.standard_deviation());
-  DriftPlot plot(picture, subtitle, "contact, in order", "effective restitution");
+  PlotFrame plot = drift_frame(picture, subtitle, "contact, in order", "effective restitution");
   std::array<std::string, 4> dots;
   Range range{0.6, 0.6};
   std::size_t count = 0;

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "sim/study/needs_tables.h"
-#include "tools/report/drift_plot.h"
 #include "tools/report/figure_style.h"
+#include "tools/report/plot_frame.h"
 
 namespace hyrax {
 namespace {

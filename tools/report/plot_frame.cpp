@@ -1,5 +1,8 @@
 #include "tools/report/plot_frame.h"
 
+#include <array>
+#include <cstdlib>
+
 #include <fmt/format.h>
 
 namespace hyrax {
@@ -10,6 +13,8 @@ constexpr double kRight = 28;
 constexpr double kTop = 118;
 constexpr double kBottom = 92;
 constexpr double kLegend = 26;  // From the lower edge.
+constexpr double kSign = 32;    // From a sign of the legend to its words.
+constexpr double kDot = 14;
 
 }  // namespace
 
@@ -34,6 +39,11 @@ PlotFrame::PlotFrame(std::string_view title, std::string_view subtitle, std::str
                   screen(canvas_, right, bottom + 40), style::kQuietInk));
 }
 
+void PlotFrame::note(std::string_view words) {
+  add(fmt::format("set label 3 {} at {} right tc rgb '{}'\n", quoted(words),
+                  screen(canvas_, canvas_.width - kRight, 34), style::kQuietInk));
+}
+
 void PlotFrame::add_block(std::string_view name, const std::string& lines) {
   add(fmt::format("${} << EOD\n{}EOD\n", name, lines.empty() ? "NaN NaN NaN NaN\n" : lines));
 }
@@ -54,27 +64,49 @@ void PlotFrame::mark(double x, std::string_view words) {
                   x, style::kInk));
 }
 
-void PlotFrame::explain_line(std::string_view words, std::string_view colour, double width) {
+void PlotFrame::explain_line(std::string_view words, std::string_view colour, double width,
+                             std::string_view dashes) {
   const double y = canvas_.height - kLegend;
-  add(fmt::format("set arrow from {} to {} nohead lw {} lc rgb '{}'\n", screen(canvas_, legend_x_, y),
-                  screen(canvas_, legend_x_ + 24, y), width, colour));
-  explain(words);
+  add(fmt::format("set arrow from {} to {} nohead lw {} dt {} lc rgb '{}'\n", screen(canvas_, legend_x_, y),
+                  screen(canvas_, legend_x_ + 24, y), width, dashes, colour));
+  explain(words, kSign);
 }
 
 void PlotFrame::explain_area(std::string_view words, std::string_view colour) {
   const double y = canvas_.height - kLegend;
-  add(fmt::format("set object {} rectangle from {} to {} fs solid 1 noborder fc rgb '{}'\n", next_object_++,
-                  screen(canvas_, legend_x_, y - 7), screen(canvas_, legend_x_ + 24, y + 7), colour));
-  explain(words);
+  add(fmt::format("set object {} rectangle from {} to {} fs solid 1 border lc rgb '{}' fc rgb '{}'\n",
+                  next_object_++, screen(canvas_, legend_x_, y - 7), screen(canvas_, legend_x_ + 24, y + 7),
+                  style::kHairline, colour));
+  explain(words, kSign);
 }
 
-void PlotFrame::explain(std::string_view words) {
-  constexpr double kSign = 32;
+void PlotFrame::explain_dot(std::string_view words, std::string_view colour) {
+  add(fmt::format("set label '' at {} point pt 7 ps 0.7 lc rgb '{}'\n",
+                  screen(canvas_, legend_x_ + 4, canvas_.height - kLegend), colour));
+  explain(words, kDot);
+}
+
+void PlotFrame::explain(std::string_view words, double sign_width) {
   constexpr double kLetter = 6.7;
   constexpr double kGap = 18;
   add(fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(words),
-                  screen(canvas_, legend_x_ + kSign, canvas_.height - kLegend), style::kQuietInk));
-  legend_x_ += kSign + kLetter * static_cast<double>(words.size()) + kGap;
+                  screen(canvas_, legend_x_ + sign_width, canvas_.height - kLegend), style::kQuietInk));
+  legend_x_ += sign_width + kLetter * static_cast<double>(words.size()) + kGap;
+}
+
+std::string PlotFrame::script_of_nothing(std::string_view why) const {
+  return commands_ + fmt::format(
+                         "unset xtics\nunset ytics\nunset logscale\nset yrange [0:1]\nset xrange [0:1]\n"
+                         "set label {} at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
+                         quoted(why), style::kQuietInk);
+}
+
+std::string power_of_ten(int exponent) {
+  constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kRaised[static_cast<std::size_t>(digit - '0')];
+  return text;
 }
 
 }  // namespace hyrax

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/drift_plot.h"
 #include "tools/report/figure_style.h"
+#include "tools/report/plot_frame.h"
 
 namespace hyrax {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "tools/report/drift_plot.h"
+#include "tools/report/plot_frame.h"
 
 namespace hyrax {
 namespace {
