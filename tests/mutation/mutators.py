@@ -7,9 +7,8 @@ import re
 from source_text import SourceText
 
 _OPERATORS = {
-    "+": ["-", "*"], "-": ["+", "/"], "*": ["/", "+"], "/": ["*", "-"], "%": ["/"],
-    "+=": ["-=", "="], "-=": ["+=", "="], "*=": ["/=", "="],
-    "^": ["|"], "<<": [">>"], ">>": ["<<"], "&&": ["||"], "||": ["&&"]}
+    "+": "-", "-": "+", "*": "/", "/": "*", "%": "/", "+=": "-=", "-=": "+=", "*=": "/=",
+    "^": "|", "<<": ">>", ">>": "<<", "&&": "||", "||": "&&"}
 _STEPS = {"++": "--", "--": "++"}
 _COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="], "==": ["!="], "!=": ["=="]}
 
@@ -97,8 +96,8 @@ class _Mutators:
         if token.text in _STEPS:
             self._replace("operator", index, _STEPS[token.text])
         elif self.source.is_between_blanks(index):
-            for replacement in _OPERATORS.get(token.text, []):
-                self._replace("operator", index, replacement)
+            if token.text in _OPERATORS:
+                self._replace("operator", index, _OPERATORS[token.text])
             for replacement in _COMPARISONS.get(token.text, []):
                 self._replace("comparison", index, replacement)
         elif token.text in "-!" and not text[token.end].isspace():
