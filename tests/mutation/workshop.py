@@ -40,12 +40,13 @@ class Workshop:
         self._linker = [f"-fuse-ld={name}" for name in quick[:1]]
 
     def prepare(self, units, changed):
-        """Precompiles all headers of the units that include none of the changed paths: parsing them is most of the work."""
+        """Precompiles the headers of the units, which is most of the work; but for those that hold what is changed."""
         changed = {f'"{path}"' for path in changed}
         for flags in {tuple(self._flags(unit)) for unit in units} - set(self._prepared):
             header = self.folder / f"prepared-{len(self._prepared)}" / "prepared.h"
             header.parent.mkdir(parents=True)
-            included = {name for unit in units if tuple(self._flags(unit)) == flags for name in self._reach(f'"{unit}"') - {f'"{unit}"'}}
+            own = {f'"{unit}"' for unit in units if tuple(self._flags(unit)) == flags}
+            included = set().union(*map(self._reach, own)) - own
             names = sorted(name for name in included if changed.isdisjoint(self._reach(name)))
             header.write_text("".join(f"#include {name}\n" for name in names), encoding="utf-8")
             _run([*flags, "-x", "c++-header", str(header), "-o", f"{header}.gch"], self.build)

@@ -44,7 +44,7 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
 
 bool has_golden_file(const GoldenPlace& place) {
   for (const std::string& path : {place.h5_path, place.txt_path})
-    if (is_there(path) && !is_folder(path) && !is_regular_file(path))
+    if (is_device_or_pipe(path))
       throw Failure(ExitCode::bad_input,
                     path + ": is a pipe or a device; a golden file must be a regular file");
   return is_there(place.h5_path);
