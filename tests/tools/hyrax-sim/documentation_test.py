@@ -1,0 +1,268 @@
+#!/usr/bin/python3
+"""The documentation agrees with the program: every README.md and CHANGELOG.md is read and tried out.
+
+    documentation_test.py             tests
+    documentation_test.py --update    rewrites printed outputs that differ from the program's
+
+HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE tells it how.
+
+What a README may print, by the first word behind the fence:
+
+    console   `$ COMMAND` lines, each followed by its exact output (stdout and stderr). The commands of a file run
+              in order, by bash, in one scratch folder that has scenarios/ and golden/. Behind the first word:
+              exit=N   exit code of the last command that fails (0 if left out)
+              core=N   `hyrax-sim` is the altered program, with core N
+              A line `<!-- varies: REGEX -->` above the block names what differs from run to run.
+    json      is valid; a scenario is valid, too, and its expectations hold. A name behind the first word is the
+              file's name in the scratch folder.
+    python    runs there without error, after the blocks above it.
+    sh, cmake, cpp, text   are not run.
+"""
+
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from program import PROGRAM, SOURCE
+
+README_WORDS_MAX = 1500
+DOCUMENTS = sorted(path for path in SOURCE.rglob("*.md")
+                   if not path.relative_to(SOURCE).parts[0].startswith(("build", ".git")))
+
+BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>.*) -->\n)?"
+                   r"^```(?P<info>[^\n`]+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+RUN = {"console", "json", "python"}
+NOT_RUN = {"sh", "cmake", "cpp", "text"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Block:
+    """A fenced block: what kind it is, its attributes, and the text between the fences."""
+
+    kind: str
+    words: tuple
+    body: str
+    varies: str
+
+    def attribute(self, name, default):
+        """The value of NAME=VALUE behind the fence."""
+        return next((word.partition("=")[2] for word in self.words if word.startswith(name + "=")), default)
+
+    @property
+    def commands(self):
+        """What stands behind `$ `."""
+        return [line[2:] for line in self.body.splitlines() if line.startswith("$ ")]
+
+    def comparable(self, text):
+        """The text without what differs from run to run."""
+        return re.sub(self.varies, "VARIES", text, flags=re.MULTILINE) if self.varies else text
+
+
+def block_of(match):
+    """The block of a match of BLOCK."""
+    kind, *words = match["info"].split()
+    return Block(kind, tuple(words), match["body"], match["varies"] or "")
+
+
+def blocks_of(document):
+    """All fenced blocks of a document."""
+    return [block_of(match) for match in BLOCK.finditer(document.read_text(encoding="utf-8"))]
+
+
+class Scratch:
+    """A folder with copies of scenarios/ and golden/, where commands do no harm."""
+
+    def __enter__(self):
+        self.top = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-documentation-"))
+        self.folder = self.top / "project"
+        for part in ("scenarios", "golden"):
+            shutil.copytree(SOURCE / part, self.folder / part)
+        (self.top / "bin").mkdir()
+        return self
+
+    def __exit__(self, *_):
+        shutil.rmtree(self.top)
+
+    def call(self, program, core=""):
+        """Makes `hyrax-sim` call that program; returns the environment for it."""
+        link = self.top / "bin/hyrax-sim"
+        link.unlink(missing_ok=True)
+        link.symlink_to(program)
+        return {**os.environ, "PATH": f"{link.parent}:{os.environ['PATH']}", "HYRAX_ALTERED_CORE": core or "none"}
+
+    def run(self, command, environment):
+        """Runs a command by bash; returns its exit code and its output."""
+        done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment, check=False, timeout=250,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done.returncode, done.stdout.decode()
+
+    def print_of(self, block):
+        """What the block should print, and its exit code."""
+        core = block.attribute("core", "")
+        environment = self.call(pathlib.Path(os.environ["HYRAX_ALTERED_SIM"]) if core else PROGRAM, core)
+        text, exit_code = "", 0
+        for command in block.commands:
+            code, output = self.run(command, environment)
+            exit_code = code or exit_code
+            text += f"$ {command}\n{output}"
+        return text, exit_code
+
+    def write(self, block):
+        """Writes a JSON block that has a name."""
+        for name in block.words:
+            (self.folder / name).write_text(block.body, encoding="utf-8")
+
+
+def anchors_of(document):
+    """Anchors of a document's headings, as GitHub makes them."""
+    text = re.sub(r"^```.*?^```$", "", document.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    titles = re.findall(r"^#+ +(.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def words_outside_blocks(document):
+    """A document's text without its fenced blocks."""
+    return BLOCK.sub("", document.read_text(encoding="utf-8"))
+
+
+class Documents(unittest.TestCase):
+    """Every document, one subtest each."""
+
+    maxDiff = None
+
+    def on_each(self, document):
+        """The context of a document's own failures."""
+        return self.subTest(document=str(document.relative_to(SOURCE)))
+
+    def test_every_block_has_a_known_kind(self):
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                fences = re.findall(r"^```", document.read_text(encoding="utf-8"), re.MULTILINE)
+                self.assertEqual(len(fences), 2 * len(blocks_of(document)), "a fence without a kind")
+                self.assertLessEqual({block.kind for block in blocks_of(document)}, RUN | NOT_RUN)
+
+    def test_every_block_prints_what_the_program_prints(self):
+        seen = 0
+        for document in DOCUMENTS:
+            with self.on_each(document), Scratch() as scratch:
+                for block in blocks_of(document):
+                    seen += block.kind == "console"
+                    self.try_out(scratch, block)
+        self.assertGreater(seen, 10, "the console blocks were not found")
+
+    def try_out(self, scratch, block):
+        """Runs one block."""
+        if block.kind == "json":
+            scratch.write(block)
+        elif block.kind == "python":
+            code, output = scratch.run(f"/usr/bin/python3 - << 'END'\n{block.body}END", scratch.call(PROGRAM))
+            self.assertEqual(code, 0, output)
+        elif block.kind == "console":
+            text, exit_code = scratch.print_of(block)
+            self.assertEqual(block.comparable(block.body), block.comparable(text))
+            self.assertEqual(exit_code, int(block.attribute("exit", "0")), text)
+
+    def test_every_scenario_is_valid_and_its_expectations_hold(self):
+        scenarios = 0
+        for document in DOCUMENTS:
+            for block in blocks_of(document):
+                if block.kind != "json" or json.loads(block.body).get("format") != "hyrax-scenario/1":
+                    continue
+                scenarios += 1
+                with self.on_each(document), Scratch() as scratch:
+                    (scratch.folder / "printed.json").write_text(block.body, encoding="utf-8")
+                    for command in ("hyrax-sim validate printed.json", "hyrax-sim run printed.json"):
+                        code, output = scratch.run(command, scratch.call(PROGRAM))
+                        self.assertEqual(code, 0, output)
+        self.assertGreater(scenarios, 1, "the scenarios were not found")
+
+    def test_every_command_of_the_task_table_works(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^\|[^|]*\| `(hyrax-sim [^`]*)` *\|", text, re.MULTILINE)
+        self.assertGreater(len(commands), 8, "README.md: the task table was not found")
+        with Scratch() as scratch:
+            for block in blocks_of(SOURCE / "README.md"):
+                if block.kind == "json":
+                    scratch.write(block)
+            for command in commands:
+                if command.startswith("hyrax-sim study"):
+                    command += " --quick --no-figures"
+                with self.subTest(command=command):
+                    code, output = scratch.run(command, scratch.call(PROGRAM))
+                    self.assertEqual(code, 0, output)
+
+    def test_every_link_leads_somewhere(self):
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                for target in re.findall(r"\]\(([^)\s]+)\)", words_outside_blocks(document)):
+                    if re.match(r"[a-z]+:", target):
+                        continue
+                    path, _, anchor = target.partition("#")
+                    file = (document.parent / path).resolve() if path else document
+                    self.assertTrue(file.exists(), f"no such file: {target}")
+                    if anchor:
+                        self.assertIn(anchor, anchors_of(file), f"no such heading: {target}")
+
+    def test_every_path_exists(self):
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                for path in re.findall(r"`((?:\.ci|sim|tools|tests|scenarios|golden)/[\w./-]*)`",
+                                       words_outside_blocks(document)):
+                    self.assertTrue((SOURCE / path).exists(), f"no such file in the project: {path}")
+
+    def test_every_preset_exists(self):
+        presets = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
+        names = {preset["name"] for preset in presets if not preset.get("hidden")}
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                self.assertLessEqual(set(re.findall(r"--preset ([a-z-]+)", document.read_text(encoding="utf-8"))), names)
+
+    def test_the_readme_links_to_every_other_one(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        for document in DOCUMENTS:
+            folder = document.parent.relative_to(SOURCE)
+            if document.name == "README.md" and folder.parts:
+                self.assertRegex(text, rf"\]\({folder}(/README\.md)?[)#]", f"README.md: no link to {folder}")
+
+    def test_the_readme_is_short(self):
+        words = len((SOURCE / "README.md").read_text(encoding="utf-8").split())
+        self.assertLessEqual(words, README_WORDS_MAX)
+
+
+def update(document):
+    """Puts the program's own output into the console blocks that print another one."""
+    text = document.read_text(encoding="utf-8")
+    with Scratch() as scratch:
+
+        def renewed(match):
+            block = block_of(match)
+            if block.kind == "json":
+                scratch.write(block)
+            if block.kind != "console":
+                return match[0]
+            output, exit_code = scratch.print_of(block)
+            if exit_code != int(block.attribute("exit", "0")):
+                print(f"{document.relative_to(SOURCE)}: exit code {exit_code} of: {'; '.join(block.commands)}")
+            if block.comparable(output) == block.comparable(block.body):
+                return match[0]
+            print(f"{document.relative_to(SOURCE)}: updated: {'; '.join(block.commands)}")
+            return match[0].replace(block.body, output, 1)
+
+        renewed_text = BLOCK.sub(renewed, text)
+    if renewed_text != text:
+        document.write_text(renewed_text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if "--update" in sys.argv:
+        for one in DOCUMENTS:
+            update(one)
+    else:
+        unittest.main()
