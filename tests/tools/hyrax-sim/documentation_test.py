@@ -9,7 +9,8 @@ HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED
 What a README may print, by the first word behind the fence:
 
     console   `$ COMMAND` lines, each followed by its exact output (stdout and stderr). The commands of a file run
-              in order, by bash, in one scratch folder that has scenarios/ and golden/. Behind the first word:
+              in order, by bash, in one scratch folder with copies of those folders of the project that COPIED names.
+              Behind the first word:
               exit=N   exit code of the last command that fails (0 if left out)
               core=N   `hyrax-sim` is the altered program, with core N
               A line `<!-- varies: REGEX -->` above the block names what differs from run to run.
@@ -33,10 +34,11 @@ import unittest
 from program import PROGRAM, SOURCE
 
 README_WORDS_MAX = 1500
+COPIED = ("scenarios", "golden", "tests/fuzz/found")
 DOCUMENTS = sorted(path for path in SOURCE.rglob("*.md")
                    if not path.relative_to(SOURCE).parts[0].startswith(("build", ".git")))
 
-BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>.*) -->\n)?"
+BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>[^\n]*) -->\n)?"
                    r"^```(?P<info>[^\n`]+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 RUN = {"console", "json", "python"}
 NOT_RUN = {"sh", "cmake", "cpp", "text"}
@@ -77,12 +79,12 @@ def blocks_of(document):
 
 
 class Scratch:
-    """A folder with copies of scenarios/ and golden/, where commands do no harm."""
+    """Copies of some of the project's folders, where commands do no harm."""
 
     def __enter__(self):
         self.top = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-documentation-"))
         self.folder = self.top / "project"
-        for part in ("scenarios", "golden"):
+        for part in COPIED:
             shutil.copytree(SOURCE / part, self.folder / part)
         (self.top / "bin").mkdir()
         return self
@@ -215,6 +217,8 @@ class Documents(unittest.TestCase):
             with self.on_each(document):
                 for path in re.findall(r"`((?:\.ci|sim|tools|tests|scenarios|golden)/[\w./-]*)`",
                                        words_outside_blocks(document)):
+                    if "FOLDER/" in path:
+                        continue
                     self.assertTrue((SOURCE / path).exists(), f"no such file in the project: {path}")
 
     def test_every_preset_exists(self):
