@@ -35,8 +35,8 @@ from program import PROGRAM, SOURCE
 
 README_WORDS_MAX = 1500
 COPIED = ("scenarios", "golden", "tests/fuzz/found")
-DOCUMENTS = sorted(path for path in SOURCE.rglob("*.md")
-                   if not path.relative_to(SOURCE).parts[0].startswith(("build", ".git")))
+FOLDERS = ("golden", "scenarios", "sim", "tests", "tools")
+DOCUMENTS = sorted([*SOURCE.glob("*.md"), *(path for folder in FOLDERS for path in (SOURCE / folder).rglob("*.md"))])
 
 BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>[^\n]*) -->\n)?"
                    r"^```(?P<info>[^\n`]+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -87,6 +87,7 @@ class Scratch:
         for part in COPIED:
             shutil.copytree(SOURCE / part, self.folder / part)
         (self.top / "bin").mkdir()
+        self.text = ""  # That the last console block printed.
         return self
 
     def __exit__(self, *_):
@@ -121,6 +122,19 @@ class Scratch:
         for name in block.words:
             (self.folder / name).write_text(block.body, encoding="utf-8")
 
+    def try_out(self, block):
+        """Runs a block, whatever its kind; returns what it promises and what comes: output and exit code."""
+        if block.kind == "json":
+            self.write(block)
+        if block.kind == "python":
+            code, output = self.run(f"/usr/bin/python3 - << 'END'\n{block.body}END", self.call(PROGRAM))
+            return ("", 0), (output if code else "", code)
+        if block.kind == "console":
+            self.text, code = self.print_of(block)
+            promised = (block.comparable(block.body), int(block.attribute("exit", "0")))
+            return promised, (block.comparable(self.text), code)
+        return None, None
+
 
 def anchors_of(document):
     """Anchors of a document's headings, as GitHub makes them."""
@@ -132,6 +146,17 @@ def anchors_of(document):
 def words_outside_blocks(document):
     """A document's text without its fenced blocks."""
     return BLOCK.sub("", document.read_text(encoding="utf-8"))
+
+
+def dead_links_of(document):
+    """Targets of links within the project that do not exist, or have no such heading."""
+    dead = []
+    for target in re.findall(r"\]\(([^)\s]+)\)", words_outside_blocks(document)):
+        path, _, anchor = target.partition("#")
+        file = (document.parent / path).resolve() if path else document
+        if not re.match(r"[a-z]+:", target) and (not file.exists() or anchor and anchor not in anchors_of(file)):
+            dead.append(target)
+    return dead
 
 
 class Documents(unittest.TestCase):
@@ -156,20 +181,8 @@ class Documents(unittest.TestCase):
             with self.on_each(document), Scratch() as scratch:
                 for block in blocks_of(document):
                     seen += block.kind == "console"
-                    self.try_out(scratch, block)
+                    self.assertEqual(*scratch.try_out(block))
         self.assertGreater(seen, 10, "the console blocks were not found")
-
-    def try_out(self, scratch, block):
-        """Runs one block."""
-        if block.kind == "json":
-            scratch.write(block)
-        elif block.kind == "python":
-            code, output = scratch.run(f"/usr/bin/python3 - << 'END'\n{block.body}END", scratch.call(PROGRAM))
-            self.assertEqual(code, 0, output)
-        elif block.kind == "console":
-            text, exit_code = scratch.print_of(block)
-            self.assertEqual(block.comparable(block.body), block.comparable(text))
-            self.assertEqual(exit_code, int(block.attribute("exit", "0")), text)
 
     def test_every_scenario_is_valid_and_its_expectations_hold(self):
         scenarios = 0
@@ -203,14 +216,7 @@ class Documents(unittest.TestCase):
     def test_every_link_leads_somewhere(self):
         for document in DOCUMENTS:
             with self.on_each(document):
-                for target in re.findall(r"\]\(([^)\s]+)\)", words_outside_blocks(document)):
-                    if re.match(r"[a-z]+:", target):
-                        continue
-                    path, _, anchor = target.partition("#")
-                    file = (document.parent / path).resolve() if path else document
-                    self.assertTrue(file.exists(), f"no such file: {target}")
-                    if anchor:
-                        self.assertIn(anchor, anchors_of(file), f"no such heading: {target}")
+                self.assertEqual(dead_links_of(document), [])
 
     def test_every_path_exists(self):
         for document in DOCUMENTS:
@@ -226,7 +232,8 @@ class Documents(unittest.TestCase):
         names = {preset["name"] for preset in presets if not preset.get("hidden")}
         for document in DOCUMENTS:
             with self.on_each(document):
-                self.assertLessEqual(set(re.findall(r"--preset ([a-z-]+)", document.read_text(encoding="utf-8"))), names)
+                used = re.findall(r"--preset ([a-z-]+)", document.read_text(encoding="utf-8"))
+                self.assertLessEqual(set(used), names)
 
     def test_the_readme_links_to_every_other_one(self):
         text = (SOURCE / "README.md").read_text(encoding="utf-8")
@@ -240,33 +247,56 @@ class Documents(unittest.TestCase):
         self.assertLessEqual(words, README_WORDS_MAX)
 
 
+class Controls(unittest.TestCase):
+    """A document that is wrong in every way is detected, and updated."""
+
+    WRONG = ("# A title\n[a](none.md) [b](#a-title) [c](#no-title)\n"
+             "```console\n$ echo yes; false\nno\n```\n"
+             "<!-- varies: \\d+ s -->\n```console\n$ echo 12 s\n7 s\n```\n"
+             "```python\nraise SystemExit(1)\n```\n")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="hyrax-documentation-")
+        self.addCleanup(folder.cleanup)
+        self.document = pathlib.Path(folder.name) / "README.md"
+        self.document.write_text(self.WRONG, encoding="utf-8")
+
+    def test_wrong_blocks_are_detected(self):
+        with Scratch() as scratch:
+            tried = [scratch.try_out(block) for block in blocks_of(self.document)]
+        self.assertEqual([promised == came for promised, came in tried], [False, True, False])
+
+    def test_dead_links_are_detected(self):
+        self.assertEqual(dead_links_of(self.document), ["none.md", "#no-title"])
+
+    def test_an_update_rewrites_only_what_differs(self):
+        update(self.document)
+        self.assertEqual(self.document.read_text(encoding="utf-8"), self.WRONG.replace("\nno\n", "\nyes\n"))
+
+
 def update(document):
-    """Puts the program's own output into the console blocks that print another one."""
-    text = document.read_text(encoding="utf-8")
+    """Replaces the output of each console block that differs from the program's; returns sentences about them."""
+    told = []
     with Scratch() as scratch:
 
         def renewed(match):
             block = block_of(match)
-            if block.kind == "json":
-                scratch.write(block)
-            if block.kind != "console":
+            promised, came = scratch.try_out(block)
+            if block.kind != "console" or promised == came:
                 return match[0]
-            output, exit_code = scratch.print_of(block)
-            if exit_code != int(block.attribute("exit", "0")):
-                print(f"{document.relative_to(SOURCE)}: exit code {exit_code} of: {'; '.join(block.commands)}")
-            if block.comparable(output) == block.comparable(block.body):
-                return match[0]
-            print(f"{document.relative_to(SOURCE)}: updated: {'; '.join(block.commands)}")
-            return match[0].replace(block.body, output, 1)
+            told.append(f"{document}: {'; '.join(block.commands)}: "
+                        + (f"exit code {came[1]}, expected {promised[1]}" if promised[1] != came[1] else "updated"))
+            return match[0].replace(block.body, scratch.text, 1)
 
-        renewed_text = BLOCK.sub(renewed, text)
-    if renewed_text != text:
-        document.write_text(renewed_text, encoding="utf-8")
+        text = BLOCK.sub(renewed, document.read_text(encoding="utf-8"))
+    document.write_text(text, encoding="utf-8")
+    return told
 
 
 if __name__ == "__main__":
     if "--update" in sys.argv:
         for one in DOCUMENTS:
-            update(one)
+            for sentence in update(one):
+                print(sentence)
     else:
         unittest.main()
