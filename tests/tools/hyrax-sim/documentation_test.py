@@ -17,7 +17,9 @@ What a README may print, by the first word behind the fence:
     json      is valid; a scenario is valid, too, and its expectations hold. A name behind the first word is the
               file's name in the scratch folder.
     python    runs there without error, after the blocks above it.
-    sh, cmake, cpp, text   are not run.
+    cmake, cpp   are lines of tests/outside_project, which builds and runs.
+    sh    is not run, but its scripts exist.
+    text  is not checked.
 """
 
 import dataclasses
@@ -109,7 +111,7 @@ class Scratch:
     def print_of(self, block):
         """What the block should print, and its exit code."""
         core = block.attribute("core", "")
-        environment = self.call(pathlib.Path(os.environ["HYRAX_ALTERED_SIM"]) if core else PROGRAM, core)
+        environment = self.call(pathlib.Path(os.environ["HYRAX_ALTERED_SIM"]).resolve() if core else PROGRAM, core)
         text, exit_code = "", 0
         for command in block.commands:
             code, output = self.run(command, environment)
@@ -226,6 +228,22 @@ class Documents(unittest.TestCase):
                     if "FOLDER/" in path:
                         continue
                     self.assertTrue((SOURCE / path).exists(), f"no such file in the project: {path}")
+
+    def test_every_script_exists(self):
+        for document in DOCUMENTS:
+            for block in blocks_of(document):
+                for script in re.findall(r"^((?:\.ci|tools|tests)/\S+)", block.body, re.MULTILINE):
+                    with self.on_each(document):
+                        self.assertTrue(block.kind != "sh" or os.access(SOURCE / script, os.X_OK), script)
+
+    def test_every_line_about_embedding_is_built_by_a_test(self):
+        built = {"cmake": "CMakeLists.txt", "cpp": "fling.cpp"}
+        for document in DOCUMENTS:
+            for block in blocks_of(document):
+                if block.kind in built:
+                    file = SOURCE / "tests/outside_project" / built[block.kind]
+                    with self.on_each(document):
+                        self.assertLessEqual(set(block.body.splitlines()), set(file.read_text("utf-8").splitlines()))
 
     def test_every_preset_exists(self):
         presets = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
