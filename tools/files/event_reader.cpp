@@ -84,6 +84,9 @@ void tell_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps)
   const JsonPlace when = event.member(has_step ? "step" : "at_s");
   if (fault == ScheduleFault::goes_backwards)
     when.breaks_rule("must not come before the event above it");
+  else if (fault == ScheduleFault::too_far)
+    when.breaks_rule("must fall on a frame up to " + std::to_string(kWalkedFrameMax) +
+                     " where the clock has jitter (give step instead)");
   else if (has_step)
     when.breaks_rule("must be below the number of steps, " + std::to_string(steps));
   else
