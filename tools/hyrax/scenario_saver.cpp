@@ -5,11 +5,11 @@
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/scenario_writer.h"
 
 namespace hyrax {
 
-ScenarioSaver::ScenarioSaver() : thread_([this] { work(); }) {}
+ScenarioSaver::ScenarioSaver(std::function<std::string(const Scenario&)> text_of)
+    : text_of_(std::move(text_of)), thread_([this] { work(); }) {}
 
 ScenarioSaver::~ScenarioSaver() {
   {
@@ -30,7 +30,7 @@ void ScenarioSaver::save(const std::string& path, Scenario scenario) {
 }
 
 void ScenarioSaver::write(const std::string& path, const Scenario& scenario) {
-  const std::string text = scenario_file_text(scenario);
+  const std::string text = text_of_(scenario);
   AtomicFile file(path);
   file.write(text);
   std::unique_lock lock(mutex_);

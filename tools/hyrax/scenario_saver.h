@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include <thread>
 
 #include "sim/scenario/scenario.h"
+#include "tools/files/scenario_writer.h"
 
 namespace hyrax {
 
@@ -18,7 +20,8 @@ namespace hyrax {
 /// crash and after a power cut. Only files that it made itself are replaced or removed.
 class ScenarioSaver {
  public:
-  ScenarioSaver();
+  /// @param text_of makes the text of a scenario; whatever it throws is a failure of that file alone.
+  explicit ScenarioSaver(std::function<std::string(const Scenario&)> text_of = scenario_file_text);
   ScenarioSaver(const ScenarioSaver&) = delete;
   ScenarioSaver& operator=(const ScenarioSaver&) = delete;
   /// Writes what is left.
@@ -45,6 +48,7 @@ class ScenarioSaver {
 
   void work();
 
+  std::function<std::string(const Scenario&)> text_of_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Job> jobs_;
