@@ -23,7 +23,7 @@ constexpr std::array<DriftColumn<ArcErrors>, 3> kReferenceArcColumns = {{
      [](Arc a) { return or_nan(a.gsl_vs_closed_px); }},
 }};
 
-constexpr std::array<DriftColumn<ArcErrors>, 9> kDriftArcColumns = {{
+constexpr std::array<DriftColumn<ArcErrors>, 11> kDriftArcColumns = {{
     {"duration", "s", "time from the first row to the last", [](Arc a) { return a.duration_s; }},
     {"implementation", "px", "largest distance from the discrete closed form",
      [](Arc a) { return a.implementation_px; }},
@@ -34,12 +34,18 @@ constexpr std::array<DriftColumn<ArcErrors>, 9> kDriftArcColumns = {{
      [](Arc a) { return a.implementation_px_per_s; }},
     {"truncation_speed", "px/s", "largest difference of velocity from the matched ODE",
      [](Arc a) { return a.truncation_px_per_s; }},
-    {"energy_drift_rel_max", "1", "largest energy drift / largest energy of the matched ODE",
-     [](Arc a) { return or_nan(a.energy_drift_rel_max); }},
-    {"energy_drift_rel_end", "1", "energy drift at the last row / largest energy, with its sign",
-     [](Arc a) { return or_nan(a.energy_drift_rel_end); }},
+    {"energy_drift_rel_max", "1",
+     "energy_drift_max / largest energy of the matched ODE, 1200 px2/s2 at least",
+     [](Arc a) { return a.energy_drift_rel_max; }},
+    {"energy_drift_rel_end", "1",
+     "energy_drift_end / largest energy of the matched ODE, 1200 px2/s2 at least",
+     [](Arc a) { return a.energy_drift_rel_end; }},
     {"energy_drift_slope", "1/s", "slope of a line fitted to the relative energy drift",
      [](Arc a) { return or_nan(a.energy_drift_slope_per_s); }},
+    {"energy_drift_max", "px2/s2", "largest energy drift in magnitude",
+     [](Arc a) { return a.energy_drift_max_px2_per_s2; }},
+    {"energy_drift_end", "px2/s2", "energy of the run minus the matched ODE's at the last row",
+     [](Arc a) { return a.energy_drift_end_px2_per_s2; }},
 }};
 
 using Impact = const ImpactErrors&;
@@ -48,8 +54,9 @@ constexpr std::array<DriftColumn<ImpactErrors>, 4> kImpactColumns = {{
      [](Impact c) { return or_nan(c.time_error_s); }},
     {"overshoot", "px", "how far past the wall the unclamped position was",
      [](Impact c) { return c.overshoot_px; }},
-    {"energy_jump_rel", "1", "energy change over the clamped step / largest energy of the arc",
-     [](Impact c) { return or_nan(c.energy_jump_rel); }},
+    {"energy_jump_rel", "1",
+     "energy change over the clamped step / largest energy of the arc, 1200 px2/s2 at least",
+     [](Impact c) { return c.energy_jump_rel; }},
     {"effective_restitution", "1", "normal speed after / normal speed at the true impact",
      [](Impact c) { return or_nan(c.effective_restitution); }},
 }};
