@@ -13,7 +13,7 @@ import subprocess
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 
 FOUND = SOURCE / "tests/fuzz/found"
 CRASH = FOUND / "golden/crash-in-heap-header.h5"
@@ -135,6 +135,24 @@ class HostileFile(ProgramTest):
                 copy.attrs[name] = value
             whole.visititems(lambda name, item: self.copy_compressed(copy, name, item))
         self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
+
+    def test_a_golden_file_that_describes_less_or_more(self):
+        """Without the descriptions that came later it agrees; what it says besides is a difference."""
+        self.golden.unlink()
+        self.write("scenarios/fling.json", fling(events=[{"step": 9, "hitch": {"dt_s": 0.5}}]))
+        self.bless("scenarios/fling.json")
+        with h5py.File(self.golden, "r+") as file:
+            for group, name in (("contacts", "wall"), ("events", "kind")):
+                del file[group][name].attrs["flag_meanings"], file[group][name].attrs["DIMENSION_LIST"]
+            del file["events/a"].attrs["units_by_kind"]
+        before = self.golden.read_bytes()
+        self.assertIn("its layout is another", self.expect(AGREED, "check").err)
+        self.bless("scenarios/fling.json")
+        self.assertEqual(self.golden.read_bytes(), before)
+        self.expect(AGREED, "check")
+        with h5py.File(self.golden, "r+") as file:
+            file["events/a"].attrs["units_by_kind"] = "m/s"
+        self.assertIn('/events/a@units_by_kind = "m/s", which bless does not write', self.expect(DISAGREED, "check").out)
 
     @staticmethod
     def copy_compressed(copy, name, item):

@@ -122,7 +122,7 @@ TEST_F(StoredRunFile, IsOpenedHoweverCostlyItsScenario) {
   for (int frame = 1; frame < 2'000'000; ++frame) trace += ",1";
   EXPECT_EQ(step_count(opened_with(some + R"("clock": {"dt_s": [)" + trace + "]}}")), 2'000'000);
   const Scenario jittered =
-      opened_with(some + R"("steps": 20000000, "events": [{"at_s": 19000000, "stop": {}}],
+      opened_with(some + R"("steps": 60000000, "events": [{"at_s": 59000000, "stop": {}}],
       "clock": {"dt_s": 1, "jitter": {"kind": "normal", "sigma_s": 0.1, "seed": 1}}})");
   EXPECT_EQ(jittered.events.size(), 1u);
 }
