@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <set>
 
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/drift_options.h"
 #include "tools/hyrax-sim/drift_report.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/written_run.h"
+#include "tools/store/output_guard.h"
 
 namespace hyrax {
 namespace {
@@ -24,8 +25,10 @@ struct DriftRequest {
 
 class Measurer {
  public:
-  explicit Measurer(const DriftRequest& request)
-      : request_(request), gsl_(gsl_options(request.reference, "hyrax-sim drift")) {}
+  Measurer(const DriftRequest& request, const std::vector<std::string>& paths)
+      : request_(request), gsl_(gsl_options(request.reference, "hyrax-sim drift")), guard_(paths) {
+    if (!request.output.empty()) guard_.admit("hyrax-sim drift: -o", request.output, {".h5"});
+  }
 
   ExitCode measure(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
@@ -36,38 +39,58 @@ class Measurer {
       }
     }
     if (request_.is_json)
-      fmt::print("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 4}));
+      print_text("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 4}));
     return exit_code_;
   }
 
  private:
   void measure_one(const std::string& path) {
     const DriftOptions options{.gsl = gsl_, .keeps_rows = !request_.figures.empty()};
-    DriftReport report{.run = request_.output.empty() ? measure_drift(load_rows(path), options)
-                                                      : measure_into_file(path, options),
-                       .has_rows_stored = request_.stores_rows};
+    DriftReport report{
+        .run = request_.output.empty() ? measure(load_rows(path), options) : measure_into_file(path, options),
+        .has_rows_stored = request_.stores_rows};
     report.step_ns = step_ns(report.run.scenario);
     report.half_dt = measure_half_dt(report.run.scenario);
     exit_code_ = more_serious(exit_code_, drift_exit_code(report.run.summary));
     tell(path, report);
-    if (!request_.figures.empty()) draw(path, report.run);
+    if (!request_.figures.empty()) draw(report.run);
   }
 
-  void draw(const std::string& path, const DriftRun& run) {
-    if (!drawn_.insert(run.scenario.name).second)
-      throw Failure(ExitCode::bad_input, path + ": --figures: another run of the name " + run.scenario.name +
-                                             " was drawn there; measure them apart");
+  // Before anything of this run is written.
+  void admit_figures(const std::string& name) {
+    if (request_.figures.empty()) return;
+    for (const std::string& file : drift_figure_paths(request_.figures, name))
+      guard_.admit("hyrax-sim drift: --figures", file);
+  }
+
+  // The run is measured and reported; that its figures are missing is added to its entry.
+  void draw(const DriftRun& run) try {
     const auto files = draw_drift_figures(
         request_.figures, {run.scenario, run.simulated_s, run.summary, run.arcs, run.contacts, run.rows});
     if (!request_.is_json)
-      for (const std::string& file : files) fmt::print(stderr, "drawn {}\n", file);
+      for (const std::string& file : files) print_error("drawn " + file);
+  } catch (const Failure& failure) {
+    exit_code_ = more_serious(exit_code_, failure.exit_code());
+    print_error(failure.what());
+    if (request_.is_json) {
+      Json::Object& entry = *entries_.back().get<Json::Object>();
+      entry.emplace_back("status", "failed");
+      entry.emplace_back("error", failure.what());
+    }
   }
 
-  [[nodiscard]] DriftRun measure_into_file(const std::string& path, const DriftOptions& options) const {
+  [[nodiscard]] DriftRun measure(const RunRows& rows, const DriftOptions& options) {
+    admit_figures(rows.scenario.name);
+    return measure_drift(rows, options);
+  }
+
+  [[nodiscard]] DriftRun measure_into_file(const std::string& path, const DriftOptions& options) {
     if (is_trajectory(path))
       throw Failure(ExitCode::bad_input,
                     path + ": -o plays a scenario into a file; name the scenario instead of its trajectory");
-    WrittenRun written = write_run(request_.output, load_scenario(path),
+    const Scenario scenario = load_scenario(path);
+    admit_figures(scenario.name);
+    WrittenRun written = write_run(request_.output, scenario,
                                    {.replay = {}, .drift = StoredDrift{options, request_.stores_rows}});
     return *std::move(written.drift);
   }
@@ -78,19 +101,19 @@ class Measurer {
       for (auto& member : drift_json(report)) entry.push_back(std::move(member));
       entries_.emplace_back(std::move(entry));
     } else {
-      fmt::print("{}", drift_text(report));
+      print_text("{}", drift_text(report));
     }
   }
 
   void report_failure(const std::string& path, const Failure& failure) {
     exit_code_ = more_serious(exit_code_, failure.exit_code());
-    fmt::print(stderr, "{}\n", failure.what());
+    print_error(failure.what());
     entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
   }
 
   const DriftRequest& request_;
   std::optional<GslOptions> gsl_;
-  std::set<std::string> drawn_;
+  OutputGuard guard_;
   Json::Array entries_;
   ExitCode exit_code_ = ExitCode::agreed;
 };
@@ -105,7 +128,7 @@ ExitCode drift(const DriftRequest& request) {
                   fmt::format("hyrax-sim drift: -o writes one run, {} are given; `hyrax-sim "
                               "run --drift -o DIR` writes several",
                               paths.size()));
-  return Measurer(request).measure(paths);
+  return Measurer(request, paths).measure(paths);
 }
 
 }  // namespace
