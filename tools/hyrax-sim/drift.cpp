@@ -10,6 +10,7 @@
 #include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/written_run.h"
 #include "tools/store/output_guard.h"
+#include "tools/store/trajectory_file.h"
 
 namespace hyrax {
 namespace {
@@ -25,10 +26,8 @@ struct DriftRequest {
 
 class Measurer {
  public:
-  Measurer(const DriftRequest& request, const std::vector<std::string>& paths)
-      : request_(request), gsl_(gsl_options(request.reference, "hyrax-sim drift")), guard_(paths) {
-    if (!request.output.empty()) guard_.admit("hyrax-sim drift: -o", request.output, {".h5"});
-  }
+  explicit Measurer(const DriftRequest& request)
+      : request_(request), gsl_(gsl_options(request.reference, "hyrax-sim drift")) {}
 
   ExitCode measure(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
@@ -46,21 +45,14 @@ class Measurer {
  private:
   void measure_one(const std::string& path) {
     const DriftOptions options{.gsl = gsl_, .keeps_rows = !request_.figures.empty()};
-    DriftReport report{
-        .run = request_.output.empty() ? measure(load_rows(path), options) : measure_into_file(path, options),
-        .has_rows_stored = request_.stores_rows};
+    DriftReport report{.run = request_.output.empty() ? measure_drift(load_rows(path), options)
+                                                      : measure_into_file(path, options),
+                       .has_rows_stored = request_.stores_rows};
     report.step_ns = step_ns(report.run.scenario);
     report.half_dt = measure_half_dt(report.run.scenario);
     exit_code_ = more_serious(exit_code_, drift_exit_code(report.run.summary));
     tell(path, report);
     if (!request_.figures.empty()) draw(report.run);
-  }
-
-  // Before anything of this run is written.
-  void admit_figures(const std::string& name) {
-    if (request_.figures.empty()) return;
-    for (const std::string& file : drift_figure_paths(request_.figures, name))
-      guard_.admit("hyrax-sim drift: --figures", file);
   }
 
   // The run is measured and reported; that its figures are missing is added to its entry.
@@ -79,18 +71,11 @@ class Measurer {
     }
   }
 
-  [[nodiscard]] DriftRun measure(const RunRows& rows, const DriftOptions& options) {
-    admit_figures(rows.scenario.name);
-    return measure_drift(rows, options);
-  }
-
-  [[nodiscard]] DriftRun measure_into_file(const std::string& path, const DriftOptions& options) {
+  [[nodiscard]] DriftRun measure_into_file(const std::string& path, const DriftOptions& options) const {
     if (is_trajectory(path))
       throw Failure(ExitCode::bad_input,
                     path + ": -o plays a scenario into a file; name the scenario instead of its trajectory");
-    const Scenario scenario = load_scenario(path);
-    admit_figures(scenario.name);
-    WrittenRun written = write_run(request_.output, scenario,
+    WrittenRun written = write_run(request_.output, load_scenario(path),
                                    {.replay = {}, .drift = StoredDrift{options, request_.stores_rows}});
     return *std::move(written.drift);
   }
@@ -113,10 +98,26 @@ class Measurer {
 
   const DriftRequest& request_;
   std::optional<GslOptions> gsl_;
-  OutputGuard guard_;
   Json::Array entries_;
   ExitCode exit_code_ = ExitCode::agreed;
 };
+
+// Nothing where it cannot be read, which is reported when it is measured.
+std::optional<std::string> name_in(const std::string& path) try {
+  return is_trajectory(path) ? TrajectoryFile::open(path).head().scenario.name : load_scenario(path).name;
+} catch (const Failure&) {
+  return std::nullopt;
+}
+
+void admit_outputs(const DriftRequest& request, const std::vector<std::string>& paths) {
+  OutputGuard guard(paths);
+  if (!request.output.empty()) guard.admit("hyrax-sim drift: -o", request.output, {".h5"});
+  if (request.figures.empty()) return;
+  for (const std::string& path : paths)
+    if (const auto name = name_in(path))
+      for (const std::string& figure : drift_figure_paths(request.figures, *name))
+        guard.admit("hyrax-sim drift: --figures of " + path, figure);
+}
 
 ExitCode drift(const DriftRequest& request) {
   const std::vector<std::string> paths = list_scenarios(request.files);
@@ -128,7 +129,9 @@ ExitCode drift(const DriftRequest& request) {
                   fmt::format("hyrax-sim drift: -o writes one run, {} are given; `hyrax-sim "
                               "run --drift -o DIR` writes several",
                               paths.size()));
-  return Measurer(request, paths).measure(paths);
+  Measurer measurer(request);
+  admit_outputs(request, paths);
+  return measurer.measure(paths);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ ExitCode study(const StudyArguments& arguments) {
   const StudyKind& kind = find_study(studies(), arguments.words.front());
   const StudyRequest request = study_request(kind, arguments);
   std::vector<std::string> inputs = list_scenarios(request.scenarios);
-  inputs.push_back(request.expect_file);
+  if (!request.expect_file.empty()) inputs.push_back(request.expect_file);
   OutputGuard guard(inputs);
   for (const char* const end : {".h5", ".csv"})
     guard.admit("hyrax-sim study: -o", stem_of(kind, arguments) + end);

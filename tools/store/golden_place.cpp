@@ -40,7 +40,8 @@ ScenarioPlace scenario_place(const std::string& scenario_path) {
   ScenarioPlace place{.path = without_dots(scenario_path), .scenarios = {}};
   place.scenarios = nearest_scenarios_folder(place.path);
   if (!place.scenarios.empty() || place.path.is_absolute()) return place;
-  place.path = without_dots(fs::absolute(scenario_path));
+  std::error_code unknown;  // Of the empty path.
+  place.path = without_dots(fs::absolute(scenario_path, unknown));
   place.scenarios = nearest_scenarios_folder(place.path);
   return place;
 }

@@ -35,6 +35,10 @@ bool holds_scenario(const std::string& path) {
   }
 }
 
+bool is_beside_scenarios(const fs::path& folder) {
+  return folder.filename() == "golden" && is_folder((folder.parent_path() / "scenarios").string());
+}
+
 void require_suffix(const std::string& option, const std::string& path,
                     const std::vector<std::string>& suffixes) {
   std::string allowed;
@@ -48,7 +52,7 @@ void require_suffix(const std::string& option, const std::string& path,
 
 }  // namespace
 
-// A path as the system walks it, link by link.
+// Where a path leads, and whether it or a link on the way is in a folder of that kind.
 struct OutputGuard::Route {
   std::string end;  // The file's absolute path, without links and dots; it need not exist.
   bool is_in_golden = false;
@@ -60,21 +64,25 @@ OutputGuard::Route OutputGuard::route_to(const std::string& path) const {
   std::error_code unknown;
   const fs::path start = fs::absolute(path);
   std::deque<fs::path> ahead(start.begin(), start.end());
+  std::set<std::string> golden_folders = golden_folders_;
   fs::path here;
   Route route;
+  const auto look_around = [&] {
+    for (fs::path folder = here; folder.has_relative_path(); folder = folder.parent_path()) {
+      if (is_beside_scenarios(folder) || golden_folders.count(folder.string()) > 0) route.is_in_golden = true;
+      if (folder.filename() == "scenarios") route.is_in_scenarios = true;
+    }
+  };
   for (int links = 0; !ahead.empty();) {
     const fs::path part = ahead.front();
     ahead.pop_front();
+    const fs::path next = here / part;
     if (part.empty() || part == ".") continue;
     if (part == "..") {
       here = here.parent_path();
-      continue;
-    }
-    const fs::path next = here / part;
-    const bool is_beside_scenarios = part == "golden" && is_folder((here / "scenarios").string());
-    if (is_beside_scenarios || golden_folders_.count(next.string()) > 0) route.is_in_golden = true;
-    if (part == "scenarios") route.is_in_scenarios = true;
-    if (fs::is_symlink(next, unknown) && ++links <= kLinksMax) {
+    } else if (fs::is_symlink(next, unknown) && ++links <= kLinksMax) {
+      look_around();
+      if (is_beside_scenarios(next)) golden_folders.insert(fs::weakly_canonical(next, unknown).string());
       const fs::path target = fs::read_symlink(next, unknown);
       if (target.is_absolute()) here.clear();
       ahead.insert(ahead.begin(), target.begin(), target.end());
@@ -82,6 +90,7 @@ OutputGuard::Route OutputGuard::route_to(const std::string& path) const {
       here = next;
     }
   }
+  look_around();
   route.end = here.string();
   return route;
 }

@@ -192,7 +192,8 @@ class Terminal(ProgramTest):
             self.expect(AGREED, "check", "--golden", "my golden", "--", path)
 
     def test_the_suggested_diff_works_when_pasted(self):
-        path, = self.project("it's")
+        path = self.write("scenarios/it's.json", fling(name="it-s"))
+        self.bless(path)
         self.write(path, fling(name="it-s", start={"x_px": 1, "y_px": 2}))
         for output in ("a b.h5", "a b.csv"):
             text = self.expect(DISAGREED, "run", path, "-o", output).out
@@ -207,7 +208,7 @@ class Streams(ProgramTest):
 
     def setUp(self):
         super().setUp()
-        for number in range(60):
+        for number in range(40):
             name = f"a-name-that-takes-its-room-in-every-line-{number}"
             self.write(f"scenarios/{name}.json", fling(name=name, steps=40))
         self.write("bad.json", "{")

@@ -51,7 +51,8 @@ class Folders(ProgramTest):
             self.assertEqual(self.listed(CANNOT_ACCESS, says=f"scenarios/{name}: cannot be read"),
                              ["scenarios/a/one.json", f"scenarios/{name}"])
             for command in (("run",), ("check",), ("drift",)):
-                self.expect(CANNOT_ACCESS, *command, "scenarios", says=f"scenarios/{name}")
+                outcome = self.expect(CANNOT_ACCESS, *command, "scenarios", *(("-o", "out/") if command == ("run",) else ()))
+                self.assertIn(f"scenarios/{name}: cannot be read", outcome.out + outcome.err)
             (self.folder / f"scenarios/{name}").unlink()
 
     def test_a_dangling_link_that_is_no_scenario_is_none(self):
@@ -97,7 +98,7 @@ class Golden(ProgramTest):
         self.expect(AGREED, "check", "scenarios")
 
     def test_an_empty_folder_is_bad_input(self):
-        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: no scenario (*.json)")
+        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: holds no scenario (*.json)")
 
 
 if __name__ == "__main__":

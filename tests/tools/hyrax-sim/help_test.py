@@ -74,7 +74,7 @@ class Usage(CommandTest):
         self.assertEqual(self.names(), [])
 
     def test_an_unknown_command_is_refused(self):
-        self.refuse("chekc", says=("'chekc'", "--help"))
+        self.refuse("chekc", says=("unknown command (found chekc)", "--help"))
 
     def test_an_unknown_option_is_refused(self):
         for command in self.commands():

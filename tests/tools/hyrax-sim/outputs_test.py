@@ -99,7 +99,8 @@ class Guarded(ProgramTest):
 
     def test_study_files(self):
         for suffix in (".h5", ".csv", ".svg"):
-            path = self.write(f"study{suffix}/needs{suffix}", fling())
+            name = "needs-fling.svg" if suffix == ".svg" else f"needs{suffix}"
+            path = self.write(f"study{suffix}/{name}", fling())
             self.assert_refused("study", "needs", path, "--quick", "-o", f"study{suffix}", says="an input")
             self.assert_refused("study", "needs", "scenarios", "--quick", "-o", f"study{suffix}", says="a scenario")
         self.write("out/paper.csv", {"format": "hyrax-verdicts/1", "verdicts": {}})
@@ -114,6 +115,20 @@ class Guarded(ProgramTest):
         self.write("one.json", fling(name="one"))
         self.write("two.json", fling(name="two"))
         self.assert_refused("run", "one.json", "two.json", "-o", "sub", says="another output of this command")
+
+    def test_a_golden_folder_that_is_a_link(self):
+        os.rename(self.folder / "golden", self.folder / "kept")
+        os.symlink("kept", self.folder / "golden")
+        os.symlink("golden", self.folder / "again")
+        for output in ("golden/new.h5", "kept/new.h5", "again/new.h5"):
+            self.assert_refused("run", "scenarios/fling.json", "-o", output, says="golden")
+        self.write("fling.json", fling())
+        for output in ("golden/new.h5", "again/new.h5"):
+            self.assert_refused("run", "fling.json", "-o", output, says="golden")
+
+    def test_a_golden_file_that_is_a_link(self):
+        os.symlink("../sub/far.h5", self.folder / "golden/far.h5")
+        self.assert_refused("run", "scenarios/fling.json", "-o", "golden/far.h5", says="golden")
 
     def test_what_is_none_of_these_is_written(self):
         self.write("golden-old/note.txt", "")
