@@ -83,7 +83,9 @@ void Options::whole(std::optional<std::int64_t>& into, const OptionText& text, s
 }
 
 void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& words) {
-  add(text, Kind::once, [&into, names = text.names, words](const std::string& value) {
+  OptionText shown = text;
+  if (text.value.find('|') == std::string::npos) shown.help += fmt::format(":\n{}", fmt::join(words, ", "));
+  add(shown, Kind::once, [&into, names = text.names, words](const std::string& value) {
     if (std::find(words.begin(), words.end(), value) == words.end())
       refuse(fmt::format("{}: unknown value (found {}); allowed: {}", names, value, fmt::join(words, ", ")));
     into = value;
@@ -140,6 +142,8 @@ void Options::take_files(std::vector<std::string> files) const {
     refuse(fmt::format("{}: at least {} needed (found {})", files_text_.names, least_, count));
   if (most_ >= 0 && count > most_)
     refuse(fmt::format("{}: at most {} allowed (found {})", files_text_.names, most_, count));
+  if (std::find(files.begin(), files.end(), "") != files.end())
+    refuse(files_text_.names + ": must not be empty");
   if (files_ != nullptr) *files_ = std::move(files);
 }
 

@@ -193,33 +193,32 @@ ExitCode run(const RunRequest& request) {
 }  // namespace
 
 Command run_command() {
-  return {
-      .name = "run",
-      .summary = "replay scenarios, write their trajectories and compare them with golden files",
-      .example =
-          "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
-          "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 -o at-144-hz.h5",
-      .is_common = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<RunRequest>();
-        options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
-        options.text(request->output, {"-o,--output", "FILE or DIR",
-                                       "where the trajectory goes: FILE.h5, FILE.csv or a folder; NAME.h5 "
-                                       "in this folder if left out"});
-        options.texts(request->overrides,
-                      {"--set", "POINTER=VALUE", "replaces a value of the file, by JSON Pointer"});
-        options.text(request->figure,
-                     {"--figure", "FILE.svg", "draws window, path and contacts to scale (needs gnuplot)"});
-        options.text(request->golden_folder,
-                     {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
-        options.flag(request->measures_drift,
-                     {"--drift", "", "measure it against the reference, as the command `drift` does"});
-        options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
-        declare_reference(options, request->reference);
-        options.flag(request->computes_all, {"--no-skip", "", "compute steps that repeat exactly, too"});
-        options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
-        return [request] { return run(*request); };
-      }};
+  return {.name = "run",
+          .summary = "replay scenarios, write their trajectories and compare them with golden files",
+          .example =
+              "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
+              "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 -o at-144-hz.h5",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<RunRequest>();
+            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
+            options.text(request->output, {"-o,--output", "FILE or DIR",
+                                           "FILE.h5, FILE.csv or a folder; NAME.h5 "
+                                           "in this folder if left out"});
+            options.texts(request->overrides,
+                          {"--set", "POINTER=VALUE", "replaces a value of the file, by JSON Pointer"});
+            options.text(request->figure, {"--figure", "FILE.svg",
+                                           "draws window, path and contacts to scale (needs gnuplot)"});
+            options.text(request->golden_folder,
+                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
+            options.flag(request->measures_drift,
+                         {"--drift", "", "measure it against the reference, as the command `drift` does"});
+            options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
+            declare_reference(options, request->reference);
+            options.flag(request->computes_all, {"--no-skip", "", "compute steps that repeat exactly, too"});
+            options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
+            return [request] { return run(*request); };
+          }};
 }
 
 }  // namespace hyrax

@@ -1,6 +1,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/print.h"
 
@@ -17,7 +18,8 @@ ExitCode validate(const ValidateRequest& request) {
   Json::Array results;
   for (const std::string& path : list_scenarios(request.files)) {
     try {
-      const Scenario scenario = load_scenario(path);
+      const Scenario scenario =
+          path == "-" ? parse_scenario(read_text_file("/dev/stdin"), path) : load_scenario(path);
       if (!request.is_json) print_text("{}: good, {} steps\n", path, step_count(scenario));
       results.push_back(Json::Object{{"scenario", path}, {"status", "good"}});
     } catch (const Failure& failure) {
@@ -39,7 +41,7 @@ Command validate_command() {
           .example = "hyrax-sim validate scenarios",
           .declare = [](Options& options) {
             const auto request = std::make_shared<ValidateRequest>();
-            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
+            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them; - is standard input"}, 1, -1);
             options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
             return [request] { return validate(*request); };
           }};

@@ -56,6 +56,7 @@ class Literal(ProgramTest):
         self.write("fling.json", fling())
         for arguments in (("--output=", "fling.json"), ("-o", "", "fling.json"), ("fling.json", "--set=")):
             self.expect(BAD_INPUT, "run", *arguments, says="must not be empty")
+        self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
         self.assertEqual(self.names(), ["fling.json"])
 
     def test_an_option_given_twice_is_refused(self):
