@@ -2,7 +2,7 @@
 # Functions shared by tools/run, tools/test and .ci/run: packages, configuring, building. Sourced, not run.
 # All messages go to stderr, so that stdout contains only the results of the program.
 
-packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev libcli11-dev
+packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
   libfmt-dev libxxhash-dev nlohmann-json3-dev)
 packages_to_draw=(gnuplot-nox)
 packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf

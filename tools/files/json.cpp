@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
@@ -264,19 +265,6 @@ std::string to_text(double value) {
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
   return std::string(text, end);
-}
-
-std::string printable(std::string_view text) {
-  std::string shown;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    constexpr char kDigits[] = "0123456789abcdef";
-    if (code < 0x20 || code == 0x7f)
-      shown.append("\\u00").append({kDigits[code >> 4], kDigits[code & 15u]});
-    else
-      shown += c;
-  }
-  return shown;
 }
 
 std::string pointer_to(const std::string& pointer, std::string_view token) {

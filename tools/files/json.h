@@ -74,10 +74,6 @@ struct JsonLayout {
 /// Shortest decimal text that reads back to the same double.
 [[nodiscard]] std::string to_text(double value);
 
-/// The text with control characters as in JSON, so that a sentence that quotes it stays one line and
-/// does nothing to a terminal.
-[[nodiscard]] std::string printable(std::string_view text);
-
 /// A JSON Pointer (RFC 6901) with one reference token more.
 [[nodiscard]] std::string pointer_to(const std::string& pointer, std::string_view token);
 

@@ -11,18 +11,54 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> scenarios_in(const std::string& folder) {
+constexpr std::size_t kEntriesMax = 1'000'000;
+
+// Collects the scenarios below a folder, links to folders followed.
+class Walk {
+ public:
   std::vector<std::string> paths;
-  try {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-      if (entry.path().extension() == ".json" && entry.is_regular_file())
-        paths.push_back(entry.path().generic_string());
-  } catch (const fs::filesystem_error& error) {
-    throw Failure(ExitCode::cannot_access, folder + ": cannot be read: " + error.code().message());
+
+  void enter(const fs::path& folder) {
+    std::error_code error;
+    const fs::path real = fs::canonical(folder, error);
+    // A link to a folder above it leads to nothing new.
+    if (std::find(above_.begin(), above_.end(), real) != above_.end()) return;
+    above_.push_back(real);
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+      see(entry->path());
+    if (error)
+      throw Failure(ExitCode::cannot_access, folder.string() + ": cannot be read: " + error.message());
+    above_.pop_back();
   }
-  if (paths.empty()) throw Failure(ExitCode::bad_input, folder + ": holds no scenario (*.json)");
-  std::sort(paths.begin(), paths.end());
-  return paths;
+
+ private:
+  void see(const fs::path& path) {
+    if (++entries_ > kEntriesMax)
+      throw Failure(ExitCode::bad_input, path.string() + ": more than " + std::to_string(kEntriesMax) +
+                                             " files; name the folders one by one");
+    std::error_code unknown;
+    const fs::file_status status = fs::status(path, unknown);
+    const bool is_named_scenario = path.extension() == ".json";
+    if (fs::is_directory(status)) return enter(path);
+    // Reading a link that leads nowhere says so; without a suffix it may have been a folder of scenarios.
+    const bool is_broken_link = !fs::exists(status) && (is_named_scenario || !path.has_extension());
+    if (is_broken_link || (is_named_scenario && fs::is_regular_file(status)))
+      paths.push_back(path.generic_string());
+    else if (is_named_scenario)
+      throw Failure(ExitCode::cannot_access, path.string() + ": cannot be read: is a pipe or a device");
+  }
+
+  std::vector<fs::path> above_;
+  std::size_t entries_ = 0;
+};
+
+std::vector<std::string> scenarios_in(const std::string& folder) {
+  Walk walk;
+  walk.enter(folder);
+  if (walk.paths.empty())
+    throw Failure(ExitCode::bad_input, folder + ": holds no scenario (*.json)");
+  std::sort(walk.paths.begin(), walk.paths.end());
+  return std::move(walk.paths);
 }
 
 }  // namespace

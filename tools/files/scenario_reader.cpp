@@ -8,6 +8,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/file_name.h"
 #include "tools/files/json_reader.h"
+#include "tools/files/printable.h"
 #include "tools/files/quantity_reader.h"
 #include "tools/files/text_file.h"
 

@@ -1,5 +1,5 @@
 // hyrax-replay: the state hash of scenarios, without HDF5 and GSL, so that it builds for every target.
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/standard_streams.h"
 
 namespace hyrax {
 namespace {
@@ -26,14 +27,14 @@ constexpr char kHelp[] =
 
 ExitCode judge(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   if (summary.non_finite_step) {
-    std::fprintf(stderr, "%s: the state is not finite from step %lld on\n", path.c_str(),
-                 static_cast<long long>(*summary.non_finite_step));
+    print_error(path + ": the state is not finite from step " + std::to_string(*summary.non_finite_step) +
+                " on");
     return ExitCode::disagreed;
   }
   const std::string hash = hex(summary.state_hash);
   if (scenario.expect && scenario.expect->state_hash && *scenario.expect->state_hash != hash) {
-    std::fprintf(stderr, "%s: /expect/state_hash: is %s, but the run comes to %s\n", path.c_str(),
-                 scenario.expect->state_hash->c_str(), hash.c_str());
+    print_error(path + ": /expect/state_hash: is " + *scenario.expect->state_hash +
+                ", but the run comes to " + hash);
     return ExitCode::disagreed;
   }
   return ExitCode::agreed;
@@ -43,17 +44,19 @@ ExitCode replay_file(const std::string& path) try {
   const Scenario scenario = load_scenario(path);
   RowSink nobody;  // The hash covers every row without showing one.
   const RunSummary summary = replay(scenario, nobody);
-  std::printf("%s  %s\n", hex(summary.state_hash).c_str(), path.c_str());
+  print_text(hex(summary.state_hash) + "  " + path + "\n");
   return judge(path, scenario, summary);
 } catch (const Failure& failure) {
-  std::fprintf(stderr, "%s\n", failure.what());
+  print_error(failure.what());
   return failure.exit_code();
 }
 
 void print_version() {
   const BuildInfo info = build_info();
   const auto print = [](const char* name, std::string_view value) {
-    std::printf("%-15s %.*s\n", name, static_cast<int>(value.size()), value.data());
+    std::string line(name);
+    line.resize(std::max<std::size_t>(line.size(), 15), ' ');
+    print_text(line.append(" ").append(value).append("\n"));
   };
   print("version", info.version);
   print("compiler", info.compiler);
@@ -65,7 +68,7 @@ void print_version() {
 ExitCode run(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
     if (argument == "--help" || argument == "--version") {
-      argument == "--help" ? static_cast<void>(std::fputs(kHelp, stdout)) : print_version();
+      argument == "--help" ? print_text(kHelp) : print_version();
       return ExitCode::agreed;
     }
     if (argument.starts_with('-'))
@@ -94,13 +97,13 @@ int main(int argument_count, char** arguments) {
     exit_code =
         run(std::vector<std::string>(arguments + (argument_count > 0 ? 1 : 0), arguments + argument_count));
   } catch (const Failure& failure) {
-    std::fprintf(stderr, "%s\n", failure.what());
+    print_error(failure.what());
     exit_code = failure.exit_code();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "hyrax-replay: a fault of the program itself: %s\n", error.what());
+    print_error(std::string("hyrax-replay: internal error: ") + error.what());
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    std::fputs("hyrax-replay: standard output cannot be written\n", stderr);
+  if (!is_all_printed()) {
+    print_error("hyrax-replay: standard output cannot be written");
     exit_code = more_serious(exit_code, ExitCode::cannot_access);
   }
   return static_cast<int>(exit_code);

@@ -11,12 +11,14 @@
 #include "tools/hyrax-sim/drift_run.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/margin_text.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/run_expectations.h"
 #include "tools/hyrax-sim/run_report.h"
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_place.h"
 #include "tools/store/golden_seal.h"
+#include "tools/store/output_guard.h"
 
 namespace hyrax {
 namespace {
@@ -41,7 +43,7 @@ GoldenPlace place_of(const std::string& path, const std::string& golden_folder) 
 // Says what the blessing changes; returns whether it changes anything.
 bool show_changes(const std::string& path, const GoldenPlace& place, const Scenario& scenario) {
   if (!has_golden_file(place) || !is_there(place.txt_path)) {
-    fmt::print("{}: new golden file\n", path);
+    print_text("{}: new golden file\n", path);
     return true;
   }
   try {
@@ -49,10 +51,10 @@ bool show_changes(const std::string& path, const GoldenPlace& place, const Scena
     const Comparison comparison = compare_with(kept, scenario).comparison;
     const bool is_digest_true = read_digest_hash(place.txt_path) == kept.state_hash;
     if (comparison.agrees && is_digest_true) return false;
-    fmt::print("{}: changes {}\n{}", path, comparison.agrees ? place.txt_path : place.h5_path,
+    print_text("{}: changes {}\n{}", path, comparison.agrees ? place.txt_path : place.h5_path,
                difference_text(comparison));
   } catch (const Failure& failure) {
-    fmt::print("{}: replaces a golden file that cannot be read ({})\n", path, failure.what());
+    print_text("{}: replaces a golden file that cannot be read ({})\n", path, failure.what());
   }
   return true;
 }
@@ -92,12 +94,12 @@ void renew_digest(const std::string& path, const GoldenPlace& place, const Fresh
                   const std::string& reason) {
   const std::string kept = read_text_file(place.txt_path);
   if (kept == digest_of(fresh, place.h5_path, digest_reason(kept))) {
-    fmt::print("{}: agrees with {} already; nothing written\n", path, place.h5_path);
+    print_text("{}: agrees with {} already; nothing written\n", path, place.h5_path);
     return;
   }
   refuse_unexpected(path, fresh);
   write_text_file(place.txt_path, digest_of(fresh, place.h5_path, reason));
-  fmt::print("{}: agrees with {} already; its digest, {}, is written anew\n", path, place.h5_path,
+  print_text("{}: agrees with {} already; its digest, {}, is written anew\n", path, place.h5_path,
              place.txt_path);
 }
 
@@ -110,7 +112,7 @@ void bless_one(const std::string& path, const BlessRequest& request) {
     return renew_digest(path, place, fresh, request.reason);
   refuse_unexpected(path, fresh);
   write(place, fresh, request.reason);
-  fmt::print("{}: blessed, {}\n", path, place.h5_path);
+  print_text("{}: blessed, {}\n", path, place.h5_path);
 }
 
 ExitCode bless(const BlessRequest& request) {
@@ -118,12 +120,18 @@ ExitCode bless(const BlessRequest& request) {
     throw Failure(
         ExitCode::bad_input,
         "hyrax-sim bless: --reason must say why the golden files change, as in --reason 'wider window'");
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  OutputGuard guard(paths);
+  for (const std::string& path : paths)
+    if (const auto place = golden_place(path, request.golden_folder))
+      for (const std::string& output : {place->h5_path, place->txt_path})
+        guard.admit_golden("hyrax-sim bless: golden file of " + path, output);
   ExitCode exit_code = ExitCode::agreed;
-  for (const std::string& path : list_scenarios(request.files)) {
+  for (const std::string& path : paths) {
     try {
       bless_one(path, request);
     } catch (const Failure& failure) {
-      fmt::print(stderr, "{}\n", failure.what());
+      print_error(failure.what());
       exit_code = more_serious(exit_code, failure.exit_code());
     }
   }

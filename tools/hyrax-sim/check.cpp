@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -9,7 +7,9 @@
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/check_verdict.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/progress.h"
+#include "tools/store/output_guard.h"
 
 namespace hyrax {
 namespace {
@@ -74,22 +74,24 @@ ExitCode write_junit(const std::string& path, const std::vector<CheckVerdict>& v
     write_text_file(path, check_junit(verdicts));
     return ExitCode::agreed;
   } catch (const Failure& failure) {
-    fmt::print(stderr, "{}\n", failure.what());
+    print_error(failure.what());
     return failure.exit_code();
   }
 }
 
 ExitCode check(CheckRequest& request) {
   const std::vector<std::string> paths = paths_of(request);
+  if (!request.junit.empty())
+    OutputGuard(paths, request.golden_folder).admit("hyrax-sim check: --junit", request.junit);
   const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
   const std::vector<CheckVerdict> verdicts =
       check_all(paths, {.golden_folder = request.golden_folder, .is_quick = request.is_quick}, jobs);
   if (request.is_json)
-    fmt::print("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
+    print_text("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
   else
-    fmt::print("{}", check_text(verdicts));
+    print_text("{}", check_text(verdicts));
   for (const CheckVerdict& verdict : verdicts)
-    if (!verdict.note.empty()) fmt::print(stderr, "{}\n", verdict.note);
+    if (!verdict.note.empty()) print_error(verdict.note);
   ExitCode exit_code = ExitCode::agreed;
   for (const CheckVerdict& verdict : verdicts) exit_code = more_serious(exit_code, verdict.exit_code);
   return more_serious(exit_code, write_junit(request.junit, verdicts));

@@ -1,57 +1,10 @@
-#include <CLI/CLI.hpp>
-
-#include <cmath>
-#include <cstdio>
-#include <limits>
-
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
+#include "tools/files/standard_streams.h"
 #include "tools/hyrax-sim/options.h"
 
 namespace hyrax {
 namespace {
-
-class CliOptions : public Options {
- public:
-  explicit CliOptions(CLI::App& app) : app_(app) {}
-
-  void files(std::vector<std::string>& into, const OptionText& text, int least, int most) override {
-    app_.add_option(text.names, into, text.help)->type_name("")->expected(least, most)->required(least > 0);
-  }
-  void flag(bool& into, const OptionText& text) override { app_.add_flag(text.names, into, text.help); }
-  void text(std::string& into, const OptionText& text) override {
-    app_.add_option(text.names, into, text.help)->type_name(text.value);
-  }
-  void texts(std::vector<std::string>& into, const OptionText& text) override {
-    app_.add_option(text.names, into, text.help)->type_name(text.value)->expected(1)->take_all();
-  }
-  void number(std::optional<double>& into, const OptionText& text, double low) override {
-    add_checked(
-        into, text, [low](double value) { return std::isfinite(value) && value >= low; },
-        "must be a number of at least " + CLI::detail::to_string(low));
-  }
-  void whole(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low) override {
-    add_checked(
-        into, text, [low](std::int64_t value) { return value >= low; },
-        "must be a whole number of at least " + std::to_string(low));
-  }
-  void choice(std::string& into, const OptionText& text, const std::vector<std::string>& words) override {
-    app_.add_option(text.names, into, text.help)->type_name(text.value)->check(CLI::IsMember(words));
-  }
-
- private:
-  template <class Value, class Holds>
-  void add_checked(std::optional<Value>& into, const OptionText& text, const Holds& holds,
-                   const std::string& rule) {
-    const auto take = [&into, holds, rule, names = text.names](const Value& value) {
-      if (!holds(value)) throw CLI::ValidationError(names, rule);
-      into = value;
-    };
-    app_.add_option_function<Value>(text.names, take, text.help)->type_name(text.value);
-  }
-
-  CLI::App& app_;
-};
 
 std::string command_list(const std::vector<Command>& commands, bool is_common) {
   std::string text;
@@ -64,16 +17,17 @@ std::string command_list(const std::vector<Command>& commands, bool is_common) {
 }
 
 std::string first_screen(const std::vector<Command>& commands) {
-  return "hyrax-sim replays flings of the hyrax bit for bit, and tells what changed and how exact they "
+  return "hyrax-sim replays flings of the hyrax bit for bit, and reports what changed and how exact they "
          "are.\n\n"
          "  hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
          "  hyrax-sim check\n\n"
          "Usage: hyrax-sim COMMAND [OPTION]... [FILE]...\n\n"
          "Commands:\n" +
          command_list(commands, true) + "\nMore:\n" + command_list(commands, false) +
-         "\n`hyrax-sim COMMAND --help` tells all about one, with an example; `--version` the version.\n"
+         "\n`hyrax-sim COMMAND --help` describes a command, with an example; `--version` prints the "
+         "version.\n"
          "Exit codes: 0 agreed or done, 1 disagreed, 2 bad usage or input, 3 cannot read or write,\n"
-         "4 golden file missing, 5 this machine or build does no strict IEEE-754 arithmetic, 70 own fault.\n";
+         "4 golden file missing, 5 this machine or build is not strict IEEE-754, 70 internal error.\n";
 }
 
 const Command* find(const std::vector<Command>& commands, const std::string& name) {
@@ -87,34 +41,32 @@ void require_strict_ieee() {
     throw Failure(ExitCode::not_strict_ieee, "hyrax-sim: " + std::string(*fault));
 }
 
-ExitCode print(const std::string& text) {
-  std::fputs(text.c_str(), stdout);
+ExitCode print_help(const std::string& text) {
+  print_text(text);
   return ExitCode::agreed;
+}
+
+[[noreturn]] void refuse(const std::string& command, const std::string& what) {
+  throw Failure(ExitCode::bad_input, command + ": " + what + "; see `" + command + " --help`");
 }
 
 }  // namespace
 
 ExitCode run_command_line(const std::vector<std::string>& arguments, const std::vector<Command>& commands) {
   const std::string name = arguments.empty() ? "--help" : arguments.front();
-  if (name == "--help" || name == "-h" || name == "help") return print(first_screen(commands));
-  if (name == "--version") return print("hyrax-sim " + std::string(build_info().version) + "\n");
+  if (name == "--help" || name == "-h" || name == "help") return print_help(first_screen(commands));
+  if (name == "--version") return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
   const Command* const command = find(commands, name);
-  if (command == nullptr)
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim: '" + name + "' is no command; `hyrax-sim --help` lists them");
+  if (command == nullptr) refuse("hyrax-sim", "unknown command (found " + name + ")");
 
-  CLI::App app(command->summary, "hyrax-sim " + command->name);
-  app.footer("Example:\n  " + command->example);
-  CliOptions options(app);
+  Options options;
   const std::function<ExitCode()> act = command->declare(options);
   try {
-    // CLI11 takes them from the back.
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - 1));
-  } catch (const CLI::CallForHelp&) {
-    return print(app.help());
-  } catch (const CLI::ParseError& error) {
-    throw Failure(ExitCode::bad_input, "hyrax-sim " + command->name + ": " + error.what() + "; `hyrax-sim " +
-                                           command->name + " --help` tells what may stand");
+    if (!options.parse({arguments.begin() + 1, arguments.end()}))
+      return print_help(command->summary + "\n" + options.help(name) + "\nExample:\n  " + command->example +
+                        "\n");
+  } catch (const Failure& failure) {
+    refuse("hyrax-sim " + name, failure.what());
   }
   if (command->needs_strict_ieee) require_strict_ieee();
   return act();

@@ -7,6 +7,7 @@
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/contract_text.h"
 #include "tools/hyrax-sim/difference_text.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -149,9 +150,9 @@ ExitCode diff(const DiffRequest& request) {
   const TrajectoryFile b = TrajectoryFile::open(request.files[1]);
   const Difference difference = compare(a, b, request.tolerance);
   if (request.is_json)
-    fmt::print("{}\n", to_text(json_of(difference), {.depth_indented = 2}));
+    print_text("{}\n", to_text(json_of(difference), {.depth_indented = 2}));
   else
-    fmt::print("{}{}", text_of(difference, request),
+    print_text("{}{}", text_of(difference, request),
                difference.comparison.agrees
                    ? ""
                    : contract_text(a.provenance(), b.provenance(), *difference.comparison.difference));

@@ -1,14 +1,16 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <set>
 
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/drift_options.h"
 #include "tools/hyrax-sim/drift_report.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/written_run.h"
+#include "tools/store/output_guard.h"
+#include "tools/store/trajectory_file.h"
 
 namespace hyrax {
 namespace {
@@ -36,7 +38,7 @@ class Measurer {
       }
     }
     if (request_.is_json)
-      fmt::print("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 4}));
+      print_text("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 4}));
     return exit_code_;
   }
 
@@ -50,17 +52,23 @@ class Measurer {
     report.half_dt = measure_half_dt(report.run.scenario);
     exit_code_ = more_serious(exit_code_, drift_exit_code(report.run.summary));
     tell(path, report);
-    if (!request_.figures.empty()) draw(path, report.run);
+    if (!request_.figures.empty()) draw(report.run);
   }
 
-  void draw(const std::string& path, const DriftRun& run) {
-    if (!drawn_.insert(run.scenario.name).second)
-      throw Failure(ExitCode::bad_input, path + ": --figures: another run of the name " + run.scenario.name +
-                                             " was drawn there; measure them apart");
+  // The run is measured and reported; that its figures are missing is added to its entry.
+  void draw(const DriftRun& run) try {
     const auto files = draw_drift_figures(
         request_.figures, {run.scenario, run.simulated_s, run.summary, run.arcs, run.contacts, run.rows});
     if (!request_.is_json)
-      for (const std::string& file : files) fmt::print(stderr, "drawn {}\n", file);
+      for (const std::string& file : files) print_error("drawn " + file);
+  } catch (const Failure& failure) {
+    exit_code_ = more_serious(exit_code_, failure.exit_code());
+    print_error(failure.what());
+    if (request_.is_json) {
+      Json::Object& entry = *entries_.back().get<Json::Object>();
+      entry.emplace_back("status", "failed");
+      entry.emplace_back("error", failure.what());
+    }
   }
 
   [[nodiscard]] DriftRun measure_into_file(const std::string& path, const DriftOptions& options) const {
@@ -78,22 +86,38 @@ class Measurer {
       for (auto& member : drift_json(report)) entry.push_back(std::move(member));
       entries_.emplace_back(std::move(entry));
     } else {
-      fmt::print("{}", drift_text(report));
+      print_text("{}", drift_text(report));
     }
   }
 
   void report_failure(const std::string& path, const Failure& failure) {
     exit_code_ = more_serious(exit_code_, failure.exit_code());
-    fmt::print(stderr, "{}\n", failure.what());
+    print_error(failure.what());
     entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
   }
 
   const DriftRequest& request_;
   std::optional<GslOptions> gsl_;
-  std::set<std::string> drawn_;
   Json::Array entries_;
   ExitCode exit_code_ = ExitCode::agreed;
 };
+
+// Nothing where it cannot be read, which is reported when it is measured.
+std::optional<std::string> name_in(const std::string& path) try {
+  return is_trajectory(path) ? TrajectoryFile::open(path).head().scenario.name : load_scenario(path).name;
+} catch (const Failure&) {
+  return std::nullopt;
+}
+
+void admit_outputs(const DriftRequest& request, const std::vector<std::string>& paths) {
+  OutputGuard guard(paths);
+  if (!request.output.empty()) guard.admit("hyrax-sim drift: -o", request.output, {".h5"});
+  if (request.figures.empty()) return;
+  for (const std::string& path : paths)
+    if (const auto name = name_in(path))
+      for (const std::string& figure : drift_figure_paths(request.figures, *name))
+        guard.admit("hyrax-sim drift: --figures of " + path, figure);
+}
 
 ExitCode drift(const DriftRequest& request) {
   const std::vector<std::string> paths = list_scenarios(request.files);
@@ -105,7 +129,9 @@ ExitCode drift(const DriftRequest& request) {
                   fmt::format("hyrax-sim drift: -o writes one run, {} are given; `hyrax-sim "
                               "run --drift -o DIR` writes several",
                               paths.size()));
-  return Measurer(request).measure(paths);
+  Measurer measurer(request);
+  admit_outputs(request, paths);
+  return measurer.measure(paths);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-#include <fmt/format.h>
+#include <gsl/gsl_version.h>
 #include <hdf5.h>
 #include <xxhash.h>
-#include <CLI/Version.hpp>
 
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
@@ -46,17 +46,17 @@ Json::Object facts() {
           {"physics", kPhysicsModel},
           {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
           {"hdf5", hdf5_version()},
+          {"gsl", gsl_version},
           {"xxhash", fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
-          {"cli11", CLI11_VERSION}};
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
 }
 
 ExitCode info(bool is_json) {
   const Json::Object all = facts();
   if (is_json)
-    fmt::print("{}\n", to_text(all, {.depth_indented = 1}));
+    print_text("{}\n", to_text(all, {.depth_indented = 1}));
   else
-    for (const auto& [name, value] : all) fmt::print("{:<16} {}\n", name, *value.get<std::string>());
+    for (const auto& [name, value] : all) print_text("{:<16} {}\n", name, *value.get<std::string>());
   return ExitCode::agreed;
 }
 
@@ -64,7 +64,7 @@ ExitCode info(bool is_json) {
 
 Command info_command() {
   return {.name = "info",
-          .summary = "tell build, flags, instruction set, library versions and the self-test's verdict",
+          .summary = "print build, flags, instruction set, library versions and the result of the self-test",
           .example = "hyrax-sim info",
           .needs_strict_ieee = false,
           .declare = [](Options& options) {

@@ -24,8 +24,11 @@ void Progress::show(std::int64_t done) {
   has_line_ = true;
   const double rate = static_cast<double>(done) / elapsed_s;
   const double left_s = static_cast<double>(total_ - done) / rate;
-  fmt::print(stderr, "\r\x1b[K{} of {} {}, {:.3g} per second, {:.0f} s left", done, total_, unit_, rate,
-             left_s);
+  // Unlike fmt::print, this ends nothing where the terminal is gone.
+  std::fputs(
+      fmt::format("\r\x1b[K{} of {} {}, {:.3g} per second, {:.0f} s left", done, total_, unit_, rate, left_s)
+          .c_str(),
+      stderr);
   std::fflush(stderr);
 }
 

@@ -1,17 +1,19 @@
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
-#include <set>
 
+#include "tools/files/file_name.h"
 #include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/commands.h"
 #include "tools/hyrax-sim/drift_options.h"
 #include "tools/hyrax-sim/drift_report.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/run_picture.h"
 #include "tools/hyrax-sim/run_report.h"
+#include "tools/store/output_guard.h"
 
 namespace hyrax {
 namespace {
@@ -45,7 +47,7 @@ std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || !text.starts_with('/'))
       throw Failure(ExitCode::bad_input,
-                    "hyrax-sim run: --set " + text + ": must be POINTER=VALUE, as /clock/rate_hz=144");
+                    "hyrax-sim run: --set: not POINTER=VALUE (found " + text + "); as in /clock/rate_hz=144");
     overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
   return overrides;
@@ -66,22 +68,21 @@ bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
   return scenarios > 1 || request.output.ends_with('/') || is_folder(request.output);
 }
 
-// Where each run is to be written; no two in the same place.
-void place_outputs(const RunRequest& request, std::vector<Candidate>& candidates) {
-  std::set<std::string> taken;
+// Where each run is to be written.
+void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
   for (Candidate& candidate : candidates) {
     if (!candidate.scenario) continue;
-    const std::string file_name = candidate.scenario->name + ".h5";
+    const std::string name = candidate.scenario->name + ".h5";
     if (request.output.empty())
-      candidate.output = file_name;
+      candidate.output = name;
     else
       candidate.output = writes_into_folder(request, candidates.size())
-                             ? (fs::path(request.output) / file_name).string()
+                             ? (fs::path(request.output) / name).string()
                              : request.output;
-    if (!taken.insert(candidate.output).second)
-      throw Failure(ExitCode::bad_input, candidate.path +
-                                             ": another scenario of the same name would be written to " +
-                                             candidate.output + " as well; run them apart");
+    guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
+    if (request.stores_rows && file_name(candidate.output).extension == ".csv")
+      throw Failure(ExitCode::bad_input, "hyrax-sim run: --rows: not possible in a CSV file (found " +
+                                             candidate.output + "); allowed: .h5");
   }
 }
 
@@ -89,7 +90,8 @@ void make_output_folder(const RunRequest& request, std::size_t scenarios) {
   if (request.output.empty() || !writes_into_folder(request, scenarios)) return;
   std::error_code error;
   fs::create_directories(request.output, error);
-  if (error) throw Failure(ExitCode::cannot_access, request.output + ": cannot be made: " + error.message());
+  if (error)
+    throw Failure(ExitCode::cannot_access, request.output + ": cannot be created: " + error.message());
 }
 
 std::optional<StoredDrift> stored_drift(const RunRequest& request) {
@@ -116,7 +118,7 @@ class Runner {
       }
     }
     if (request_.is_json)
-      fmt::print("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 3}));
+      print_text("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 3}));
     return exit_code_;
   }
 
@@ -130,16 +132,28 @@ class Runner {
     if (run.drift) exit_code_ = more_serious(exit_code_, drift_exit_code(run.drift->summary));
     if (!run.is_as_expected()) exit_code_ = more_serious(exit_code_, ExitCode::disagreed);
     report(run);
-    if (request_.figure.empty()) return;
-    draw_run(request_.figure, *candidate.scenario);
-    if (!request_.is_json) fmt::print("  drawn          {}\n", request_.figure);
+    if (!request_.figure.empty()) draw(*candidate.scenario);
+  }
+
+  // The run is written and reported; that its figure is missing is added to its entry.
+  void draw(const Scenario& scenario) try {
+    draw_run(request_.figure, scenario);
+    if (!request_.is_json) print_text("  drawn          {}\n", request_.figure);
+  } catch (const Failure& failure) {
+    exit_code_ = more_serious(exit_code_, failure.exit_code());
+    print_error(failure.what());
+    if (!request_.is_json) return;
+    Json::Object& entry = *entries_.back().get<Json::Object>();
+    for (auto& [key, value] : entry)
+      if (key == "status") value = "failed";
+    entry.emplace_back("error", failure.what());
   }
 
   void report(const ScenarioRun& run) {
     DriftReport drift;
     if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request_.stores_rows};
     if (!request_.is_json) {
-      fmt::print("{}{}", run_text(run), run.drift ? drift_text(drift) : "");
+      print_text("{}{}", run_text(run, request_.golden_folder), run.drift ? drift_text(drift) : "");
       return;
     }
     Json entry = run_json(run);
@@ -149,7 +163,7 @@ class Runner {
 
   void report_failure(const std::string& path, const Failure& failure) {
     exit_code_ = more_serious(exit_code_, failure.exit_code());
-    fmt::print(stderr, "{}\n", failure.what());
+    print_error(failure.what());
     entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
   }
 
@@ -167,9 +181,13 @@ ExitCode run(const RunRequest& request) {
                                            std::to_string(paths.size()) + " are given");
   std::vector<Candidate> candidates;
   for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
-  place_outputs(request, candidates);
-  make_output_folder(request, candidates.size());
-  return Runner(request).run(candidates);
+  OutputGuard guard(paths, request.golden_folder);
+  place_outputs(request, guard, candidates);
+  if (!request.figure.empty()) guard.admit("hyrax-sim run: --figure", request.figure, {".svg"});
+  Runner runner(request);
+  if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
+    make_output_folder(request, candidates.size());
+  return runner.run(candidates);
 }
 
 }  // namespace
@@ -185,9 +203,10 @@ Command run_command() {
             const auto request = std::make_shared<RunRequest>();
             options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
             options.text(request->output, {"-o,--output", "FILE or DIR",
-                                           "where the trajectory goes; NAME.h5 in this folder if left out"});
+                                           "FILE.h5, FILE.csv or a folder; NAME.h5 "
+                                           "in this folder if left out"});
             options.texts(request->overrides,
-                          {"--set", "POINTER=VALUE", "puts a value over the file's, by JSON Pointer"});
+                          {"--set", "POINTER=VALUE", "replaces a value of the file, by JSON Pointer"});
             options.text(request->figure, {"--figure", "FILE.svg",
                                            "draws window, path and contacts to scale (needs gnuplot)"});
             options.text(request->golden_folder,

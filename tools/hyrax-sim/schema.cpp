@@ -1,6 +1,7 @@
-#include <cstdio>
+#include <memory>
 
 #include "scenario_schema.h"
+#include "tools/files/standard_streams.h"
 #include "tools/hyrax-sim/commands.h"
 
 namespace hyrax {
@@ -9,9 +10,11 @@ Command schema_command() {
   return {.name = "schema",
           .summary = "print the JSON Schema of scenario files, for editors",
           .example = "hyrax-sim schema > scenario.schema.json",
-          .declare = [](Options&) {
-            return [] {
-              std::fputs(kScenarioSchema, stdout);
+          .declare = [](Options& options) {
+            const auto is_json = std::make_shared<bool>(false);
+            options.flag(*is_json, {"--json", "", "changes nothing: the schema is one JSON document"});
+            return [is_json] {
+              print_text(kScenarioSchema);
               return ExitCode::agreed;
             };
           }};

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/print.h"
 #include "tools/hyrax-sim/study_frame_rate.h"
 #include "tools/hyrax-sim/study_hard_cases.h"
 #include "tools/hyrax-sim/study_needs.h"
@@ -16,6 +18,7 @@
 #include "tools/hyrax-sim/study_rest.h"
 #include "tools/hyrax-sim/study_speed_error.h"
 #include "tools/report/gnuplot.h"
+#include "tools/store/output_guard.h"
 #include "tools/store/study_csv.h"
 #include "tools/store/study_file.h"
 
@@ -67,9 +70,13 @@ struct WrittenStudy {
   std::optional<Failure> undrawn;
 };
 
+std::string stem_of(const StudyKind& kind, const StudyArguments& arguments) {
+  return arguments.folder == "." ? kind.name : (std::filesystem::path(arguments.folder) / kind.name).string();
+}
+
 WrittenStudy write_outcome(const StudyKind& kind, const StudyOutcome& outcome,
                            const StudyArguments& arguments) {
-  const std::string stem = (std::filesystem::path(arguments.folder) / kind.name).lexically_normal().string();
+  const std::string stem = stem_of(kind, arguments);
   WrittenStudy written{.paths = {stem + ".h5", stem + ".csv"}, .undrawn = {}};
   write_study_file(written.paths[0], {kind.name, kind.summary}, outcome.tables);
   write_text_file(written.paths[1], csv_text(outcome.tables.front()));
@@ -90,19 +97,27 @@ void tell_json(const StudyKind& kind, StudyOutcome& outcome, const std::vector<s
                         {"files", Json::Array(paths.begin(), paths.end())},
                         {"broken", Json::Array(outcome.broken.begin(), outcome.broken.end())}};
   for (auto& member : outcome.json) document.push_back(std::move(member));
-  fmt::print("{}\n", to_text(Json(std::move(document)), {.depth_indented = 3}));
+  print_text("{}\n", to_text(Json(std::move(document)), {.depth_indented = 3}));
 }
 
 void tell(const StudyOutcome& outcome, const std::vector<std::string>& paths) {
-  fmt::print("{}", outcome.verdict);
-  for (const std::string& sentence : outcome.broken) fmt::print("does not hold: {}\n", sentence);
-  fmt::print("written: {}\n", fmt::join(paths, ", "));
+  print_text("{}", outcome.verdict);
+  for (const std::string& sentence : outcome.broken) print_text("does not hold: {}\n", sentence);
+  print_text("written: {}\n", fmt::join(paths, ", "));
 }
 
 ExitCode study(const StudyArguments& arguments) {
   const StudyKind& kind = find_study(studies(), arguments.words.front());
   const StudyRequest request = study_request(kind, arguments);
+  std::vector<std::string> inputs = list_scenarios(request.scenarios);
+  if (!request.expect_file.empty()) inputs.push_back(request.expect_file);
+  OutputGuard guard(inputs);
+  for (const char* const end : {".h5", ".csv"})
+    guard.admit("hyrax-sim study: -o", stem_of(kind, arguments) + end);
   StudyOutcome outcome = kind.make(request);
+  if (!arguments.draws_nothing)
+    for (const StudyFigure& figure : outcome.figures)
+      guard.admit("hyrax-sim study: -o", stem_of(kind, arguments) + figure.suffix + ".svg");
   make_folder(arguments.folder);
   const WrittenStudy written = write_outcome(kind, outcome, arguments);
   if (arguments.is_json)
@@ -111,7 +126,7 @@ ExitCode study(const StudyArguments& arguments) {
     tell(outcome, written.paths);
   if (arguments.is_gate)
     for (const std::string& sentence : outcome.broken)
-      fmt::print(stderr, "hyrax-sim study {}: {}\n", kind.name, sentence);
+      print_error(fmt::format("hyrax-sim study {}: {}", kind.name, sentence));
   if (written.undrawn) throw *written.undrawn;
   return arguments.is_gate && !outcome.broken.empty() ? ExitCode::disagreed : ExitCode::agreed;
 }

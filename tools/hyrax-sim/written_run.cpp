@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "sim/scenario/frame_clock.h"
+#include "tools/files/file_name.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/progress.h"
 #include "tools/store/drift_arc_table.h"
 #include "tools/store/drift_row_table.h"
+#include "tools/store/trajectory_csv.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"
 
@@ -68,9 +70,20 @@ WrittenRun play_into(const std::string& output, const Scenario& scenario, std::i
   return run;
 }
 
+WrittenRun write_csv(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
+  TrajectoryCsv csv(output, scenario.record_every);
+  WrittenRun run;
+  run.summary = play_with_progress(scenario, csv, options.replay);
+  run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
+  csv.finish();
+  if (options.drift) run.drift = measure_drift(rows_of(scenario, run.summary), options.drift->options);
+  return run;
+}
+
 }  // namespace
 
 WrittenRun write_run(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
+  if (file_name(output).extension == ".csv") return write_csv(output, scenario, options);
   const std::int64_t steps = step_count(scenario);
   WrittenRun run = play_into(output, scenario, steps, options);
   return run.summary.steps == steps ? run : play_into(output, scenario, run.summary.steps, options);

@@ -1,4 +1,4 @@
-// A scenario played into a trajectory file.
+// A scenario played into a file: a trajectory, or comma-separated values.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,8 @@ struct WrittenRun {
   std::optional<DriftRun> drift;
 };
 
-/// Progress is shown. ERRORS: Failure(cannot_access) where `output` cannot be written.
+/// Writes rows alone where `output` ends in ".csv". Progress is shown. ERRORS: Failure(cannot_access) where
+/// `output` cannot be written.
 [[nodiscard]] WrittenRun write_run(const std::string& output, const Scenario& scenario,
                                    const WriteOptions& options);
 

@@ -176,20 +176,22 @@ std::string restitution_figure_script(const DriftPicture& picture) {
   return command.empty() ? plot.script_of_nothing("no contact that ends a flight") : plot.script(command);
 }
 
+std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name) {
+  std::vector<std::string> paths;
+  for (const char* const what : {"energy", "energy-drift", "errors", "restitution"})
+    paths.push_back((std::filesystem::path(folder) / fmt::format("{}-{}.svg", name, what)).string());
+  return paths;
+}
+
 std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftPicture& picture) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be made: " + error.message());
-  std::vector<std::string> paths;
-  const auto draw = [&](const char* what, const std::string& script) {
-    paths.push_back(
-        (std::filesystem::path(folder) / fmt::format("{}-{}.svg", picture.scenario.name, what)).string());
-    draw_figure(paths.back(), script);
-  };
-  draw("energy", energy_figure_script(picture));
-  draw("energy-drift", energy_drift_figure_script(picture));
-  draw("errors", errors_figure_script(picture));
-  draw("restitution", restitution_figure_script(picture));
+  if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be created: " + error.message());
+  std::vector<std::string> paths = drift_figure_paths(folder, picture.scenario.name);
+  draw_figure(paths[0], energy_figure_script(picture));
+  draw_figure(paths[1], energy_drift_figure_script(picture));
+  draw_figure(paths[2], errors_figure_script(picture));
+  draw_figure(paths[3], restitution_figure_script(picture));
   return paths;
 }
 

@@ -37,6 +37,9 @@ struct DriftPicture {
 /// Effective restitution of the contacts, in their order, beside the paper's 0.6.
 [[nodiscard]] std::string restitution_figure_script(const DriftPicture& picture);
 
+/// Where draw_drift_figures puts the figures of a scenario of that name.
+[[nodiscard]] std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name);
+
 /// Draws them into FOLDER/NAME-energy.svg, -energy-drift.svg, -errors.svg and -restitution.svg, with the
 /// scenario's name; makes the folder. Returns the paths.
 /// ERRORS: those of draw_figure (gnuplot.h).

@@ -19,6 +19,33 @@ fs::path nearest_scenarios_folder(const fs::path& scenario_path) {
   return {};
 }
 
+// As lexically_normal, but behind a link to a folder `..` is the parent of what it links to.
+fs::path without_dots(const fs::path& path) {
+  fs::path plain;
+  std::error_code unknown;
+  for (const fs::path& part : path) {
+    if (part == "..") plain = fs::is_symlink(plain, unknown) ? fs::canonical(plain, unknown) : plain;
+    plain = (plain / part).lexically_normal();
+  }
+  return plain;
+}
+
+// The file's path without dots, and the folder named `scenarios` in it; that is empty where there is none.
+struct ScenarioPlace {
+  fs::path path;
+  fs::path scenarios;
+};
+
+ScenarioPlace scenario_place(const std::string& scenario_path) {
+  ScenarioPlace place{.path = without_dots(scenario_path), .scenarios = {}};
+  place.scenarios = nearest_scenarios_folder(place.path);
+  if (!place.scenarios.empty() || place.path.is_absolute()) return place;
+  std::error_code unknown;  // Of the empty path.
+  place.path = without_dots(fs::absolute(scenario_path, unknown));
+  place.scenarios = nearest_scenarios_folder(place.path);
+  return place;
+}
+
 GoldenPlace place_at(fs::path path) {
   const std::string h5_path = path.replace_extension(".h5").string();
   return {h5_path, path.replace_extension(".txt").string()};
@@ -27,12 +54,7 @@ GoldenPlace place_at(fs::path path) {
 }  // namespace
 
 std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const std::string& golden_folder) {
-  fs::path path = fs::path(scenario_path).lexically_normal();
-  fs::path scenarios = nearest_scenarios_folder(path);
-  if (scenarios.empty() && path.is_relative()) {
-    path = fs::absolute(path).lexically_normal();
-    scenarios = nearest_scenarios_folder(path);
-  }
+  const auto [path, scenarios] = scenario_place(scenario_path);
   if (!scenarios.empty()) {
     const fs::path golden =
         golden_folder.empty() ? scenarios.parent_path() / "golden" : fs::path(golden_folder);
@@ -40,6 +62,11 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
   }
   if (!golden_folder.empty()) return place_at(fs::path(golden_folder) / path.filename());
   return std::nullopt;
+}
+
+std::string golden_folder_of(const std::string& scenario_path) {
+  const fs::path scenarios = scenario_place(scenario_path).scenarios;
+  return scenarios.empty() ? "" : (scenarios.parent_path() / "golden").string();
 }
 
 bool has_golden_file(const GoldenPlace& place) {

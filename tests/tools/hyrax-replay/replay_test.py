@@ -31,6 +31,13 @@ class HyraxReplay(ProgramTest):
             golden = SOURCE / "golden" / pathlib.Path(path).relative_to(SOURCE / "scenarios").with_suffix(".txt")
             self.assertEqual(found, re.search("[0-9a-f]{32}", golden.read_text()).group(), path)
 
+    def test_what_a_terminal_obeys_is_escaped(self):
+        self.write("a\x1b[31m.json", fling(name="fling"))
+        self.write("b\x1b[31m.json", "{")
+        outcome = self.replay(BAD_INPUT, ".", says="./b\\u001b[31m.json: line 1")
+        self.assertIn("./a\\u001b[31m.json\n", outcome.out)
+        self.assertNotIn("\x1b", outcome.out + outcome.err)
+
     def test_another_hash_than_expected_is_told(self):
         path = self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
         outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: is " + "0" * 32 +

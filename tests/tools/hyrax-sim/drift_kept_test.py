@@ -230,7 +230,9 @@ class Figures(DriftTest):
     def test_equal_names_are_refused(self):
         self.write("a.json", fling())
         self.write("b.json", fling())
-        self.expect(BAD_INPUT, "drift", "a.json", "b.json", "--figures", "out", says="another run of the name fling")
+        self.expect(BAD_INPUT, "drift", "a.json", "b.json", "--figures", "out",
+                    says=("b.json", "another output of this command (found out/fling-energy.svg)"))
+        self.assertEqual(self.names(), ["a.json", "b.json"])
 
     def test_standard_output_is_the_document_alone(self):
         outcome = self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out", "--json")

@@ -3,10 +3,11 @@
 
 import json
 import re
+import subprocess
 
 import jsonschema
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, fling, main
 
 
 class CommandTest(ProgramTest):
@@ -39,7 +40,7 @@ class Help(CommandTest):
     def test_the_first_screen_tells_the_exit_codes(self):
         text = " ".join(self.expect(AGREED, "--help").out.split())
         for words in ("0 agreed or done", "1 disagreed", "2 bad usage or input", "3 cannot read or write",
-                      "4 golden file missing", "5 this machine", "70 own fault"):
+                      "4 golden file missing", "5 this machine", "70 internal error"):
             self.assertIn(words, text)
 
     def test_every_command_has_help_with_an_example_that_names_it(self):
@@ -74,7 +75,7 @@ class Usage(CommandTest):
         self.assertEqual(self.names(), [])
 
     def test_an_unknown_command_is_refused(self):
-        self.refuse("chekc", says=("'chekc'", "--help"))
+        self.refuse("chekc", says=("unknown command (found chekc)", "--help"))
 
     def test_an_unknown_option_is_refused(self):
         for command in self.commands():
@@ -148,6 +149,15 @@ class Validate(ProgramTest):
         self.assertEqual([(entry["scenario"], entry["status"]) for entry in results],
                          [("all/bad.json", "failed"), ("all/good.json", "good")])
         self.assertIn("line 1", results[0]["error"])
+
+    def test_a_dash_is_standard_input(self):
+        for document, exit_code in ((fling(), AGREED), (fling(steps=-1), BAD_INPUT)):
+            source = self.write("fling.json", document)
+            with open(self.folder / source, "rb") as stream:
+                done = subprocess.run([str(PROGRAM), "validate", "-"], stdin=stream, capture_output=True, text=True,
+                                      check=False, cwd=self.folder)
+            self.assertEqual(done.returncode, exit_code, done.stderr)
+            self.assertTrue((done.stdout + done.stderr).startswith("-: "), done)
 
     def test_a_missing_file_cannot_be_read(self):
         self.expect(CANNOT_ACCESS, "validate", "none.json", says="none.json: cannot be read")

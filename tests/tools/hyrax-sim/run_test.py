@@ -175,9 +175,9 @@ class Output(ProgramTest):
 
     def test_o_is_a_file(self):
         self.expect(AGREED, "run", "in/fling.json", "-o", "here.h5")
-        self.expect(AGREED, "run", "in/fling.json", "--output", "in/there")
+        self.expect(AGREED, "run", "in/fling.json", "--output", "in/there.h5")
         self.assertEqual(self.names(), ["here.h5", "in"])
-        self.assertIn("there", self.names("in"))
+        self.assertIn("there.h5", self.names("in"))
 
     def test_o_is_a_folder_if_it_exists_as_one(self):
         (self.folder / "out").mkdir()
@@ -204,12 +204,12 @@ class Output(ProgramTest):
     def test_equal_names_are_an_error_and_nothing_is_written(self):
         self.write("in/again.json", fling())
         for arguments in (("-o", "out"), ()):
-            self.expect(BAD_INPUT, "run", "in", *arguments, says=("fling.h5", "same name"))
+            self.expect(BAD_INPUT, "run", "in", *arguments, says=("fling.h5", "another output of this command"))
             self.assertEqual(self.names(), ["in"])
 
     def test_a_folder_that_cannot_be_made_is_exit_3(self):
         self.write("file", "in the way")
-        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "-o", "file/", says="file/: cannot be made")
+        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "-o", "file/", says="file/: cannot be created")
         self.expect(CANNOT_ACCESS, "run", "in/fling.json", "in/other.json", "-o", "file", says="file")
         self.assertEqual((self.folder / "file").read_text(), "in the way")
 

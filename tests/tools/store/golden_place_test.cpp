@@ -34,6 +34,16 @@ TEST(GoldenPlace, DoesNotDependOnHowThePathIsWritten) {
   EXPECT_EQ(place_of("scenarios//x.json"), "golden/x.h5");
 }
 
+TEST(GoldenPlace, FollowsALinkBeforeDots) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder.at("real/deep"));
+  std::filesystem::create_directory_symlink(folder.at("real/deep"), folder.at("link"));
+  EXPECT_EQ(place_of(folder.at("link/../scenarios/x.json")), folder.at("real/golden/x.h5"));
+  EXPECT_EQ(place_of(folder.at("link/.././scenarios/a/../x.json")), folder.at("real/golden/x.h5"));
+  EXPECT_EQ(golden_folder_of(folder.at("link/../scenarios/a/x.json")), folder.at("real/golden"));
+  EXPECT_EQ(golden_folder_of(folder.at("link/x.json")), "");
+}
+
 TEST(GoldenPlace, IsFoundFromWithinTheScenariosFolder) {
   const TempFolder folder;
   std::filesystem::create_directories(folder.at("scenarios/flings"));

@@ -1,0 +1,53 @@
+// Text of others on its way to a terminal or a shell.
+#include "tools/files/printable.h"
+
+#include <gtest/gtest.h>
+
+namespace hyrax {
+namespace {
+
+TEST(Printable, KeepsPlainTextAndUtf8) {
+  for (const char* text :
+       {"", "a b", "\\", "\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80", "\xc2\xa0", "\xf4\x8f\xbf\xbf"})
+    EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, EscapesWhatATerminalObeys) {
+  EXPECT_EQ(printable("\x1b[31m"), "\\u001b[31m");
+  EXPECT_EQ(printable("a\nb\tc\x7f"), "a\\u000ab\\u0009c\\u007f");
+  EXPECT_EQ(printable("\xc2\x9b"), "\\u009b");  // CSI as one character.
+  EXPECT_EQ(printable(std::string_view("\0", 1)), "\\u0000");
+}
+
+TEST(Printable, EscapesBytesThatAreNoUtf8) {
+  EXPECT_EQ(printable("\x9b"), "\\x9b");
+  EXPECT_EQ(printable("\xc3"), "\\xc3");
+  EXPECT_EQ(printable("\xc3("), "\\xc3(");
+  EXPECT_EQ(printable("\xc0\x9b"), "\\xc0\\x9b");           // Overlong.
+  EXPECT_EQ(printable("\xe0\x82\x9b"), "\\xe0\\x82\\x9b");  // Overlong.
+  EXPECT_EQ(printable("\xf0\x80\x82\x9b"), "\\xf0\\x80\\x82\\x9b");
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // A surrogate.
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
+  EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82");
+}
+
+TEST(Printable, KeepsLines) { EXPECT_EQ(printable_lines("a\n\tb\x1b\r"), "a\n\tb\\u001b\\u000d"); }
+
+TEST(ShellWord, QuotesOnlyWhatMustBe) {
+  EXPECT_EQ(shell_word("a/b-c_1.json"), "a/b-c_1.json");
+  EXPECT_EQ(shell_word("a b"), "'a b'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word("$HOME`id`*"), "'$HOME`id`*'");
+  EXPECT_EQ(shell_word("~"), "'~'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
+TEST(ShellWord, IsNoOption) { EXPECT_EQ(shell_word("--json"), "./--json"); }
+
+TEST(ShellWord, IsPrintable) {
+  EXPECT_EQ(shell_word("\x1b'\\"), "$'\\x1b\\'\\\\'");
+  EXPECT_EQ(shell_word("a\nb\xff"), "$'a\\x0ab\\xff'");
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,279 @@
+#!/usr/bin/python3
+"""Arguments are taken literally, wherever they are; what is printed reaches its reader, or the exit code says so."""
+
+import itertools
+import os
+import subprocess
+
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, Outcome, ProgramTest, fling,
+                     main)
+
+ESCAPE = "\x1b[31m"
+HOSTILE = f"a{ESCAPE}\x7f\u009b1m\udc9b\udcff.json"  # ESC, DEL, CSI as one character, and bytes that are no UTF-8.
+
+
+class Literal(ProgramTest):
+    """No argument is split, unquoted or expanded."""
+
+    def test_brackets_commas_and_the_like_are_part_of_a_path(self):
+        for name in ("[a]", "[a,b]", "{}", "{a}", "a,b", "%%", "'a'", '"a"', "a b", "++", "*", "$HOME", "~", "@a", "[]"):
+            for decoy in ("a", "b"):
+                self.write(f"{decoy}/decoy.json", fling(name=f"decoy-{decoy}"))
+            path = self.write(f"{name}/fling.json", fling())
+            for given, found in ((name, path), (path, path)):
+                results = self.expect(AGREED, "validate", "--json", given).json["results"]
+                self.assertEqual([entry["scenario"] for entry in results], [found])
+
+    def test_brackets_in_every_command(self):
+        path = self.write("scenarios/[a]/fling.json", fling())
+        self.write("scenarios/a/decoy.json", fling(name="decoy"))
+        self.bless("scenarios/[a]")
+        self.assertEqual(self.names("golden"), ["[a]"])
+        runs = self.expect(AGREED, "run", "--json", "scenarios/[a]", "-o", "[out]/").json["runs"]
+        self.assertEqual([(run["scenario"], run["output"]) for run in runs], [(path, "[out]/fling.h5")])
+        checked = self.expect(AGREED, "check", "--json", "scenarios/[a]", "--junit", "[x].xml", "--golden", "golden")
+        self.assertEqual([entry["scenario"] for entry in checked.json["results"]], [path])
+        self.assertIn("[x].xml", self.names())
+        drifts = self.expect(AGREED, "drift", "--json", "scenarios/[a]", "--reference", "closed").json["runs"]
+        self.assertEqual([run["scenario"] for run in drifts], [path])
+        self.expect(AGREED, "diff", "golden/[a]/fling.h5", "[out]/fling.h5")
+
+    def test_a_value_may_look_like_an_option_or_be_in_brackets(self):
+        self.write("fling.json", fling())
+        self.expect(AGREED, "run", "fling.json", "-o", "--json.h5")
+        self.expect(AGREED, "run", "fling.json", "--output=[-o].h5")
+        self.expect(AGREED, "run", "fling.json", "-o-x.h5")
+        self.expect(AGREED, "run", "fling.json", "-o=.h5")
+        self.assertEqual(self.names(), ["--json.h5", "-x.h5", "=.h5", "[-o].h5", "fling.json"])
+
+    def test_after_two_dashes_all_are_files(self):
+        self.write("--json", fling(name="odd"))
+        self.write("--", fling(name="dashes"))
+        self.assertEqual(self.expect(AGREED, "validate", "--", "--json", "--").out,
+                         "--json: good, 300 steps\n--: good, 300 steps\n")
+
+    def test_an_empty_value_takes_no_file(self):
+        self.write("fling.json", fling())
+        for arguments in (("--output=", "fling.json"), ("-o", "", "fling.json"), ("fling.json", "--set=")):
+            self.expect(BAD_INPUT, "run", *arguments, says="must not be empty")
+        self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
+        self.assertEqual(self.names(), ["fling.json"])
+
+    def test_an_option_given_twice_is_refused(self):
+        self.expect(BAD_INPUT, "check", "--jobs", "1", "--jobs=2", says="--jobs: given twice")
+
+    def test_a_flag_takes_no_value(self):
+        self.expect(BAD_INPUT, "check", "--json=false", says="--json: takes no value (found --json=false)")
+
+
+class Order(ProgramTest):
+    """An option takes one value, and may be before, between and after the files."""
+
+    def assert_any_order(self, command, files, option, count):
+        """The command sees both files wherever the option is, in each of its forms; `count` says how many it saw."""
+        forms = [option]
+        if len(option) == 2:
+            forms.append(["=".join(option)] if option[0].startswith("--") else ["".join(option)])
+        rest = {"study": ["--quick"], "bless": ["--reason", "x"]}.get(command, [])
+        for form, place in itertools.product(forms, range(len(files) + 1)):
+            arguments = [*files[:place], *form, *files[place:], *rest]
+            outcome = self.expect(AGREED, command, *arguments)
+            self.assertEqual(count(outcome), 2, f"{arguments}: {outcome}")
+
+    def test_every_option_of_every_command(self):
+        files = self.project("one", "two")
+        self.expect(AGREED, "run", *files, "-o", "out/")
+        listed = lambda outcome: len(outcome.json.popitem()[1])
+        for command, given, count, options in (
+                ("run", files, lambda outcome: outcome.out.count("  contacts  "),
+                 (["--set", "/steps=9"], ["-o", "out"], ["--output", "out"], ["--golden", "golden"], ["--drift"],
+                  ["--no-skip"])),
+                ("run", files, listed, (["--json"],)),
+                ("bless", files, lambda outcome: outcome.out.count("already"), (["--golden", "golden"],)),
+                ("check", files, lambda outcome: int(outcome.out.split()[0]),
+                 (["--golden", "golden"], ["--jobs", "2"], ["--junit", "x.xml"], ["--quick"])),
+                ("check", files, lambda outcome: outcome.json["checked"], (["--json"],)),
+                ("validate", files, listed, (["--json"],)),
+                ("diff", ["out/one.h5", "out/one.h5"], lambda outcome: 2 * outcome.out.count(" agree, "),
+                 (["--abs", "1"], ["--rel", "1"], ["--ulps", "1"])),
+                ("drift", files, lambda outcome: outcome.out.count("one:") + outcome.out.count("two:"),
+                 (["--reference", "gsl"], ["--stepper", "rk4"], ["--tolerance", "1e-6"])),
+                ("drift", files, listed, (["--json"],)),
+                ("study", ["needs", files[0]], lambda outcome: 2 * outcome.out.count("needs.csv"),
+                 (["--within", "1px"], ["-o", "out"], ["--gate"]))):
+            for option in options:
+                self.assert_any_order(command, given, option, count)
+
+    def test_set_takes_one_value_each_time(self):
+        self.write("fling.json", fling())
+        settings = (("--set", "/steps=9"), ("--set=/start/x_px=5",))
+        for first, second in itertools.permutations(settings):
+            for arguments in (("fling.json", *first, *second), (*first, "fling.json", *second),
+                              (*first, *second, "fling.json")):
+                run, = self.expect(AGREED, "run", *arguments, "--json").json["runs"]
+                self.assertEqual((run["scenario"], run["steps"]), ("fling.json", 9))
+
+    def test_set_before_several_files(self):
+        self.write("one.json", fling(name="one"))
+        self.write("two.json", fling(name="two"))
+        runs = self.expect(AGREED, "run", "--set", "/steps=9", "one.json", "two.json", "--json").json["runs"]
+        self.assertEqual([(run["scenario"], run["steps"]) for run in runs], [("one.json", 9), ("two.json", 9)])
+
+
+class Number(ProgramTest):
+    """A number is a decimal number in its range, and nothing else."""
+
+    def test_what_is_out_of_range_is_refused(self):
+        for number in ("99999999999999999999", "-99999999999999999999", "9223372036854775808", "1e3", "0x10", " 1", "1 ",
+                       "+1", "1,0", "", "inf"):
+            self.expect(BAD_INPUT, "check", "--jobs", number, says="--jobs")
+            self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--ulps", number, says="--ulps")
+        for number in ("1e999", "-1e-999", "nan", "inf", "0x1p3", "1px", "1,5"):
+            self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--abs", number, says="--abs")
+
+    def test_a_leading_zero_is_no_octal_number(self):
+        self.project("fling")
+        self.expect(AGREED, "check", "--jobs", "08")
+
+
+class OneDocument(ProgramTest):
+    """--json gives one JSON document on stdout, whatever the command."""
+
+    def test_every_command_takes_it(self):
+        files = self.project("one")
+        self.expect(AGREED, "run", *files)
+        screen = self.expect(AGREED, "--help").out
+        commands = {"run": files, "check": files, "diff": ["one.h5", "one.h5"], "drift": files, "validate": files,
+                    "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "schema": []}
+        for command, arguments in commands.items():
+            self.assertIn(f"\n  {command} ", screen)
+            self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)
+
+    def test_the_schema_is_the_same(self):
+        self.assertEqual(self.expect(AGREED, "schema").out, self.expect(AGREED, "schema", "--json").out)
+
+    def test_a_path_of_bad_utf_8_leaves_it_well_formed(self):
+        path = self.write(HOSTILE, fling(name="fling"))
+        for command in ("run", "validate", "drift", "check"):
+            document = self.expect(GOLDEN_MISSING if command == "check" else AGREED, command, path, "--json").json
+            entry = document.popitem()[1][0]
+            self.assertEqual(entry["scenario"], f"a{ESCAPE}\x7f\u009b1m\ufffd\ufffd.json")
+
+
+class Terminal(ProgramTest):
+    """What a terminal obeys is printed escaped."""
+
+    SHOWN = r"a\u001b[31m\u007f\u009b1m\x9b\xff.json"
+
+    def test_paths_in_tables_and_messages(self):
+        good = self.write(f"scenarios/{HOSTILE}", fling(name="fling", expect={"final_x_px": [0, 1]}))
+        bad = self.write(f"bad-{HOSTILE}", "{")
+        text = lambda outcome: outcome.out + outcome.err
+        for exit_code, arguments in ((DISAGREED, ("run", good, "-o", f"{HOSTILE}.h5")), (AGREED, ("validate", good)),
+                                     (GOLDEN_MISSING, ("check", good)), (DISAGREED, ("bless", good, "--reason", "x")),
+                                     (BAD_INPUT, ("run", bad)), (BAD_INPUT, ("validate", bad)), (BAD_INPUT, ("drift", bad)),
+                                     (BAD_INPUT, ("bless", bad, "--reason", "x", "--golden", "g")),
+                                     (BAD_INPUT, ("check", bad)), (BAD_INPUT, ("diff", bad, bad)),
+                                     (CANNOT_ACCESS, ("run", f"no-{HOSTILE}")), (BAD_INPUT, ("study", HOSTILE)),
+                                     (BAD_INPUT, ("study", "needs", bad)), (BAD_INPUT, (HOSTILE,)),
+                                     (BAD_INPUT, ("check", f"--{HOSTILE}"))):
+            outcome = self.expect(exit_code, *arguments)
+            self.assertIn(self.SHOWN, text(outcome), str(arguments))
+            for obeyed in ("\x1b", "\x7f", "\u009b"):
+                self.assertNotIn(obeyed, text(outcome), str(arguments))
+
+    def test_suggested_commands_work_when_pasted(self):
+        for name in ("a b", "it's", "-x", "$HOME", HOSTILE.removesuffix(".json"), "a\nb"):
+            path = self.write(f"scenarios/{name}.json", fling(name="fling"))
+            hint = self.expect(AGREED, "run", path, "--golden", "my golden").out.split("`")[1]
+            self.assertTrue(hint.startswith("hyrax-sim bless "), hint)
+            done = subprocess.run(["bash", "-c", hint.replace("hyrax-sim", str(PROGRAM), 1)], cwd=self.folder, check=False,
+                                  capture_output=True)
+            self.assertEqual(done.returncode, AGREED, done.stderr)
+            self.expect(AGREED, "check", "--golden", "my golden", "--", path)
+
+    def test_the_suggested_diff_works_when_pasted(self):
+        path = self.write("scenarios/it's.json", fling(name="it-s"))
+        self.bless(path)
+        self.write(path, fling(name="it-s", start={"x_px": 1, "y_px": 2}))
+        for output in ("a b.h5", "a b.csv"):
+            text = self.expect(DISAGREED, "run", path, "-o", output).out
+            hint, = (line.split("more", 1)[1] for line in text.splitlines() if line.startswith("  more "))
+            done = subprocess.run(["bash", "-c", hint.replace("hyrax-sim", str(PROGRAM))], cwd=self.folder, check=False,
+                                  capture_output=True, text=True)
+            self.assertIn("DIFFER", done.stdout, done.stderr)
+
+
+class Streams(ProgramTest):
+    """Standard streams that are full or closed."""
+
+    def setUp(self):
+        super().setUp()
+        for number in range(40):
+            name = f"a-name-that-takes-its-room-in-every-line-{number}"
+            self.write(f"scenarios/{name}.json", fling(name=name, steps=40))
+        self.write("bad.json", "{")
+        self.expect(AGREED, "run", "scenarios", "-o", "out/")
+        self.one = sorted((self.folder / "out").iterdir())[0]
+        self.loud = (("validate", "scenarios"), ("validate", "scenarios", "--json"), ("run", "scenarios", "-o", "now/"),
+                     ("run", "scenarios", "-o", "now/", "--json"), ("check", "scenarios"), ("check", "scenarios", "--json"),
+                     ("drift", "scenarios", "--reference", "closed"), ("schema",), ("run", "--help"), ("--help",),
+                     ("info",), ("info", "--json"), ("diff", self.one, self.one),
+                     ("study", "needs", "scenarios", "--quick", "--no-figures", "--json"),
+                     ("bless", "scenarios", "--reason", "x", "--golden", "g"))
+
+    def test_a_full_standard_output_is_exit_3(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("there is no /dev/full here")
+        for arguments in self.loud:
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE,
+                                      check=False)
+            self.assertEqual(done.returncode, CANNOT_ACCESS, (arguments, done.stderr))
+            self.assertTrue(done.stderr.endswith(b"hyrax-sim: standard output cannot be written\n"), done.stderr)
+
+    def closed(self, number, *arguments):
+        """Runs the program with that stream closed."""
+        done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder, check=False, preexec_fn=lambda: os.close(number),
+                              stdout=None if number == 1 else subprocess.PIPE,
+                              stderr=None if number == 2 else subprocess.PIPE)
+        return Outcome(subprocess.CompletedProcess([], done.returncode, done.stdout or b"", done.stderr or b""))
+
+    def test_a_closed_standard_output_is_exit_3(self):
+        for arguments in self.loud:
+            outcome = self.closed(1, *arguments)
+            self.assertEqual(outcome.exit_code, CANNOT_ACCESS, f"{arguments}: {outcome}")
+
+    def test_nothing_is_printed_into_a_file_in_its_place(self):
+        wanted = self.one.read_bytes()
+        self.closed(1, "run", "scenarios", "-o", "new/")
+        self.assertEqual((self.folder / "new" / self.one.name).read_bytes(), wanted)
+
+    def test_a_closed_standard_error_changes_no_verdict(self):
+        for exit_code, arguments in ((BAD_INPUT, ("validate", "bad.json")), (BAD_INPUT, ("run", "bad.json")),
+                                     (BAD_INPUT, ("drift", "bad.json")), (BAD_INPUT, ("chekc",)),
+                                     (BAD_INPUT, ("bless", "bad.json", "--reason", "x", "--golden", "g")),
+                                     (AGREED, ("validate", "scenarios"))):
+            outcome = self.closed(2, *arguments)
+            self.assertEqual(outcome.exit_code, exit_code, f"{arguments}: {outcome}")
+
+
+class Surroundings(ProgramTest):
+    """What the environment says."""
+
+    def test_a_missing_folder_for_temporary_files_is_none_of_our_business(self):
+        files = self.project("one")
+        environment = {**os.environ, **{name: "/no/such/folder" for name in ("TMPDIR", "TMP", "TEMP")}}
+        for arguments in (("run", *files, "--drift"), ("check",), ("check", "--quick"), ("validate", *files), ("info",),
+                          ("bless", "scenarios", "--reason", "x"), ("drift", *files), ("diff", "one.h5", "one.h5"),
+                          ("study", "needs", *files, "--quick", "--no-figures")):
+            self.expect(AGREED, *arguments, env=environment)
+
+    def test_info_names_every_library(self):
+        names = self.expect(AGREED, "info", "--json").json
+        self.assertRegex(names["gsl"], r"^\d+\.\d+")
+        self.assertIn(f"\ngsl              {names['gsl']}\n", self.expect(AGREED, "info").out)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""Folders of scenarios, and where their golden files are: with links, and with what cannot be read."""
+
+import os
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+
+
+class Folders(ProgramTest):
+    """A folder as argument means every *.json below it; nothing is left out silently."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("scenarios/a/one.json", fling(name="one"))
+        self.write("elsewhere/two.json", fling(name="two"))
+
+    def link(self, target, path):
+        """A symbolic link below the folder."""
+        os.symlink(target, self.folder / path)
+
+    def listed(self, exit_code=AGREED, folder="scenarios", says=()):
+        """The scenarios that a command sees."""
+        results = self.expect(exit_code, "validate", folder, "--json", says=says).json["results"]
+        return [entry["scenario"] for entry in results]
+
+    def test_a_linked_folder_is_followed(self):
+        self.link("../elsewhere", "scenarios/b")
+        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/b/two.json"])
+        self.bless("scenarios")
+        self.assertEqual(self.names("golden/b"), ["two.h5", "two.txt"])
+        self.assertEqual(self.expect(AGREED, "check", "--json").json["agreed"], 2)
+
+    def test_a_linked_file_is_followed(self):
+        self.link("../elsewhere/two.json", "scenarios/linked.json")
+        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/linked.json"])
+
+    def test_the_folder_itself_may_be_a_link(self):
+        self.link("scenarios", "link")
+        self.assertEqual(self.listed(folder="link"), ["link/a/one.json"])
+
+    def test_links_in_a_circle_come_to_an_end(self):
+        self.link(".", "scenarios/self")
+        self.link("../..", "scenarios/a/root")
+        self.link("a", "scenarios/again")
+        self.assertEqual([path for path in self.listed() if "elsewhere" not in path],
+                         ["scenarios/a/one.json", "scenarios/again/one.json"])
+
+    def test_a_dangling_link_is_exit_3(self):
+        for name, target in (("gone.json", "nowhere.json"), ("gone", "/no/such/folder"), ("loop.json", "loop.json")):
+            self.link(target, f"scenarios/{name}")
+            self.assertEqual(self.listed(CANNOT_ACCESS, says=f"scenarios/{name}: cannot be read"),
+                             ["scenarios/a/one.json", f"scenarios/{name}"])
+            for command in (("run",), ("check",), ("drift",)):
+                outcome = self.expect(CANNOT_ACCESS, *command, "scenarios", *(("-o", "out/") if command == ("run",) else ()))
+                self.assertIn(f"scenarios/{name}: cannot be read", outcome.out + outcome.err)
+            (self.folder / f"scenarios/{name}").unlink()
+
+    def test_a_dangling_link_that_is_no_scenario_is_none(self):
+        self.link("nowhere", "scenarios/notes.txt")
+        self.assertEqual(self.listed(), ["scenarios/a/one.json"])
+
+    def test_a_pipe_is_no_scenario(self):
+        os.mkfifo(self.folder / "scenarios/pipe.json")
+        self.expect(CANNOT_ACCESS, "validate", "scenarios", says="scenarios/pipe.json: cannot be read: is a pipe")
+
+    def test_a_folder_may_be_named_like_a_scenario(self):
+        self.write("scenarios/c.json/three.json", fling(name="three"))
+        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/c.json/three.json"])
+
+
+class Golden(ProgramTest):
+    """`..` behind a link is the parent of what it links to, as for the system."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("real/scenarios/fling.json", fling())
+        self.write("real/deep/note.txt", "")
+        self.bless("real/scenarios")
+        os.symlink("real/deep", self.folder / "link")
+
+    def test_a_golden_file_is_found_behind_a_link_and_dots(self):
+        for path in ("link/../scenarios/fling.json", "link/../scenarios"):
+            self.expect(AGREED, "check", path)
+            run, = self.expect(AGREED, "run", path, "--json", "-o", "x.h5").json["runs"]
+            self.assertEqual(run["golden"]["status"], "agreed")
+
+    def test_a_golden_folder_is_found_behind_a_link_and_dots(self):
+        self.expect(AGREED, "check", "real/scenarios", "--golden", "link/../golden")
+
+    def test_one_that_is_there_by_name_alone_is_not_taken(self):
+        """Without the link, the same words lead to a golden file that differs."""
+        self.write("scenarios/fling.json", fling(steps=7))
+        self.bless("scenarios")
+        self.write("real/scenarios/fling.json", fling(steps=8))
+        self.expect(DISAGREED, "check", "link/../scenarios", says=())
+        self.expect(AGREED, "bless", "link/../scenarios", "--reason", "x")
+        self.expect(AGREED, "check", "real/scenarios")
+        self.expect(AGREED, "check", "scenarios")
+
+    def test_an_empty_folder_is_bad_input(self):
+        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: holds no scenario (*.json)")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,237 @@
+#!/usr/bin/python3
+"""No output overwrites what is not to be lost: an input, a golden file, a scenario. And what outputs may be named."""
+
+import csv
+import os
+
+import h5py
+
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main)
+
+
+class Guarded(ProgramTest):
+    """Refuses by what a file is, whatever its name and its way."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("fling")
+        self.write("sub/note.txt", "a folder to go through")
+        os.symlink("golden", self.folder / "to-golden")
+        os.symlink("../golden/dangling", self.folder / "sub/dangling")
+        self.write("elsewhere/note.txt", "golden files of somebody")
+
+    def victims(self, suffix):
+        """Outputs that are refused for scenarios/in.SUFFIX, and what the message says."""
+        source = self.folder / self.write(f"scenarios/in{suffix}", fling(name="in"))
+        self.bless(f"scenarios/in{suffix}")
+        self.write(f"other{suffix}", fling(name="other"))
+        os.link(source, self.folder / f"hard{suffix}")
+        os.symlink(f"scenarios/in{suffix}", self.folder / f"link{suffix}")
+        os.symlink(f"../link{suffix}", self.folder / f"sub/link{suffix}")
+        os.link(self.folder / "golden/in.h5", self.folder / f"hard-golden{suffix}")
+        os.symlink(f"golden/new{suffix}", self.folder / f"to-new{suffix}")
+        inputs = [f"scenarios/in{suffix}", f"./scenarios//in{suffix}", f"sub/../scenarios/in{suffix}", f"hard{suffix}",
+                  f"link{suffix}", f"sub/link{suffix}", str(source), f"to-golden/../scenarios/in{suffix}"]
+        golden = [f"golden/new{suffix}", f"scenarios/../golden/new{suffix}", f"to-golden/new{suffix}", f"to-new{suffix}",
+                  f"golden/deep/new{suffix}", f"hard-golden{suffix}", str(self.folder / f"golden/new{suffix}"),
+                  f"golden/in{suffix}"]
+        return ([(path, "would overwrite an input of this command") for path in inputs] +
+                [(f"other{suffix}", "would overwrite a scenario")] + [(path, "golden") for path in golden])
+
+    def assert_refused(self, *arguments, says, **options):
+        """Exit 2 with a sentence, and nothing is written anywhere."""
+        before = (self.state_of("."), self.names())
+        outcome = self.expect(BAD_INPUT, *arguments, says=says, **options)
+        self.assertEqual((self.state_of("."), self.names()), before, arguments)
+        self.assertEqual(outcome.out, "", arguments)
+
+    def assert_all_refused(self, suffix, *command):
+        """Each victim, as the value of the option that ends the command."""
+        for victim, says in self.victims(suffix):
+            arguments = [word.replace("IN", f"scenarios/in{suffix}") for word in command]
+            self.assert_refused(*arguments, victim, says=(command[-1], says))
+        self.assert_refused(*arguments[:-1], "--golden", "elsewhere", command[-1], f"elsewhere/new{suffix}", says="golden")
+
+    def test_run_o(self):
+        self.assert_all_refused(".h5", "run", "IN", "-o")
+
+    def test_run_o_of_values(self):
+        self.assert_all_refused(".csv", "run", "IN", "-o")
+
+    def test_run_figure(self):
+        self.assert_all_refused(".svg", "run", "IN", "--figure")
+
+    def test_check_junit(self):
+        self.assert_all_refused(".xml", "check", "IN", "--junit")
+
+    def test_drift_o(self):
+        self.write("fling.json", fling())
+        self.assert_refused("drift", "fling.json", "-o", "golden/fling.h5", says=("-o", "golden"))
+        for victim, says in self.victims(".h5"):
+            self.assert_refused("drift", "scenarios/in.h5", "-o", victim, says=("-o", says))
+
+    def test_a_scenario_by_its_name_that_is_no_json(self):
+        self.write("scenarios/broken.json", "{ not yet")
+        self.assert_refused("check", "scenarios/fling.json", "--junit", "scenarios/broken.json", says="a scenario")
+
+    def test_the_golden_file_keeps_its_voice(self):
+        """A run written over its own golden file would agree with itself."""
+        self.write("scenarios/fling.json", fling(start={"x_px": 1, "y_px": 2}))
+        self.assert_refused("run", "scenarios/fling.json", "-o", "golden/fling.h5", says="golden")
+        self.assert_refused("run", "scenarios/fling.json", "-o", "golden", says="golden")
+        self.assert_refused("run", "../scenarios/fling.json", says="golden", cwd=self.folder / "golden")
+        self.expect(DISAGREED, "check")
+
+    def test_folders_as_outputs(self):
+        self.write("out/fling.h5", fling())
+        self.assert_refused("run", "out/fling.h5", "-o", "out/", says="an input")
+        self.assert_refused("run", "scenarios/fling.json", "-o", "out/", says="a scenario")
+        for golden in ("golden", "golden/new/", "to-golden", "sub/../golden"):
+            self.assert_refused("run", "scenarios", "-o", golden, says="golden")
+            self.assert_refused("drift", "scenarios/fling.json", "--figures", golden, says="golden")
+            self.assert_refused("study", "needs", "scenarios", "--quick", "-o", golden, says="golden")
+
+    def test_drift_figures(self):
+        for name in ("energy", "energy-drift", "errors", "restitution"):
+            path = self.write(f"{name}/fling-{name}.svg", fling())
+            self.assert_refused("drift", path, "--figures", name, says="an input")
+            self.assert_refused("drift", "scenarios/fling.json", "--figures", name, "-o", "new.h5", says="a scenario")
+
+    def test_study_files(self):
+        for suffix in (".h5", ".csv", ".svg"):
+            name = "needs-fling.svg" if suffix == ".svg" else f"needs{suffix}"
+            path = self.write(f"study{suffix}/{name}", fling())
+            self.assert_refused("study", "needs", path, "--quick", "-o", f"study{suffix}", says="an input")
+            self.assert_refused("study", "needs", "scenarios", "--quick", "-o", f"study{suffix}", says="a scenario")
+        self.write("out/paper.csv", {"format": "hyrax-verdicts/1", "verdicts": {}})
+        self.assert_refused("study", "paper", "--expect", "out/paper.csv", "-o", "out", says="an input")
+
+    def test_bless_spares_its_scenario(self):
+        self.write("x.txt", fling(name="x"))
+        self.assert_refused("bless", "x.txt", "--golden", ".", "--reason", "x", says="an input")
+
+    def test_two_outputs_in_one_place(self):
+        os.symlink("two.h5", self.folder / "sub/one.h5")
+        self.write("one.json", fling(name="one"))
+        self.write("two.json", fling(name="two"))
+        self.assert_refused("run", "one.json", "two.json", "-o", "sub", says="another output of this command")
+
+    def test_a_golden_folder_that_is_a_link(self):
+        os.rename(self.folder / "golden", self.folder / "kept")
+        os.symlink("kept", self.folder / "golden")
+        os.symlink("golden", self.folder / "again")
+        for output in ("golden/new.h5", "kept/new.h5", "again/new.h5"):
+            self.assert_refused("run", "scenarios/fling.json", "-o", output, says="golden")
+        self.write("fling.json", fling())
+        for output in ("golden/new.h5", "again/new.h5"):
+            self.assert_refused("run", "fling.json", "-o", output, says="golden")
+
+    def test_a_golden_file_that_is_a_link(self):
+        os.symlink("../sub/far.h5", self.folder / "golden/far.h5")
+        self.assert_refused("run", "scenarios/fling.json", "-o", "golden/far.h5", says="golden")
+
+    def test_what_is_none_of_these_is_written(self):
+        self.write("golden-old/note.txt", "")
+        self.write("report.xml", "<old/>")
+        self.write("scenarios/notes.h5", "no scenario")
+        self.write("golden/inner/golden/note.txt", "")
+        os.symlink("golden-old", self.folder / "old")
+        for output in ("golden-old/x.h5", "old/x.h5", "sub/golden.h5", "golden/../x.h5", "scenarios/notes.h5"):
+            self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)
+            self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)  # Over its own output.
+        self.expect(AGREED, "check", "scenarios/fling.json", "--junit", "report.xml")
+
+
+class Names(ProgramTest):
+    """The suffix says what is written."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling())
+
+    def test_other_suffixes_are_refused(self):
+        for output in ("x.txt", "x", "x.H5", "x.h5.gz", "x.csv.", "x.json", ".h5.x"):
+            self.expect(BAD_INPUT, "run", "fling.json", "-o", output, says=("-o", "unknown suffix", ".h5, .csv"))
+        for figure in ("x.png", "x", "x.svgz", "x.pdf", "x.SVG"):
+            self.expect(BAD_INPUT, "run", "fling.json", "--figure", figure, says=("--figure", "unknown suffix", ".svg"))
+        for output in ("x.csv", "x"):
+            self.expect(BAD_INPUT, "drift", "fling.json", "-o", output, says=("-o", "unknown suffix", ".h5"))
+        self.assertEqual(self.names(), ["fling.json"])
+
+    def table(self, *arguments):
+        """The rows of a CSV file, as text, and those of the HDF5 file of the same run, as numbers."""
+        self.expect(AGREED, "run", "fling.json", "-o", "run.csv", *arguments)
+        self.expect(AGREED, "run", "fling.json", "-o", "run.h5", *arguments)
+        with open(self.folder / "run.csv", newline="", encoding="ascii") as file:
+            text = file.read()
+        self.assertNotIn("\r", text)
+        head, *rows = csv.reader(text.splitlines())
+        self.assertEqual(head, "step t_s dt_s x_px y_px vx_px_per_s vy_px_per_s contact".split())
+        with h5py.File(self.folder / "run.h5") as file:
+            columns = [file["trajectory"][name][()] for name in "step t dt x y vx vy contact".split()]
+        return rows, list(zip(*columns))
+
+    def test_csv_has_the_rows_of_the_trajectory(self):
+        for arguments, count in (((), 301), (("--set", "/record/every=7"), 44), (("--set", "/steps=0"), 1)):
+            rows, wanted = self.table(*arguments)
+            self.assertEqual((len(rows), len(wanted)), (count, count))
+            for row, numbers in zip(rows, wanted):
+                self.assertEqual([float(value) for value in row], [float(number) for number in numbers])
+                self.assertEqual([repr(float(value)) for value in row[1:7]], [repr(float(number)) for number in numbers[1:7]])
+                for value in row[1:7]:
+                    self.assertLessEqual(len(value), len(repr(float(value))), "shortest round trip")
+
+    def test_csv_ends_where_the_state_is_not_finite(self):
+        self.write("far.json", fling(start={"x_px": 0, "y_px": 0, "vx_px_per_s": 1e12, "vy_px_per_s": 0},
+                                     clock={"dt_s": 1e9}))
+        exit_code = self.hyrax_sim("run", "far.json", "-o", "far.h5").exit_code
+        self.assertEqual(self.hyrax_sim("run", "far.json", "-o", "far.csv").exit_code, exit_code)
+        with h5py.File(self.folder / "far.h5") as file:
+            self.assertEqual((self.folder / "far.csv").read_text().count("\n") - 1, len(file["trajectory/step"]))
+
+    def test_csv_with_drift(self):
+        self.expect(AGREED, "run", "fling.json", "--drift", "-o", "x.csv")
+        self.expect(BAD_INPUT, "run", "fling.json", "--drift", "--rows", "-o", "y.csv", says="--rows")
+        self.assertEqual(self.names(), ["fling.json", "x.csv"])
+
+    def test_csv_is_replaced_whole_or_not_at_all(self):
+        self.write("x.csv", "before")
+        self.write("bad.json", "{")
+        self.expect(BAD_INPUT, "run", "bad.json", "-o", "x.csv")
+        self.assertEqual((self.folder / "x.csv").read_text(), "before")
+        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "/dev/full/x.csv")
+        (self.folder / "y.csv").mkdir()
+        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "no/x.csv")
+        self.assertEqual(self.names(), ["bad.json", "fling.json", "x.csv", "y.csv"])
+
+
+class Nothing(ProgramTest):
+    """A failed input leaves nothing behind; a figure that is not drawn loses nothing."""
+
+    def test_no_folder_for_a_bad_input(self):
+        self.write("bad.json", "{")
+        self.write("fling.json", fling())
+        for exit_code, arguments in ((BAD_INPUT, ("run", "bad.json", "-o", "new/")),
+                                     (CANNOT_ACCESS, ("run", "none.json", "-o", "new/deep/")),
+                                     (BAD_INPUT, ("run", "fling.json", "--rows", "-o", "new/")),
+                                     (BAD_INPUT, ("drift", "bad.json", "--figures", "new")),
+                                     (BAD_INPUT, ("study", "needs", "bad.json", "-o", "new")),
+                                     (BAD_INPUT, ("bless", "bad.json", "--golden", "new", "--reason", "x"))):
+            self.expect(exit_code, *arguments)
+            self.assertEqual(self.names(), ["bad.json", "fling.json"], arguments)
+
+    def test_a_figure_without_gnuplot_is_told_once(self):
+        self.write("fling.json", fling())
+        (self.folder / "bin").mkdir()
+        environment = {**os.environ, "PATH": str(self.folder / "bin")}
+        for arguments in (("run", "fling.json", "--figure", "x.svg"), ("drift", "fling.json", "--figures", "figures")):
+            outcome = self.expect(CANNOT_ACCESS, *arguments, "--json", says="gnuplot is not installed", env=environment)
+            entry, = outcome.json["runs"]
+            self.assertEqual((entry["scenario"], entry["status"]), ("fling.json", "failed"))
+            self.assertIn("gnuplot is not installed", entry["error"])
+            self.assertTrue("state_hash" in entry or "arcs" in entry)
+        self.assertIn("fling.h5", self.names())
+
+
+if __name__ == "__main__":
+    main()

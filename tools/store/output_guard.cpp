@@ -1,0 +1,140 @@
+#include "tools/store/output_guard.h"
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <optional>
+
+#include <sys/stat.h>
+
+#include "tools/files/failure.h"
+#include "tools/files/file_name.h"
+#include "tools/files/presence.h"
+#include "tools/files/text_file.h"
+#include "tools/store/golden_place.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::pair<std::uintmax_t, std::uintmax_t>> identity_of(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return std::nullopt;
+  return std::pair<std::uintmax_t, std::uintmax_t>{status.st_dev, status.st_ino};
+}
+
+bool holds_scenario(const std::string& path) {
+  if (!is_regular_file(path)) return false;
+  try {
+    const std::string text = read_text_file(path);
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string::npos && text[begin] == '{' && text.find("\"hyrax-scenario/") != text.npos;
+  } catch (const Failure&) {
+    return false;  // Too large for a scenario, or not to be read as one.
+  }
+}
+
+bool is_beside_scenarios(const fs::path& folder) {
+  return folder.filename() == "golden" && is_folder((folder.parent_path() / "scenarios").string());
+}
+
+void require_suffix(const std::string& option, const std::string& path,
+                    const std::vector<std::string>& suffixes) {
+  std::string allowed;
+  for (const std::string& suffix : suffixes) {
+    if (file_name(path).extension == suffix) return;
+    allowed += (allowed.empty() ? "" : ", ") + suffix;
+  }
+  if (!allowed.empty())
+    throw Failure(ExitCode::bad_input, option + ": unknown suffix (found " + path + "); allowed: " + allowed);
+}
+
+}  // namespace
+
+// Where a path leads, and whether it or a link on the way is in a folder of that kind.
+struct OutputGuard::Route {
+  std::string end;  // The file's absolute path, without links and dots; it need not exist.
+  bool is_in_golden = false;
+  bool is_in_scenarios = false;
+};
+
+OutputGuard::Route OutputGuard::route_to(const std::string& path) const {
+  constexpr int kLinksMax = 40;
+  std::error_code unknown;
+  const fs::path start = fs::absolute(path);
+  std::deque<fs::path> ahead(start.begin(), start.end());
+  std::set<std::string> golden_folders = golden_folders_;
+  fs::path here;
+  Route route;
+  const auto look_around = [&] {
+    for (fs::path folder = here; folder.has_relative_path(); folder = folder.parent_path()) {
+      if (is_beside_scenarios(folder) || golden_folders.count(folder.string()) > 0) route.is_in_golden = true;
+      if (folder.filename() == "scenarios") route.is_in_scenarios = true;
+    }
+  };
+  for (int links = 0; !ahead.empty();) {
+    const fs::path part = ahead.front();
+    ahead.pop_front();
+    const fs::path next = here / part;
+    if (part.empty() || part == ".") continue;
+    if (part == "..") {
+      here = here.parent_path();
+    } else if (fs::is_symlink(next, unknown) && ++links <= kLinksMax) {
+      look_around();
+      if (is_beside_scenarios(next)) golden_folders.insert(fs::weakly_canonical(next, unknown).string());
+      const fs::path target = fs::read_symlink(next, unknown);
+      if (target.is_absolute()) here.clear();
+      ahead.insert(ahead.begin(), target.begin(), target.end());
+    } else {
+      here = next;
+    }
+  }
+  look_around();
+  route.end = here.string();
+  return route;
+}
+
+OutputGuard::OutputGuard(const std::vector<std::string>& inputs, const std::string& golden_folder) {
+  const auto add_golden_folder = [this](const std::string& folder) {
+    if (!folder.empty()) golden_folders_.insert(route_to(folder).end);
+  };
+  add_golden_folder(golden_folder);
+  for (const std::string& input : inputs) {
+    if (const auto identity = identity_of(input)) inputs_.insert(*identity);
+    add_golden_folder(golden_folder_of(input));
+    if (const auto golden = golden_place(input, golden_folder))
+      for (const std::string& path : {golden->h5_path, golden->txt_path})
+        if (const auto identity = identity_of(path)) golden_files_.insert(*identity);
+  }
+}
+
+void OutputGuard::admit(const std::string& option, const std::string& path,
+                        const std::vector<std::string>& suffixes) {
+  require_suffix(option, path, suffixes);
+  const Route route = route_to(path);
+  const auto identity = identity_of(path);
+  if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))
+    throw Failure(ExitCode::bad_input, option + ": is a golden file or in a golden folder (found " + path +
+                                           "); only `hyrax-sim bless` writes there");
+  admit_file(option, path, route);
+}
+
+void OutputGuard::admit_golden(const std::string& option, const std::string& path) {
+  admit_file(option, path, route_to(path));
+}
+
+void OutputGuard::admit_file(const std::string& option, const std::string& path, const Route& route) {
+  const auto refuse = [&](const std::string& what) {
+    throw Failure(ExitCode::bad_input,
+                  option + ": would overwrite " + what + " (found " + path + "); name another file");
+  };
+  const auto identity = identity_of(path);
+  if (identity && inputs_.count(*identity) > 0) refuse("an input of this command");
+  const bool is_scenario_by_name =
+      route.is_in_scenarios && identity && fs::path(route.end).extension() == ".json";
+  if (is_scenario_by_name || holds_scenario(path)) refuse("a scenario");
+  if (!outputs_.insert(route.end).second) refuse("another output of this command");
+}
+
+}  // namespace hyrax

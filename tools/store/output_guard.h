@@ -1,0 +1,45 @@
+// Which files a command may write: none that it reads, no golden file and no scenario.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hyrax {
+
+/// Every output of a command passes admit() before anything is written. Files are compared by what they are
+/// (device and inode), whatever leads to them: links, hard links and `..`. An output may not be
+///   an input, or an input's golden file;
+///   in a golden folder: one given by --golden, one beside a folder `scenarios`, or that of an input;
+///   an existing scenario: JSON text with the format's name, or a *.json in a folder `scenarios`;
+///   an output that was admitted before.
+class OutputGuard {
+ public:
+  /// @param inputs the files that the command reads. @param golden_folder empty where none was given.
+  explicit OutputGuard(const std::vector<std::string>& inputs, const std::string& golden_folder = "");
+
+  /// @param option for the message, as "hyrax-sim run: --figure".
+  /// @param suffixes one of which its name must end in; empty: any name.
+  /// ERRORS: Failure(bad_input) "OPTION: would overwrite ... (found PATH); ...".
+  void admit(const std::string& option, const std::string& path,
+             const std::vector<std::string>& suffixes = {});
+
+  /// The same for what goes into a golden folder on purpose.
+  void admit_golden(const std::string& option, const std::string& path);
+
+ private:
+  using Identity = std::pair<std::uintmax_t, std::uintmax_t>;
+  struct Route;
+
+  [[nodiscard]] Route route_to(const std::string& path) const;
+  void admit_file(const std::string& option, const std::string& path, const Route& route);
+
+  std::set<Identity> inputs_;
+  std::set<Identity> golden_files_;
+  std::set<std::string> golden_folders_;  // Where they are, their links followed.
+  std::set<std::string> outputs_;
+};
+
+}  // namespace hyrax
