@@ -43,10 +43,10 @@ class CommandLine(HyraxTest):
 
     def test_a_file_that_exists_is_left_as_it_is(self):
         path = self.write("mine.json", fling())
-        mine = path.read_bytes()
+        mine = (self.folder / path).read_bytes()
         for options in (["--record", path], ["--log", path], ["--replay", path, "--log", path]):
             self.expect_of_hyrax(BAD_INPUT, *options, says="mine.json: exists already; give another name")
-            self.assertEqual(path.read_bytes(), mine)
+            self.assertEqual((self.folder / path).read_bytes(), mine)
 
     def test_a_replay_compares_the_hash(self):
         self.expect_of_hyrax(AGREED, "--replay", self.write("fling.json", fling()), "--exit", says="fling: state hash ")
