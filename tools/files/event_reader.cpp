@@ -121,12 +121,16 @@ void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRe
 
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
                  Scenario& scenario, const JsonProblems& problems) {
-  const auto places = here.elements();
-  if (!places) return;
+  const Json::Array* array = here.array();
+  if (array == nullptr) return;
+  std::vector<JsonPlace> places;
   std::vector<EventRead> events;
-  for (const JsonPlace& place : *places) events.push_back(read_event(place, problems));
-  check_holds(*places, events);
-  check_times(*places, events, is_clock_good, steps, scenario);
+  for (std::size_t event = 0; event < array->size(); ++event) {
+    places.push_back(here.element(event));
+    events.push_back(read_event(places.back(), problems));
+  }
+  check_holds(places, events);
+  check_times(places, events, is_clock_good, steps, scenario);
   for (EventRead& read : events) scenario.events.push_back(std::move(read.event));
 }
 

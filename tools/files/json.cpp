@@ -194,18 +194,16 @@ std::vector<std::string> tokens_of(std::string_view pointer) {
   if (std::count(pointer.begin(), pointer.end(), '/') > kNestingMax)
     fail_at(pointer.substr(0, 40), "nested more than " + std::to_string(kNestingMax) + " levels");
   std::vector<std::string> tokens;
-  for (const char c : pointer) {
-    if (c == '/')
+  for (std::size_t at = 0; at < pointer.size(); ++at) {
+    const std::string_view escape = pointer.substr(at, 2);
+    const bool is_escape = escape == "~1" || escape == "~0";
+    if (pointer[at] == '/')
       tokens.emplace_back();
     else if (tokens.empty())
       fail_at(pointer, "is no JSON Pointer; it begins with '/', as in /clock/rate_hz");
     else
-      tokens.back() += c;
-  }
-  for (std::string& token : tokens) {
-    for (const auto& [from, to] : {std::pair{"~1", "/"}, std::pair{"~0", "~"}})
-      for (std::size_t at = token.find(from); at != std::string::npos; at = token.find(from, at + 1))
-        token.replace(at, 2, to);
+      tokens.back() += !is_escape ? pointer[at] : escape == "~1" ? '/' : '~';
+    if (is_escape) ++at;
   }
   return tokens;
 }

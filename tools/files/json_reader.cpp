@@ -70,18 +70,15 @@ JsonPlace JsonPlace::required(std::string_view key) const {
   return here;
 }
 
-std::optional<std::vector<JsonPlace>> JsonPlace::elements() const {
-  if (!is_there()) return std::nullopt;
+const Json::Array* JsonPlace::array() const {
+  if (!is_there()) return nullptr;
   const auto* array = json_->get<Json::Array>();
-  if (array == nullptr) {
-    breaks_rule("must be an array");
-    return std::nullopt;
-  }
-  std::vector<JsonPlace> places;
-  places.reserve(array->size());
-  for (const Json& element : *array)
-    places.emplace_back(&element, pointer_to(pointer_, std::to_string(places.size())), *problems_);
-  return places;
+  if (array == nullptr) breaks_rule("must be an array");
+  return array;
+}
+
+JsonPlace JsonPlace::element(std::size_t index) const {
+  return {&(*json_->get<Json::Array>())[index], pointer_to(pointer_, std::to_string(index)), *problems_};
 }
 
 std::optional<double> JsonPlace::number(const NumberRule& rule) const {

@@ -51,8 +51,10 @@ class JsonPlace {
   [[nodiscard]] JsonPlace member(std::string_view key) const;
   /// The member, of which a complaint is made if it is missing.
   [[nodiscard]] JsonPlace required(std::string_view key) const;
-  /// The elements of an array; complains of anything else.
-  [[nodiscard]] std::optional<std::vector<JsonPlace>> elements() const;
+  /// The array; nullptr, and a complaint, if this is anything else.
+  [[nodiscard]] const Json::Array* array() const;
+  /// REQUIRES: this is an array of more than `index` elements.
+  [[nodiscard]] JsonPlace element(std::size_t index) const;
 
   // Values; nothing, and a complaint, where they break the rule. Nothing where nothing is there.
   [[nodiscard]] std::optional<double> number(const NumberRule& rule = {}) const;

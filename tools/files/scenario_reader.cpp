@@ -81,12 +81,14 @@ Jitter read_jitter(const JsonPlace& here) {
   return {rule->value, here.required(rule->amount_key).number(rule->amount).value_or(0.0), seed.value_or(0)};
 }
 
+// REQUIRES: an array. It may hold millions of frames, so that no list of their places is made.
 RecordedSteps read_trace(const JsonPlace& here) {
   RecordedSteps trace;
-  const auto frames = here.elements();
-  if (frames && frames->empty()) here.wrong("must hold at least one dt, is []");
-  if (frames)
-    for (const JsonPlace& frame : *frames) trace.dt_s.push_back(frame.number(kFrameRule).value_or(0.0));
+  const std::size_t frames = here.array()->size();
+  if (frames == 0) here.wrong("must hold at least one dt, is []");
+  trace.dt_s.reserve(frames);
+  for (std::size_t frame = 0; frame < frames; ++frame)
+    trace.dt_s.push_back(here.element(frame).number(kFrameRule).value_or(0.0));
   return trace;
 }
 

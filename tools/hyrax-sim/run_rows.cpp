@@ -9,7 +9,7 @@
 #include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden_check.h"
-#include "tools/hyrax-sim/progress.h"
+#include "tools/hyrax-sim/shown_replay.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -17,14 +17,7 @@ namespace {
 
 void replay_to(const Scenario& scenario, RowSink& sink, std::int64_t last_step) {
   Replay replay(scenario, sink);
-  Progress progress("steps", last_step);
-  constexpr std::int64_t kStepsBetweenLooks = 1 << 20;
-  const std::int64_t stride = progress.is_shown() ? kStepsBetweenLooks : last_step;
-  for (std::int64_t step = 0; step < last_step && replay.keyframe().row.step == step;) {
-    step = std::min(last_step, step + stride);
-    replay.play_to(step);
-    progress.show(step);
-  }
+  play_shown(replay, last_step);
   static_cast<void>(replay.finish());
 }
 

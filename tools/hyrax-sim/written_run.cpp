@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/file_name.h"
 #include "tools/hyrax-sim/golden_check.h"
-#include "tools/hyrax-sim/progress.h"
+#include "tools/hyrax-sim/shown_replay.h"
 #include "tools/store/drift_arc_table.h"
 #include "tools/store/drift_row_table.h"
 #include "tools/store/trajectory_csv.h"
@@ -19,14 +17,7 @@ namespace {
 
 RunSummary play_with_progress(const Scenario& scenario, RowSink& sink, const ReplayOptions& options) {
   Replay replay(scenario, sink, options);
-  Progress progress("steps", replay.steps());
-  constexpr std::int64_t kStepsBetweenLooks = 1 << 20;
-  const std::int64_t stride = progress.is_shown() ? kStepsBetweenLooks : replay.steps();
-  for (std::int64_t step = 0; step < replay.steps() && replay.keyframe().row.step == step;) {
-    step = std::min(replay.steps(), step + stride);
-    replay.play_to(step);
-    progress.show(step);
-  }
+  play_shown(replay, replay.steps());
   return replay.finish();
 }
 

@@ -92,10 +92,11 @@ Right-click it, or its icon beside the clock: pause, throw, reset, recording, qu
 hyrax [OPTION]...
 
   --record FILE    record everything from start to end; the file is a scenario that hyrax-sim replays
-                   to the same bits, and at most a second behind, however the program ends
+                   to the same bits, and at most a second behind, however the program ends. FILE must
+                   not exist yet; after some five hours of motion FILE-2, FILE-3, ... continue it
   --replay FILE    play a scenario, then end: exit code 0 if its state hash agrees, 1 if it differs
   --exit           with --replay: no window, the exit code alone
-  --log FILE       a line a frame, as JSON
+  --log FILE       a line a frame, as JSON; FILE must not exist yet
   --seconds N      end after N seconds
   --help, --version
 

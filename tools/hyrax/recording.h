@@ -16,7 +16,7 @@ namespace hyrax {
 class Recording {
  public:
   static constexpr std::int64_t kPartFrames = 16'384;  ///< Four and a half minutes of motion at 60 Hz.
-  static constexpr std::int64_t kFramesMax = std::int64_t{1} << 20;  ///< Some five hours of it.
+  static constexpr std::int64_t kFramesMax = std::int64_t{1} << 20;  ///< Some five hours; then `next`.
 
   /// @param path of the file, UTF-8. Refers to the saver. ERRORS: Failure(bad_input) if the file exists.
   Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver);

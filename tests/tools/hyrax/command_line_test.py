@@ -41,6 +41,13 @@ class CommandLine(HyraxTest):
         self.expect_of_hyrax(CANNOT_ACCESS, "--record", "nowhere/fling.json", says="nowhere/fling.json: cannot be written")
         self.expect_of_hyrax(CANNOT_ACCESS, "--log", "nowhere/fling.log", says="nowhere/fling.log: cannot be written")
 
+    def test_a_file_that_exists_is_left_as_it_is(self):
+        path = self.write("mine.json", fling())
+        mine = (self.folder / path).read_bytes()
+        for options in (["--record", path], ["--log", path], ["--replay", path, "--log", path]):
+            self.expect_of_hyrax(BAD_INPUT, *options, says="mine.json: exists already; give another name")
+            self.assertEqual((self.folder / path).read_bytes(), mine)
+
     def test_a_replay_compares_the_hash(self):
         self.expect_of_hyrax(AGREED, "--replay", self.write("fling.json", fling()), "--exit", says="fling: state hash ")
         other = self.write("other.json", fling(expect={"state_hash": HASH_OF_FLING}))

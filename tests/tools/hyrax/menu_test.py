@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The menu of the hyrax, by a right click and a key: what it does is an input of the scene, or a file that replays."""
 
+import shutil
 import sys
 import time
 import unittest
@@ -10,6 +11,7 @@ from program import AGREED
 from wine import FOLDER, HYRAX, skip_without
 
 ESCAPE, RETURN = 27, 13
+TRAY_MESSAGE, RIGHT_BUTTON_UP = 0x8001, 0x205
 OPENS_MS = 800
 TRIES = 8
 WAIT_S = 5
@@ -81,6 +83,29 @@ class Menu(HyraxTest):
         path, = self.saved("recording")
         self.expect(AGREED, "run", path, "-o", self.folder / "recorded.h5")
         self.assertIn('"fling"', path.read_text())
+
+    def test_a_recording_that_cannot_be_written_does_not_end_the_program(self):
+        process = self.start_without_recording()
+        self.wait_for_sleep()
+        documents, = (path for path in FOLDER.glob("prefix/drive_c/users/*/Documents") if path.parts[-2] != "Public")
+        shutil.rmtree(documents / "Hyrax", ignore_errors=True)
+        self.addCleanup((documents / "Hyrax").unlink)
+        (documents / "Hyrax").write_text("A file, where the folder of the recordings should be.")
+        for letter, proof, inputs in (("C", "T", ["fling"]), ("J", "R", ["place", "stop"])):
+            self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord(letter))
+            self.choose(proof, lambda inputs=inputs: self.has_input(*inputs))
+            self.assertIsNone(process.poll())
+
+    def test_a_menu_inside_the_about_box_leaves_the_frames_running(self):
+        process = self.start_without_recording()
+        self.wait_for_sleep()
+        self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord("A"), "sleep", OPENS_MS)
+        # The box disables the window below it; the icon beside the clock opens the menu all the same.
+        self.hand("post", TRAY_MESSAGE, 1, RIGHT_BUTTON_UP, "sleep", OPENS_MS, "key", ord("T"))
+        self.wait_for_input("fling")
+        self.wait_for_sleep()
+        self.hand("key", RETURN)
+        self.choose("Q", lambda: process.poll() is not None)
 
     def test_about_waits_for_its_reader_and_quit_ends_it(self):
         process = self.start_without_recording()

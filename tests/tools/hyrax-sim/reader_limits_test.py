@@ -1,0 +1,42 @@
+#!/usr/bin/python3
+"""No scenario keeps its reader busy, or takes memory out of proportion to the file."""
+
+import subprocess
+
+from program import AGREED, BAD_INPUT, PROGRAM, ProgramTest, fling, main
+
+MEBIBYTE = 2**20
+JITTER = {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}}
+
+
+class ReaderLimits(ProgramTest):
+    """Validated, not played."""
+
+    def peak_bytes(self, exit_code, path):
+        """Validates a file; returns the most memory that took."""
+        script = ("import resource, subprocess, sys; code = subprocess.call(sys.argv[1:]); "
+                  "print(code, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
+        done = subprocess.run(["/usr/bin/python3", "-c", script, str(PROGRAM), "validate", path], cwd=self.folder,
+                              capture_output=True, text=True, check=True, timeout=60)
+        code, peak_kib = map(int, done.stdout.splitlines()[-1].split())
+        self.assertEqual(code, exit_code)
+        return peak_kib * 1024
+
+    def assert_below(self, limit_bytes, peak_bytes):
+        """A sanitizer's own memory is no matter here."""
+        if "-fsanitize" not in self.expect(AGREED, "info").out:
+            self.assertLess(peak_bytes, limit_bytes)
+
+    def test_a_time_that_no_walk_reaches_is_refused_at_once(self):
+        path = self.write("far.json", fling(clock=JITTER, steps=1e12, events=[{"at_s": 1e9, "stop": {}}]))
+        self.expect(BAD_INPUT, "validate", path, says="far.json: /events/0/at_s: must fall on a frame up to 100000000")
+
+    def test_a_trace_takes_memory_in_proportion_to_its_text(self):
+        frames = 1_000_000
+        path = self.write("trace.json", fling(clock={"dt_s": [0] * frames}, steps=None))
+        size = (self.folder / path).stat().st_size
+        self.assert_below(20 * MEBIBYTE + 25 * size, self.peak_bytes(AGREED, path))
+
+
+if __name__ == "__main__":
+    main()

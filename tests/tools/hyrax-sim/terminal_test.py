@@ -1,0 +1,60 @@
+#!/usr/bin/python3
+"""What a run comes to does not depend on whether someone watches it: stderr is a terminal here, with progress."""
+
+import os
+import pty
+import subprocess
+import threading
+import unittest
+
+from program import AGREED, PROGRAM, ProgramTest, fling, main
+
+
+class Terminal(ProgramTest):
+    """Long enough for progress to cut the run into pieces."""
+
+    def run_watched(self, *arguments):
+        """Runs the program with a terminal as its stderr; returns its output and what the terminal showed."""
+        keeper, terminal = pty.openpty()
+        shown = []
+
+        def watch():
+            try:
+                while part := os.read(keeper, 65536):
+                    shown.append(part)
+            except OSError:
+                pass  # The terminal is closed.
+
+        watcher = threading.Thread(target=watch)
+        watcher.start()
+        try:
+            done = subprocess.run([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=terminal,
+                                  stdin=subprocess.DEVNULL, cwd=self.folder, check=False, timeout=60)
+        finally:
+            os.close(terminal)
+            watcher.join()
+            os.close(keeper)
+        self.assertEqual(done.returncode, AGREED, b"".join(shown))
+        return done.stdout
+
+    def assert_same_when_watched(self, **scenario):
+        """The same summary and the same file."""
+        path = self.write("long.json", fling(**scenario))
+        unwatched = self.expect(AGREED, "run", path, "-o", "run.h5", "--json").out
+        rows = (self.folder / "run.h5").read_bytes()
+        self.assertEqual(self.run_watched("run", path, "-o", "run.h5", "--json").decode(), unwatched)
+        self.assertEqual((self.folder / "run.h5").read_bytes(), rows)
+        return unwatched
+
+    def test_a_run_that_repeats_is_the_same(self):
+        out = self.assert_same_when_watched(steps=10**8, record={"every": 10**6})
+        self.assertNotIn('"periodic_from_step": null', out)
+
+    def test_a_run_that_is_computed_is_the_same(self):
+        self.assert_same_when_watched(
+            steps=300_000, record={"every": 1000}, events=[{"step": 70_000, "stop": {}}],
+            clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})
+
+
+if __name__ == "__main__":
+    main()
