@@ -78,7 +78,7 @@ bool write_blocks(hid_t file, const std::vector<StoredBlock>& blocks) {
     is_written = is_written && write_whole(group, column.name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
                                            {values.size()}, values.data());
   }
-  return is_written;
+  return is_written && h5::share_axis(group, "count");
 }
 
 // A long run's rows are those at which its blocks begin, and the last one.

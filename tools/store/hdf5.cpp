@@ -47,6 +47,10 @@ Handle dataset_list() {
   return list;
 }
 
+hssize_t length_of(hid_t dataset) {
+  return H5Sget_simple_extent_npoints(Handle(H5Dget_space(dataset), H5Sclose));
+}
+
 }  // namespace
 
 Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
@@ -107,9 +111,10 @@ bool share_axis(hid_t group, const char* scale) {
   } axis{scale, {H5Dopen2(group, scale, H5P_DEFAULT), H5Dclose}};
   const auto attach = [](hid_t parent, const char* name, const H5L_info_t*, void* to) -> herr_t {
     const auto& [scale_name, scale_dataset] = *static_cast<const Axis*>(to);
-    if (std::string_view(name) == scale_name) return 0;
     const Handle object(H5Oopen(parent, name, H5P_DEFAULT), H5Oclose);
-    return H5Iget_type(object) == H5I_DATASET ? H5DSattach_scale(object, scale_dataset, 0) : 0;
+    if (std::string_view(name) == scale_name || H5Iget_type(object) != H5I_DATASET) return 0;
+    return length_of(object) == length_of(scale_dataset) ? H5DSattach_scale(object, scale_dataset, 0)
+                                                         : H5DSset_scale(object, name);
   };
   return H5DSset_scale(axis.scale, scale) >= 0 &&
          H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, attach, &axis) >= 0;

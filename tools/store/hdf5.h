@@ -63,9 +63,9 @@ class Handle {
 [[nodiscard]] herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count,
                                 const void* data);
 
-/// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets, which is what
-/// netCDF readers as xarray need to open the group.
-/// REQUIRES: all datasets of the group have one axis, of one length.
+/// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets, and those of
+/// another length axes of their own, which is what netCDF readers such as xarray need to open the group.
+/// REQUIRES: all datasets of the group have one dimension.
 /// Returns false where the file could not be written.
 [[nodiscard]] bool share_axis(hid_t group, const char* scale);
 

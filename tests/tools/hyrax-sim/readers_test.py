@@ -199,6 +199,17 @@ class EveryGroup(Reader):
         for group in self.groups("measured.h5"):
             self.open("measured.h5", group)
 
+    def test_of_a_golden_file(self):
+        self.write("scenarios/long.json", fling(name="long", steps=9000, clock={
+            "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.3, "seed": 5}}))
+        self.bless("scenarios")
+        self.assertEqual(self.groups("golden/long.h5"), ["blocks", "contacts", "events", "trajectory"])
+        for group in ("contacts", "events", "trajectory"):
+            self.open("golden/long.h5", group)
+        with xarray.open_dataset(self.folder / "golden/long.h5", group="blocks", engine="h5netcdf") as blocks:
+            self.assertEqual(dict(blocks.sizes), {"count": 3, "digest": 48, "row_check": 6 * 9001})
+            self.assertEqual(blocks.time_base.dims, ("count",))
+
     def test_of_a_study(self):
         for study in (("needs", "fling.json", "--quick"), ("rest", "--quick"), ("hard-cases", "fling.json", "--quick")):
             self.expect(AGREED, "study", *study, "--no-figures")
