@@ -8,7 +8,7 @@
 namespace hyrax {
 namespace {
 
-// A time is a sum of the arc's frames and one more.
+// Of a sum of the arc's frames and the clamped one.
 constexpr double kTimeRounding = 4e-16;
 
 Velocity velocity_of(const Flight& flight) { return {flight.vx_px_per_s, flight.vy_px_per_s}; }
@@ -87,11 +87,11 @@ void ReferenceCheck::see_impact(Wall wall, double clamped_dt_s, const std::optio
   if (g.has_failed) return;
   const std::optional<Impact> solved = walls_.impact(wall, clamped_dt_s);
   if (closed && solved) {
-    const double apart_s = std::fabs(closed->t_s - solved->t_s);
+    const double rounding_s = kTimeRounding * (g.elapsed_s + clamped_dt_s);
+    const double apart_s = larger(0.0, std::fabs(closed->t_s - solved->t_s) - rounding_s);
     const double speed = larger(closed->speed_px_per_s, solved->speed_px_per_s);
     g.impact_px = larger(g.impact_px, apart_s * speed);
-    const double gained =
-        (gravity_ + closed->drag_rate_per_s * speed) * (apart_s + kTimeRounding * g.elapsed_s);
+    const double gained = (gravity_ + closed->drag_rate_per_s * speed) * (apart_s + rounding_s);
     g.impact_px_per_s =
         larger(g.impact_px_per_s, std::fabs(closed->speed_px_per_s - solved->speed_px_per_s) - gained);
   } else if (closed || solved) {
