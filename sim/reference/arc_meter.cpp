@@ -201,7 +201,7 @@ void ArcMeter::verify(ArcErrors& arc) {
   const double sum = arc.implementation_px + arc.truncation_px + arc.model_px + arc.implementation_px_per_s +
                      arc.truncation_px_per_s + arc.energy_largest_px2_per_s2 + arc.energy_drift_rel_max +
                      arc.energy_drift_slope_per_s.value_or(0.0);
-  if (!std::isfinite(sum)) arc.reference_fault = "a value that is not finite";
+  if (!std::isfinite(sum)) arc.reference_fault = "a value is not finite";
 }
 
 ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) {

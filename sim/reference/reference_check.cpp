@@ -109,18 +109,18 @@ std::optional<double> ReferenceCheck::apart_px() const {
 
 std::string_view ReferenceCheck::fault(double coordinate_largest_px) const {
   const Gathered& g = gathered_;
-  if (g.has_failed) return "the solver failed";
+  if (g.has_failed) return "the second solver failed";
   if (!solver_.is_judge()) return {};
   const double px_max = kSolversApart_px + kSolversApart_rel * coordinate_largest_px;
   const double speed_largest_px_per_s = std::sqrt(g.speed_largest_squared);
   const double px_per_s_max = kSolversApart_px_per_s + kSolversApart_rel * speed_largest_px_per_s;
   const double energy_scale =
       kEnergyScaleMin_px2_per_s2 + g.speed_largest_squared + g.energy_largest_px2_per_s2;
-  if (!(g.position.value() <= px_max)) return "position";
-  if (!(g.velocity.value() <= px_per_s_max)) return "velocity";
-  if (!(g.model.value() <= px_max)) return "model error";
-  if (!(g.energy_px2_per_s2 <= kSolversApartEnergy_rel * energy_scale)) return "energy";
-  if (!(g.impact_px <= px_max && g.impact_px_per_s <= px_per_s_max)) return "time of impact";
+  if (!(g.position.value() <= px_max)) return "position differs";
+  if (!(g.velocity.value() <= px_per_s_max)) return "velocity differs";
+  if (!(g.model.value() <= px_max)) return "model error differs";
+  if (!(g.energy_px2_per_s2 <= kSolversApartEnergy_rel * energy_scale)) return "energy differs";
+  if (!(g.impact_px <= px_max && g.impact_px_per_s <= px_per_s_max)) return "time of impact differs";
   return {};
 }
 
