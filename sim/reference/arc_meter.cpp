@@ -201,7 +201,7 @@ void ArcMeter::verify(ArcErrors& arc) {
   const double sum = arc.implementation_px + arc.truncation_px + arc.model_px + arc.implementation_px_per_s +
                      arc.truncation_px_per_s + arc.energy_largest_px2_per_s2 + arc.energy_drift_rel_max +
                      arc.energy_drift_slope_per_s.value_or(0.0);
-  if (!std::isfinite(sum)) arc.reference_fault = "a value that is not finite";
+  if (!std::isfinite(sum)) arc.reference_fault = "a value is not finite";
 }
 
 ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) {
@@ -211,11 +211,12 @@ ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErr
   contact.overshoot_px = overshoot_px(wall, clamped.dt_s);
   contact.energy_jump_rel =
       energy_gain(seen_from_start(last_), seen_from_start(clamped)) / arc.energy_scale_px2_per_s2();
-  const std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
+  std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
   if (impact) {
     contact.time_error_s = clamped.dt_s - impact->t_s;
     if (impact->speed_px_per_s != 0.0)
       contact.effective_restitution = speed_after(wall, clamped) / impact->speed_px_per_s;
+    impact->t_s = clamped.dt_s - *contact.time_error_s;  // What is reported is what is checked.
   }
   if (check_) check_->see_impact(wall, clamped.dt_s, impact);
   return contact;

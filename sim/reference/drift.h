@@ -57,9 +57,9 @@ struct ArcErrors {
 
   double coordinate_largest_px = 0.0;      ///< Of the run and the matched ODE.
   std::optional<double> gsl_vs_closed_px;  ///< None without a second solver, or where it failed.
-  /// What is wrong with the reference: what the solutions differ in ("position", "velocity", "energy",
-  /// "model error", "time of impact", of the contact that ended the arc), that the second solver failed,
-  /// or that a value is not finite. Empty: nothing.
+  /// What is wrong with the reference; empty: nothing. "position differs", of the two solutions, or
+  /// "velocity", "energy", "model error", or "time of impact" of the contact that ended the arc; "the
+  /// second solver failed"; "a value is not finite".
   std::string_view reference_fault;
 
   [[nodiscard]] double energy_scale_px2_per_s2() const {

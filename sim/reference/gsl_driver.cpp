@@ -42,7 +42,8 @@ const gsl_odeiv2_step_type* type_of(GslStepper stepper) {
 }  // namespace
 
 GslDriver::GslDriver(const GslOptions& options, std::size_t axes)
-    : force_{.axes = axes}, system_{derivatives, jacobian, 2 * axes, &force_} {
+    : force_{.axes = axes},
+      system_{axes == 1 ? derivatives<1> : derivatives<2>, jacobian, 2 * axes, &force_} {
   driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, type_of(options.stepper), kFirstStep_frames,
                                               options.tolerance, options.tolerance));
   if (!driver_) throw std::bad_alloc();
@@ -99,10 +100,11 @@ bool GslDriver::is_sound() const {
 }
 
 // GSL's explicit steppers take a NaN for a success, so it is refused here.
+template <std::size_t axes>
 int GslDriver::derivatives(double, const double state[], double rates[], void* parameters) {
   const Force& force = *static_cast<const Force*>(parameters);
   double sum = 0.0;
-  for (std::size_t axis = 0; axis < force.axes; ++axis) {
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     const double speed = state[2 * axis + 1];
     rates[2 * axis] = force.coast_px[axis] + force.frame_s * speed;
     rates[2 * axis + 1] = force.push_px_per_s[axis] - force.drag * speed;

@@ -53,6 +53,8 @@ class GslDriver {
     void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
   };
 
+  // The number of axes is fixed here, since this is most of what GSL does.
+  template <std::size_t axes>
   static int derivatives(double time, const double state[], double rates[], void* force);
   static int jacobian(double time, const double state[], double by_state[], double by_time[], void* force);
   void restart(double frame_s, double drag);

@@ -4,11 +4,11 @@
 #include <gsl/gsl_roots.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <new>
+#include <utility>
 
 #include "sim/reference/gsl_driver.h"
 
@@ -42,6 +42,7 @@ class AxisFlight {
 
   // NaN where GSL fails.
   [[nodiscard]] AxisMotion after(double t_s) {
+    if (t_s == 0.0) return {from_.position_px, from_.speed_px_per_s};
     const double drag_s = std::min(t_s, kDragOfAll / from_.drag_rate_per_s);
     const double drag = from_.drag_rate_per_s * drag_s;
     const double pieces = std::max(1.0, std::ceil(drag / kDragPerPiece));
@@ -87,13 +88,13 @@ class AxisFlight {
     gsl_function function{evaluate, &parameters};
     gsl_root_fsolver* roots = roots_.get();
     if (gsl_root_fsolver_set(roots, &function, low_s, high_s) != GSL_SUCCESS) return kNaN;
+    double t_s = kNaN;
     for (int turn = 0; turn < kBrentTurnsMax; ++turn) {
       if (gsl_root_fsolver_iterate(roots) != GSL_SUCCESS) return kNaN;
-      if (gsl_root_test_interval(gsl_root_fsolver_x_lower(roots), gsl_root_fsolver_x_upper(roots), 0.0,
-                                 std::numeric_limits<double>::epsilon()) == GSL_SUCCESS)
-        break;
+      const double last_s = std::exchange(t_s, gsl_root_fsolver_root(roots));
+      if (std::fabs(t_s - last_s) <= std::numeric_limits<double>::epsilon() * t_s) break;
     }
-    return gsl_root_fsolver_root(roots);
+    return t_s;
   }
 
   GslDriver driver_;

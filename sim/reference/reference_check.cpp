@@ -8,7 +8,7 @@
 namespace hyrax {
 namespace {
 
-// A time is a sum of the arc's frames and one more.
+// Of a sum of the arc's frames and the clamped one.
 constexpr double kTimeRounding = 4e-16;
 
 Velocity velocity_of(const Flight& flight) { return {flight.vx_px_per_s, flight.vy_px_per_s}; }
@@ -87,11 +87,11 @@ void ReferenceCheck::see_impact(Wall wall, double clamped_dt_s, const std::optio
   if (g.has_failed) return;
   const std::optional<Impact> solved = walls_.impact(wall, clamped_dt_s);
   if (closed && solved) {
-    const double apart_s = std::fabs(closed->t_s - solved->t_s);
+    const double rounding_s = kTimeRounding * (g.elapsed_s + clamped_dt_s);
+    const double apart_s = larger(0.0, std::fabs(closed->t_s - solved->t_s) - rounding_s);
     const double speed = larger(closed->speed_px_per_s, solved->speed_px_per_s);
     g.impact_px = larger(g.impact_px, apart_s * speed);
-    const double gained =
-        (gravity_ + closed->drag_rate_per_s * speed) * (apart_s + kTimeRounding * g.elapsed_s);
+    const double gained = (gravity_ + closed->drag_rate_per_s * speed) * (apart_s + rounding_s);
     g.impact_px_per_s =
         larger(g.impact_px_per_s, std::fabs(closed->speed_px_per_s - solved->speed_px_per_s) - gained);
   } else if (closed || solved) {
@@ -109,18 +109,18 @@ std::optional<double> ReferenceCheck::apart_px() const {
 
 std::string_view ReferenceCheck::fault(double coordinate_largest_px) const {
   const Gathered& g = gathered_;
-  if (g.has_failed) return "the solver failed";
+  if (g.has_failed) return "the second solver failed";
   if (!solver_.is_judge()) return {};
   const double px_max = kSolversApart_px + kSolversApart_rel * coordinate_largest_px;
   const double speed_largest_px_per_s = std::sqrt(g.speed_largest_squared);
   const double px_per_s_max = kSolversApart_px_per_s + kSolversApart_rel * speed_largest_px_per_s;
   const double energy_scale =
       kEnergyScaleMin_px2_per_s2 + g.speed_largest_squared + g.energy_largest_px2_per_s2;
-  if (!(g.position.value() <= px_max)) return "position";
-  if (!(g.velocity.value() <= px_per_s_max)) return "velocity";
-  if (!(g.model.value() <= px_max)) return "model error";
-  if (!(g.energy_px2_per_s2 <= kSolversApartEnergy_rel * energy_scale)) return "energy";
-  if (!(g.impact_px <= px_max && g.impact_px_per_s <= px_per_s_max)) return "time of impact";
+  if (!(g.position.value() <= px_max)) return "position differs";
+  if (!(g.velocity.value() <= px_per_s_max)) return "velocity differs";
+  if (!(g.model.value() <= px_max)) return "model error differs";
+  if (!(g.energy_px2_per_s2 <= kSolversApartEnergy_rel * energy_scale)) return "energy differs";
+  if (!(g.impact_px <= px_max && g.impact_px_per_s <= px_per_s_max)) return "time of impact differs";
   return {};
 }
 

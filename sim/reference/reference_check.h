@@ -39,7 +39,7 @@ class ReferenceCheck {
   /// The largest distance of both solutions in px: of rows, and of the model's last position. None
   /// where the solver failed.
   [[nodiscard]] std::optional<double> apart_px() const;
-  /// What the two differ in by more than drift.h allows; empty: in nothing, or the solver is no judge.
+  /// What differs by more than drift.h allows, as in ArcErrors; empty: nothing, or the solver is no judge.
   [[nodiscard]] std::string_view fault(double coordinate_largest_px) const;
 
  private:

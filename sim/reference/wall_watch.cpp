@@ -24,7 +24,8 @@ void WallWatch::look(const Flight& now, double dt_s) {
     const std::size_t index = wall_index(wall);
     const Approach end = approach(wall, now, dt_s);
     const bool ends_outside = end.position_px > 0.0;
-    if (!met_[index]) {
+    // Only the top can be left and met again within a frame.
+    if (!met_[index] && (ends_outside || wall == Wall::top)) {
       std::optional<Impact>& met = met_[index] = find(wall, dt_s, dt_s);
       if (!met && ends_outside && !is_outside_[index])
         met = Impact{dt_s, end.speed_px_per_s, end.drag_rate_per_s};

@@ -126,10 +126,9 @@ std::string faults_text(const DriftSummary& summary) {
     text += fmt::format("  ASTRAY       {} steps of flight are not the paper's step, bit for bit\n",
                         summary.steps_astray);
   if (summary.reference_faults > 0)
-    text += fmt::format(
-        "  FAULT        of the reference in {}, the first from row {}: its two solutions differ in {}\n",
-        arcs_text(summary.reference_faults), summary.first_reference_fault_step.value_or(0),
-        summary.first_reference_fault);
+    text += fmt::format("  FAULT        of the reference in {}, the first from row {}: {}\n",
+                        arcs_text(summary.reference_faults), summary.first_reference_fault_step.value_or(0),
+                        summary.first_reference_fault);
   return text;
 }
 

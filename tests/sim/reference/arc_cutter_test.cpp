@@ -43,6 +43,7 @@ struct Cut {
   std::vector<SeenArc> arcs;
   std::int64_t skipped_arcs = 0;
   std::optional<std::int64_t> non_finite_step;
+  std::vector<std::int64_t> bounces;
 };
 
 Cut cut(const Scenario& scenario, const Columns& rows) {
@@ -50,7 +51,7 @@ Cut cut(const Scenario& scenario, const Columns& rows) {
   ArcCutter cutter(scenario, inputs_of(scenario), seen);
   cutter.rows(rows);
   cutter.finish();
-  return {seen.arcs, cutter.skipped_arcs(), cutter.non_finite_step()};
+  return {seen.arcs, cutter.skipped_arcs(), cutter.non_finite_step(), seen.bounces};
 }
 
 Cut cut(const Scenario& scenario) { return cut(scenario, rows_of(scenario)); }
@@ -60,6 +61,17 @@ Scenario interrupted_by(const Action& action) {
   Scenario scenario = open_sky({300.0, -500.0}, 60.0, 30);
   scenario.events.push_back({std::int64_t{10}, action});
   return scenario;
+}
+
+// Clamped in row 2 and in row 3, which no flight comes before.
+TEST(ArcCutter, HandsOnABounceAfterOneStep) {
+  const Scenario scenario = open_sky({300.0, -500.0}, 60.0, 4);
+  Columns rows = rows_of(scenario);
+  rows.contact[2] = rows.contact[3] = static_cast<std::uint8_t>(Wall::ground);
+  const Cut c = cut(scenario, rows);
+  EXPECT_EQ(c.bounces, std::vector<std::int64_t>{2});
+  EXPECT_TRUE(c.arcs.empty());
+  EXPECT_EQ(c.skipped_arcs, 3);
 }
 
 TEST(ArcCutter, TakesAnUndisturbedFlightAsOneArc) {

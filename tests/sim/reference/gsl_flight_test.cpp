@@ -236,19 +236,19 @@ TEST(DriftMeterWithGsl, FindsNoFaultInAnUnalteredSolver) {
 TEST(DriftMeterWithGsl, ComparesVelocities) {
   AlteredSolver solver;
   solver.speed_factor = 1.0 + 1e-11;
-  EXPECT_EQ(fault_with(solver), "velocity");
+  EXPECT_EQ(fault_with(solver), "velocity differs");
 }
 
 TEST(DriftMeterWithGsl, ComparesTheModelsFlight) {
   AlteredSolver solver;
   solver.model_time_factor = 1.0 + 1e-9;
-  EXPECT_EQ(fault_with(solver), "model error");
+  EXPECT_EQ(fault_with(solver), "model error differs");
 }
 
 TEST(DriftMeterWithGsl, ComparesTheTimeOfImpact) {
   AlteredSolver solver;
   solver.impact_factor = 1.0 + 1e-9;
-  EXPECT_EQ(fault_with(solver), "time of impact");
+  EXPECT_EQ(fault_with(solver), "time of impact differs");
 }
 
 TEST(DriftMeterWithGsl, TakesNanForADifference) {
@@ -265,7 +265,7 @@ TEST(DriftMeterWithGsl, CallsSolutionsThatDifferAFaultOfTheReference) {
   solver.off_px = 2e-9;
   Measured measured;
   measure(fling(), measured, &solver);
-  EXPECT_EQ(measured.arcs.at(0).reference_fault, "position");
+  EXPECT_EQ(measured.arcs.at(0).reference_fault, "position differs");
   EXPECT_GE(measured.summary.reference_faults, measured.summary.arcs);
   EXPECT_EQ(measured.summary.first_reference_fault_step, 0);
 }
@@ -283,7 +283,7 @@ TEST(DriftMeterWithGsl, CallsAFailedSolverAFault) {
   solver.fails = true;
   Measured measured;
   measure(fling(), measured, &solver);
-  EXPECT_EQ(measured.arcs.at(0).reference_fault, "the solver failed");
+  EXPECT_EQ(measured.arcs.at(0).reference_fault, "the second solver failed");
   EXPECT_FALSE(measured.arcs.at(0).gsl_vs_closed_px);
 }
 

@@ -64,8 +64,8 @@ std::string_view fault_of(const Closed& closed) {
 TEST(ReferenceCheck, AgreesWithTheClosedForms) { EXPECT_EQ(fault_of({}), ""); }
 
 TEST(ReferenceCheck, NoticesNanInTheDisplacement) {
-  EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dy_px = kNaN; }}), "position");
-  EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dx_px = kNaN; }}), "position");
+  EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dy_px = kNaN; }}), "position differs");
+  EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dx_px = kNaN; }}), "position differs");
 }
 
 TEST(ReferenceCheck, NoticesNanInASingleFrame) {
@@ -74,7 +74,7 @@ TEST(ReferenceCheck, NoticesNanInASingleFrame) {
                           [&frame](Flight& flight) {
                             if (++frame == 30) flight.dx_px = kNaN;
                           }}),
-            "position");
+            "position differs");
 }
 
 TEST(ReferenceCheck, NoticesTheVelocityGain) {
@@ -82,28 +82,31 @@ TEST(ReferenceCheck, NoticesTheVelocityGain) {
   EXPECT_EQ(
       fault_of(
           {.flight = [](Flight& flight) { flight.vy_px_per_s += 0.001 * (flight.vy_px_per_s + 600.0); }}),
-      "velocity");
+      "velocity differs");
 }
 
 TEST(ReferenceCheck, NoticesTheTimeOfImpact) {
   EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().t_s *= 1.001; }}),
-            "time of impact");
+            "time of impact differs");
   EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().t_s = kNaN; }}),
-            "time of impact");
-  EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.reset(); }}), "time of impact");
+            "time of impact differs");
+  EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.reset(); }}),
+            "time of impact differs");
 }
 
 TEST(ReferenceCheck, NoticesTheSpeedOfImpact) {
   EXPECT_EQ(
       fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().speed_px_per_s *= 1.001; }}),
-      "time of impact");
+      "time of impact differs");
 }
 
-TEST(ReferenceCheck, NoticesTheModelsRate) { EXPECT_EQ(fault_of({.model_rate_hz = 60.6}), "model error"); }
+TEST(ReferenceCheck, NoticesTheModelsRate) {
+  EXPECT_EQ(fault_of({.model_rate_hz = 60.6}), "model error differs");
+}
 
 TEST(ReferenceCheck, NoticesTheSignOfTheEnergysHeight) {
-  EXPECT_EQ(fault_of({.height_sign = -1.0}), "energy");
-  EXPECT_EQ(fault_of({.gain_height_sign = -1.0}), "energy");
+  EXPECT_EQ(fault_of({.height_sign = -1.0}), "energy differs");
+  EXPECT_EQ(fault_of({.gain_height_sign = -1.0}), "energy differs");
 }
 
 }  // namespace

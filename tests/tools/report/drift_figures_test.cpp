@@ -85,6 +85,13 @@ TEST(EnergyDriftFigure, IsInPercentOfTheArcsEnergyAndBreaksBetweenArcs) {
   EXPECT_TRUE(has(script, "0.15 -0.9\n\n0.166666667 -0\n"));
 }
 
+// Of the energy of a pixel of height, where the arc has less.
+TEST(EnergyDriftFigure, IsInPercentOfAPixelOfHeightAtLeast) {
+  MeasuredRun run(1);
+  run.arcs[0].energy_largest_px2_per_s2 = -5.0;
+  EXPECT_TRUE(has(energy_drift_figure_script(run.picture()), "0.15 -750\n"));
+}
+
 TEST(ErrorsFigure, HasATicForEveryOtherDecadeAndNoLogarithmOfZero) {
   const MeasuredRun run(1);
   const std::string script = errors_figure_script(run.picture());
