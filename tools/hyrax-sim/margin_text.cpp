@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include "tools/hyrax-sim/drift_run.h"
+
 namespace hyrax {
 namespace {
 
@@ -29,6 +31,14 @@ std::string margin_text(const Margin& margin) {
                      rounded_down(*margin.half_width),
                      kDecisionNames[static_cast<std::size_t>(margin.nearest->decision)],
                      margin.nearest->step);
+}
+
+std::string margin_in_summary(const FreshRun& fresh) {
+  RunRows rows = rows_of(fresh.run.scenario, fresh.summary);
+  if (fresh.run.rows.size() > 0)  // All of them: no replay is needed.
+    rows.hand_to = [&](RowSink& sink, std::int64_t) { sink.rows(fresh.run.rows); };
+  const Margin margin = margin_of(rows);
+  return margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : "");
 }
 
 }  // namespace hyrax

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/hyrax-sim/difference_text.h"
+#include "tools/hyrax-sim/shell_command.h"
 
 namespace hyrax {
 namespace {
@@ -58,13 +59,15 @@ std::string expectations_text(const ScenarioRun& run) {
 std::string golden_text(const ScenarioRun& run) {
   if (run.golden_path.empty()) return "";
   if (!run.comparison)
-    return fmt::format("  golden         none at {}; `hyrax-sim bless {} --reason TEXT` makes one\n",
-                       run.golden_path, run.path);
+    return fmt::format("  golden         none at {}; to make one: {}\n", run.golden_path,
+                       bless_command_for(run.path, run.golden_folder));
   if (run.comparison->agrees)
     return fmt::format("  golden         agrees bit for bit with {}\n", run.golden_path);
   return fmt::format("  golden         DIFFERS from {}\n", run.golden_path) +
          difference_text(*run.comparison) +
-         fmt::format("  more           hyrax-sim diff {} {}\n", run.golden_path, run.output);
+         fmt::format(
+             "  more           {}\n",
+             shell_command({"hyrax-sim", "diff", as_argument(run.golden_path), as_argument(run.output)}));
 }
 
 Json golden_json(const ScenarioRun& run) {

@@ -20,14 +20,22 @@ Handle object_list(hid_t list_class) {
   return list;
 }
 
+constexpr std::size_t kGrowth = 64 << 10;  // Of a file in memory, in bytes.
+
 // A small file is held in memory and read or written in one piece, in place of some seventy short
 // system calls.
 Handle access_list(std::uint64_t bytes) {
   constexpr std::uint64_t kSmall = 4 << 20;
-  constexpr std::size_t kGrowth = 64 << 10;
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (bytes <= kSmall) H5Pset_fapl_core(access, kGrowth, true);
   return access;
+}
+
+Handle create(const std::string& path, const Handle& access) {
+  const Handle creation = object_list(H5P_FILE_CREATE);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  H5Pset_file_locking(access, false, true);  // It belongs to this process alone until it is whole.
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose};
 }
 
 Handle dataset_list() {
@@ -40,11 +48,14 @@ Handle dataset_list() {
 
 Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
   begin();
-  const Handle creation = object_list(H5P_FILE_CREATE);
-  const Handle access = access_list(expected_bytes);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
-  H5Pset_file_locking(access, false, true);  // It belongs to this process alone until it is whole.
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose};
+  return create(path, access_list(expected_bytes));
+}
+
+Handle create_file_in_memory() {
+  begin();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access, kGrowth, false);
+  return create("in memory", access);
 }
 
 Handle open_file(const std::string& path) {
