@@ -66,7 +66,6 @@ GoldenPlace place_of(const std::string& path, const std::string& golden_folder) 
 // As far as it can be known without writing.
 void require_writable(const GoldenPlace& place) {
   for (const std::string& path : {place.h5_path, place.txt_path}) {
-    if (is_folder(path)) fail_to_write(path, EISDIR);
     fs::path folder = fs::absolute(path).parent_path();
     while (!is_there(folder.string()) && folder.has_relative_path()) folder = folder.parent_path();
     if (!is_folder(folder.string())) fail_to_write(path, ENOTDIR);
@@ -74,13 +73,15 @@ void require_writable(const GoldenPlace& place) {
   }
 }
 
-void require_no_scenario(const GoldenPlace& place, const std::vector<std::string>& scenarios) {
+void require_usable(const GoldenPlace& place, const std::vector<std::string>& scenarios) {
   std::error_code unknown;
-  for (const std::string& path : {place.h5_path, place.txt_path})
+  for (const std::string& path : {place.h5_path, place.txt_path}) {
+    if (is_folder(path)) fail_to_write(path, EISDIR);
     for (const std::string& scenario : scenarios)
       if (fs::equivalent(path, scenario, unknown))
         throw Failure(ExitCode::bad_input, path + ": is an input: the scenario " + scenario +
                                                "; name another folder with --golden DIR");
+  }
 }
 
 void require_expected(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
@@ -102,7 +103,7 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   try {
     PairComparison pair = *compare_with_pair(scenario, blessing.place, true);
     blessing.comparison = std::move(pair.comparison);
-    blessing.keeps_h5 = pair.keeps_h5;
+    blessing.keeps_h5 = !pair.is_current && is_h5_current(scenario, blessing.place);
     blessing.status = pair.is_current ? Status::unchanged : Status::changed;
     return pair.summary;
   } catch (const Failure& failure) {
@@ -116,7 +117,7 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
 void plan(Blessing& blessing, const BlessRequest& request, const std::vector<std::string>& scenarios) {
   const Scenario scenario = load_scenario(blessing.path);
   blessing.place = place_of(blessing.path, request.golden_folder);
-  require_no_scenario(blessing.place, scenarios);
+  require_usable(blessing.place, scenarios);
   const RunSummary summary = compare(scenario, blessing);
   if (blessing.status == Status::unchanged) return;
   require_writable(blessing.place);

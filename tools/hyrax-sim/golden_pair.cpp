@@ -13,19 +13,15 @@ std::string sealed_summary(const FreshRun& fresh, const std::string& reason, con
   return golden_digest_text(fresh.run, fresh.summary, reason, margin_in_summary(fresh)) + seal_line(seal);
 }
 
-// What in a pair is not as it was blessed, though its rows agree with the run.
-struct PairFault {
-  std::optional<std::string> in_summary;
-  std::optional<std::string> in_h5;
-};
-
-// Two scenarios may differ in name and in how they are written and be the same all the same, so both
-// are taken from the .h5 file.
-PairFault find_fault(const std::string& text, const StoredRun& kept, FreshRun fresh, const GoldenSeal& seal,
-                     const GoldenPlace& place) {
+// What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
+// are written and be the same all the same, so both are taken from the .h5 file.
+std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept, FreshRun fresh,
+                                    const std::string& sealed_hash, const GoldenPlace& place) {
   fresh.run.scenario.name = kept.scenario.name;
-  return {digest_fault(text, sealed_summary(fresh, digest_reason(text), seal)),
-          golden_words_fault(place.h5_path)};
+  const GoldenSeal seal{contents_hash(kept), sealed_hash};
+  if (const auto fault = digest_fault(text, sealed_summary(fresh, digest_reason(text), seal)))
+    return place.txt_path + ": " + *fault;
+  return golden_words_fault(place.h5_path);
 }
 
 void refuse_pair(Comparison& comparison, const std::string& fault) {
@@ -39,17 +35,13 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
                                 FreshRun fresh, const std::string& h5_hash) {
   const StoredRun kept = read_golden(place.h5_path);
   ComparedRun compared = compare_with(kept, scenario);
-  PairComparison pair{std::move(compared.comparison), compared.summary, false, false, ""};
+  PairComparison pair{std::move(compared.comparison), compared.summary, false, ""};
   if (!pair.comparison.agrees) return pair;
   const auto seal = seal_in(text);
-  const PairFault fault =
-      find_fault(text, kept, std::move(fresh), {contents_hash(kept), seal ? seal->file : h5_hash}, place);
-  pair.keeps_h5 = !fault.in_h5 && kept.scenario.name == scenario.name;
-  if (fault.in_summary)
-    refuse_pair(pair.comparison, place.txt_path + ": " + *fault.in_summary);
-  else if (fault.in_h5)
-    refuse_pair(pair.comparison, *fault.in_h5);
-  else if (seal->file != h5_hash)
+  const std::string sealed_hash = seal ? seal->file : h5_hash;
+  if (const auto fault = fault_in(text, kept, std::move(fresh), sealed_hash, place))
+    refuse_pair(pair.comparison, *fault);
+  else if (sealed_hash != h5_hash)
     pair.note = place.h5_path + ": agrees, but its bytes are not those that " + place.txt_path +
                 " seals: its provenance or its layout is another";
   return pair;
@@ -70,6 +62,12 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
     return PairComparison{.summary = fresh.summary};
   if (!reads_h5) return std::nullopt;
   return read_and_compare(scenario, place, text, std::move(fresh), h5_hash);
+}
+
+bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
+  const StoredRun kept = read_golden(place.h5_path);
+  return kept.scenario.name == scenario.name && compare_with(kept, scenario).comparison.agrees &&
+         !golden_words_fault(place.h5_path);
 }
 
 }  // namespace hyrax

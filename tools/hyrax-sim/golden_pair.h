@@ -13,7 +13,6 @@ struct PairComparison {
   Comparison comparison{};
   RunSummary summary;      ///< Of the run.
   bool is_current = true;  ///< Blessing the run would write this summary again, and this .h5 file.
-  bool keeps_h5 = true;    ///< Blessing would have to write the summary at most.
   /// What is worth knowing of a pair that agrees: the bytes of its .h5 file are not those it was sealed with.
   std::string note{};
 };
@@ -25,6 +24,11 @@ struct PairComparison {
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
                                                               const GoldenPlace& place, bool reads_h5);
+
+/// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
+/// would, its provenance aside, whatever the summary says.
+/// REQUIRES, ERRORS: as compare_with_pair's with `reads_h5`.
+[[nodiscard]] bool is_h5_current(const Scenario& scenario, const GoldenPlace& place);
 
 /// The summary that is blessed with a run.
 /// @param h5_hash file_hash of the .h5 file.
