@@ -96,7 +96,17 @@ void require_expected(const std::string& path, const Scenario& scenario, const R
 
 // What there is to bless; returns the summary of the run.
 RunSummary compare(const Scenario& scenario, Blessing& blessing) {
+  const auto replace_unreadable = [&](const std::string& why) {
+    blessing.status = Status::changed;
+    blessing.unreadable = why;
+    blessing.comparison.agrees = false;
+    blessing.comparison.difference = DifferenceClass::shape;
+    return play(scenario);
+  };
   if (!has_golden_file(blessing.place)) {
+    const auto& [h5_path, txt_path] = blessing.place;
+    if (is_there(h5_path)) return replace_unreadable(txt_path + " is missing");
+    if (is_there(txt_path)) return replace_unreadable(h5_path + " is missing");
     blessing.status = Status::fresh;
     return play(scenario);
   }
@@ -108,9 +118,7 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
     return pair.summary;
   } catch (const Failure& failure) {
     if (failure.exit_code() != ExitCode::bad_input) throw;
-    blessing.status = Status::changed;
-    blessing.unreadable = failure.what();
-    return play(scenario);
+    return replace_unreadable(failure.what());
   }
 }
 

@@ -41,7 +41,8 @@ void add_unreferenced(const FolderPair& folders, std::map<std::string, CheckVerd
     if (!is_part_of_golden_file(entry)) continue;
     const fs::path stem = fs::path(entry.path()).replace_extension();
     fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
-    if (is_there((scenario += ".json").string())) continue;
+    scenario += ".json";
+    if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
     found.emplace(stem.lexically_normal().string(),
                   verdict_on(stem, CheckVerdict::Status::unreferenced, ExitCode::disagreed));
   }

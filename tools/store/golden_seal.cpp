@@ -1,7 +1,12 @@
 #include "tools/store/golden_seal.h"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "tools/files/failure.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
@@ -108,8 +113,18 @@ std::string contents_hash(const StoredRun& run) {
 }
 
 std::string file_hash(const std::string& path) {
-  const std::string bytes = read_text_file(path);
-  return hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size()))));
+  const auto fail = [&path] {
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  };
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) fail();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> closed_at_end(file, std::fclose);
+  ByteHash hash;
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (const std::size_t bytes = std::fread(piece.data(), 1, piece.size(), file))
+    hash.add(std::as_bytes(std::span(piece.data(), bytes)));
+  if (std::ferror(file) != 0) fail();
+  return hex(hash.value());
 }
 
 }  // namespace hyrax

@@ -388,7 +388,9 @@ class Unreferenced(CheckTest):
         self.write("golden/a/half.txt", "")
         self.write("golden/deep/er/other.h5", "")
         self.write("golden/README.md", "no golden file")
-        self.assertEqual(self.unreferenced(DISAGREED), ["golden/a/half", "golden/deep/er/other"])
+        self.write("golden/folder.txt", "")
+        (self.folder / "scenarios/folder.json").mkdir()
+        self.assertEqual(self.unreferenced(DISAGREED), ["golden/a/half", "golden/deep/er/other", "golden/folder"])
 
     def test_only_what_mirrors_the_folders_is_looked_at(self):
         (self.folder / "scenarios/third.json").unlink()

@@ -88,6 +88,20 @@ TEST(ContentsHash, DoesNotSeeWords) {
   EXPECT_EQ(unseen(run, words), words.size());
 }
 
+TEST(FileHash, DoesNotDependOnTheSizeOfPieces) {
+  const TempFolder folder;
+  std::string bytes;
+  for (std::size_t place = 0; place < 200'001; ++place) bytes += static_cast<char>(place * place >> 7);
+  write_bytes(folder.at("long"), bytes);
+  EXPECT_EQ(file_hash(folder.at("long")), hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size())))));
+}
+
+TEST(FileHash, OfWhatIsNoFileCannotBeHad) {
+  const TempFolder folder;
+  EXPECT_THROW(static_cast<void>(file_hash(folder.at("missing"))), Failure);
+  EXPECT_THROW(static_cast<void>(file_hash(folder.at("."))), Failure);
+}
+
 TEST(FileHash, IsThatOfTheBytes) {
   const TempFolder folder;
   write_bytes(folder.at("empty"), "");
