@@ -20,10 +20,10 @@ Handle object_list(hid_t list_class) {
   return list;
 }
 
+constexpr std::size_t kGrowth = 64 << 10;  // Of a file in memory, in bytes.
+
 // A small file is held in memory and read or written in one piece, in place of some seventy short
 // system calls.
-constexpr std::size_t kGrowth = 64 << 10;
-
 Handle access_list(std::uint64_t bytes) {
   constexpr std::uint64_t kSmall = 4 << 20;
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -51,7 +51,7 @@ Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
   return create(path, access_list(expected_bytes));
 }
 
-Handle create_memory_file() {
+Handle create_file_in_memory() {
   begin();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access, kGrowth, false);
