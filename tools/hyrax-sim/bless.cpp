@@ -172,12 +172,13 @@ std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
   for (Blessing& blessing : blessings) {
     std::error_code unknown;
     const std::string place = fs::weakly_canonical(blessing.place.h5_path, unknown).string();
-    const auto [owner, is_first] = owners.emplace(place, blessing.path);
+    const auto [entry, is_first] = owners.emplace(place, blessing.path);
+    const std::string& owner = entry->second;
     if (!is_first && blessing.status != Status::failed) {
-      if (fs::equivalent(owner->second, blessing.path, unknown)) continue;
+      if (fs::equivalent(owner, blessing.path, unknown)) continue;
       attempt(blessing, [&] {
-        throw Failure(ExitCode::bad_input, blessing.path + ": has the same golden file as " + owner->second +
-                                               " (" + blessing.place.h5_path +
+        throw Failure(ExitCode::bad_input, blessing.path + ": has the same golden file as " + owner + " (" +
+                                               blessing.place.h5_path +
                                                "); bless them with different --golden DIR");
       });
     }
