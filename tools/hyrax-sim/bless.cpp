@@ -209,14 +209,17 @@ std::string done_text(const Blessing& blessing) {
                      printable(blessing.place.h5_path), printable(blessing.place.txt_path));
 }
 
+// None is known of a scenario that cannot be read.
+Json path_json(const std::string& path) { return path.empty() ? Json() : Json(path); }
+
 Json result_json(const Blessing& blessing) {
   const auto& difference = blessing.comparison.difference;
   Json::Object entry{{"scenario", blessing.path},
                      {"status", name_of(blessing.status)},
                      {"class", difference ? Json(name_of(*difference)) : Json()},
                      {"first_divergence", divergence_json(blessing.comparison.first)},
-                     {"golden_file", blessing.place.h5_path},
-                     {"summary", blessing.place.txt_path}};
+                     {"golden_file", path_json(blessing.place.h5_path)},
+                     {"summary", path_json(blessing.place.txt_path)}};
   if (!blessing.error.empty()) entry.emplace_back("error", blessing.error);
   return entry;
 }
