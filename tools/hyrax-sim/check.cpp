@@ -125,8 +125,9 @@ Command check_command() {
                          {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
             options.whole(request->jobs, {"--jobs", "N", "scenarios at a time; one a core if left out"}, 1);
             options.text(request->junit, {"--junit", "FILE", "writes the verdicts as JUnit XML, too"});
-            options.flag(request->is_quick,
-                         {"--quick", "", "the same verdicts; no work is left that could be skipped safely"});
+            options.flag(
+                request->is_quick,
+                {"--quick", "", "same verdicts: `check` already skips all work that cannot change one"});
             options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
             return [request] { return check(*request); };
           }};
