@@ -171,12 +171,13 @@ std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
   for (Blessing& blessing : blessings) {
     std::error_code unknown;
     const std::string place = fs::weakly_canonical(blessing.place.h5_path, unknown).string();
-    const auto [owner, is_first] = owners.emplace(place, blessing.path);
+    const auto [entry, is_first] = owners.emplace(place, blessing.path);
+    const std::string& owner = entry->second;
     if (!is_first && blessing.status != Status::failed) {
-      if (fs::equivalent(owner->second, blessing.path, unknown)) continue;
+      if (fs::equivalent(owner, blessing.path, unknown)) continue;
       attempt(blessing, [&] {
-        throw Failure(ExitCode::bad_input, blessing.path + ": has the same golden file as " + owner->second +
-                                               " (" + blessing.place.h5_path +
+        throw Failure(ExitCode::bad_input, blessing.path + ": has the same golden file as " + owner + " (" +
+                                               blessing.place.h5_path +
                                                "); bless them with different --golden DIR");
       });
     }
@@ -207,14 +208,17 @@ std::string done_text(const Blessing& blessing) {
                      printable(blessing.place.h5_path), printable(blessing.place.txt_path));
 }
 
+// None is known of a scenario that cannot be read.
+Json path_json(const std::string& path) { return path.empty() ? Json() : Json(path); }
+
 Json result_json(const Blessing& blessing) {
   const auto& difference = blessing.comparison.difference;
   Json::Object entry{{"scenario", blessing.path},
                      {"status", name_of(blessing.status)},
                      {"class", difference ? Json(name_of(*difference)) : Json()},
                      {"first_divergence", divergence_json(blessing.comparison.first)},
-                     {"golden_file", blessing.place.h5_path},
-                     {"summary", blessing.place.txt_path}};
+                     {"golden_file", path_json(blessing.place.h5_path)},
+                     {"summary", path_json(blessing.place.txt_path)}};
   if (!blessing.error.empty()) entry.emplace_back("error", blessing.error);
   return entry;
 }

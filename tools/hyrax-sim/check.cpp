@@ -112,22 +112,24 @@ ExitCode check(CheckRequest& request) {
 
 Command check_command() {
   return {.name = "check",
-          .summary =
-              "replay scenarios and compare every bit with their golden files; for a folder of "
-              "scenarios, also report golden files that no scenario refers to",
+          .summary = "replay scenarios and compare every bit with their golden files",
           .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
           .is_common = true,
           .declare = [](Options& options) {
             const auto request = std::make_shared<CheckRequest>();
-            options.files(
-                request->files,
-                {"SCENARIO or DIR", "", "scenario files, or folders of them; scenarios/ if left out"}, 0, -1);
+            options.files(request->files,
+                          {"SCENARIO or DIR", "",
+                           "scenario files, or folders of them; scenarios/ if left out. For a folder, golden "
+                           "files that no scenario "
+                           "refers to are reported as unreferenced (exit code 1)"},
+                          0, -1);
             options.text(request->golden_folder,
                          {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
             options.whole(request->jobs, {"--jobs", "N", "scenarios at a time; one a core if left out"}, 1);
             options.text(request->junit, {"--junit", "FILE", "writes the verdicts as JUnit XML, too"});
-            options.flag(request->is_quick,
-                         {"--quick", "", "the same verdicts; no work is left that could be skipped safely"});
+            options.flag(
+                request->is_quick,
+                {"--quick", "", "same verdicts: `check` already skips all work that cannot change one"});
             options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
             return [request] { return check(*request); };
           }};

@@ -55,7 +55,7 @@ Handle create_file_in_memory() {
   begin();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access, kGrowth, false);
-  return create("in memory", access);
+  return create("/dev/null/in-memory", access);  // The library looks for a file of this name; there is none.
 }
 
 Handle open_file(const std::string& path) {

@@ -12,7 +12,7 @@ from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GO
 
 BLESS = {"new": int, "changed": int, "unchanged": int, "failed": int, "written": bool, "results": [object]}
 BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE),
-           "golden_file": str, "summary": str}
+           "golden_file": Maybe(str), "summary": Maybe(str)}
 
 ANOTHER_START = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400}
 

@@ -7,6 +7,7 @@
 
 #include "tests/sim/compare/played_run.h"
 #include "tests/tools/store/temp_folder.h"
+#include "tools/files/failure.h"
 
 namespace hyrax {
 namespace {
