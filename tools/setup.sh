@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What tools/run, tools/test and .ci/run share: packages, configuring and building. Sourced, not run.
-# Everything it says goes to stderr, so that stdout holds nothing but the program's own results.
+# Functions shared by tools/run, tools/test and .ci/run: packages, configuring, building. Sourced, not run.
+# All messages go to stderr, so that stdout contains only the results of the program.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
   libfmt-dev libxxhash-dev nlohmann-json3-dev)
@@ -8,11 +8,11 @@ packages_to_draw=(gnuplot-nox)
 packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash locales)
 packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
-# Compilers and emulators of tests/platforms. Not g++-multilib: it excludes all cross compilers.
+# Compilers and emulators of tests/platforms. Not g++-multilib: it conflicts with all cross compilers.
 packages_for_platforms=(clang-22 g++-12-multilib qemu-user g++-aarch64-linux-gnu g++-arm-linux-gnueabihf
   g++-powerpc64le-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine wine64
   nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32)
-# What tests/tools/hyrax drives hyrax.exe with, and looks at it.
+# For tests/tools/hyrax, which run hyrax.exe under Wine and compare screenshots.
 packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot imagemagick xdotool librsvg2-bin)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
 
@@ -25,45 +25,45 @@ stop() {
   exit "$exit_cannot_access"
 }
 
-# The folder that holds the project, whatever the current folder and however the script was called.
+# The folder of the project, whatever the current folder is and however the script was called.
 project_folder() {
   local script
   script=$(readlink -f -- "${BASH_SOURCE[0]}")
   dirname -- "$(dirname -- "$script")"
 }
 
-# ensure_packages PACKAGE...: installs those that are missing. Without one missing, it calls no apt
-# and needs no network. Asks on a terminal unless `assume_yes` is set to yes.
+# ensure_packages PACKAGE...: installs those that are missing. If none is missing, apt is not called
+# and no network is needed. Asks on a terminal, unless `assume_yes` is set to yes.
 ensure_packages() {
   has_apt || stop_with_list "$@"
   local missing
   read -r -a missing <<< "$(missing_packages "$@")"
   [[ ${#missing[@]} -gt 0 ]] || return 0
-  [[ $EUID -eq 0 ]] || command -v sudo > /dev/null || stop "These packages are missing. Install them as root:
+  [[ $EUID -eq 0 ]] || command -v sudo > /dev/null || stop "Missing packages; install them as root:
   apt-get install --no-install-recommends ${missing[*]}"
   apt_knows "${missing[@]}" || update_lists
-  apt_knows "${missing[@]}" || stop "apt cannot install what is missing; is there a network?
+  apt_knows "${missing[@]}" || stop "apt cannot install the missing packages; is the network available?
 $(plan_of "${missing[@]}" 2>&1 | grep '^E:')"
   agree_to "${missing[@]}"
   install_packages "${missing[@]}"
 }
 
-# Debian and Ubuntu have the packages under these names; whoever is like them may as well.
+# The package names are those of Debian and Ubuntu; distributions derived from them are tried as well.
 has_apt() {
   command -v apt-get > /dev/null && command -v dpkg-query > /dev/null && [[ -r /etc/os-release ]] &&
     grep -qE '^ID(_LIKE)?=.*(debian|ubuntu)' /etc/os-release
 }
 
 stop_with_list() {
-  stop "This is neither Debian nor Ubuntu, so nothing was installed. Install what corresponds to these packages,
+  stop "This system is neither Debian nor Ubuntu; nothing was installed. Install the equivalents of these packages:
   $*
 then build with CMake: cmake -S . -B build && cmake --build build
-which makes build/bin/hyrax-sim; ctest --test-dir build runs the tests."
+This builds build/bin/hyrax-sim; ctest --test-dir build runs the tests."
 }
 
 missing_packages() {
   local package states
-  # dpkg-query fails if one package is unknown to it, and still tells about the others.
+  # dpkg-query fails if a package is unknown, but still prints the others.
   states=$(dpkg-query -W -f '${Package}=${db:Status-Status}\n' "$@" 2> /dev/null) || true
   for package in "$@"; do
     [[ $'\n'$states$'\n' == *$'\n'"$package=installed"$'\n'* ]] || printf '%s ' "$package"
@@ -74,14 +74,14 @@ as_root() {
   if [[ $EUID -eq 0 ]]; then "$@"; else sudo "$@"; fi
 }
 
-# Works without root, and prints the sizes that the question tells.
+# Works without root; prints the sizes that agree_to shows.
 plan_of() { LC_ALL=C apt-get install --print-uris --yes --no-install-recommends "$@"; }
 
 apt_knows() { plan_of "$@" > /dev/null 2>&1; }
 
 update_lists() {
   timed "package lists" logged as_root apt-get -qq update ||
-    stop "apt could not fetch the package lists; see above."
+    stop "apt could not fetch the package lists; see the output above."
 }
 
 agree_to() {
@@ -90,7 +90,7 @@ agree_to() {
     sed -nE 's/^Need to get ([^\/]*\/)?(.*) of archives\.$/\2 to download/p
              s/^After this operation, (.*) of additional disk space will be used\.$/\1 on disk/p')
   say "Missing packages (with what they need: ${sizes//$'\n'/, }):" "$@"
-  # Without a terminal there is nobody to ask, as in a container or a CI job.
+  # Without a terminal, as in a container or a CI job, nobody can answer.
   [[ ${assume_yes:-no} == no && -t 0 && -t 2 ]] || return 0
   read -r -p "Install them? [Y/n] " answer || answer=n
   [[ ${answer:-y} == [yY]* ]] || stop "Nothing was installed."
@@ -99,9 +99,9 @@ agree_to() {
 install_packages() {
   local log_lines=6
   timed "packages" logged apt_install "$@" && return
-  # Lists that are too old name files that are gone from the servers.
+  # Outdated lists name files that the servers no longer have.
   update_lists
-  timed "packages" logged apt_install "$@" || stop "The packages could not be installed; see above. Is there a network?"
+  timed "packages" logged apt_install "$@" || stop "The packages could not be installed; see the output above. Is the network available?"
 }
 
 apt_install() {
@@ -109,7 +109,7 @@ apt_install() {
     -o DPkg::Lock::Timeout=300 "$@"
 }
 
-# logged COMMAND...: runs it without a word; if it fails, shows the last `log_lines` of what it said.
+# logged COMMAND...: runs it silently; if it fails, prints the last `log_lines` lines of its output.
 logged() {
   local log code=0
   log=$(mktemp)
@@ -119,7 +119,7 @@ logged() {
   return "$code"
 }
 
-# timed NAME COMMAND...: runs it, then tells how long it took and how it ended.
+# timed NAME COMMAND...: runs it, then prints how long it took and whether it failed.
 timed() {
   local name=$1 begin=${EPOCHREALTIME/[.,]/} code=0 tenths
   shift
@@ -131,8 +131,8 @@ timed() {
 
 failed_mark() { [[ $1 -eq 0 ]] || printf '   FAILED (exit %d)' "$1"; }
 
-# configure FOLDER NAME=VALUE...: runs CMake where the folder is not configured like this already.
-# Later changes of a CMakeLists.txt are seen by ninja, which runs CMake itself.
+# configure FOLDER NAME=VALUE...: runs CMake unless the folder is already configured with these values.
+# If a CMakeLists.txt changes later, ninja runs CMake itself.
 configure() {
   local folder=$1
   shift
@@ -153,17 +153,17 @@ is_configured() {
   done
 }
 
-# A clone that was copied or moved brings a build folder that CMake refuses.
+# CMake refuses a build folder that was copied or moved together with the source.
 forget_other_source() {
   local folder=$1
   [[ -f $folder/CMakeCache.txt ]] || return 0
   grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$folder/CMakeCache.txt" || rm -rf -- "$folder"
 }
 
-# A question of milliseconds, so that it can stand before every run.
+# Takes milliseconds, so that every run can call it.
 is_up_to_date() { [[ $(ninja -n -C "$1" "$2" 2> /dev/null) == *"no work to do"* ]]; }
 
-# build FOLDER [TARGET]...: on a terminal with ninja's one line of progress, else silent if all is well.
+# build FOLDER [TARGET]...: shows ninja's progress on a terminal; elsewhere silent unless it fails.
 build() {
   local folder=$1 quiet=(--quiet)
   shift
@@ -173,7 +173,7 @@ build() {
 
 can_write() { mkdir -p -- "$1" 2> /dev/null && [[ -w $1 ]]; }
 
-# Between hold and release, others who want to build in the folder wait.
+# Between hold and release, other builds in the folder wait.
 hold() {
   exec {held}< "$1"
   flock "$held"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/compare/ulps.h"
+
 namespace hyrax {
 namespace {
 
@@ -41,6 +43,15 @@ std::string_view name_of(DifferenceClass difference) {
       return "shape";
   }
   return "";
+}
+
+std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual) {
+  if (field == kRowFields.back().name) return std::nullopt;
+  return ulps_between(expected, actual);
+}
+
+Divergence divergence_at(std::int64_t step, std::string_view field, double expected, double actual) {
+  return {step, std::string(field), expected, actual, ulps_of(field, expected, actual)};
 }
 
 ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b) {

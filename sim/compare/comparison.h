@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -61,6 +62,19 @@ struct Divergence {
   std::optional<double> actual;
   std::optional<std::uint64_t> ulps;
 };
+
+/// Whether two values of the run have the same bits. A NaN agrees with nothing, itself included.
+[[nodiscard]] inline bool agrees(double expected, double actual) {
+  return same_bits(expected, actual) && !std::isnan(expected);
+}
+
+/// Distance of two values of a field in units in the last place. Nothing where either is NaN, and nothing for
+/// "contact": a set of flags has no such distance.
+[[nodiscard]] std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual);
+
+/// A divergence of two known values, with their ulps.
+[[nodiscard]] Divergence divergence_at(std::int64_t step, std::string_view field, double expected,
+                                       double actual);
 
 /// How the contacts of two runs differ. A moved contact is one of the same wall at another step.
 struct ContactChanges {

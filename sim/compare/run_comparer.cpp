@@ -1,10 +1,7 @@
 #include "sim/compare/run_comparer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-
-#include "sim/compare/ulps.h"
 
 namespace hyrax {
 namespace {
@@ -37,8 +34,7 @@ std::optional<Divergence> first_difference(const std::vector<Contact>& expected,
     for (const ContactField& field : kContactFields) {
       const double a = expected[index].*field.value;
       const double b = actual[index].*field.value;
-      if (!same_bits(a, b))
-        return Divergence{actual[index].step, std::string(field.name), a, b, ulps_between(a, b)};
+      if (!agrees(a, b)) return divergence_at(actual[index].step, field.name, a, b);
     }
   return std::nullopt;
 }
@@ -49,8 +45,7 @@ std::optional<Divergence> first_difference(const Row& expected, const Row& actua
   for (const RowField& field : kRowFields) {
     const double a = field.value(expected);
     const double b = field.value(actual);
-    if (!same_bits(a, b) || std::isnan(a))
-      return Divergence{actual.step, std::string(field.name), a, b, ulps_between(a, b)};
+    if (!agrees(a, b)) return divergence_at(actual.step, field.name, a, b);
   }
   return std::nullopt;
 }
@@ -128,12 +123,10 @@ bool RunComparer::find_row_by_checks(const StoredBlock& kept, const Block& block
     const auto differing = std::mismatch(check.begin(), check.end(), kept.checks[index].begin()).first;
     if (differing == check.end()) continue;
     const RowField& field = kRowFields[kFirstField + static_cast<std::size_t>(differing - check.begin())];
-    result_.first =
-        Divergence{actual.step, std::string(field.name), std::nullopt, field.value(actual), std::nullopt};
-    if (index > 0) return true;
-    const double expected = field.value(kept.keyframe.row);
-    result_.first->expected = expected;
-    result_.first->ulps = ulps_between(expected, *result_.first->actual);
+    result_.first = index == 0 ? divergence_at(actual.step, field.name, field.value(kept.keyframe.row),
+                                               field.value(actual))
+                               : Divergence{actual.step, std::string(field.name), std::nullopt,
+                                            field.value(actual), std::nullopt};
     return true;
   }
   return false;
@@ -169,6 +162,9 @@ std::string RunComparer::difference_in_shape(const Played& played) const {
 
 Comparison RunComparer::finish(const Played& played) {
   result_.contacts = contact_changes(kept_.contacts, contacts_);
+  // Batches and blocks of equal bytes were not searched for a NaN, with which a run ends.
+  if (!result_.first && !is_finite_state(played.final))
+    result_.first = first_difference(kept_.final, played.final);
   if (!result_.first && result_.contacts.is_none())
     result_.first = first_difference(kept_.contacts, contacts_);
   result_.shape = difference_in_shape(played);

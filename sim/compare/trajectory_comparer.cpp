@@ -10,14 +10,17 @@ namespace {
 
 constexpr std::size_t kContactField = kRowFields.size() - 1;
 
+bool is_worse(double difference, double worst) { return !std::isnan(worst) && !(difference <= worst); }
+
 }  // namespace
 
 bool Tolerance::accepts(double a, double b) const {
-  if (std::isnan(a) || std::isnan(b)) return false;
-  if (same_bits(a, b)) return true;
-  const double difference = std::fabs(a - b);
-  if (abs && difference <= *abs) return true;
-  if (rel && difference <= *rel * std::max(std::fabs(a), std::fabs(b))) return true;
+  if (agrees(a, b)) return true;
+  if (!std::isfinite(a) || !std::isfinite(b)) return false;
+  if (abs && std::fabs(a - b) <= *abs) return true;
+  const double larger = std::max(std::fabs(a), std::fabs(b));
+  const double scale = larger > 1.0 ? 0.5 : 1.0;  // The difference of two finite values may overflow.
+  if (rel && std::fabs(scale * a - scale * b) <= *rel * (scale * larger)) return true;
   return ulps && *ulps_between(a, b) <= static_cast<std::uint64_t>(*ulps);
 }
 
@@ -26,13 +29,12 @@ void TrajectoryComparer::compare(const Row& a, const Row& b) {
     const RowField& field = kRowFields[index];
     const double left = field.value(a);
     const double right = field.value(b);
-    if (same_bits(left, right) && !std::isnan(left)) continue;
-    const double difference = std::fabs(left - right);
+    if (agrees(left, right)) continue;
     std::optional<WorstDifference>& worst = worst_[index];
-    if (!worst || !(difference <= worst->abs)) worst = {a.step, difference, ulps_between(left, right)};
-    const bool agrees = index != kContactField && tolerance_.accepts(left, right);
-    if (!agrees && !first_)
-      first_ = {a.step, std::string(field.name), left, right, ulps_between(left, right)};
+    const WorstDifference found{a.step, left, right};
+    if (!worst || is_worse(found.abs(), worst->abs())) worst = found;
+    const bool is_accepted = index != kContactField && tolerance_.accepts(left, right);
+    if (!is_accepted && !first_) first_ = divergence_at(a.step, field.name, left, right);
   }
 }
 
@@ -44,7 +46,7 @@ void TrajectoryComparer::compare(const std::vector<Contact>& a, const std::vecto
       const double left = a[index].*field.value;
       const double right = b[index].*field.value;
       if (tolerance_.accepts(left, right) || first_) continue;
-      first_ = {a[index].step, std::string(field.name), left, right, ulps_between(left, right)};
+      first_ = divergence_at(a[index].step, field.name, left, right);
     }
 }
 

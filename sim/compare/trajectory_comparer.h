@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -10,8 +11,8 @@
 
 namespace hyrax {
 
-/// A value agrees if its bits do or any given tolerance is met. Contacts must always agree, and a
-/// NaN agrees with nothing.
+/// A value agrees if its bits do or any given tolerance is met. Contacts must always agree, a NaN agrees with
+/// nothing, and an infinity with itself only.
 struct Tolerance {
   std::optional<double> abs;
   std::optional<double> rel;  ///< Of the larger magnitude.
@@ -20,11 +21,13 @@ struct Tolerance {
   [[nodiscard]] bool accepts(double a, double b) const;
 };
 
-/// The largest difference of a field, whether or not it is within the tolerance.
+/// The largest difference of a field, within the tolerance or not: the first NaN, else the first of the
+/// largest magnitude.
 struct WorstDifference {
   std::int64_t step = 0;
-  double abs = 0.0;
-  std::optional<std::uint64_t> ulps;
+  double a = 0.0;
+  double b = 0.0;
+  [[nodiscard]] double abs() const { return std::fabs(a - b); }
 };
 
 class TrajectoryComparer {

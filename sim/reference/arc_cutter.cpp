@@ -87,10 +87,9 @@ void ArcCutter::open(const Row& start) {
 }
 
 void ArcCutter::close(ArcEnd ended_by, const Row* clamped) {
-  if (steps_ < 2)
-    ++skipped_arcs_;
-  else
-    visitor_.end(ended_by, clamped);
+  if (steps_ < 2) ++skipped_arcs_;
+  if (steps_ >= 2) visitor_.end(ended_by, clamped);
+  if (steps_ == 1 && clamped != nullptr) visitor_.bounce(start_, first_row_, *clamped);
   is_open_ = false;
 }
 

@@ -31,7 +31,7 @@ struct ArcStart {
   double bottom_px = 0.0;
 };
 
-/// Receives arcs of two steps and more, one after the other.
+/// Receives arcs of two steps and more, one after the other, and bounces between them.
 class ArcVisitor {
  public:
   ArcVisitor() = default;
@@ -44,6 +44,8 @@ class ArcVisitor {
   virtual void fly(const Row& row) = 0;
   /// @param clamped the row that the wall's clamp made, null where no wall ended the arc.
   virtual void end(ArcEnd ended_by, const Row* clamped) = 0;
+  /// An arc of one step that a clamp ended.
+  virtual void bounce(const ArcStart& start, const Row& flown, const Row& clamped) = 0;
 };
 
 /// Holds one row of an arc at most; costs next to nothing where a sprite rests.

@@ -1,37 +1,22 @@
 #include "sim/reference/arc_meter.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hyrax {
 namespace {
 
-double distance(double dx, double dy) {
-  LargestDistance one;
-  one.see(dx, dy);
-  return one.value();
-}
-
 double largest(double so_far, double a, double b) {
-  return std::max(so_far, std::max(std::fabs(a), std::fabs(b)));
+  return larger(so_far, larger(std::fabs(a), std::fabs(b)));
 }
 
 void see_worst(std::optional<Worst>& worst, std::optional<double> value, std::int64_t step) {
   if (!value) return;
-  if (!worst || std::fabs(*value) > std::fabs(worst->value)) worst = Worst{*value, step};
+  if (!worst || std::fabs(*value) > std::fabs(worst->value) ||
+      (std::isnan(*value) && !std::isnan(worst->value)))
+    worst = Worst{*value, step};
 }
 
 }  // namespace
-
-double LargestDistance::value() const {
-  // Where the square has neither lost digits nor run over.
-  if (squared_ > 1e-280 && squared_ < 1e280) return std::sqrt(squared_);
-  const double scale = std::max(std::fabs(dx_), std::fabs(dy_));
-  if (scale == 0.0) return 0.0;
-  const double dx = dx_ / scale;
-  const double dy = dy_ / scale;
-  return scale * std::sqrt(dx * dx + dy * dy);
-}
 
 std::optional<double> LineFit::slope_per_s() const {
   const double spread = count_ * t_t_ - t_ * t_;
@@ -46,25 +31,29 @@ double Spread::standard_deviation() const {
 ArcMeter::ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver)
     : model_(model),
       sink_(sink),
-      solver_(solver),
       wants_rows_(sink.wants_rows()),
       solution_(model),
-      walls_(model.gravity_px_per_s2, solution_.log_air_drag()) {}
+      walls_(model.gravity_px_per_s2, solution_.log_air_drag(), time_of_impact) {
+  if (solver != nullptr) check_.emplace(model, *solver);
+}
 
-void ArcMeter::begin(const ArcStart& start) {
+void ArcMeter::begin(const ArcStart& start) { open(start, wants_rows_); }
+
+void ArcMeter::open(const ArcStart& start, bool tells_rows) {
+  tells_rows_ = tells_rows;
   start_ = start;
   last_ = start.row;
   const Velocity velocity{start.row.vx_px_per_s, start.row.vy_px_per_s};
   const bool solves_x = velocity.vx_px_per_s != 0.0;
   solution_.start(velocity, solves_x);
-  if (solver_ != nullptr) solver_->start(velocity, solves_x);
   walls_.start(start);
-  const Flight first = seen_from_start(start.row);
+  first_ = seen_from_start(start.row);
   gathered_ = {};
-  gathered_.energy_largest = energy(first);
+  gathered_.energy_largest = energy(first_);
   gathered_.coordinate_largest_px = largest(0.0, start.row.x_px, start.row.y_px);
   gathered_.drift_fit.see(0.0, 0.0);
-  if (wants_rows_) tell_row(first, {first, first, {}}, gathered_.energy_largest, 0.0);
+  if (check_) check_->start(start, solves_x, gathered_.energy_largest);
+  if (tells_rows_) tell_row(first_, {first_, first_, {}}, gathered_.energy_largest, 0.0);
 }
 
 void ArcMeter::fly(const Row& row) {
@@ -84,26 +73,50 @@ void ArcMeter::fly(const Row& row) {
   g.coordinate_largest_px =
       largest(g.coordinate_largest_px, start_.row.x_px + matched.dx_px, start_.row.y_px + matched.dy_px);
   const double energy_now = energy(matched);
-  g.energy_largest = std::max(g.energy_largest, energy_now);
+  g.energy_largest = larger(g.energy_largest, energy_now);
   g.drift_last = energy_gain(matched, run);
-  g.drift_largest = std::max(g.drift_largest, std::fabs(g.drift_last));
+  g.drift_largest = larger(g.drift_largest, std::fabs(g.drift_last));
   g.drift_fit.see(elapsed_s, g.drift_last);
   walls_.see(matched, row.dt_s, elapsed_s);
   if (is_astray(row)) ++g.steps_astray;
-  if (solver_ != nullptr) check(matched, row.dt_s);
+  if (check_) check_->see({matched, energy_now, energy_gain(first_, matched)}, row.dt_s, elapsed_s);
   last_ = row;
-  if (wants_rows_) tell_row(run, {discrete, matched, model}, energy_now, g.drift_last);
+  if (tells_rows_) tell_row(run, {discrete, matched, model}, energy_now, g.drift_last);
 }
 
 void ArcMeter::end(ArcEnd ended_by, const Row* clamped) {
-  const ArcErrors arc = arc_errors(ended_by);
+  ArcErrors arc = arc_errors(ended_by);
+  const std::vector<ImpactErrors> met = contacts(clamped, arc);
+  verify(arc);
   take_in(arc);
   sink_.arc(arc);
-  const std::optional<Wall> wall = wall_of(ended_by);
-  if (!wall || clamped == nullptr) return;
-  const ImpactErrors contact = impact_errors(*wall, *clamped, arc);
-  take_in(contact, *wall == Wall::ground && (clamped->contact & kRestBit) != 0);
-  sink_.contact(contact);
+  tell(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
+}
+
+void ArcMeter::bounce(const ArcStart& start, const Row& flown, const Row& clamped) {
+  open(start, false);
+  fly(flown);
+  ArcErrors arc = arc_errors(ArcEnd::end);
+  const std::vector<ImpactErrors> met = contacts(&clamped, arc);
+  verify(arc);
+  count_fault(arc);
+  tell(met, (clamped.contact & kRestBit) != 0);
+}
+
+// In a corner x before y.
+std::vector<ImpactErrors> ArcMeter::contacts(const Row* clamped, const ArcErrors& arc) {
+  std::vector<ImpactErrors> met;
+  if (clamped == nullptr) return met;
+  for (const Wall wall : kWalls)
+    if (touches(clamped->contact, wall)) met.push_back(impact_errors(wall, *clamped, arc));
+  return met;
+}
+
+void ArcMeter::tell(const std::vector<ImpactErrors>& contacts, bool is_stopped) {
+  for (const ImpactErrors& contact : contacts) {
+    take_in(contact, is_stopped && contact.wall == Wall::ground);
+    sink_.contact(contact);
+  }
 }
 
 // e = (vx^2 + vy^2) / 2 + g (bottom - y), specific energy in px^2/s^2, 0 at rest on the floor.
@@ -134,13 +147,6 @@ bool ArcMeter::is_astray(const Row& row) const {
   const Row step = step_from_last(row.dt_s);
   return row.x_px != step.x_px || row.y_px != step.y_px || row.vx_px_per_s != step.vx_px_per_s ||
          row.vy_px_per_s != step.vy_px_per_s;
-}
-
-void ArcMeter::check(const Flight& closed, double dt_s) {
-  if (gathered_.has_solver_failed) return;
-  gathered_.has_solver_failed = !solver_->advance(dt_s);
-  const Flight solved = solver_->flight();
-  gathered_.apart.see(solved.dx_px - closed.dx_px, solved.dy_px - closed.dy_px);
 }
 
 // Called once last_ is the row.
@@ -174,49 +180,65 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   arc.truncation_px_per_s = g.truncation_speed.value();
   arc.steps_astray = g.steps_astray;
   arc.energy_largest_px2_per_s2 = g.energy_largest;
-  if (g.energy_largest > 0.0) {
-    arc.energy_drift_rel_max = g.drift_largest / g.energy_largest;
-    arc.energy_drift_rel_end = g.drift_last / g.energy_largest;
-    if (const auto slope = g.drift_fit.slope_per_s())
-      arc.energy_drift_slope_per_s = *slope / g.energy_largest;
-  }
+  const double scale = arc.energy_scale_px2_per_s2();
+  arc.energy_drift_max_px2_per_s2 = g.drift_largest;
+  arc.energy_drift_end_px2_per_s2 = g.drift_last;
+  arc.energy_drift_rel_max = g.drift_largest / scale;
+  arc.energy_drift_rel_end = g.drift_last / scale;
+  if (const auto slope = g.drift_fit.slope_per_s()) arc.energy_drift_slope_per_s = *slope / scale;
   arc.coordinate_largest_px = g.coordinate_largest_px;
-  if (solver_ == nullptr) return arc;
-  if (!g.has_solver_failed) arc.gsl_vs_closed_px = g.apart.value();
-  const double apart_max_px = kSolversApart_px + kSolversApart_rel * g.coordinate_largest_px;
-  arc.is_reference_fault =
-      g.has_solver_failed || (solver_->is_judge() && !(*arc.gsl_vs_closed_px <= apart_max_px));
   return arc;
 }
 
-ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) const {
+// Once the arc and its contacts are measured.
+void ArcMeter::verify(ArcErrors& arc) {
+  if (check_) {
+    check_->see_model(solution_.model(), solution_.elapsed_s());
+    arc.gsl_vs_closed_px = check_->apart_px();
+    arc.reference_fault = check_->fault(arc.coordinate_largest_px);
+  }
+  // The rows are finite; so is all that is measured of them.
+  const double sum = arc.implementation_px + arc.truncation_px + arc.model_px + arc.implementation_px_per_s +
+                     arc.truncation_px_per_s + arc.energy_largest_px2_per_s2 + arc.energy_drift_rel_max +
+                     arc.energy_drift_slope_per_s.value_or(0.0);
+  if (!std::isfinite(sum)) arc.reference_fault = "a value that is not finite";
+}
+
+ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) {
   ImpactErrors contact;
   contact.step = clamped.step;
   contact.wall = wall;
   contact.overshoot_px = overshoot_px(wall, clamped.dt_s);
-  if (arc.energy_largest_px2_per_s2 > 0.0)
-    contact.energy_jump_rel =
-        energy_gain(seen_from_start(last_), seen_from_start(clamped)) / arc.energy_largest_px2_per_s2;
+  contact.energy_jump_rel =
+      energy_gain(seen_from_start(last_), seen_from_start(clamped)) / arc.energy_scale_px2_per_s2();
   const std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
-  if (!impact) return contact;
-  contact.time_error_s = clamped.dt_s - impact->t_s;
-  const bool is_in_x = wall == Wall::left || wall == Wall::right;
-  const double after = std::fabs(is_in_x ? clamped.vx_px_per_s : clamped.vy_px_per_s);
-  if (impact->speed_px_per_s > 0.0) contact.effective_restitution = after / impact->speed_px_per_s;
+  if (impact) {
+    contact.time_error_s = clamped.dt_s - impact->t_s;
+    if (impact->speed_px_per_s != 0.0)
+      contact.effective_restitution = speed_after(wall, clamped) / impact->speed_px_per_s;
+  }
+  if (check_) check_->see_impact(wall, clamped.dt_s, impact);
   return contact;
+}
+
+// In a corner the floor's friction acts on vx after the wall in x has turned it.
+double ArcMeter::speed_after(Wall wall, const Row& clamped) const {
+  if (wall == Wall::top || wall == Wall::ground) return std::fabs(clamped.vy_px_per_s);
+  const double speed = std::fabs(clamped.vx_px_per_s);
+  return touches(clamped.contact, Wall::ground) ? speed / model_.ground_friction : speed;
 }
 
 double ArcMeter::overshoot_px(Wall wall, double dt_s) const {
   const Row unclamped = step_from_last(dt_s);
   switch (wall) {
     case Wall::left:
-      return std::max(0.0, 0.0 - unclamped.x_px);
+      return larger(0.0, 0.0 - unclamped.x_px);
     case Wall::right:
-      return std::max(0.0, unclamped.x_px - start_.right_px);
+      return larger(0.0, unclamped.x_px - start_.right_px);
     case Wall::top:
-      return std::max(0.0, 0.0 - unclamped.y_px);
+      return larger(0.0, 0.0 - unclamped.y_px);
     case Wall::ground:
-      return std::max(0.0, unclamped.y_px - start_.bottom_px);
+      return larger(0.0, unclamped.y_px - start_.bottom_px);
   }
   return 0.0;
 }
@@ -226,16 +248,24 @@ Flight ArcMeter::seen_from_start(const Row& row) const {
   return {row.x_px - start_.row.x_px, row.y_px - start_.row.y_px, row.vx_px_per_s, row.vy_px_per_s};
 }
 
+void ArcMeter::count_fault(const ArcErrors& arc) {
+  DriftSummary& s = summary_;
+  if (arc.reference_fault.empty() || s.reference_faults++ > 0) return;
+  s.first_reference_fault_step = arc.first_step;
+  s.first_reference_fault = arc.reference_fault;
+}
+
 void ArcMeter::take_in(const ArcErrors& arc) {
   DriftSummary& s = summary_;
   ++s.arcs;
   if (!arc.solves_x) ++s.arcs_without_x;
   s.steps_astray += arc.steps_astray;
-  if (arc.is_reference_fault && s.reference_faults++ == 0) s.first_reference_fault_step = arc.first_step;
+  count_fault(arc);
   see_worst(s.implementation_px, arc.implementation_px, arc.first_step);
   see_worst(s.truncation_px, arc.truncation_px, arc.first_step);
   see_worst(s.model_px, arc.model_px, arc.first_step);
   see_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
+  see_worst(s.energy_drift_max_px2_per_s2, arc.energy_drift_max_px2_per_s2, arc.first_step);
   see_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
   see_worst(s.gsl_vs_closed_px, arc.gsl_vs_closed_px, arc.first_step);
 }

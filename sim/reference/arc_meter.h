@@ -1,32 +1,16 @@
 // Measures one flight arc after the other against the exact flights.
 #pragma once
 
+#include <vector>
+
 #include "sim/reference/arc_cutter.h"
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/drift.h"
-#include "sim/reference/flight_solver.h"
+#include "sim/reference/largest.h"
+#include "sim/reference/reference_check.h"
 #include "sim/reference/wall_watch.h"
 
 namespace hyrax {
-
-/// The largest of many distances; the root is taken once.
-class LargestDistance {
- public:
-  void see(double dx, double dy) {
-    const double squared = dx * dx + dy * dy;
-    if (!(squared > squared_)) return;
-    squared_ = squared;
-    dx_ = dx;
-    dy_ = dy;
-  }
-  /// hypot(dx, dy), which may exceed the root of the largest double.
-  [[nodiscard]] double value() const;
-
- private:
-  double squared_ = 0.0;
-  double dx_ = 0.0;
-  double dy_ = 0.0;
-};
 
 /// Slope of a least-squares line with intercept, of values that come in.
 class LineFit {
@@ -57,6 +41,7 @@ class ArcMeter final : public ArcVisitor {
   void begin(const ArcStart& start) override;
   void fly(const Row& row) override;
   void end(ArcEnd ended_by, const Row* clamped) override;
+  void bounce(const ArcStart& start, const Row& flown, const Row& clamped) override;
 
   /// Without what the cutter knows: skipped arcs and the first row that is not finite.
   [[nodiscard]] const DriftSummary& summary() const { return summary_; }
@@ -64,14 +49,13 @@ class ArcMeter final : public ArcVisitor {
  private:
   // What is gathered over the rows of one arc.
   struct Gathered {
-    LargestDistance implementation, truncation, model, implementation_speed, truncation_speed, apart;
+    LargestDistance implementation, truncation, model, implementation_speed, truncation_speed;
     LineFit drift_fit;
     double energy_largest = 0.0;
     double drift_largest = 0.0;
     double drift_last = 0.0;
     double coordinate_largest_px = 0.0;
     std::int64_t steps_astray = 0;
-    bool has_solver_failed = false;
   };
 
   struct ExactFlights {
@@ -84,22 +68,29 @@ class ArcMeter final : public ArcVisitor {
   [[nodiscard]] double energy_gain(const Flight& from, const Flight& to) const;
   [[nodiscard]] Row step_from_last(double dt_s) const;
   [[nodiscard]] bool is_astray(const Row& row) const;
-  void check(const Flight& closed, double dt_s);
   void tell_row(const Flight& run, const ExactFlights& exact, double energy, double drift);
+  void open(const ArcStart& start, bool tells_rows);
+  void verify(ArcErrors& arc);
   [[nodiscard]] ArcErrors arc_errors(ArcEnd ended_by) const;
-  [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) const;
+  [[nodiscard]] std::vector<ImpactErrors> contacts(const Row* clamped, const ArcErrors& arc);
+  [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc);
+  [[nodiscard]] double speed_after(Wall wall, const Row& clamped) const;
   [[nodiscard]] double overshoot_px(Wall wall, double dt_s) const;
   [[nodiscard]] Flight seen_from_start(const Row& row) const;
+  void count_fault(const ArcErrors& arc);
   void take_in(const ArcErrors& arc);
   void take_in(const ImpactErrors& contact, bool is_stopped);
+  void tell(const std::vector<ImpactErrors>& contacts, bool is_stopped);
 
   Model model_;
   DriftSink& sink_;
-  FlightSolver* solver_;
+  std::optional<ReferenceCheck> check_;
   bool wants_rows_;
+  bool tells_rows_ = false;
   ArcSolution solution_;
   WallWatch walls_;
   ArcStart start_;
+  Flight first_;
   Row last_;
   Gathered gathered_;
   DriftSummary summary_;

@@ -3,23 +3,33 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "sim/reference/arc_cutter.h"
 #include "sim/trajectory/wall.h"
 
 namespace hyrax {
 
-/// The two solutions of an arc may lie apart by kSolversApart_px + kSolversApart_rel times the
-/// arc's largest coordinate. More is a fault of the reference, never of the run.
+/// The two solutions of an arc may differ by kSolversApart_px + kSolversApart_rel times the arc's
+/// largest coordinate, their velocities by kSolversApart_px_per_s + kSolversApart_rel times its largest
+/// speed, and the energy of the closed form from what drag leaves of it by kSolversApartEnergy_rel of
+/// the sum of kEnergyScaleMin, the largest v^2 and the largest energy. More is a fault of the
+/// reference, never of the run.
 inline constexpr double kSolversApart_px = 1e-9;
+inline constexpr double kSolversApart_px_per_s = 1e-9;
 inline constexpr double kSolversApart_rel = 1e-13;
+inline constexpr double kSolversApartEnergy_rel = 1e-9;
+
+/// Relative energies are divided by no less: the energy of 1 px of height, so that arcs of almost no
+/// energy do not drown the rest.
+inline constexpr double kEnergyScaleMin_px2_per_s2 = 1200.0;
 
 /// One flight arc against the exact flights from its first state.
 ///
 /// Each distance is the largest hypot(dx, dy) over the arc's rows, each speed error the largest
 /// hypot(dvx, dvy). With e = (vx^2 + vy^2) / 2 + g (bottom - y), the drift is e of the run minus e
 /// of the matched ODE at the same moment, in the form that does not cancel; relative: divided by
-/// the largest e of the matched ODE over the arc's rows, and none where that is not positive.
+/// energy_scale_px2_per_s2().
 struct ArcErrors {
   std::int64_t first_step = 0;  ///< Row numbers.
   std::int64_t last_step = 0;
@@ -37,27 +47,38 @@ struct ArcErrors {
   /// fused or reordered operation shows here, where its size would pass for rounding.
   std::int64_t steps_astray = 0;
 
-  double energy_largest_px2_per_s2 = 0.0;      ///< Of the matched ODE.
-  std::optional<double> energy_drift_rel_max;  ///< Magnitude.
-  std::optional<double> energy_drift_rel_end;  ///< Signed, at last_step.
+  double energy_largest_px2_per_s2 = 0.0;    ///< Of the matched ODE.
+  double energy_drift_max_px2_per_s2 = 0.0;  ///< Magnitude.
+  double energy_drift_end_px2_per_s2 = 0.0;  ///< Signed, at last_step.
+  double energy_drift_rel_max = 0.0;
+  double energy_drift_rel_end = 0.0;
   /// Least-squares slope with intercept of the signed relative drift; none where no time passes.
   std::optional<double> energy_drift_slope_per_s;
 
   double coordinate_largest_px = 0.0;      ///< Of the run and the matched ODE.
   std::optional<double> gsl_vs_closed_px;  ///< None without a second solver, or where it failed.
-  bool is_reference_fault = false;         ///< The second solver failed or lies too far apart.
+  /// What is wrong with the reference: what the solutions differ in ("position", "velocity", "energy",
+  /// "model error", "time of impact", of the contact that ended the arc), that the second solver failed,
+  /// or that a value is not finite. Empty: nothing.
+  std::string_view reference_fault;
+
+  [[nodiscard]] double energy_scale_px2_per_s2() const {
+    return energy_largest_px2_per_s2 < kEnergyScaleMin_px2_per_s2 ? kEnergyScaleMin_px2_per_s2
+                                                                  : energy_largest_px2_per_s2;
+  }
 };
 
-/// The contact that ended an arc, against the true impact: the first time t* at which the matched
-/// ODE from the arc's first state goes out through that wall, its last frame's rate going on past
-/// the last row. Times are none where t* lies later than two frames after the clamped row.
+/// A contact that ended an arc, against the true impact: the first time t* at which the matched ODE
+/// from the arc's first state goes out through that wall. It flies with each frame's own rate, and past
+/// the last row with that of the arc's last frame of positive dt (of the clamped frame, if there is
+/// none). None where it does not cross within the clamped dt plus twice that last dt.
 struct ImpactErrors {
   std::int64_t step = 0;  ///< Of the clamped row.
   Wall wall = Wall::ground;
   std::optional<double> time_error_s;           ///< t of the clamped row minus t*.
   double overshoot_px = 0.0;                    ///< How far past the wall the unclamped position was, >= 0.
-  std::optional<double> energy_jump_rel;        ///< Energy change over the clamped step / the arc's largest.
-  std::optional<double> effective_restitution;  ///< Normal speed after / normal speed at t*.
+  double energy_jump_rel = 0.0;                 ///< Energy change over the clamped step / the arc's scale.
+  std::optional<double> effective_restitution;  ///< Normal speed after that wall / normal speed at t*.
 };
 
 /// A row of an arc against the exact flights. Rows of an arc come in order, its first row included.
@@ -75,7 +96,8 @@ struct RowErrors {
   double energy_drift_px2_per_s2 = 0.0;  ///< Run minus matched ODE.
 };
 
-/// Receives what is measured: the rows of an arc, then the arc, then the contact that ended it.
+/// Receives what is measured: the rows of an arc, then the arc, then the contacts that ended it (two in
+/// a corner, x before y). Of an arc of one step, its contacts alone.
 class DriftSink {
  public:
   DriftSink() = default;
@@ -125,14 +147,16 @@ struct DriftSummary {
   std::int64_t contacts = 0;
   std::int64_t arcs_without_x = 0;  ///< Arcs in which nothing was solved in x.
   std::int64_t steps_astray = 0;
-  std::int64_t reference_faults = 0;  ///< Arcs; any is a fault of the program.
+  std::int64_t reference_faults = 0;  ///< Arcs, of one step too; any is a fault of the program.
   std::optional<std::int64_t> first_reference_fault_step;
+  std::string_view first_reference_fault;       ///< ArcErrors::reference_fault.
   std::optional<std::int64_t> non_finite_step;  ///< Nothing from this row on was measured.
 
   std::optional<Worst> implementation_px;
   std::optional<Worst> truncation_px;
   std::optional<Worst> model_px;
   std::optional<Worst> energy_drift_rel_max;
+  std::optional<Worst> energy_drift_max_px2_per_s2;
   std::optional<Worst> energy_drift_slope_per_s;  ///< The steepest, with its sign.
   std::optional<Worst> gsl_vs_closed_px;
   std::optional<Worst> time_error_s;  ///< The largest in magnitude, with its sign.

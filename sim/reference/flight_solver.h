@@ -1,13 +1,16 @@
-// A second solution of the matched ODE, to check the closed form by.
+// A second solution of an arc, to check the closed forms by.
 #pragma once
 
+#include <optional>
+
 #include "sim/reference/flight.h"
+#include "sim/reference/impact.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {
 
-/// Solves v' = g - k v frame by frame, k = -ln(air_drag) / dt of each frame; a frame of dt 0 only
-/// damps.
+/// Solves v' = g - k v frame by frame, k = -ln(air_drag) / dt of each frame (a frame of dt 0 only
+/// damps), and at fixed rates.
 class FlightSolver {
  public:
   FlightSolver() = default;
@@ -22,7 +25,13 @@ class FlightSolver {
   [[nodiscard]] virtual bool advance(double dt_s) = 0;
   [[nodiscard]] virtual Flight flight() const = 0;
 
-  /// Whether its distance from the closed form is held to the bound that drift.h gives: a solver of
+  /// The flight from the arc's start through t_s at the drag rate of the model, whatever the frames
+  /// are. None where the solver failed.
+  [[nodiscard]] virtual std::optional<Flight> model(double t_s) = 0;
+  /// As hyrax::time_of_impact. A solver that failed returns NaN.
+  [[nodiscard]] virtual std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) = 0;
+
+  /// Whether its distance from the closed form is held to the bounds that drift.h gives: a solver of
   /// less than full accuracy may be asked for, and is then no judge.
   [[nodiscard]] virtual bool is_judge() const = 0;
 };

@@ -1,150 +1,140 @@
 #include "sim/reference/gsl_flight.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
+#include <gsl/gsl_roots.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <new>
-#include <optional>
+
+#include "sim/reference/gsl_driver.h"
 
 namespace hyrax {
 namespace {
 
-// The unknowns in GSL's order; without horizontal motion the first two are all.
-enum Unknown : std::size_t { kDy, kVy, kDx, kVx, kUnknowns };
-constexpr std::size_t kUnknownsInY = 2;
+// The axes in GSL's order; without horizontal motion the first is all.
+enum Axis : std::size_t { kY, kX };
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Time is counted in frames, since the drag of a frame is the same however short it is: by the second
-// its rate would go beyond the largest double where a frame is subnormal.
-//   dy/dn = v h,  dv/dn = G h - c v,  with h = dt and c = -ln(alpha)
-struct Force {
-  double gravity_px_per_s2 = 0.0;
-  double drag_per_frame = 0.0;
-  double frame_s = 0.0;
-  std::size_t unknowns = kUnknowns;
+// At a fixed rate GSL flies through so much drag at a time: a single step of rk8pd (order 8) errs by
+// 0.06^9 / 9!, 3e-17 of the speed, whatever its own estimate says.
+constexpr double kDragPerPiece = 0.06;
+// exp(-40) is less than half a unit in the last place: the speed no longer changes.
+constexpr double kDragOfAll = 40.0;
+constexpr int kBrentTurnsMax = 128;
+
+struct FreeRoot {
+  void operator()(gsl_root_fsolver* solver) const { gsl_root_fsolver_free(solver); }
 };
 
-// GSL's explicit steppers take a NaN for a success, so it is refused here.
-int derivatives(double, const double state[], double rates[], void* parameters) {
-  const Force& force = *static_cast<const Force*>(parameters);
-  rates[kDy] = force.frame_s * state[kVy];
-  rates[kVy] = force.gravity_px_per_s2 * force.frame_s - force.drag_per_frame * state[kVy];
-  double sum = rates[kDy] + rates[kVy];
-  if (force.unknowns == kUnknowns) {
-    rates[kDx] = force.frame_s * state[kVx];
-    rates[kVx] = -force.drag_per_frame * state[kVx];
-    sum += rates[kDx] + rates[kVx];
-  }
-  return std::isfinite(sum) ? GSL_SUCCESS : GSL_EBADFUNC;
-}
-
-int jacobian(double, const double[], double by_state[], double by_time[], void* parameters) {
-  const Force& force = *static_cast<const Force*>(parameters);
-  const std::size_t n = force.unknowns;
-  std::fill_n(by_state, n * n, 0.0);
-  std::fill_n(by_time, n, 0.0);
-  for (std::size_t position = 0; position < n; position += 2) {
-    by_state[position * n + position + 1] = force.frame_s;
-    by_state[(position + 1) * n + position + 1] = -force.drag_per_frame;
-  }
-  return GSL_SUCCESS;
-}
-
-const gsl_odeiv2_step_type* type_of(GslStepper stepper) {
-  switch (stepper) {
-    case GslStepper::rk2:
-      return gsl_odeiv2_step_rk2;
-    case GslStepper::rk4:
-      return gsl_odeiv2_step_rk4;
-    case GslStepper::rkf45:
-      return gsl_odeiv2_step_rkf45;
-    case GslStepper::rkck:
-      return gsl_odeiv2_step_rkck;
-    case GslStepper::rk8pd:
-      return gsl_odeiv2_step_rk8pd;
-    case GslStepper::rk1imp:
-      return gsl_odeiv2_step_rk1imp;
-    case GslStepper::rk2imp:
-      return gsl_odeiv2_step_rk2imp;
-    case GslStepper::rk4imp:
-      return gsl_odeiv2_step_rk4imp;
-    case GslStepper::bsimp:
-      return gsl_odeiv2_step_bsimp;
-    case GslStepper::msadams:
-      return gsl_odeiv2_step_msadams;
-    case GslStepper::msbdf:
-      return gsl_odeiv2_step_msbdf;
-  }
-  return gsl_odeiv2_step_rk8pd;
-}
-
-struct FreeDriver {
-  void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
-};
-
-// One driver, allocated once, for 2 or 4 unknowns.
-class Driver {
+// One axis of a flight at a fixed drag rate.
+class AxisFlight {
  public:
-  Driver(const GslOptions& options, const Model& model, std::size_t unknowns)
-      : force_{model.gravity_px_per_s2, -std::log(model.air_drag), 0.0, unknowns},
-        system_{derivatives, jacobian, unknowns, &force_} {
-    driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, type_of(options.stepper), kFirstStep_frames,
-                                                options.tolerance, options.tolerance));
-    if (!driver_) throw std::bad_alloc();
-    gsl_odeiv2_driver_set_nmax(driver_.get(), kGslStepsPerFrameMax);
+  explicit AxisFlight(const GslOptions& options)
+      : driver_(options, 1), roots_(gsl_root_fsolver_alloc(gsl_root_fsolver_brent)) {
+    if (!roots_) throw std::bad_alloc();
   }
-  Driver(const Driver&) = delete;
-  Driver& operator=(const Driver&) = delete;
 
-  void restart(double frame_s) {
-    force_.frame_s = frame_s;
-    time_frames_ = 0.0;
-    gsl_odeiv2_driver_reset_hstart(driver_.get(), kFirstStep_frames);
+  void start(const Approach& approach) { from_ = approach; }
+
+  // NaN where GSL fails.
+  [[nodiscard]] AxisMotion after(double t_s) {
+    const double drag_s = std::min(t_s, kDragOfAll / from_.drag_rate_per_s);
+    const double drag = from_.drag_rate_per_s * drag_s;
+    const double pieces = std::max(1.0, std::ceil(drag / kDragPerPiece));
+    driver_.start(0, {from_.position_px, from_.speed_px_per_s}, from_.acceleration_px_per_s2);
+    for (double piece = 0.0; piece < pieces; ++piece)
+      if (!driver_.advance(drag_s / pieces, drag / pieces)) return {kNaN, kNaN};
+    AxisMotion end = driver_.at(0);
+    end.displacement_px += end.speed_px_per_s * (t_s - drag_s);
+    return end;
   }
-  // One frame on. Time goes on from the restart, since the multistep methods take a step that begins
-  // at the time of the last one for its repetition.
-  bool advance(double* state) {
-    return gsl_odeiv2_driver_apply(driver_.get(), &time_frames_, time_frames_ + 1.0, state) == GSL_SUCCESS;
+
+  // The first outward crossing of 0 within t_s: between two turns of the speed there is one at most.
+  [[nodiscard]] std::optional<double> crossing(double t_s) {
+    const double turn_s = from_.speed_px_per_s * after(t_s).speed_px_per_s < 0.0
+                              ? root(&AxisMotion::speed_px_per_s, 0.0, t_s)
+                              : t_s;
+    const std::optional<double> before = crossing_between(0.0, turn_s);
+    return before || turn_s == t_s ? before : crossing_between(turn_s, t_s);
   }
 
  private:
-  static constexpr double kFirstStep_frames = 1.0;
+  using Value = double AxisMotion::*;
+  struct Function {
+    AxisFlight* flight;
+    Value value;
+  };
+  static double evaluate(double t_s, void* parameters) {
+    const Function& function = *static_cast<const Function*>(parameters);
+    return function.flight->after(t_s).*function.value;
+  }
 
-  Force force_;
-  gsl_odeiv2_system system_;
-  std::unique_ptr<gsl_odeiv2_driver, FreeDriver> driver_;
-  double time_frames_ = 0.0;  // Since the restart: whole after every frame.
+  [[nodiscard]] std::optional<double> crossing_between(double low_s, double high_s) {
+    const double low_px = after(low_s).displacement_px;
+    const double high_px = after(high_s).displacement_px;
+    if (std::isnan(low_px + high_px)) return kNaN;
+    if (low_px > 0.0 || !(high_px > 0.0)) return std::nullopt;
+    return low_px == 0.0 ? low_s : root(&AxisMotion::displacement_px, low_s, high_s);
+  }
+
+  // Brent's method. NaN where GSL fails. REQUIRES: the value has another sign at low_s than at high_s.
+  [[nodiscard]] double root(Value value, double low_s, double high_s) {
+    Function parameters{this, value};
+    gsl_function function{evaluate, &parameters};
+    gsl_root_fsolver* roots = roots_.get();
+    if (gsl_root_fsolver_set(roots, &function, low_s, high_s) != GSL_SUCCESS) return kNaN;
+    for (int turn = 0; turn < kBrentTurnsMax; ++turn) {
+      if (gsl_root_fsolver_iterate(roots) != GSL_SUCCESS) return kNaN;
+      if (gsl_root_test_interval(gsl_root_fsolver_x_lower(roots), gsl_root_fsolver_x_upper(roots), 0.0,
+                                 std::numeric_limits<double>::epsilon()) == GSL_SUCCESS)
+        break;
+    }
+    return gsl_root_fsolver_root(roots);
+  }
+
+  GslDriver driver_;
+  std::unique_ptr<gsl_root_fsolver, FreeRoot> roots_;
+  Approach from_;
 };
 
 }  // namespace
 
 struct GslFlight::Solver {
-  Solver(const GslOptions& chosen, const Model& model)
-      : options(chosen), in_y(chosen, model, kUnknownsInY), in_both(chosen, model, kUnknowns) {}
+  Solver(const GslOptions& chosen, const Model& law)
+      : options(chosen),
+        gravity_px_per_s2(law.gravity_px_per_s2),
+        drag_per_frame(-std::log(law.air_drag)),
+        model_rate_per_s(drag_per_frame * law.model_rate_hz),
+        in_y(chosen, 1),
+        in_both(chosen, 2),
+        axis(chosen) {}
 
-  bool is_sound() const {
-    return std::all_of(state, state + kUnknowns, [](double value) { return std::isfinite(value); });
+  GslDriver& driver() { return solves_x ? in_both : in_y; }
+  void start_driver() {
+    driver().start(kY, {0.0, first.vy_px_per_s}, gravity_px_per_s2);
+    if (solves_x) driver().start(kX, {0.0, first.vx_px_per_s}, 0.0);
   }
-
-  bool advance(double dt_s) {
-    if (!(dt_s >= 0.0) || !std::isfinite(dt_s))
-      return false;  // GSL does nothing to t1 = NaN, and is content.
-    Driver& driver = solves_x ? in_both : in_y;
-    if (frame_s != dt_s) driver.restart(dt_s);
-    frame_s = dt_s;
-    return driver.advance(state);
+  Flight flight() {
+    const AxisMotion y = driver().at(kY);
+    const AxisMotion x = solves_x ? driver().at(kX) : AxisMotion{};
+    return {x.displacement_px, y.displacement_px, x.speed_px_per_s, y.speed_px_per_s};
   }
 
   GslOptions options;
-  Driver in_y;
-  Driver in_both;
+  double gravity_px_per_s2;
+  double drag_per_frame;
+  double model_rate_per_s;
+  GslDriver in_y;
+  GslDriver in_both;
+  AxisFlight axis;
+  Velocity first;
+  Flight now;
   bool solves_x = true;
   bool has_failed = false;
-  std::optional<double> frame_s;  // Of the frames since the last restart.
-  double state[kUnknowns] = {};
 };
 
 GslFlight::GslFlight(const GslOptions& options, const Model& model) {
@@ -156,24 +146,42 @@ GslFlight::GslFlight(const GslOptions& options, const Model& model) {
 GslFlight::~GslFlight() = default;
 
 void GslFlight::start(const Velocity& velocity, bool solves_x) {
-  Solver& solver = *solver_;
-  solver.solves_x = solves_x;
-  solver.frame_s.reset();
-  solver.state[kDy] = solver.state[kDx] = 0.0;
-  solver.state[kVy] = velocity.vy_px_per_s;
-  solver.state[kVx] = solves_x ? velocity.vx_px_per_s : 0.0;
-  solver.has_failed = !solver.is_sound();
+  Solver& s = *solver_;
+  s.solves_x = solves_x;
+  s.first = velocity;
+  s.start_driver();
+  s.now = s.flight();
+  s.has_failed = false;
 }
 
 bool GslFlight::advance(double dt_s) {
-  Solver& solver = *solver_;
-  if (!solver.has_failed) solver.has_failed = !solver.advance(dt_s) || !solver.is_sound();
-  return !solver.has_failed;
+  Solver& s = *solver_;
+  s.has_failed = s.has_failed || !s.driver().advance(dt_s, s.drag_per_frame);
+  s.now = s.flight();
+  return !s.has_failed;
 }
 
-Flight GslFlight::flight() const {
-  const double* state = solver_->state;
-  return {state[kDx], state[kDy], state[kVx], state[kVy]};
+Flight GslFlight::flight() const { return solver_->now; }
+
+std::optional<Flight> GslFlight::model(double t_s) {
+  Solver& s = *solver_;
+  s.axis.start({0.0, s.first.vy_px_per_s, s.gravity_px_per_s2, s.model_rate_per_s});
+  const AxisMotion y = s.axis.after(t_s);
+  AxisMotion x;
+  if (s.solves_x) {
+    s.axis.start({0.0, s.first.vx_px_per_s, 0.0, s.model_rate_per_s});
+    x = s.axis.after(t_s);
+  }
+  if (std::isnan(x.displacement_px + y.displacement_px)) return std::nullopt;
+  return Flight{x.displacement_px, y.displacement_px, x.speed_px_per_s, y.speed_px_per_s};
+}
+
+std::optional<Impact> GslFlight::time_of_impact(const Approach& approach, double t_max_s) {
+  AxisFlight& axis = solver_->axis;
+  axis.start(approach);
+  const std::optional<double> t_s = axis.crossing(t_max_s);
+  if (!t_s) return std::nullopt;
+  return Impact{*t_s, axis.after(*t_s).speed_px_per_s, approach.drag_rate_per_s};
 }
 
 bool GslFlight::is_judge() const {

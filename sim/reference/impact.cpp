@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/reference/flight.h"
+#include "sim/reference/largest.h"
 
 namespace hyrax {
 namespace {
@@ -78,7 +79,7 @@ std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) {
     return std::nullopt;
   const double t_s =
       low_s == 0.0 && approach.position_px == 0.0 ? 0.0 : root_between(approach, low_s, high_s);
-  return Impact{t_s, std::max(0.0, motion(approach, t_s).speed_px_per_s)};
+  return Impact{t_s, larger(0.0, motion(approach, t_s).speed_px_per_s), approach.drag_rate_per_s};
 }
 
 }  // namespace hyrax

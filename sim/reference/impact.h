@@ -16,7 +16,8 @@ struct Approach {
 
 struct Impact {
   double t_s = 0.0;
-  double speed_px_per_s = 0.0;  ///< Outwards, >= 0.
+  double speed_px_per_s = 0.0;   ///< Outwards, >= 0.
+  double drag_rate_per_s = 0.0;  ///< That it was solved with.
 };
 
 /// The first time in 0 .. t_max_s at which the flight comes from inside and goes out through the

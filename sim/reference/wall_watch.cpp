@@ -1,14 +1,8 @@
 #include "sim/reference/wall_watch.h"
 
+#include <algorithm>
+
 namespace hyrax {
-namespace {
-
-// A frame's end is looked at by another form of the solution; rounding must not hide a wall that
-// is met just there.
-constexpr double kPastFrameEnd = 1.01;
-constexpr double kFramesAfter = 2.0;
-
-}  // namespace
 
 void WallWatch::start(const ArcStart& start) {
   left_px_ = 0.0 - start.row.x_px;
@@ -19,15 +13,26 @@ void WallWatch::start(const ArcStart& start) {
   last_elapsed_s_ = 0.0;
   rate_dt_s_ = 0.0;
   met_ = {};
+  is_any_outside_ = is_out(last_);
+  for (const Wall wall : kWalls) is_outside_[wall_index(wall)] = approach(wall, last_, 1.0).position_px > 0.0;
 }
 
-void WallWatch::look(double dt_s) {
+// The rows' own positions decide in which frame a wall is crossed, so that each crossing is in one frame
+// and in no other: the solution inside the frame may differ from them by rounding.
+void WallWatch::look(const Flight& now, double dt_s) {
   for (const Wall wall : kWalls) {
-    std::optional<Impact>& met = met_[wall_index(wall)];
-    if (met) continue;
-    met = time_of_impact(approach(wall, dt_s), kPastFrameEnd * dt_s);
-    if (met) met->t_s += last_elapsed_s_;
+    const std::size_t index = wall_index(wall);
+    const Approach end = approach(wall, now, dt_s);
+    const bool ends_outside = end.position_px > 0.0;
+    if (!met_[index]) {
+      std::optional<Impact>& met = met_[index] = find(wall, dt_s, dt_s);
+      if (!met && ends_outside && !is_outside_[index])
+        met = Impact{dt_s, end.speed_px_per_s, end.drag_rate_per_s};
+      if (met) met->t_s += last_elapsed_s_;
+    }
+    is_outside_[index] = ends_outside;
   }
+  is_any_outside_ = is_out(now);
 }
 
 std::optional<Impact> WallWatch::impact(Wall wall, double clamped_dt_s) const {
@@ -35,22 +40,30 @@ std::optional<Impact> WallWatch::impact(Wall wall, double clamped_dt_s) const {
     met->t_s -= last_elapsed_s_;
     return met;
   }
-  const double dt_s = rate_dt_s_ > 0.0 ? rate_dt_s_ : clamped_dt_s;
+  const double dt_s = rate_dt_s(clamped_dt_s);
   if (!(dt_s > 0.0)) return std::nullopt;
-  return time_of_impact(approach(wall, dt_s), clamped_dt_s + kFramesAfter * dt_s);
+  return find(wall, dt_s, time_max_s(clamped_dt_s));
 }
 
-Approach WallWatch::approach(Wall wall, double dt_s) const {
-  const double rate = -log_air_drag_ / dt_s;
+// From the last state on, at the rate of dt_s.
+std::optional<Impact> WallWatch::find(Wall wall, double dt_s, double t_max_s) const {
+  Approach from_last = approach(wall, last_, dt_s);
+  if (!is_outside_[wall_index(wall)]) from_last.position_px = std::min(from_last.position_px, 0.0);
+  return find_(from_last, t_max_s);
+}
+
+Approach WallWatch::approach(Wall wall, const Flight& from, double dt_s) const {
+  constexpr double kRateMax_per_s = 1e300;  // Where a frame is subnormal its rate may overflow.
+  const double rate = std::min(-log_air_drag_ / dt_s, kRateMax_per_s);
   switch (wall) {
     case Wall::left:
-      return {left_px_ - last_.dx_px, -last_.vx_px_per_s, 0.0, rate};
+      return {left_px_ - from.dx_px, -from.vx_px_per_s, 0.0, rate};
     case Wall::right:
-      return {last_.dx_px - right_px_, last_.vx_px_per_s, 0.0, rate};
+      return {from.dx_px - right_px_, from.vx_px_per_s, 0.0, rate};
     case Wall::top:
-      return {top_px_ - last_.dy_px, -last_.vy_px_per_s, -gravity_, rate};
+      return {top_px_ - from.dy_px, -from.vy_px_per_s, -gravity_, rate};
     case Wall::ground:
-      return {last_.dy_px - bottom_px_, last_.vy_px_per_s, gravity_, rate};
+      return {from.dy_px - bottom_px_, from.vy_px_per_s, gravity_, rate};
   }
   return {};
 }

@@ -65,13 +65,12 @@ Replay::Player::Player(const Scenario& scenario, const Keyframe& from, RowSink& 
 void Replay::Player::play_to(std::int64_t step_end) {
   while (step() < step_end && !summary_.non_finite_step) {
     apply_events();
-    const std::int64_t next_event_frame =
-        next_event_ < event_frames_.size() ? event_frames_[next_event_] : steps_;
-    const std::int64_t end = std::min(step_end, next_event_frame);
+    const std::int64_t stretch_end = next_event_ < event_frames_.size() ? event_frames_[next_event_] : steps_;
+    const std::int64_t end = std::min(step_end, stretch_end);
     if (hitch_dt_s_)
       play_hitch();
     else if (clock_.is_fixed())
-      play_even_stretch(end);
+      play_even_stretch(end, stretch_end);
     else
       play_uneven_stretch(end);
   }
@@ -96,6 +95,8 @@ void Replay::Player::apply_events() {
   for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_) {
     const Action& action = scenario_.events[next_event_].action;
     apply(action, now_);
+    search_.reset();
+    cycle_.reset();
     if (const auto* hitch = std::get_if<Hitch>(&action)) hitch_dt_s_ = hitch->dt_s;
   }
 }
@@ -112,20 +113,35 @@ void Replay::Player::play_hitch() {
   play_batch(stretch(1));
 }
 
-void Replay::Player::play_even_stretch(std::int64_t end) {
+void Replay::Player::play_even_stretch(std::int64_t end, std::int64_t stretch_end) {
   dt_s_.assign(1, clock_.dt_s(step()));
-  Search search{body(), step()};
-  while (step() < end) {
-    const std::int64_t search_end = search.step + search.window;
-    Stretch next = stretch(std::min<std::int64_t>({end, search_end}) - step());
-    next.frames = std::min(next.frames, room());
-    next.anchor = &search.anchor;
-    play_batch(next);
-    if (summary_.non_finite_step) return;
-    const std::int64_t period = step() - search.step;
-    if (log_.met_anchor && divides_a_block(period) && end - step() > 2 * period) return repeat(period, end);
-    if (step() == search_end || log_.met_anchor)
-      search = {body(), step(), std::min<std::int64_t>(search.window + search.window / 16, kBlockRows)};
+  while (step() < end && !summary_.non_finite_step) {
+    if (!cycle_)
+      search_repetition(end, stretch_end);
+    else if (options_.skips_repetition)
+      repeat(*cycle_, end);
+    else
+      play_batch(stretch(std::min(end - step(), room())));
+  }
+}
+
+// What is found depends on where the stretch ends, never on `end`, where the caller stops for now.
+void Replay::Player::search_repetition(std::int64_t end, std::int64_t stretch_end) {
+  if (!search_) search_ = {body(), step()};
+  const std::int64_t search_end = search_->step + search_->window;
+  Stretch next = stretch(std::min({end - step(), search_end - step(), room()}));
+  next.anchor = &search_->anchor;
+  play_batch(next);
+  if (summary_.non_finite_step) return;
+  const std::int64_t period = step() - search_->step;
+  if (log_.met_anchor && divides_a_block(period) && stretch_end - step() > 2 * period) {
+    cycle_ = make_cycle(period);
+    if (stretch_end < steps_) return;
+    summary_.periodic_from_step = search_->step;
+    summary_.period_steps = period;
+  } else if (log_.met_anchor || step() == search_end) {
+    const auto window = std::min<std::int64_t>(search_->window + search_->window / 16, kBlockRows);
+    search_ = {body(), step(), window};
   }
 }
 

@@ -13,15 +13,16 @@
 
 namespace hyrax {
 
-/// Rows that come again and again: whole periods, as many as fit a block.
+/// Rows that repeat: whole periods, as many as fit a block.
 struct Cycle {
   std::int64_t period = 0;
+  std::int64_t first_step = 0;  ///< Of the first row.
   RowBlock rows;
   StretchLog log;  ///< Of one period.
 
-  [[nodiscard]] Row row(std::int64_t offset) const {
-    return rows.row(static_cast<std::size_t>(offset % period));
-  }
+  /// How many rows of a period come before row `step`. REQUIRES: step >= first_step.
+  [[nodiscard]] std::int64_t phase(std::int64_t step) const { return (step - first_step) % period; }
+  [[nodiscard]] Row row(std::int64_t step) const { return rows.row(static_cast<std::size_t>(phase(step))); }
 };
 
 class Replay::Player {
@@ -37,8 +38,9 @@ class Replay::Player {
  private:
   Player(const Scenario& scenario, RowSink& sink, ReplayOptions options, const Keyframe& from);
 
-  // Where the search for a repetition stands: a state is compared with the anchor, which moves on
-  // by a window that grows with the run, so that any period up to a block is found in the end.
+  // The search for a repetition: a state is compared with the anchor, which moves on by a window that
+  // grows with the run, so that any period up to a block is found in the end. It lasts as long as a
+  // stretch without input, however many calls of play_to that takes.
   struct Search {
     Body anchor;
     std::int64_t step = 0;
@@ -51,7 +53,8 @@ class Replay::Player {
   [[nodiscard]] std::int64_t room() const;
   void apply_events();
   void play_hitch();
-  void play_even_stretch(std::int64_t end);
+  void play_even_stretch(std::int64_t end, std::int64_t stretch_end);
+  void search_repetition(std::int64_t end, std::int64_t stretch_end);
   void play_uneven_stretch(std::int64_t end);
   void play_batch(const Stretch& stretch);
   void cut_to_first_non_finite(Stretch stretch, std::size_t rows_before);
@@ -65,9 +68,9 @@ class Replay::Player {
   void flush_rows();
   void close_block(std::int64_t count = 1);
 
-  // In repetition.cpp: the rest of a stretch that repeats with the period found.
-  void repeat(std::int64_t period, std::int64_t end);
-  [[nodiscard]] Cycle make_cycle(std::int64_t period);
+  // In repetition.cpp: frames of a stretch that repeats with the period found.
+  void repeat(const Cycle& cycle, std::int64_t end);
+  [[nodiscard]] Cycle make_cycle(std::int64_t period) const;
   [[nodiscard]] Row row_in(const Cycle& cycle, std::int64_t at) const;
   [[nodiscard]] Keyframe keyframe_in(const Cycle& cycle, std::int64_t at) const;
   void repeat_clamps(const Cycle& cycle, std::int64_t end);
@@ -86,6 +89,8 @@ class Replay::Player {
   std::vector<std::int64_t> event_frames_;
   std::size_t next_event_ = 0;
   std::optional<double> hitch_dt_s_;
+  std::optional<Search> search_;
+  std::optional<Cycle> cycle_;
 
   Keyframe now_;
   RowBlock block_;

@@ -1,4 +1,4 @@
-// What a stretch comes to whose state repeats exactly: nothing of it is computed again.
+// Frames of a stretch whose state repeats exactly: filled in from one period, which is computed once.
 #include <algorithm>
 #include <optional>
 
@@ -12,13 +12,13 @@ void multiply(RowBlock& rows) {
   while (rows.size() <= rows.room()) rows.append(rows, 0, rows.size());
 }
 
-// Appends rows of the cycle from `offset` on.
-void append_cyclic(RowBlock& block, const Cycle& cycle, std::int64_t offset, std::int64_t count) {
+// Appends rows of the cycle from row `step` on.
+void append_cyclic(RowBlock& block, const Cycle& cycle, std::int64_t step, std::int64_t count) {
   while (count > 0) {
-    const std::int64_t first = offset % cycle.period;
+    const std::int64_t first = cycle.phase(step);
     const std::int64_t run = std::min(count, static_cast<std::int64_t>(cycle.rows.size()) - first);
     block.append(cycle.rows, static_cast<std::size_t>(first), static_cast<std::size_t>(run));
-    offset += run;
+    step += run;
     count -= run;
   }
 }
@@ -32,16 +32,10 @@ WallCounts begun_in(const StretchLog& log, std::int64_t periods) {
 
 }  // namespace
 
-void Replay::Player::repeat(std::int64_t period, std::int64_t end) {
-  if (end == steps_) {
-    summary_.periodic_from_step = step() - period;
-    summary_.period_steps = period;
-  }
-  if (!options_.skips_repetition) {
-    while (step() < end) play_batch(stretch(std::min(end - step(), room())));
-    return;
-  }
-  const Cycle cycle = make_cycle(period);
+void Replay::Player::repeat(const Cycle& cycle, std::int64_t end) {
+  // The cycle's first pass counts as computed.
+  const std::int64_t computed_end = std::min(end, cycle.first_step + cycle.period - 1);
+  summary_.steps_computed += std::max<std::int64_t>(0, computed_end - step());
   repeat_clamps(cycle, end);
   repeat_contacts(cycle, end);
   repeat_rest(cycle, end);
@@ -50,19 +44,19 @@ void Replay::Player::repeat(std::int64_t period, std::int64_t end) {
   now_ = keyframe_in(cycle, end);
 }
 
-Cycle Replay::Player::make_cycle(std::int64_t period) {
+Cycle Replay::Player::make_cycle(std::int64_t period) const {
   Cycle cycle;
   cycle.period = period;
+  cycle.first_step = step() + 1;
   Body moving = body();
   RestAnchor unused;
   play(stretch(period), moving, unused, cycle.rows, cycle.log);
-  summary_.steps_computed += period;
   multiply(cycle.rows);
   return cycle;
 }
 
 Row Replay::Player::row_in(const Cycle& cycle, std::int64_t at) const {
-  Row row = cycle.row(at - step() - 1);
+  Row row = cycle.row(at);
   row.step = at;
   row.t_s = now_.timeline.time_s(at - step());
   return row;
@@ -77,35 +71,40 @@ Keyframe Replay::Player::keyframe_in(const Cycle& cycle, std::int64_t at) const 
 
 void Replay::Player::repeat_clamps(const Cycle& cycle, std::int64_t end) {
   count_clamps(cycle.log, (end - step()) / cycle.period);
-  for (std::int64_t offset = 0; offset < (end - step()) % cycle.period; ++offset) {
+  for (std::int64_t rest = (end - step()) % cycle.period; rest > 0; --rest) {
     StretchLog one;
-    one.rows[cycle.row(offset).contact] = 1;
+    one.rows[cycle.row(step() + rest).contact] = 1;
     count_clamps(one, 1);
   }
   if (options_.checks_bounds)
-    for (std::int64_t at = step() + 1; at <= step() + cycle.period; ++at) see_bounds(row_in(cycle, at));
+    for (std::int64_t at = step() + 1; at <= std::min(end, step() + cycle.period); ++at)
+      see_bounds(row_in(cycle, at));
 }
 
 void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {
   if (cycle.log.changes.empty()) return;
   const std::int64_t period = cycle.period;
-  std::int64_t stands = step();
-  // Contacts are handed on as long as they are taken, and once more, so that the ones that are
-  // passed over go on from one that nobody was told of.
-  for (bool was_full = false; stands + period <= end && !was_full; stands += period) {
-    was_full = contacts_.is_full();
-    repeat_changes(cycle, stands + 1, stands + period);
+  std::int64_t next = step() + 1;
+  // Contacts are handed on while the list has room, and for one whole pass more, so that no contact
+  // that was handed on is still open when passes are only counted.
+  for (bool is_counted_only = false; next <= end && !is_counted_only;) {
+    const std::int64_t last = std::min(end, next - cycle.phase(next) + period - 1);
+    is_counted_only = contacts_.is_full() && last - next + 1 == period;
+    repeat_changes(cycle, next, last);
+    next = last + 1;
   }
-  const std::int64_t periods = (end - stands) / period;
+  const std::int64_t periods = (end - next + 1) / period;
   contacts_.count(begun_in(cycle.log, periods));
-  repeat_changes(cycle, stands + periods * period + 1, end);
+  repeat_changes(cycle, next + periods * period, end);
 }
 
-// Steps `first` .. `last`, at most a period; `first` begins one.
+// REQUIRES: steps `first` .. `last` are of one pass, or there are none.
 void Replay::Player::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last) {
+  const std::int64_t pass_first = first - cycle.phase(first);
   for (const ContactChange& change : cycle.log.changes) {
     Contact contact = change.contact;
-    contact.step = contact.last_step = first + change.offset;
+    contact.step = contact.last_step = pass_first + change.offset;
+    if (contact.step < first) continue;
     if (contact.step > last) return;
     contact.t_s = now_.timeline.time_s(contact.step - step());
     if (change.begins)
@@ -125,7 +124,7 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
     const std::int64_t rows = std::min(period, end - stands);
     std::int64_t moved_last = -1;
     for (std::int64_t offset = 0; offset < rows; ++offset) {
-      const Row row = cycle.row(offset);
+      const Row row = cycle.row(stands + 1 + offset);
       if (rest_.moves_to(row.x_px, row.y_px)) moved_last = offset;
     }
     if (moved_last < 0) break;
@@ -153,7 +152,7 @@ void Replay::Player::repeat_blocks(const Cycle& cycle, std::int64_t end) {
   std::int64_t stands = step();
   const auto take = [&](std::int64_t rows) {
     if (block_.size() == 0) block_keyframe_ = keyframe_in(cycle, stands + 1);
-    append_cyclic(block_, cycle, stands - step(), rows);
+    append_cyclic(block_, cycle, stands + 1, rows);
     stands += rows;
   };
   take(std::min(end - stands, static_cast<std::int64_t>(block_.room())));

@@ -16,15 +16,18 @@ struct ReplayOptions {
   bool checks_bounds = false;  ///< Fills RunSummary::out_of_bounds_step.
 };
 
-/// Plays a scenario in constant memory. Rows, contacts and hash are the same bits however the run
-/// is cut into calls of play_to, and whether or not repetition is skipped.
+/// Plays a scenario in constant memory. Rows, contacts, blocks and the whole summary are the same bits
+/// however the run is cut into calls of play_to; only how many equal blocks are handed on at once may
+/// differ. Skipping repetition changes nothing but steps_computed.
 class Replay {
  public:
   /// From the start. Row 0 goes to the sink at once. Refers to scenario and sink.
   /// REQUIRES: a scenario within the limits of scenario.h whose events have frames.
   Replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {});
   /// Resumes after the keyframe's row, which the sink does not get again. Contacts that touch
-  /// there go on uncounted; state_hash and at_rest_since_s cover the rows from the keyframe's on.
+  /// there go on uncounted; state_hash, at_rest_since_s and the search for repetition begin at the
+  /// keyframe's row: periodic_from_step is never before it, and is that row if the whole run repeats
+  /// there already.
   Replay(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options = {});
   ~Replay();
   Replay(Replay&&) noexcept;

@@ -1,6 +1,6 @@
 #include "sim/scenario/frame_clock.h"
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 
 #include "sim/scenario/split_mix64.h"
@@ -46,6 +46,14 @@ double jittered_dt_s(double dt_s, const Jitter& jitter, std::int64_t frame) {
       break;
   }
   return jittered_s > kFrameMax_s ? kFrameMax_s : jittered_s;
+}
+
+double longest_dt_s(const Clock& clock) {
+  const double dt_s = base_dt_s(clock);
+  if (!clock.jitter) return dt_s;
+  double longest_s = 2.0 * dt_s;  // Of missed_frames, and of uniform with a fraction of 1.
+  if (clock.jitter->kind == Jitter::Kind::normal) longest_s = dt_s + 6.0 * clock.jitter->amount;
+  return std::min(longest_s, kFrameMax_s);
 }
 
 std::int64_t step_count(const Scenario& scenario) {

@@ -15,6 +15,10 @@ namespace hyrax {
 /// comparison only, so that every machine draws the same bits. At most kFrameMax_s.
 [[nodiscard]] double jittered_dt_s(double dt_s, const Jitter& jitter, std::int64_t frame);
 
+/// No frame of the clock is longer, in s: the largest dt that the jitter's rule can give.
+/// REQUIRES: the clock is not a recorded trace.
+[[nodiscard]] double longest_dt_s(const Clock& clock);
+
 /// Frames to play: `steps`, or ceil(duration_s / dt - 1e-9), or the trace's length.
 /// REQUIRES: a duration stands only with a dt > 0. A duration beyond kStepsMax frames gives kStepsMax + 1.
 [[nodiscard]] std::int64_t step_count(const Scenario& scenario);

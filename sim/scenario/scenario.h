@@ -104,7 +104,7 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// Both ends inclusive.
+/// Both ends inclusive and finite, but low is -infinity where at_rest_since_s has no lower end.
 struct Interval {
   double low = 0.0;
   double high = 0.0;

@@ -27,43 +27,69 @@ double latest_due_s(double start_s, double dt_s) {
 // Walks the start times of frames forwards, events in order.
 class Walk {
  public:
-  Walk(const Scenario& scenario, std::int64_t steps) : clock_(scenario.clock), steps_(steps) {}
+  Walk(const Scenario& scenario, std::int64_t steps)
+      : clock_(scenario.clock), is_jittered_(scenario.clock.jitter.has_value()), steps_(steps) {
+    if (is_jittered_) longest_dt_s_ = longest_dt_s(scenario.clock);
+  }
+
+  std::int64_t frame() const { return frame_; }
 
   void play_to(std::int64_t frame) {
+    if (is_jittered_ && frame > kWalkedFrameMax) return jump_to(frame);
     while (frame_ < frame) play(is_even() ? frame - frame_ : 1);
   }
 
-  // Goes on to a frame behind which no time is asked for.
+  // Goes on to a frame behind which no time is asked for, or is too far to be found.
   void jump_to(std::int64_t frame) { frame_ = frame; }
 
-  // Walks on to the first frame that starts at `at_s` or later; to the end where there is none.
-  void play_to_time(double at_s) {
-    while (frame_ < steps_ && !is_due(timeline_.time_s(), at_s, clock_.nominal_dt_s(frame_)))
+  // Goes on to the first frame that starts at `at_s` or later.
+  std::optional<ScheduleFault> play_to_time(double at_s) {
+    if (has_passed(at_s)) return ScheduleFault::goes_backwards;
+    if (at_s > reach_s_ || is_out_of_reach(at_s, steps_)) return ScheduleFault::beyond_end;
+    const std::int64_t last = is_jittered_ ? std::min(kWalkedFrameMax, steps_) : steps_;
+    if (frame_ > last || is_out_of_reach(at_s, last + 1)) return ScheduleFault::too_far;
+    while (frame_ < steps_ && !is_due(timeline_.time_s(), at_s, clock_.nominal_dt_s(frame_))) {
+      if (frame_ == last) return ScheduleFault::too_far;
       play(is_even() ? even_frames_to(at_s) : 1);
+    }
+    if (frame_ == steps_) return ScheduleFault::beyond_end;
+    return std::nullopt;
   }
 
-  // Whether a frame that lies behind starts at `at_s` or later already.
-  bool has_passed(double at_s) const { return at_s <= passed_s_; }
+  // Whether searches in vain have walked so far that there must be no more of them.
+  bool is_tired() const { return walked_in_vain_ >= kWalkedFrameMax; }
 
-  // Whether an earlier walk found that no frame starts at `at_s` or later.
-  bool is_known_beyond(double at_s) const { return at_s > reach_s_; }
-
-  std::int64_t frame() const { return frame_; }
   void hitch(double dt_s) {
     hitch_dt_s_ = dt_s;
     reach_s_ = kInfinity;
   }
 
-  // Back to where `before` stands. A walk that came to the end learned the latest time that has a
-  // frame, so that many events beyond it do not make as many walks.
+  // Back to `before`. A walk that came to the end learned the latest time that has a frame, so that
+  // many events beyond it do not make as many walks.
   void go_back(const Walk& before) {
-    const double reach_s = frame_ == steps_ ? passed_s_ : reach_s_;
+    const double reach_s = frame_ == steps_ ? passed_s() : reach_s_;
+    const std::int64_t in_vain = is_jittered_ ? frame_ - before.frame_ : 0;
+    const std::int64_t walked_in_vain = walked_in_vain_ + in_vain;
     *this = before;
     reach_s_ = reach_s;
+    walked_in_vain_ = walked_in_vain;
   }
 
  private:
   bool is_even() const { return clock_.is_fixed() && !hitch_dt_s_; }
+
+  // Whether a frame that is behind starts at `at_s` or later already.
+  bool has_passed(double at_s) const {
+    return at_s <= passed_s_ || is_due(latest_start_s_, at_s, latest_nominal_dt_s_);
+  }
+
+  // Whether no frame before `end` can start at `at_s` or later, however long jitter makes those to come;
+  // with room for the rounding of their sum.
+  bool is_out_of_reach(double at_s, std::int64_t end) const {
+    const double frames_s = static_cast<double>(end - frame_) * longest_dt_s_;
+    const double latest_s = timeline_.time_s() + hitch_dt_s_.value_or(0.0) + frames_s;
+    return at_s > latest_s * (1.0 + 1e-9) + kTolerance * longest_dt_s_;
+  }
 
   void play(std::int64_t count) {
     const double dt_s = hitch_dt_s_.value_or(clock_.dt_s(frame_));
@@ -75,8 +101,20 @@ class Walk {
     frame_ += count;
   }
 
+  // Among frames of one nominal dt, the latest start decides.
   void pass(double start_s, double nominal_dt_s) {
-    passed_s_ = std::max(passed_s_, latest_due_s(start_s, nominal_dt_s));
+    if (nominal_dt_s != latest_nominal_dt_s_) {
+      passed_s_ = passed_s();
+      latest_start_s_ = -kInfinity;
+      latest_nominal_dt_s_ = nominal_dt_s;
+    }
+    latest_start_s_ = std::max(latest_start_s_, start_s);
+  }
+
+  // The latest at_s that a frame behind is due for.
+  double passed_s() const {
+    if (latest_start_s_ == -kInfinity) return passed_s_;
+    return std::max(passed_s_, latest_due_s(latest_start_s_, latest_nominal_dt_s_));
   }
 
   // Frames of the clock's fixed dt until one starts at `at_s` or later, or all that are left: by
@@ -95,27 +133,26 @@ class Walk {
   }
 
   FrameClock clock_;
+  bool is_jittered_;
+  double longest_dt_s_ = kInfinity;  // Of a jittered clock; on others a search needs no bound.
   std::int64_t steps_;
   std::int64_t frame_ = 0;
   Timeline timeline_;
   std::optional<double> hitch_dt_s_;
-  double passed_s_ = -kInfinity;  // The latest at_s that a frame behind is due for.
-  double reach_s_ = kInfinity;    // And of all frames, as far as it is known.
+  double passed_s_ = -kInfinity;  // As passed_s(), of frames whose nominal dt differs from the latest's.
+  double latest_start_s_ = -kInfinity;
+  double latest_nominal_dt_s_ = 0.0;
+  double reach_s_ = kInfinity;  // The latest at_s that any frame is due for, as far as it is known.
+  std::int64_t walked_in_vain_ = 0;
 };
 
 // Goes to the event's frame; where no later event has a time, without walking there.
 std::optional<ScheduleFault> go_to(Walk& walk, const Event& event, std::int64_t steps, bool is_time_needed) {
-  if (const auto* step = std::get_if<std::int64_t>(&event.when)) {
-    if (*step >= steps) return ScheduleFault::beyond_end;
-    if (*step < walk.frame()) return ScheduleFault::goes_backwards;
-    is_time_needed ? walk.play_to(*step) : walk.jump_to(*step);
-    return std::nullopt;
-  }
-  const double at_s = std::get<double>(event.when);
-  if (walk.has_passed(at_s)) return ScheduleFault::goes_backwards;
-  if (walk.is_known_beyond(at_s)) return ScheduleFault::beyond_end;
-  walk.play_to_time(at_s);
-  if (walk.frame() >= steps) return ScheduleFault::beyond_end;
+  if (const auto* at_s = std::get_if<double>(&event.when)) return walk.play_to_time(*at_s);
+  const std::int64_t step = std::get<std::int64_t>(event.when);
+  if (step >= steps) return ScheduleFault::beyond_end;
+  if (step < walk.frame()) return ScheduleFault::goes_backwards;
+  is_time_needed ? walk.play_to(step) : walk.jump_to(step);
   return std::nullopt;
 }
 
@@ -134,6 +171,10 @@ Schedule schedule_events(const Scenario& scenario, std::int64_t steps) {
   const std::size_t last_timed = timed_end(scenario.events);
   for (const Event& event : scenario.events) {
     const std::size_t number = schedule.frames.size();
+    if (walk.is_tired() && std::holds_alternative<double>(event.when)) {
+      schedule.frames.push_back(-1);
+      continue;
+    }
     const Walk before = walk;
     if (const auto fault = go_to(walk, event, steps, number < last_timed)) {
       schedule.faulty.push_back({number, *fault});

@@ -7,12 +7,13 @@ Fuzzers found the first of them, which the HDF5 library crashes on or never come
 import os
 import resource
 import shutil
+import signal
 import subprocess
 
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 
 FOUND = SOURCE / "tests/fuzz/found"
 CRASH = FOUND / "golden/crash-in-heap-header.h5"
@@ -48,6 +49,20 @@ class HostileFile(ProgramTest):
     def test_that_keeps_hdf5_busy_for_ever(self):
         shutil.copyfile(ENDLESS, self.golden)
         self.assert_refused("reading it does not come to an end", ("check",))
+
+    def test_under_a_parent_that_ignores_or_blocks_signals(self):
+        """What a child process came to is known all the same."""
+        def disturb():
+            signals = [signal.SIGCHLD, signal.SIGALRM, signal.SIGXCPU]
+            for number in signals:
+                signal.signal(number, signal.SIG_IGN)
+            signal.pthread_sigmask(signal.SIG_BLOCK, signals)
+
+        self.expect(AGREED, "diff", "golden/other.h5", "golden/other.h5", preexec_fn=disturb)
+        for found in (CRASH, ENDLESS):
+            shutil.copyfile(found, self.golden)
+            self.expect(BAD_INPUT, "diff", "golden/fling.h5", "golden/other.h5", preexec_fn=disturb,
+                        says="golden/fling.h5: is damaged: ")
 
     def test_it_does_not_keep_a_blessing_from_replacing_it(self):
         shutil.copyfile(CRASH, self.golden)
@@ -105,6 +120,15 @@ class HostileFile(ProgramTest):
         self.golden.unlink()
         os.mkfifo(self.golden)
         self.expect(BAD_INPUT, "diff", "golden/fling.h5", "golden/other.h5", says="golden/fling.h5: is no file\n")
+        self.expect(BAD_INPUT, "drift", "golden/fling.h5", says="golden/fling.h5: is no file\n")
+
+    def test_a_scenario_from_a_pipe_is_read_to_its_end(self):
+        text = (self.folder / "scenarios/fling.json").read_bytes()
+        read, write = os.pipe()
+        os.write(write, text)
+        os.close(write)
+        self.expect(AGREED, "drift", f"/dev/fd/{read}", pass_fds=[read])
+        os.close(read)
 
     def test_whole_files_in_other_forms_are_no_damage(self):
         with h5py.File(self.golden) as whole, h5py.File(self.folder / "compressed.h5", "w") as copy:
@@ -112,6 +136,24 @@ class HostileFile(ProgramTest):
                 copy.attrs[name] = value
             whole.visititems(lambda name, item: self.copy_compressed(copy, name, item))
         self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
+
+    def test_a_golden_file_that_describes_less_or_more(self):
+        """Without the descriptions that came later it agrees; what it says besides is a difference."""
+        self.golden.unlink()
+        self.write("scenarios/fling.json", fling(events=[{"step": 9, "hitch": {"dt_s": 0.5}}]))
+        self.bless("scenarios/fling.json")
+        with h5py.File(self.golden, "r+") as file:
+            for group, name in (("contacts", "wall"), ("events", "kind")):
+                del file[group][name].attrs["flag_meanings"], file[group][name].attrs["DIMENSION_LIST"]
+            del file["events/a"].attrs["units_by_kind"]
+        before = self.golden.read_bytes()
+        self.assertIn("its layout is another", self.expect(AGREED, "check").err)
+        self.bless("scenarios/fling.json")
+        self.assertEqual(self.golden.read_bytes(), before)
+        self.expect(AGREED, "check")
+        with h5py.File(self.golden, "r+") as file:
+            file["events/a"].attrs["units_by_kind"] = "m/s"
+        self.assertIn('/events/a@units_by_kind = "m/s", which bless does not write', self.expect(DISAGREED, "check").out)
 
     @staticmethod
     def copy_compressed(copy, name, item):

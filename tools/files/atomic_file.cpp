@@ -11,6 +11,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/part_file.h"
+#include "tools/files/presence.h"
 
 namespace hyrax {
 namespace {
@@ -61,6 +62,14 @@ void AtomicFile::write(std::string_view text) const {
 void AtomicFile::commit() {
   if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
   part_path_.clear();
+}
+
+// A link never replaces a file. Where the file system has no links, a file that another program makes in
+// the same moment is not noticed.
+void AtomicFile::commit_as_new() {
+  if (link(part_path_.c_str(), path_.c_str()) == 0) return;
+  if (errno == EEXIST || is_there(path_)) fail_to_write(path_, EEXIST);
+  commit();
 }
 
 void fail_to_write(const std::string& path, int error_number) {

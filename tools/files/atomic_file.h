@@ -24,6 +24,9 @@ class AtomicFile {
   void write(std::string_view text) const;
   /// Puts the part file in its place. ERRORS: Failure(cannot_access).
   void commit();
+  /// Puts the part file in its place if no file has that name yet. ERRORS: Failure(cannot_access), also
+  /// where one has: it stays as it is.
+  void commit_as_new();
 
  private:
   std::string path_;

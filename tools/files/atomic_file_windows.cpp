@@ -16,17 +16,22 @@ namespace hyrax {
 namespace {
 
 // Whoever reads the old file at this moment, as a virus scanner does, keeps it from being replaced.
-bool replace(const std::string& from, const std::string& to) {
+bool move(const std::string& from, const std::string& to, DWORD how) {
   constexpr int kTries = 20;
   constexpr DWORD kPause_ms = 10;
   for (int tries = 1;; ++tries) {
-    if (MoveFileExA(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0)
-      return true;
+    if (MoveFileExA(from.c_str(), to.c_str(), how | MOVEFILE_WRITE_THROUGH) != 0) return true;
     const DWORD error = GetLastError();
     const bool may_pass = error == ERROR_SHARING_VIOLATION || error == ERROR_ACCESS_DENIED;
     if (!may_pass || tries == kTries) return false;
     Sleep(kPause_ms);
   }
+}
+
+[[noreturn]] void fail_to_move(const std::string& path) {
+  const auto error = static_cast<int>(GetLastError());
+  throw Failure(ExitCode::cannot_access,
+                path + ": cannot be written: " + std::system_category().message(error));
 }
 
 }  // namespace
@@ -57,10 +62,12 @@ void AtomicFile::write(std::string_view text) const {
 }
 
 void AtomicFile::commit() {
-  if (!replace(part_path_, path_))
-    throw Failure(
-        ExitCode::cannot_access,
-        path_ + ": cannot be written: " + std::system_category().message(static_cast<int>(GetLastError())));
+  if (!move(part_path_, path_, MOVEFILE_REPLACE_EXISTING)) fail_to_move(path_);
+  part_path_.clear();
+}
+
+void AtomicFile::commit_as_new() {
+  if (!move(part_path_, path_, 0)) fail_to_move(path_);
   part_path_.clear();
 }
 

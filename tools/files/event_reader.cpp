@@ -30,10 +30,11 @@ Action read_action(const JsonPlace& here, std::string_view key) {
 struct EventRead {
   Event event;
   bool has_time = false;
-  bool has_action = false;  ///< Exactly one, and not a hitch of unknown length.
+  bool has_action = false;      ///< Exactly one.
+  bool has_known_time = false;  ///< And not a hitch of unknown length.
 };
 
-EventRead read_event(const JsonPlace& here, const std::vector<JsonProblem>& problems) {
+EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
   static constexpr std::string_view kActions[] = {"fling", "place", "stop",   "resize",
                                                   "hitch", "grab",  "release"};
   EventRead read;
@@ -51,30 +52,32 @@ EventRead read_event(const JsonPlace& here, const std::vector<JsonProblem>& prob
   for (const std::string_view key : kActions) {
     const JsonPlace action = here.member(key);
     if (!action.is_there()) continue;
-    const std::size_t problems_before = problems.size();
+    const std::size_t problems_before = problems.count;
     read.event.action = read_action(action, key);
-    is_bad_hitch |= key == "hitch" && problems.size() > problems_before;
+    is_bad_hitch |= key == "hitch" && problems.count > problems_before;
     ++actions;
   }
   if (actions != 1)
     here.wrong("must hold exactly one action (fling, place, stop, resize, hitch, grab or release), holds " +
                std::to_string(actions));
-  read.has_action = actions == 1 && !is_bad_hitch;
+  read.has_action = actions == 1;
+  read.has_known_time = read.has_action && !is_bad_hitch;
   return read;
 }
 
-// As far as every action is known.
+// After an event whose action is not known, nothing is known of the hold until the next grab or release.
 void check_holds(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events) {
-  bool is_held = false;
-  for (std::size_t event = 0; event < events.size() && events[event].has_action; ++event) {
+  enum class Hold { none, held, unknown } hold = Hold::none;
+  for (std::size_t event = 0; event < events.size(); ++event) {
     const Action& action = events[event].event.action;
-    if (std::holds_alternative<Grab>(action)) {
-      if (is_held) places[event].wrong("grabs a sprite that is held already; release it first");
-      is_held = true;
-    }
-    if (std::holds_alternative<Release>(action)) {
-      if (!is_held) places[event].wrong("releases a sprite that is not held; grab it first");
-      is_held = false;
+    if (!events[event].has_action) {
+      hold = Hold::unknown;
+    } else if (std::holds_alternative<Grab>(action)) {
+      if (hold == Hold::held) places[event].wrong("grabs a sprite that is held already; release it first");
+      hold = Hold::held;
+    } else if (std::holds_alternative<Release>(action)) {
+      if (hold == Hold::none) places[event].wrong("releases a sprite that is not held; grab it first");
+      hold = Hold::none;
     }
   }
 }
@@ -84,15 +87,19 @@ void tell_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps)
   const JsonPlace when = event.member(has_step ? "step" : "at_s");
   if (fault == ScheduleFault::goes_backwards)
     when.breaks_rule("must not come before the event above it");
+  else if (fault == ScheduleFault::too_far)
+    when.breaks_rule("must fall on a frame up to " + std::to_string(kWalkedFrameMax) +
+                     " where the clock has jitter (give step instead)");
   else if (has_step)
     when.breaks_rule("must be below the number of steps, " + std::to_string(steps));
   else
     when.breaks_rule("must come before the end of the run, step " + std::to_string(steps));
 }
 
-// What can be placed on a frame: an `at_s` only if the dt of every frame before it is known.
+// What can be placed on a frame: an `at_s` only if the dt of every frame before it is known. Of a run of
+// unknown length the order alone can be checked.
 void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events,
-                 bool is_clock_good, std::int64_t steps, Scenario scenario) {
+                 bool is_clock_good, std::optional<std::int64_t> steps, Scenario scenario) {
   std::vector<JsonPlace> placed;
   scenario.events.clear();
   bool knows_times = is_clock_good;
@@ -102,22 +109,24 @@ void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRe
       placed.push_back(places[event]);
       scenario.events.push_back(events[event].event);
     }
-    knows_times &= events[event].has_action;
+    knows_times &= events[event].has_known_time;
   }
-  for (const Schedule::Faulty& faulty : schedule_events(scenario, steps).faulty)
-    tell_fault(placed[faulty.event], faulty.fault, steps);
+  const std::int64_t end = steps.value_or(kStepsMax + 1);
+  for (const Schedule::Faulty& faulty : schedule_events(scenario, end).faulty)
+    if (steps || faulty.fault == ScheduleFault::goes_backwards)
+      tell_fault(placed[faulty.event], faulty.fault, end);
 }
 
 }  // namespace
 
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
-                 Scenario& scenario, const std::vector<JsonProblem>& problems) {
+                 Scenario& scenario, const JsonProblems& problems) {
   const auto places = here.elements();
   if (!places) return;
   std::vector<EventRead> events;
   for (const JsonPlace& place : *places) events.push_back(read_event(place, problems));
   check_holds(*places, events);
-  if (steps) check_times(*places, events, is_clock_good, *steps, scenario);
+  check_times(*places, events, is_clock_good, steps, scenario);
   for (EventRead& read : events) scenario.events.push_back(std::move(read.event));
 }
 

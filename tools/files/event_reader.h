@@ -12,8 +12,8 @@ namespace hyrax {
 /// fall on.
 /// @param is_clock_good whether the clock was read; without it no `at_s` has a frame.
 /// @param steps of the run, where they are known.
-/// @param problems what was told so far.
+/// @param problems found so far.
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
-                 Scenario& scenario, const std::vector<JsonProblem>& problems);
+                 Scenario& scenario, const JsonProblems& problems);
 
 }  // namespace hyrax

@@ -1,38 +1,40 @@
 #include "tools/files/expect_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/files/quantity_reader.h"
 
 namespace hyrax {
 namespace {
 
-std::optional<Interval> read_interval(const JsonPlace& here, const std::string& number_means,
-                                      double low_of_number, bool number_is_exact) {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// [low, high], where a number does not have a meaning of its own.
+std::optional<Interval> read_interval(const JsonPlace& here, const std::string& or_a_number = "") {
   if (!here.is_there()) return std::nullopt;
-  if (here.json()->is_number()) {
-    const double value = here.json()->number();
-    return Interval{number_is_exact ? value : low_of_number, value};
-  }
   const auto* array = here.json()->get<Json::Array>();
   if (array == nullptr || array->size() != 2 || !(*array)[0].is_number() || !(*array)[1].is_number() ||
       (*array)[0].number() > (*array)[1].number()) {
-    here.breaks_rule("must be [low, high] with low <= high, or a number, " + number_means);
+    here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
     return std::nullopt;
   }
   return Interval{(*array)[0].number(), (*array)[1].number()};
 }
 
-std::optional<Interval> read_bounds(const JsonPlace& here) {
-  return read_interval(here, "the upper bound", -std::numeric_limits<double>::infinity(), false);
+std::optional<Interval> read_time(const JsonPlace& here) {
+  if (here.is_there() && here.json()->is_number()) return Interval{-kInfinity, here.json()->number()};
+  return read_interval(here, ", or a number, the upper bound");
 }
 
 std::optional<Interval> read_count(const JsonPlace& here) {
-  const auto interval = read_interval(here, "meant exactly", 0.0, true);
+  const bool is_exact = here.is_there() && here.json()->is_number();
+  const auto interval = is_exact ? std::optional(Interval{here.json()->number(), here.json()->number()})
+                                 : read_interval(here, ", or a number, meant exactly");
   const auto is_count = [](double value) {
-    return value >= 0.0 && value == static_cast<double>(static_cast<std::int64_t>(value));
+    return value >= 0.0 && value <= 1e15 && std::floor(value) == value;
   };
-  if (interval && (interval->high > 1e15 || !is_count(interval->low) || !is_count(interval->high)))
+  if (interval && (!is_count(interval->low) || !is_count(interval->high)))
     here.breaks_rule("must count in whole numbers of 0 or more");
   return interval;
 }
@@ -55,9 +57,9 @@ Expect read_expect(const JsonPlace& here) {
     return expect;
   expect.in_bounds = here.member("in_bounds").boolean();
   expect.finite = here.member("finite").boolean();
-  expect.final_x_px = read_bounds(here.member("final_x_px"));
-  expect.final_y_px = read_bounds(here.member("final_y_px"));
-  expect.at_rest_since_s = read_bounds(here.member("at_rest_since_s"));
+  expect.final_x_px = read_interval(here.member("final_x_px"));
+  expect.final_y_px = read_interval(here.member("final_y_px"));
+  expect.at_rest_since_s = read_time(here.member("at_rest_since_s"));
   if (const JsonPlace contacts = here.member("contacts");
       contacts.is_there() && contacts.is_object_of({"left", "right", "top", "ground"}))
     expect.contacts = {read_count(contacts.member("left")), read_count(contacts.member("right")),

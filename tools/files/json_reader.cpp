@@ -37,7 +37,9 @@ std::string joined(std::initializer_list<std::string_view> keys) {
 
 }  // namespace
 
-void JsonPlace::wrong(const std::string& sentence) const { problems_->push_back({pointer_, sentence}); }
+void JsonPlace::wrong(const std::string& sentence) const {
+  if (problems_->count++ < JsonProblems::kListedMax) problems_->listed.push_back({pointer_, sentence});
+}
 
 void JsonPlace::breaks_rule(const std::string& rule) const { wrong(rule + ", is " + shown(*json_)); }
 

@@ -19,6 +19,14 @@ struct JsonProblem {
   std::string sentence;
 };
 
+/// Everything that is wrong with a document; of very many places the first ones, so that a document
+/// of nothing but errors does not make a report many times its size.
+struct JsonProblems {
+  static constexpr std::size_t kListedMax = 200'000;
+  std::vector<JsonProblem> listed;
+  std::size_t count = 0;
+};
+
 /// Which numbers may stand.
 struct NumberRule {
   double low = -std::numeric_limits<double>::infinity();
@@ -29,7 +37,7 @@ struct NumberRule {
 /// One place of a document. What is not there is not wrong: ask `is_there`.
 class JsonPlace {
  public:
-  JsonPlace(const Json* json, std::string pointer, std::vector<JsonProblem>& problems)
+  JsonPlace(const Json* json, std::string pointer, JsonProblems& problems)
       : json_(json), pointer_(std::move(pointer)), problems_(&problems) {}
 
   [[nodiscard]] bool is_there() const { return json_ != nullptr; }
@@ -58,7 +66,7 @@ class JsonPlace {
  private:
   const Json* json_;
   std::string pointer_;
-  std::vector<JsonProblem>* problems_;
+  JsonProblems* problems_;
 };
 
 }  // namespace hyrax

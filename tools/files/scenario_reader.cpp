@@ -45,34 +45,40 @@ void read_start(const JsonPlace& here, Scenario& scenario) {
                              here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
 }
 
+struct JitterRule {
+  std::string_view kind;
+  Jitter::Kind value;
+  std::string_view amount_key;
+  NumberRule amount;
+};
+constexpr JitterRule kJitterRules[] = {
+    {"uniform", Jitter::Kind::uniform, "fraction", {0.0, 1.0}},
+    {"normal", Jitter::Kind::normal, "sigma_s", {0.0, kFrameMax_s}},
+    {"missed_frames", Jitter::Kind::missed_frames, "probability", {0.0, 1.0}}};
+
+// Where the kind is not known, any kind's keys may stand, each under its own rule.
+Jitter read_jitter_of_unknown_kind(const JsonPlace& here) {
+  static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
+  for (const JitterRule& rule : kJitterRules)
+    static_cast<void>(here.member(rule.amount_key).number(rule.amount));
+  return {};
+}
+
 Jitter read_jitter(const JsonPlace& here) {
-  struct Rule {
-    std::string_view kind;
-    Jitter::Kind value;
-    std::string_view amount_key;
-    NumberRule amount;
-  };
-  static constexpr Rule kRules[] = {
-      {"uniform", Jitter::Kind::uniform, "fraction", {0.0, 1.0}},
-      {"normal", Jitter::Kind::normal, "sigma_s", {0.0, kFrameMax_s}},
-      {"missed_frames", Jitter::Kind::missed_frames, "probability", {0.0, 1.0}}};
-  Jitter jitter;
   if (here.json()->get<Json::Object>() == nullptr) {
     here.breaks_rule("must be an object");
-    return jitter;
+    return {};
   }
-  jitter.seed = here.required("seed").seed().value_or(0);
+  const auto seed = here.required("seed").seed();
   const auto kind = here.required("kind").text();
-  const auto rule =
-      std::find_if(std::begin(kRules), std::end(kRules), [&](const Rule& r) { return kind == r.kind; });
-  if (rule == std::end(kRules)) {
+  const auto rule = std::find_if(std::begin(kJitterRules), std::end(kJitterRules),
+                                 [&](const JitterRule& r) { return kind == r.kind; });
+  if (rule == std::end(kJitterRules)) {
     if (kind) here.member("kind").breaks_rule("must be \"uniform\", \"normal\" or \"missed_frames\"");
-    return jitter;
+    return read_jitter_of_unknown_kind(here);
   }
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
-  jitter.kind = rule->value;
-  jitter.amount = here.required(rule->amount_key).number(rule->amount).value_or(0.0);
-  return jitter;
+  return {rule->value, here.required(rule->amount_key).number(rule->amount).value_or(0.0), seed.value_or(0)};
 }
 
 RecordedSteps read_trace(const JsonPlace& here) {
@@ -120,7 +126,10 @@ std::optional<std::int64_t> read_length(const JsonPlace& document, bool is_clock
     return frames;
   }
   const bool is_one = steps.is_there() != duration.is_there();
-  if (!is_one && (is_clock_good || steps.is_there()))
+  // Beside a clock that says nothing the two may be missing: an array would give the number of frames.
+  const JsonPlace clock = document.member("clock");
+  const bool is_clock_given = clock.member("rate_hz").is_there() || clock.member("dt_s").is_there();
+  if (!is_one && (is_clock_given || steps.is_there()))
     document.wrong("must hold exactly one of steps and duration_s");
   if (!is_one || steps.is_there()) return is_one ? count : std::nullopt;
   if (!duration_s || !is_clock_good) return std::nullopt;
@@ -140,7 +149,7 @@ void read_record(const JsonPlace& here, Scenario& scenario) {
 }
 
 Scenario read_document(const JsonPlace& document, const std::string& fallback_name,
-                       const std::vector<JsonProblem>& problems) {
+                       const JsonProblems& problems) {
   Scenario scenario;
   if (!document.is_object_of({"$schema", "format", "name", "description", "window", "sprite", "start",
                               "clock", "steps", "duration_s", "events", "record", "expect"}))
@@ -152,9 +161,9 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
   scenario.window = read_window(document.required("window"));
   scenario.sprite = read_sprite(document.required("sprite"));
   read_start(document.required("start"), scenario);
-  const std::size_t problems_before_clock = problems.size();
+  const std::size_t problems_before_clock = problems.count;
   read_clock(document.required("clock"), scenario.clock);
-  const bool is_clock_good = problems.size() == problems_before_clock;
+  const bool is_clock_good = problems.count == problems_before_clock;
   const auto steps = read_length(document, is_clock_good, scenario);
   read_events(document.member("events"), is_clock_good, steps, scenario, problems);
   read_record(document.member("record"), scenario);
@@ -175,14 +184,16 @@ Json value_of(const Override& given) {
 }  // namespace
 
 Scenario to_scenario(const Json& document, const std::string& source, const std::string& fallback_name) {
-  std::vector<JsonProblem> problems;
+  JsonProblems problems;
   Scenario scenario = read_document(JsonPlace(&document, "", problems), fallback_name, problems);
-  if (problems.empty()) return scenario;
+  if (problems.count == 0) return scenario;
   std::string sentences;
-  for (const JsonProblem& problem : problems)
+  for (const JsonProblem& problem : problems.listed)
     sentences.append(sentences.empty() ? "" : "\n")
         .append(printable(source + ": " + (problem.pointer.empty() ? "/" : problem.pointer) + ": " +
                           problem.sentence));
+  if (const std::size_t more = problems.count - problems.listed.size(); more > 0)
+    sentences.append("\n").append(printable(source)).append(": and " + std::to_string(more) + " more errors");
   throw Failure(ExitCode::bad_input, sentences);
 }
 

@@ -73,15 +73,15 @@ Json to_json(const Event& event) {
   return object;
 }
 
-Json to_json(const Interval& interval) {
-  if (interval.low == interval.high || std::isinf(interval.low)) return interval.high;
-  return Json::Array{interval.low, interval.high};
+Json to_json(const Interval& interval) { return Json::Array{interval.low, interval.high}; }
+
+Json count_to_json(const Interval& interval) {
+  return interval.low == interval.high ? Json(interval.high) : to_json(interval);
 }
 
-// A bound from below as well: [v, v] must not become the number v, which means "at most v".
-Json bounds_to_json(const Interval& interval) {
-  if (std::isinf(interval.low)) return interval.high;
-  return Json::Array{interval.low, interval.high};
+// [v, v] must not become the number v, which means "at the latest".
+Json time_to_json(const Interval& interval) {
+  return std::isinf(interval.low) ? Json(interval.high) : to_json(interval);
 }
 
 template <class Value>
@@ -93,14 +93,14 @@ Json to_json(const Expect& expect) {
   Object object;
   add(object, "in_bounds", expect.in_bounds);
   add(object, "finite", expect.finite);
-  if (expect.final_x_px) object.emplace_back("final_x_px", bounds_to_json(*expect.final_x_px));
-  if (expect.final_y_px) object.emplace_back("final_y_px", bounds_to_json(*expect.final_y_px));
-  if (expect.at_rest_since_s) object.emplace_back("at_rest_since_s", bounds_to_json(*expect.at_rest_since_s));
+  if (expect.final_x_px) object.emplace_back("final_x_px", to_json(*expect.final_x_px));
+  if (expect.final_y_px) object.emplace_back("final_y_px", to_json(*expect.final_y_px));
+  if (expect.at_rest_since_s) object.emplace_back("at_rest_since_s", time_to_json(*expect.at_rest_since_s));
   Object contacts;
-  if (expect.contacts.left) contacts.emplace_back("left", to_json(*expect.contacts.left));
-  if (expect.contacts.right) contacts.emplace_back("right", to_json(*expect.contacts.right));
-  if (expect.contacts.top) contacts.emplace_back("top", to_json(*expect.contacts.top));
-  if (expect.contacts.ground) contacts.emplace_back("ground", to_json(*expect.contacts.ground));
+  if (expect.contacts.left) contacts.emplace_back("left", count_to_json(*expect.contacts.left));
+  if (expect.contacts.right) contacts.emplace_back("right", count_to_json(*expect.contacts.right));
+  if (expect.contacts.top) contacts.emplace_back("top", count_to_json(*expect.contacts.top));
+  if (expect.contacts.ground) contacts.emplace_back("ground", count_to_json(*expect.contacts.ground));
   if (!contacts.empty()) object.emplace_back("contacts", contacts);
   add(object, "state_hash", expect.state_hash);
   add(object, "implementation_px_max", expect.implementation_px_max);

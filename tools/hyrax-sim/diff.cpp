@@ -103,6 +103,16 @@ Difference compare(const TrajectoryFile& a, const TrajectoryFile& b, const Toler
   return difference;
 }
 
+std::string worst_text(std::string_view field, const WorstDifference& worst) {
+  const auto ulps = ulps_of(field, worst.a, worst.b);
+  const bool is_contact = field == kRowFields.back().name;
+  const std::string distance =
+      is_contact ? field_value_text(field, worst.a) + " and " + field_value_text(field, worst.b)
+                 : fmt::format("{:.6g}", worst.abs());
+  return fmt::format("  worst {:<8}{} at step {}{}\n", field, distance, worst.step,
+                     ulps ? fmt::format(", {} ulp{}", *ulps, *ulps == 1 ? "" : "s") : "");
+}
+
 std::string text_of(const Difference& difference, const DiffRequest& request) {
   std::string text = fmt::format("{} and {}: {}, {} rows compared\n", request.files[0], request.files[1],
                                  difference.comparison.agrees ? "agree" : "DIFFER", difference.rows_compared);
@@ -111,8 +121,7 @@ std::string text_of(const Difference& difference, const DiffRequest& request) {
     text += "  hash       the state hashes differ: in rows that are not recorded in both\n";
   for (std::size_t field = 0; field < kRowFields.size(); ++field)
     if (const auto& worst = difference.values.worst()[field])
-      text += fmt::format("  worst {:<5}{:.6g} at step {}{}\n", kRowFields[field].name, worst->abs,
-                          worst->step, worst->ulps ? fmt::format(", {} ulps", *worst->ulps) : "");
+      text += worst_text(kRowFields[field].name, *worst);
   return text;
 }
 
@@ -120,11 +129,12 @@ Json json_of(const Difference& difference) {
   const Comparison& comparison = difference.comparison;
   Json::Object worst;
   for (std::size_t field = 0; field < kRowFields.size(); ++field)
-    if (const auto& value = difference.values.worst()[field])
-      worst.emplace_back(kRowFields[field].name,
-                         Json::Object{{"step", value->step},
-                                      {"abs", value->abs},
-                                      {"ulps", value->ulps ? Json(*value->ulps) : Json()}});
+    if (const auto& value = difference.values.worst()[field]) {
+      const auto ulps = ulps_of(kRowFields[field].name, value->a, value->b);
+      worst.emplace_back(
+          kRowFields[field].name,
+          Json::Object{{"step", value->step}, {"abs", value->abs()}, {"ulps", ulps ? Json(*ulps) : Json()}});
+    }
   const auto count = [](const auto& list) { return Json(static_cast<std::int64_t>(list.size())); };
   return Json::Object{{"agree", comparison.agrees},
                       {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/store/hex_float.h"
 
@@ -11,23 +12,32 @@ namespace {
 
 constexpr std::size_t kContactsListed = 8;
 
-std::string value_text(const std::optional<double>& value) {
-  return value ? fmt::format("{}  ({})", *value, hex_float(*value))
-               : std::string("not kept in the golden file");
+std::string contact_names(std::uint8_t contact) {
+  std::vector<std::string> names;
+  for (const Wall wall : kWalls)
+    if (touches(contact, wall)) names.emplace_back(kWallNames[wall_index(wall)]);
+  if ((contact & kRestBit) != 0) names.emplace_back("rest");
+  const int unknown = contact & ~(2 * kRestBit - 1);
+  if (unknown != 0) names.push_back(fmt::format("{:#x}", unknown));
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, "+"));
+}
+
+std::string value_text(std::string_view field, const std::optional<double>& value) {
+  return value ? field_value_text(field, *value) : std::string("not kept in the golden file");
 }
 
 std::string divergence_text(const Divergence& first) {
   std::string text = fmt::format("  first      step {}, field {}\n", first.step, first.field);
   if (!first.expected && !first.actual) return text + "  a digest of 4,096 rows differs from this step on\n";
-  text +=
-      fmt::format("  expected   {}\n  actual     {}\n", value_text(first.expected), value_text(first.actual));
+  text += fmt::format("  expected   {}\n  actual     {}\n", value_text(first.field, first.expected),
+                      value_text(first.field, first.actual));
   if (first.ulps) text += fmt::format("  distance   {} ulp{}\n", *first.ulps, *first.ulps == 1 ? "" : "s");
   return text;
 }
 
 std::string row_text(const char* which, const Row& row) {
-  return fmt::format("  {:<9}{:>9}  {:>22} {:>22} {:>22} {:>22}  {:>2}\n", which, row.step, row.x_px,
-                     row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
+  return fmt::format("  {:<9}{:>9}  {:>22} {:>22} {:>22} {:>22}  {}\n", which, row.step, row.x_px, row.y_px,
+                     row.vx_px_per_s, row.vy_px_per_s, contact_names(row.contact));
 }
 
 std::string rows_text(const Comparison& comparison) {
@@ -57,6 +67,11 @@ std::string list_text(const char* what, const List& list, const Text& text_of) {
 }
 
 }  // namespace
+
+std::string field_value_text(std::string_view field, double value) {
+  if (field == kRowFields.back().name) return contact_names(static_cast<std::uint8_t>(value));
+  return fmt::format("{}  ({})", value, hex_float(value));
+}
 
 std::string difference_text(const Comparison& comparison) {
   std::string text;

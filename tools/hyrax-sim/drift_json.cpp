@@ -16,9 +16,11 @@ Json arc_json(const ArcErrors& arc) {
                       {"implementation_px", arc.implementation_px},
                       {"truncation_px", arc.truncation_px},
                       {"model_px", arc.model_px},
-                      {"energy_drift_rel_max", or_null(arc.energy_drift_rel_max)},
-                      {"energy_drift_rel_end", or_null(arc.energy_drift_rel_end)},
+                      {"energy_drift_rel_max", arc.energy_drift_rel_max},
+                      {"energy_drift_rel_end", arc.energy_drift_rel_end},
                       {"energy_drift_slope_per_s", or_null(arc.energy_drift_slope_per_s)},
+                      {"energy_drift_max", arc.energy_drift_max_px2_per_s2},
+                      {"energy_drift_end", arc.energy_drift_end_px2_per_s2},
                       {"gsl_vs_closed_px", or_null(arc.gsl_vs_closed_px)}};
 }
 
@@ -27,7 +29,7 @@ Json contact_json(const ImpactErrors& contact) {
                       {"wall", kWallNames[wall_index(contact.wall)]},
                       {"time_error_s", or_null(contact.time_error_s)},
                       {"overshoot_px", contact.overshoot_px},
-                      {"energy_jump_rel", or_null(contact.energy_jump_rel)},
+                      {"energy_jump_rel", contact.energy_jump_rel},
                       {"effective_restitution", or_null(contact.effective_restitution)}};
 }
 
@@ -47,6 +49,7 @@ constexpr WorstKey kWorstKeys[] = {{"implementation_px", &DriftSummary::implemen
                                    {"model_px", &DriftSummary::model_px},
                                    {"energy_drift_rel_max", &DriftSummary::energy_drift_rel_max},
                                    {"energy_drift_slope_per_s", &DriftSummary::energy_drift_slope_per_s},
+                                   {"energy_drift_max", &DriftSummary::energy_drift_max_px2_per_s2},
                                    {"gsl_vs_closed_px", &DriftSummary::gsl_vs_closed_px},
                                    {"time_error_s", &DriftSummary::time_error_s},
                                    {"overshoot_px", &DriftSummary::overshoot_px},
@@ -107,21 +110,23 @@ Json half_dt_json(const HalfDtOutcome& outcome) {
 Json::Object drift_json(const DriftReport& report) {
   const DriftSummary& summary = report.run.summary;
   const std::vector<std::string> omitted = left_out(report);
-  return {{"skipped_arcs", summary.skipped_arcs},
-          {"arcs", list_of(report.run.arcs, arc_json)},
-          {"contacts", list_of(report.run.contacts, contact_json)},
-          {"worst", worst_json(summary)},
-          {"worst_step", worst_step_json(summary)},
-          {"arcs_measured", summary.arcs},
-          {"contacts_measured", summary.contacts},
-          {"effective_restitution", restitution_json(summary.effective_restitution)},
-          {"margin", margin_json(report.run.margin)},
-          {"steps_astray", summary.steps_astray},
-          {"reference_faults", summary.reference_faults},
-          {"non_finite_step", or_null(summary.non_finite_step)},
-          {"not_computed", Json::Array(omitted.begin(), omitted.end())},
-          {"step_ns", or_null(report.step_ns)},
-          {"half_dt", half_dt_json(report.half_dt)}};
+  return {
+      {"skipped_arcs", summary.skipped_arcs},
+      {"arcs", list_of(report.run.arcs, arc_json)},
+      {"contacts", list_of(report.run.contacts, contact_json)},
+      {"worst", worst_json(summary)},
+      {"worst_step", worst_step_json(summary)},
+      {"arcs_measured", summary.arcs},
+      {"contacts_measured", summary.contacts},
+      {"effective_restitution", restitution_json(summary.effective_restitution)},
+      {"margin", margin_json(report.run.margin)},
+      {"steps_astray", summary.steps_astray},
+      {"reference_faults", summary.reference_faults},
+      {"first_reference_fault", summary.reference_faults > 0 ? Json(summary.first_reference_fault) : Json()},
+      {"non_finite_step", or_null(summary.non_finite_step)},
+      {"not_computed", Json::Array(omitted.begin(), omitted.end())},
+      {"step_ns", or_null(report.step_ns)},
+      {"half_dt", half_dt_json(report.half_dt)}};
 }
 
 }  // namespace hyrax

@@ -68,7 +68,8 @@ std::optional<std::int64_t> start_of_whole_periods(const RunRows& rows) {
   return start;
 }
 
-// Where a period has no arc, but ends what might become one, the periods to come are like it.
+// Where a period has no arc and no contact, but ends what might become an arc, the periods to come are
+// like it.
 DriftSummary measure(const RunRows& rows, DriftSink& sink, FlightSolver* solver) {
   const std::optional<std::int64_t> start = start_of_whole_periods(rows);
   if (!start) return measure_to(rows, rows.steps, sink, solver);
@@ -77,7 +78,8 @@ DriftSummary measure(const RunRows& rows, DriftSink& sink, FlightSolver* solver)
   const DriftSummary before = measure_to(rows, *start, nothing, nullptr);
   const DriftSummary after = measure_to(rows, *start + period_steps, nothing, nullptr);
   const std::int64_t skipped = after.skipped_arcs - before.skipped_arcs;
-  if (after.arcs != before.arcs || skipped == 0) return measure_to(rows, rows.steps, sink, solver);
+  if (after.arcs != before.arcs || after.contacts != before.contacts || skipped == 0)
+    return measure_to(rows, rows.steps, sink, solver);
   DriftSummary summary = measure_to(rows, *start, sink, solver);
   summary.skipped_arcs += (rows.steps - *start) / period_steps * skipped;
   return summary;

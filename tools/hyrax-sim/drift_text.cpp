@@ -22,9 +22,8 @@ std::string number(const std::optional<double>& value) { return value ? number(*
 std::string number(const std::optional<Worst>& worst) {
   return worst ? number(worst->value) : std::string("-");
 }
-std::string percent(const std::optional<double>& rel) {
-  return rel ? number(100.0 * *rel) : std::string("-");
-}
+std::string percent(double rel) { return number(100.0 * rel); }
+std::string percent(const std::optional<double>& rel) { return rel ? percent(*rel) : std::string("-"); }
 std::string percent(const std::optional<Worst>& worst) {
   return worst ? number(100.0 * worst->value) : std::string("-");
 }
@@ -57,6 +56,14 @@ std::string arc_line(const Columns&... columns) {
   return fmt::format("  {:>7} {:>7} {:>7} {:<6} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", columns...);
 }
 
+// Beside the drift in percent, which depends on how high the arc begins.
+std::string energy_text(const DriftSummary& summary) {
+  if (!summary.energy_drift_max_px2_per_s2) return "";
+  const auto [drift, first_step] = *summary.energy_drift_max_px2_per_s2;
+  return fmt::format("  energy       drift at most {} px²/s², in the arc from row {}\n", number(drift),
+                     first_step);
+}
+
 std::string arcs_text(const DriftRun& run) {
   const DriftSummary& summary = run.summary;
   if (summary.arcs == 0) return "  no flight arc of two steps or more\n";
@@ -74,10 +81,11 @@ std::string arcs_text(const DriftRun& run) {
   if (summary.arcs > static_cast<std::int64_t>(kLinesMax))
     text += fmt::format("  ... {} more; --json lists them\n",
                         summary.arcs - static_cast<std::int64_t>(kLinesMax));
-  return text + arc_line("worst", "", "", "", number(summary.implementation_px),
-                         number(summary.truncation_px), number(summary.model_px),
-                         percent(summary.energy_drift_rel_max), "", percent(summary.energy_drift_slope_per_s),
-                         number(summary.gsl_vs_closed_px));
+  return text +
+         arc_line("worst", "", "", "", number(summary.implementation_px), number(summary.truncation_px),
+                  number(summary.model_px), percent(summary.energy_drift_rel_max), "",
+                  percent(summary.energy_drift_slope_per_s), number(summary.gsl_vs_closed_px)) +
+         energy_text(summary);
 }
 
 template <class... Columns>
@@ -119,8 +127,9 @@ std::string faults_text(const DriftSummary& summary) {
                         summary.steps_astray);
   if (summary.reference_faults > 0)
     text += fmt::format(
-        "  FAULT        of the reference in {}, the first from row {}: its two solutions lie apart\n",
-        arcs_text(summary.reference_faults), summary.first_reference_fault_step.value_or(0));
+        "  FAULT        of the reference in {}, the first from row {}: its two solutions differ in {}\n",
+        arcs_text(summary.reference_faults), summary.first_reference_fault_step.value_or(0),
+        summary.first_reference_fault);
   return text;
 }
 

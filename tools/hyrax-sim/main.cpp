@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
   hold_closed_streams();
   // A file that may not grow further is an error like a full disk, and no end of the process.
   std::signal(SIGXFSZ, SIG_IGN);
+  // Where a parent left it ignored, the outcome of a child process would be lost.
+  std::signal(SIGCHLD, SIG_DFL);
   ExitCode exit_code = ExitCode::program_fault;
   try {
     exit_code =

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/replay/replay.h"
+#include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/progress.h"
@@ -71,12 +72,15 @@ RunRows rows_of(const Scenario& scenario, const RunSummary& summary) {
   return rows;
 }
 
-// A file that is damaged in its first bytes should be refused as what its name says.
+// A file that is damaged in its first bytes should be refused as what its name says. Looking into a pipe
+// would take its first bytes away, or wait for them.
 bool is_trajectory(const std::string& path) {
+  if (path.ends_with(".h5")) return true;
+  if (!is_regular_file(path)) return false;
   constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
   char begin[kSignature.size()] = {};
   std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
-  return path.ends_with(".h5") || std::string_view(begin, sizeof begin) == kSignature;
+  return std::string_view(begin, sizeof begin) == kSignature;
 }
 
 RunRows load_rows(const std::string& path) {

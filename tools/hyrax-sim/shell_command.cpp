@@ -50,13 +50,12 @@ std::string shell_command(const std::vector<std::string>& words) {
 std::string as_argument(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
 
 std::string bless_command_for(const std::string& scenario_path, const std::string& golden_folder) {
-  std::vector<std::string> words = {"hyrax-sim", "bless", as_argument(scenario_path)};
   const auto by_path = golden_place(scenario_path, "");
   const auto place = golden_place(scenario_path, golden_folder);
+  std::string command = shell_command({"hyrax-sim", "bless", as_argument(scenario_path)});
   if (!by_path || by_path->h5_path != place->h5_path)
-    words.insert(words.end(), {"--golden", golden_folder.empty() ? "golden" : as_argument(golden_folder)});
-  words.insert(words.end(), {"--reason", "TEXT"});
-  return shell_command(words);
+    command += " --golden " + quoted(golden_folder.empty() ? "golden" : as_argument(golden_folder));
+  return command + " --reason TEXT";
 }
 
 }  // namespace hyrax

@@ -86,7 +86,9 @@ class App {
   void finish_recording();
   void save_recording();
   void save_just_happened();
+  void continue_recording();
   void save_if_due();
+  void tell(const std::string& sentence) const;
 
   Gdiplus gdiplus_;
   FramePacer pacer_;
@@ -105,6 +107,7 @@ class App {
   std::int64_t next_save_ticks_ = 0;
   std::int64_t next_look_ticks_ = 0;
   std::string told_;  // Of what could not be written, last.
+  int modals_ = 0;    // Menus and message boxes that are open, one inside the other.
   bool is_frame_due_ = true;
   bool is_suspended_ = false;  // The machine is about to sleep, or sleeps.
   std::optional<ExitCode> exit_code_;

@@ -26,18 +26,21 @@ Velocity any_throw(std::uint64_t seed) {
 
 }  // namespace
 
-// A menu or a message box keeps the message loop to itself; meanwhile a timer plays the frames.
+// A menu or a message box keeps the message loop to itself; meanwhile a timer plays the frames. One may be
+// opened inside another: the timer runs until the last one is closed.
 class App::Modal {
  public:
-  explicit Modal(HWND window) : window_(window) {
-    SetTimer(window, kModalTimer, USER_TIMER_MINIMUM, nullptr);
+  explicit Modal(App& app) : app_(app) {
+    if (app_.modals_++ == 0) SetTimer(app_.window_, kModalTimer, USER_TIMER_MINIMUM, nullptr);
   }
   Modal(const Modal&) = delete;
   Modal& operator=(const Modal&) = delete;
-  ~Modal() { KillTimer(window_, kModalTimer); }
+  ~Modal() {
+    if (--app_.modals_ == 0) KillTimer(app_.window_, kModalTimer);
+  }
 
  private:
-  HWND window_;
+  App& app_;
 };
 
 void App::on_button_down() {
@@ -84,11 +87,15 @@ void App::open_menu() {
   if (pet_.is_held()) return;
   Choice choice = Choice::none;
   {
-    const Modal modal(window_);
+    const Modal modal(*this);
     choice =
         choose_from_menu(window_, {playback_.has_value(), pet_.is_paused(), pet_.session().is_recording()});
   }
-  obey(choice);
+  try {
+    obey(choice);
+  } catch (const Failure& failure) {  // A file that cannot be written does not end the program.
+    tell(failure.what());
+  }
   is_frame_due_ = true;
 }
 
@@ -125,7 +132,7 @@ void App::toggle_pause() {
 }
 
 void App::tell_about() {
-  const Modal modal(window_);
+  const Modal modal(*this);
   const std::string text = "Hyrax " + std::string(build_info().version) +
                            "\n\nGrab it, drag it, let go.\n"
                            "What you record, hyrax-sim replays to the bit.";

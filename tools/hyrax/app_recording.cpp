@@ -28,7 +28,7 @@ std::string new_path(const wchar_t* name) {
   wchar_t stamp[32];
   wsprintfW(stamp, L"-%04d%02d%02d-%02d%02d%02d.json", time.wYear, time.wMonth, time.wDay, time.wHour,
             time.wMinute, time.wSecond);
-  return to_utf8(recordings_folder() + L"\\" + name + stamp);
+  return free_path(to_utf8(recordings_folder() + L"\\" + name + stamp));
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void App::start_recording(const std::string& path) {
 
 void App::start_new_recording() {
   start_recording(new_path(L"recording"));
-  tray_->tell("Recording to " + pet_.session().recording().path());
+  tell("Recording to " + pet_.session().recording().path());
 }
 
 void App::finish_recording() {
@@ -51,7 +51,21 @@ void App::finish_recording() {
 void App::save_recording() {
   const std::string path = pet_.session().recording().path();
   finish_recording();
-  tray_->tell("Saved as " + path);
+  tell("Saved as " + path);
+}
+
+void App::continue_recording() {
+  try {
+    pet_.session().continue_recording();
+    tell("The recording continues in " + pet_.session().recording().path());
+  } catch (const Failure& failure) {
+    tell(failure.what());
+  }
+}
+
+// The icon is gone while the window is closed with a message box still open.
+void App::tell(const std::string& sentence) const {
+  if (tray_) tray_->tell(sentence);
 }
 
 void App::save_just_happened() {
@@ -60,18 +74,18 @@ void App::save_just_happened() {
   const std::string path = new_path(L"just-happened");
   saver_.save(path, tape.scenario(scenario_name_of(path)));
   saver_.wait();
-  tray_->tell(saver_.take_failure().value_or("Saved as " + path));
+  tell(saver_.take_failure().value_or("Saved as " + path));
 }
 
 void App::save_if_due() {
   if (!pet_.session().is_recording()) return;
   Recording& recording = pet_.session().recording();
-  if (recording.is_full()) return save_recording();
+  if (recording.is_full()) return continue_recording();
   if (clock_ticks() < next_save_ticks_ && !pet_.is_asleep()) return;
   next_save_ticks_ = clock_ticks() + clock_ticks_per_s() / kSavesPerSecond;
   recording.save();
   const auto failure = saver_.take_failure();
-  if (failure && *failure != told_) tray_->tell(told_ = *failure);
+  if (failure && *failure != told_) tell(told_ = *failure);
 }
 
 }  // namespace hyrax

@@ -4,7 +4,9 @@
 
 #include "sim/trajectory/input.h"
 #include "tools/files/atomic_file.h"
+#include "tools/files/failure.h"
 #include "tools/files/json.h"
+#include "tools/files/presence.h"
 
 namespace hyrax {
 namespace {
@@ -23,7 +25,10 @@ Json::Array names_of(const std::vector<Action>& actions) {
 
 }  // namespace
 
-FrameLog::FrameLog(const std::string& path) : file_(std::fopen(path.c_str(), "wb")) {
+FrameLog::FrameLog(const std::string& path) {
+  if (is_regular_file(path))
+    throw Failure(ExitCode::bad_input, path + ": exists already; give another name, or remove it first");
+  file_.reset(std::fopen(path.c_str(), "wb"));
   if (!file_) fail_to_write(path, errno);
 }
 

@@ -21,7 +21,7 @@ struct ScreenRect {
 
 class FrameLog {
  public:
-  /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON".
+  /// ERRORS: Failure(bad_input) if the file exists; Failure(cannot_access) "PATH: cannot be written: REASON".
   explicit FrameLog(const std::string& path);
 
   /// A frame as it was played, what was done before it, and where the system says that the window is:

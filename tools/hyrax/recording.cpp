@@ -1,11 +1,10 @@
 #include "tools/hyrax/recording.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "tools/files/failure.h"
 #include "tools/files/file_name.h"
-#include "tools/files/scenario_writer.h"
-#include "tools/files/text_file.h"
+#include "tools/files/presence.h"
 
 namespace hyrax {
 namespace {
@@ -16,10 +15,27 @@ char name_character(char c) {
   return may_stand ? c : '-';
 }
 
+std::string numbered_path(const std::string& path, std::size_t number) {
+  if (number == 1) return path;
+  const FileName name = file_name(path);
+  std::string numbered(name.folder);
+  numbered.append(name.stem).append("-").append(std::to_string(number)).append(name.extension);
+  return numbered;
+}
+
 }  // namespace
 
 Recording::Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
-    : path_(path), saver_(saver), whole_(start), part_(start) {}
+    : first_path_(path), path_(path), saver_(saver), whole_(start), part_(start), part_paths_{path} {
+  if (is_there(path))
+    throw Failure(ExitCode::bad_input, path + ": exists already; give another name, or remove it first");
+}
+
+Recording Recording::next(const Keyframe& start) const {
+  Recording next(free_path(first_path_), start, saver_);
+  next.first_path_ = first_path_;
+  return next;
+}
 
 void Recording::add_input(const Action& action) {
   whole_.add_input(action);
@@ -33,12 +49,13 @@ void Recording::add_frame(const Keyframe& now) {
   if (part_.frames() < kPartFrames) return;
   save();
   part_ = Tape(now);
-  ++parts_;
+  part_paths_.push_back(numbered_path(path_, ++part_number_));
 }
 
 void Recording::save() {
   if (is_saved_) return;
-  const std::string path = part_path(parts_);
+  std::string& path = part_paths_.back();
+  while (is_there(path) && !saver_.has_made(path)) path = numbered_path(path_, ++part_number_);
   saver_.save(path, part_.scenario(scenario_name_of(path)));
   is_saved_ = true;
 }
@@ -46,16 +63,15 @@ void Recording::save() {
 void Recording::finish() {
   saver_.wait();
   if (whole_.frames() == 0) return;
-  write_text_file(path_, scenario_file_text(whole_.scenario(scenario_name_of(path_))));
-  for (std::size_t part = 2; part <= parts_; ++part) std::remove(part_path(part).c_str());
+  saver_.write(path_, whole_.scenario(scenario_name_of(path_)));
+  for (const std::string& path : part_paths_)
+    if (path != path_) saver_.remove(path);
 }
 
-std::string Recording::part_path(std::size_t part) const {
-  if (part == 1) return path_;
-  const FileName name = file_name(path_);
-  std::string path(name.folder);
-  path.append(name.stem).append("-").append(std::to_string(part)).append(name.extension);
-  return path;
+std::string free_path(const std::string& path) {
+  std::size_t number = 1;
+  while (is_there(numbered_path(path, number))) ++number;
+  return numbered_path(path, number);
 }
 
 std::string scenario_name_of(const std::string& path) {

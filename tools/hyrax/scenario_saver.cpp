@@ -1,12 +1,15 @@
 #include "tools/hyrax/scenario_saver.h"
 
+#include <cstdio>
+#include <exception>
+
+#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/scenario_writer.h"
-#include "tools/files/text_file.h"
 
 namespace hyrax {
 
-ScenarioSaver::ScenarioSaver() : thread_([this] { work(); }) {}
+ScenarioSaver::ScenarioSaver(std::function<std::string(const Scenario&)> text_of)
+    : text_of_(std::move(text_of)), thread_([this] { work(); }) {}
 
 ScenarioSaver::~ScenarioSaver() {
   {
@@ -24,6 +27,32 @@ void ScenarioSaver::save(const std::string& path, Scenario scenario) {
     jobs_.push_back({path, std::move(scenario)});
   }
   changed_.notify_all();
+}
+
+void ScenarioSaver::write(const std::string& path, const Scenario& scenario) {
+  const std::string text = text_of_(scenario);
+  AtomicFile file(path);
+  file.write(text);
+  std::unique_lock lock(mutex_);
+  const bool is_new = made_.insert(path).second;
+  lock.unlock();
+  try {
+    is_new ? file.commit_as_new() : file.commit();
+  } catch (const Failure&) {
+    lock.lock();
+    if (is_new) made_.erase(path);
+    throw;
+  }
+}
+
+bool ScenarioSaver::has_made(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  return made_.contains(path);
+}
+
+void ScenarioSaver::remove(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  if (made_.erase(path) > 0) std::remove(path.c_str());
 }
 
 void ScenarioSaver::wait() {
@@ -47,9 +76,11 @@ void ScenarioSaver::work() {
     lock.unlock();
     std::optional<std::string> failure;
     try {
-      write_text_file(job.path, scenario_file_text(job.scenario));
+      write(job.path, job.scenario);
     } catch (const Failure& refused) {
       failure = refused.what();
+    } catch (const std::exception& error) {  // As of too little memory: the program goes on.
+      failure = job.path + ": cannot be written: " + error.what();
     }
     lock.lock();
     is_busy_ = false;

@@ -1,6 +1,9 @@
 #include "tools/hyrax/session.h"
 
+#include <exception>
+
 #include "sim/replay/action_effect.h"
+#include "tools/files/failure.h"
 
 namespace hyrax {
 
@@ -39,6 +42,19 @@ void Session::finish_recording() {
   Recording finished = std::move(*recording_);
   recording_.reset();
   finished.finish();
+}
+
+void Session::continue_recording() {
+  Recording finished = std::move(*recording_);
+  recording_.reset();
+  std::exception_ptr failure;
+  try {
+    finished.finish();  // First, so that the names of its parts are free again.
+  } catch (const Failure&) {
+    failure = std::current_exception();
+  }
+  recording_.emplace(finished.next(now_));
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace hyrax

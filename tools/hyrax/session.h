@@ -37,7 +37,7 @@ class Session {
   /// The last minutes.
   [[nodiscard]] Tape just_happened() const { return ring_.tape(); }
 
-  /// Records from here on. REQUIRES: it records nothing yet.
+  /// Records from here on. REQUIRES: it records nothing yet. ERRORS: Failure(bad_input) if the file exists.
   void start_recording(const std::string& path, ScenarioSaver& saver) {
     recording_.emplace(path, now_, saver);
   }
@@ -46,6 +46,9 @@ class Session {
   [[nodiscard]] Recording& recording() { return *recording_; }
   /// REQUIRES: is_recording(). ERRORS: Failure(cannot_access); it is ended all the same.
   void finish_recording();
+  /// Ends the file of a recording and goes on in a new one beside it. REQUIRES: is_recording().
+  /// ERRORS: Failure(cannot_access) for the file that ended; the new recording has begun all the same.
+  void continue_recording();
 
  private:
   Keyframe now_;

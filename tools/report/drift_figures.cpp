@@ -105,9 +105,8 @@ std::string energy_drift_figure_script(const DriftPicture& picture) {
   PlotFrame plot = drift_frame(picture, "Energy drift of each arc: the run minus the exact solution",
                                "time, s", "drift, % of the arc's largest energy");
   plot.add_block("drift", lines_of(picture, [](const RowErrors& row, const ArcErrors& arc) {
-                   if (!(arc.energy_largest_px2_per_s2 > 0.0)) return std::string("NaN");
                    return fmt::format("{:.5g}",
-                                      100.0 * row.energy_drift_px2_per_s2 / arc.energy_largest_px2_per_s2);
+                                      100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2());
                  }));
   plot.explain_line("energy drift", style::kBlue);
   mark_arcs(plot, picture);

@@ -8,7 +8,7 @@ namespace {
 std::string value_of(hid_t object, const char* name) {
   if (const auto text = h5::read_text_attribute(object, name)) return '"' + *text + '"';
   if (const auto number = h5::read_integer_attribute(object, name)) return std::to_string(*number);
-  return "a reference";
+  return "a list";
 }
 
 struct Listing {

@@ -37,8 +37,7 @@ bool ContactTable::set_last_step(std::int64_t index, std::int64_t last_step) {
 bool ContactTable::finish() {
   if (datasets_.empty() && !make_datasets(false)) return false;
   const bool is_written = batch_.empty() || flush();
-  describe();
-  return is_written;
+  return describe() && is_written;
 }
 
 bool ContactTable::make_datasets(bool is_growing) {
@@ -79,7 +78,7 @@ bool ContactTable::flush() {
   return is_written;
 }
 
-void ContactTable::describe() const {
+bool ContactTable::describe() const {
   h5::write_attribute(datasets_[0], "long_name", "first clamped row");
   h5::write_attribute(datasets_[1], "long_name", "last clamped row");
   h5::write_attribute(datasets_[2], "long_name", "wall: 1 left, 2 right, 4 top, 8 ground");
@@ -87,6 +86,9 @@ void ContactTable::describe() const {
     h5::write_attribute(datasets_[3 + column], "units", kContactColumns[column].unit);
     h5::write_attribute(datasets_[3 + column], "long_name", kContactColumns[column].long_name);
   }
+  h5::write_flags(datasets_[2], "flag_values", std::span(kContactFlags).first(kWalls.size()),
+                  std::span(kContactFlagNames).first(kWalls.size()));
+  return h5::share_axis(group_, "step");
 }
 
 }  // namespace hyrax

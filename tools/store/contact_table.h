@@ -27,7 +27,7 @@ class ContactTable {
  private:
   [[nodiscard]] bool make_datasets(bool is_growing);
   [[nodiscard]] bool flush();
-  void describe() const;
+  [[nodiscard]] bool describe() const;
 
   hid_t group_;
   std::vector<Contact> batch_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tools/store/drift_format.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::array<DriftColumn<ArcErrors>, 3> kReferenceArcColumns = {{
      [](Arc a) { return or_nan(a.gsl_vs_closed_px); }},
 }};
 
-constexpr std::array<DriftColumn<ArcErrors>, 9> kDriftArcColumns = {{
+constexpr std::array<DriftColumn<ArcErrors>, 11> kDriftArcColumns = {{
     {"duration", "s", "time from the first row to the last", [](Arc a) { return a.duration_s; }},
     {"implementation", "px", "largest distance from the discrete closed form",
      [](Arc a) { return a.implementation_px; }},
@@ -34,12 +35,18 @@ constexpr std::array<DriftColumn<ArcErrors>, 9> kDriftArcColumns = {{
      [](Arc a) { return a.implementation_px_per_s; }},
     {"truncation_speed", "px/s", "largest difference of velocity from the matched ODE",
      [](Arc a) { return a.truncation_px_per_s; }},
-    {"energy_drift_rel_max", "1", "largest energy drift / largest energy of the matched ODE",
-     [](Arc a) { return or_nan(a.energy_drift_rel_max); }},
-    {"energy_drift_rel_end", "1", "energy drift at the last row / largest energy, with its sign",
-     [](Arc a) { return or_nan(a.energy_drift_rel_end); }},
+    {"energy_drift_rel_max", "1",
+     "energy_drift_max / largest energy of the matched ODE, 1200 px2/s2 at least",
+     [](Arc a) { return a.energy_drift_rel_max; }},
+    {"energy_drift_rel_end", "1",
+     "energy_drift_end / largest energy of the matched ODE, 1200 px2/s2 at least",
+     [](Arc a) { return a.energy_drift_rel_end; }},
     {"energy_drift_slope", "1/s", "slope of a line fitted to the relative energy drift",
      [](Arc a) { return or_nan(a.energy_drift_slope_per_s); }},
+    {"energy_drift_max", "px2/s2", "largest energy drift in magnitude",
+     [](Arc a) { return a.energy_drift_max_px2_per_s2; }},
+    {"energy_drift_end", "px2/s2", "energy of the run minus the matched ODE's at the last row",
+     [](Arc a) { return a.energy_drift_end_px2_per_s2; }},
 }};
 
 using Impact = const ImpactErrors&;
@@ -48,18 +55,12 @@ constexpr std::array<DriftColumn<ImpactErrors>, 4> kImpactColumns = {{
      [](Impact c) { return or_nan(c.time_error_s); }},
     {"overshoot", "px", "how far past the wall the unclamped position was",
      [](Impact c) { return c.overshoot_px; }},
-    {"energy_jump_rel", "1", "energy change over the clamped step / largest energy of the arc",
-     [](Impact c) { return or_nan(c.energy_jump_rel); }},
+    {"energy_jump_rel", "1",
+     "energy change over the clamped step / largest energy of the arc, 1200 px2/s2 at least",
+     [](Impact c) { return c.energy_jump_rel; }},
     {"effective_restitution", "1", "normal speed after / normal speed at the true impact",
      [](Impact c) { return or_nan(c.effective_restitution); }},
 }};
-
-h5::Handle end_type() {
-  h5::Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
-  for (std::uint8_t end = 0; end < kArcEndNames.size(); ++end)
-    H5Tenum_insert(type, std::string(kArcEndNames[end]).c_str(), &end);
-  return type;
-}
 
 // The table of one kind of record; remembers whether all of it could be written.
 template <class Record>
@@ -90,6 +91,9 @@ class Table {
     for (const auto& [name, unit, long_name, get] : described)
       column<double>(name, long_name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, get, unit);
   }
+  h5::Handle dataset(const char* name) { return {H5Dopen2(group_, name, H5P_DEFAULT), H5Dclose}; }
+  /// Makes a column the axis of the others. After all columns.
+  void share_axis(const char* name) { is_written_ = h5::share_axis(group_, name) && is_written_; }
   void attribute(const char* name, std::int64_t value) { h5::write_attribute(group_, name, value); }
   [[nodiscard]] bool is_written() const { return is_written_; }
 
@@ -116,13 +120,16 @@ bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measu
   Table<ArcErrors> solutions(reference, "arcs", measured.arcs);
   put_row_numbers(solutions);
   solutions.columns(kReferenceArcColumns);
+  solutions.share_axis("first_step");
 
   Table<ArcErrors> arcs(drift, "arcs", measured.arcs);
   put_row_numbers(arcs);
-  const h5::Handle ends = end_type();
+  const h5::Handle ends = h5::enum_type(kArcEndNames);
   arcs.column<std::uint8_t>("ended_by", "what ended the arc", ends, ends,
                             [](Arc a) { return static_cast<std::uint8_t>(a.ended_by); });
+  h5::write_enum_flags(arcs.dataset("ended_by"), kArcEndNames);
   arcs.columns(kDriftArcColumns);
+  arcs.share_axis("first_step");
   arcs.attribute("total", measured.summary.arcs);
   arcs.attribute("skipped", measured.summary.skipped_arcs);
 
@@ -130,7 +137,10 @@ bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measu
   contacts.row_numbers("step", "clamped row", [](Impact c) { return c.step; });
   contacts.column<std::uint8_t>("wall", "wall: 1 left, 2 right, 4 top, 8 ground", H5T_STD_U8LE,
                                 H5T_NATIVE_UINT8, [](Impact c) { return static_cast<std::uint8_t>(c.wall); });
+  h5::write_flags(contacts.dataset("wall"), "flag_values", std::span(kContactFlags).first(kWalls.size()),
+                  std::span(kContactFlagNames).first(kWalls.size()));
   contacts.columns(kImpactColumns);
+  contacts.share_axis("step");
   contacts.attribute("total", measured.summary.contacts);
   return solutions.is_written() && arcs.is_written() && contacts.is_written();
 }

@@ -1,5 +1,7 @@
 #include "tools/store/file_head.h"
 
+#include <functional>
+
 #include "tools/files/scenario_writer.h"
 #include "tools/store/provenance.h"
 #include "tools/store/trajectory_format.h"
@@ -7,34 +9,47 @@
 namespace hyrax {
 namespace {
 
-h5::Handle input_kind_type() {
-  h5::Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
-  for (std::uint8_t kind = 0; kind < kInputKindNames.size(); ++kind)
-    H5Tenum_insert(type, std::string(kInputKindNames[kind]).c_str(), &kind);
-  return type;
-}
-
 template <class Value, class Get>
-bool write_column(hid_t group, const char* name, hid_t type, hid_t memory_type,
-                  const std::vector<Input>& inputs, const Get& get) {
+bool write_column(const h5::Handle& dataset, hid_t memory_type, const std::vector<Input>& inputs,
+                  const Get& get) {
   std::vector<Value> values;
   for (const Input& input : inputs) values.push_back(get(input));
-  const h5::Handle dataset = h5::create_dataset(group, name, type, {values.size()});
   return dataset.is_open() && (values.empty() || H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                                           values.data()) >= 0);
 }
 
+// Of a and b the kind says what they are, and in which unit.
+void describe_numbers(hid_t kind, hid_t a, hid_t b) {
+  h5::write_enum_flags(kind, kInputKindNames);
+  h5::write_attribute(kind, "long_name", "kind of the input");
+  h5::write_attribute(
+      a, "long_name",
+      "vx of a fling or release, x of a place, width of a resize, dt of a hitch, or 0 (unused)");
+  h5::write_attribute(b, "long_name",
+                      "vy of a fling or release, y of a place, height of a resize, or 0 (unused)");
+  h5::write_attribute(a, "units_by_kind", "px/s px 1 px px s 1 px/s");
+  h5::write_attribute(b, "units_by_kind", "px/s px 1 px px 1 1 px/s");
+}
+
 bool write_inputs(hid_t file, const std::vector<Input>& inputs) {
   const h5::Handle group = h5::create_group(file, "events");
-  const h5::Handle kind = input_kind_type();
+  const h5::Handle kind_type = h5::enum_type(kInputKindNames);
+  const auto make = [&](const char* name, hid_t type) {
+    return h5::create_dataset(group, name, type, {inputs.size()});
+  };
+  const h5::Handle frame = make("frame", H5T_STD_I64LE);
+  const h5::Handle kind = make("kind", kind_type);
+  const h5::Handle a = make("a", H5T_IEEE_F64LE);
+  const h5::Handle b = make("b", H5T_IEEE_F64LE);
   const auto code = [](const Input& input) { return static_cast<std::uint8_t>(input.kind); };
-  return write_column<std::int64_t>(group, "frame", H5T_STD_I64LE, H5T_NATIVE_INT64, inputs,
-                                    [](const Input& input) { return input.frame; }) &&
-         write_column<std::uint8_t>(group, "kind", kind, kind, inputs, code) &&
-         write_column<double>(group, "a", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, inputs,
-                              [](const Input& input) { return input.a; }) &&
-         write_column<double>(group, "b", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, inputs,
-                              [](const Input& input) { return input.b; });
+  const bool is_written =
+      write_column<std::int64_t>(frame, H5T_NATIVE_INT64, inputs, std::mem_fn(&Input::frame)) &&
+      write_column<std::uint8_t>(kind, kind_type, inputs, code) &&
+      write_column<double>(a, H5T_NATIVE_DOUBLE, inputs, std::mem_fn(&Input::a)) &&
+      write_column<double>(b, H5T_NATIVE_DOUBLE, inputs, std::mem_fn(&Input::b));
+  h5::write_attribute(frame, "long_name", "frame to which the input was applied; it makes row frame + 1");
+  describe_numbers(kind, a, b);
+  return is_written && h5::share_axis(group, "frame");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "tools/store/hdf5.h"
 
+#include <hdf5_hl.h>
+
 #include <filesystem>
+#include <numeric>
 #include <system_error>
 
 namespace hyrax::h5 {
@@ -62,7 +65,9 @@ Handle open_file(const std::string& path) {
   begin();
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_list(error ? 0 : bytes)), H5Fclose};
+  const Handle access = access_list(error ? 0 : bytes);
+  H5Pset_file_locking(access, true, true);  // Some network file systems have no locks.
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
 }
 
 Handle create_group(hid_t parent, const char* name) {
@@ -93,6 +98,45 @@ herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize
   const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
   if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr) < 0) return -1;
   return H5Dwrite(dataset, memory_type, memory, space, H5P_DEFAULT, data);
+}
+
+bool share_axis(hid_t group, const char* scale) {
+  struct Axis {
+    const char* name;
+    Handle scale;
+  } axis{scale, {H5Dopen2(group, scale, H5P_DEFAULT), H5Dclose}};
+  const auto attach = [](hid_t parent, const char* name, const H5L_info_t*, void* to) -> herr_t {
+    const auto& [scale_name, scale_dataset] = *static_cast<const Axis*>(to);
+    if (std::string_view(name) == scale_name) return 0;
+    const Handle object(H5Oopen(parent, name, H5P_DEFAULT), H5Oclose);
+    return H5Iget_type(object) == H5I_DATASET ? H5DSattach_scale(object, scale_dataset, 0) : 0;
+  };
+  return H5DSset_scale(axis.scale, scale) >= 0 &&
+         H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, attach, &axis) >= 0;
+}
+
+void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
+                 std::span<const std::string_view> meanings) {
+  const hsize_t count = values.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Handle attribute(H5Acreate2(dataset, codes, H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  H5Awrite(attribute, H5T_NATIVE_UINT8, values.data());
+  std::string text;
+  for (const std::string_view meaning : meanings) text.append(text.empty() ? "" : " ").append(meaning);
+  write_attribute(dataset, "flag_meanings", text);
+}
+
+Handle enum_type(std::span<const std::string_view> names) {
+  Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
+  for (std::uint8_t code = 0; code < names.size(); ++code)
+    H5Tenum_insert(type, std::string(names[code]).c_str(), &code);
+  return type;
+}
+
+void write_enum_flags(hid_t dataset, std::span<const std::string_view> names) {
+  std::vector<std::uint8_t> codes(names.size());
+  std::iota(codes.begin(), codes.end(), std::uint8_t{0});
+  write_flags(dataset, "flag_values", codes, names);
 }
 
 Handle text_type() {

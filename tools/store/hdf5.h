@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,6 +62,23 @@ class Handle {
 /// Returns the library's verdict.
 [[nodiscard]] herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count,
                                 const void* data);
+
+/// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets, which is what
+/// netCDF readers as xarray need to open the group.
+/// REQUIRES: all datasets of the group have one axis, of one length.
+/// Returns false where the file could not be written.
+[[nodiscard]] bool share_axis(hid_t group, const char* scale);
+
+/// Names the codes in a dataset of bytes, as the CF conventions have it.
+/// @param codes "flag_values", of which an element is one, or "flag_masks", of which it is a sum.
+/// @param meanings a name for each, without blanks.
+void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
+                 std::span<const std::string_view> meanings);
+
+/// An enumeration of bytes: the names stand for 0, 1, 2, ...
+[[nodiscard]] Handle enum_type(std::span<const std::string_view> names);
+/// Names the codes in a dataset of that type for readers that do not know enumerations.
+void write_enum_flags(hid_t dataset, std::span<const std::string_view> names);
 
 void write_attribute(hid_t object, const char* name, std::string_view text);
 void write_attribute(hid_t object, const char* name, std::int64_t value);

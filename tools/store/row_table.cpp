@@ -1,7 +1,5 @@
 #include "tools/store/row_table.h"
 
-#include <hdf5_hl.h>
-
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
@@ -39,8 +37,7 @@ bool RowTable::append(const Columns& rows) {
 
 bool RowTable::finish() {
   const bool is_written = gathered_.size() == 0 || write(gathered_);
-  describe(group_);
-  return is_written && written_ == rows_;
+  return describe(group_) && is_written && written_ == rows_;
 }
 
 void RowTable::close() {
@@ -63,7 +60,7 @@ bool RowTable::write(const Columns& rows) {
 }
 
 // Units, names and the time axis, as xarray (dimension scales) and silx (NXdata) look for them.
-void RowTable::describe(hid_t group) const {
+bool RowTable::describe(hid_t group) const {
   for (std::size_t column = 0; column < kRowColumns.size(); ++column) {
     h5::write_attribute(columns_[column], "units", kRowColumns[column].unit);
     h5::write_attribute(columns_[column], "long_name", kRowColumns[column].long_name);
@@ -72,15 +69,11 @@ void RowTable::describe(hid_t group) const {
   h5::write_attribute(
       contact_, "long_name",
       "clamps in the step that made the row: 1 left, 2 right, 4 top, 8 ground, 16 put to rest");
-  const h5::Handle& time = columns_[0];
-  H5DSset_scale(time, "t");
-  H5DSattach_scale(step_, time, 0);
-  for (std::size_t column = 1; column < kRowColumns.size(); ++column)
-    H5DSattach_scale(columns_[column], time, 0);
-  H5DSattach_scale(contact_, time, 0);
+  h5::write_flags(contact_, "flag_masks", kContactFlags, kContactFlagNames);
   h5::write_attribute(group, "NX_class", "NXdata");
   h5::write_attribute(group, "signal", "y");
   h5::write_attribute(group, "axes", "t");
+  return h5::share_axis(group, "t");
 }
 
 }  // namespace hyrax

@@ -25,7 +25,7 @@ class RowTable {
 
  private:
   [[nodiscard]] bool write(const Columns& rows);
-  void describe(hid_t group) const;
+  [[nodiscard]] bool describe(hid_t group) const;
 
   hid_t group_;
   std::int64_t rows_;

@@ -46,9 +46,12 @@ bool write_table(hid_t file, const StudyTable& table) {
   const h5::Handle group = h5::create_group(file, table.name.c_str());
   if (!group.is_open()) return false;
   h5::write_attribute(group, "long_name", table.long_name);
-  return std::all_of(table.columns.begin(), table.columns.end(), [&](const StudyColumn& column) {
-    return std::visit([&](const auto& values) { return write_column(group, column, values); }, column.values);
-  });
+  const bool is_written =
+      std::all_of(table.columns.begin(), table.columns.end(), [&](const StudyColumn& column) {
+        return std::visit([&](const auto& values) { return write_column(group, column, values); },
+                          column.values);
+      });
+  return is_written && h5::share_axis(group, table.columns.front().name.c_str());
 }
 
 bool write_all(hid_t file, const StudyHead& head, const std::vector<StudyTable>& tables) {

@@ -17,8 +17,10 @@ struct StudyHead {
 };
 
 /// Equal content gives equal bytes. Text is fixed-length UTF-8, padded with zeros.
-/// REQUIRES: tables of different names, none of the name `provenance`; columns of one length.
-/// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it was.
+/// The first column is the axis (dimension scale) of the others.
+/// REQUIRES: tables of different names, none of the name `provenance`; at least one column, all of one
+/// length. ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it
+/// was.
 void write_study_file(const std::string& path, const StudyHead& head, const std::vector<StudyTable>& tables);
 
 }  // namespace hyrax

@@ -4,6 +4,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "tools/files/failure.h"
@@ -19,11 +21,23 @@ namespace {
   throw Failure(ExitCode::bad_input, path + ": " + sentence);
 }
 
+// As HDF5 locks what it opens. A file that cannot be locked at all is not locked.
+bool is_locked(const std::string& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool is_held = flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(file);
+  return is_held;
+}
+
 h5::Handle open_readable(const std::string& path) {
   if (access(path.c_str(), R_OK) != 0)
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
   if (!is_regular_file(path)) refuse_file(path, "is no file");
   h5::Handle file = h5::open_file(path);
+  if (!file.is_open() && is_locked(path))
+    throw Failure(ExitCode::cannot_access,
+                  path + ": cannot be read: locked by another program, which may be writing it");
   if (!file.is_open()) refuse_file(path, "is no HDF5 file, or was cut short");
   return file;
 }
@@ -82,18 +96,18 @@ void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t
     throw Failure(ExitCode::bad_input, damage);
 }
 
-TrajectoryFile::TrajectoryFile(const std::string& path)
+TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)
     : path_(path),
       file_(open_readable(path)),
-      head_(read_head()),
+      head_(read_head(parsing)),
       step_(file_, path, "/trajectory/step", H5T_INTEGER, sizeof(std::int64_t)),
       columns_(row_columns(file_, path)),
       contact_(file_, path, "/trajectory/contact", H5T_INTEGER, sizeof(std::uint8_t)) {
   check_lengths();
 }
 
-TrajectoryFile TrajectoryFile::open(const std::string& path) {
-  read_on_trial(path, [&] { TrajectoryFile(path).read_all(); });
+TrajectoryFile TrajectoryFile::open(const std::string& path, const Read& read) {
+  read_on_trial(path, [&] { read(TrajectoryFile(path, Parsing::off)); });
   return TrajectoryFile(path);
 }
 
@@ -112,13 +126,14 @@ void TrajectoryFile::read_all() const {
   static_cast<void>(provenance());
 }
 
-FileHead TrajectoryFile::read_head() const {
+FileHead TrajectoryFile::read_head(Parsing parsing) const {
   const auto format = h5::read_text_attribute(file_, "format");
   if (format != kTrajectoryFormat)
     refuse("is of format '" + format.value_or("none") + "'; this program reads " +
            std::string(kTrajectoryFormat));
   FileHead head;
-  head.scenario = parse_scenario(text("scenario"), path_ + ": attribute scenario");
+  const std::string scenario = text("scenario");
+  if (parsing == Parsing::on) head.scenario = parse_scenario(scenario, path_ + ": attribute scenario");
   head.physics = text("physics");
   head.state_hash = text("state_hash");
   const auto steps = h5::read_integer_attribute(file_, "steps");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,11 +47,17 @@ class NumberColumn {
 /// of a wrong type or of a length that differs from its neighbours'.
 class TrajectoryFile {
  public:
-  /// Opens a file of whatever origin: all that this class can read of it was read on trial.
-  /// REQUIRES: no other thread is inside HDF5.
-  [[nodiscard]] static TrajectoryFile open(const std::string& path);
-  /// Opens a file without a trial: what HDF5 does with a damaged one is not known.
-  explicit TrajectoryFile(const std::string& path);
+  using Read = std::function<void(const TrajectoryFile&)>;
+
+  /// Opens a file of any origin, after a trial in a child process (read_on_trial).
+  /// @param read what the caller will read of it; the trial does the same. The trial does not parse the
+  /// scenario: that is this program's own code, needs no HDF5, and its cost depends on the scenario and
+  /// not on the file's size.
+  /// REQUIRES: as read_on_trial.
+  [[nodiscard]] static TrajectoryFile open(const std::string& path,
+                                           const Read& read = &TrajectoryFile::read_all);
+  /// Opens a file without a trial: a damaged one may crash the HDF5 library.
+  explicit TrajectoryFile(const std::string& path) : TrajectoryFile(path, Parsing::on) {}
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const FileHead& head() const { return head_; }
@@ -72,8 +79,11 @@ class TrajectoryFile {
   [[noreturn]] void refuse(const std::string& sentence) const;
 
  private:
+  enum class Parsing { off, on };
+  TrajectoryFile(const std::string& path, Parsing parsing);
+
   void read_all() const;
-  [[nodiscard]] FileHead read_head() const;
+  [[nodiscard]] FileHead read_head(Parsing parsing) const;
   [[nodiscard]] std::string text(const char* attribute) const;
   void check_lengths() const;
 

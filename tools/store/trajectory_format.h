@@ -9,6 +9,7 @@
 
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
+#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 
@@ -31,6 +32,11 @@ inline constexpr std::array<RowColumn, 6> kRowColumns = {{
     {"vx", "px/s", "velocity to the right", &Columns::vx_px_per_s},
     {"vy", "px/s", "velocity downwards", &Columns::vy_px_per_s},
 }};
+
+/// The flags of a row's contact byte; the first four are the codes of a contact's wall.
+inline constexpr std::array<std::uint8_t, 5> kContactFlags = {1, 2, 4, 8, kRestBit};
+inline constexpr std::array<std::string_view, 5> kContactFlagNames = {"left", "right", "top", "ground",
+                                                                      "rest"};
 
 struct ContactColumn {
   const char* name;

@@ -1,5 +1,6 @@
 #include "tools/store/trajectory_writer.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -9,10 +10,16 @@
 namespace hyrax {
 namespace {
 
-constexpr std::uint64_t kRowBytes = 57;  // step, t, dt, x, y, vx, vy and contact.
+constexpr std::uint64_t kRowBytes = 57;      // step, t, dt, x, y, vx, vy and contact.
+constexpr std::uint64_t kContactBytes = 81;  // step, last_step, wall and kContactColumns.
+
+// How many bytes of contacts a run can have at most: two in each step, in a corner.
+std::uint64_t contact_bytes_max(std::int64_t steps) {
+  return kContactBytes * static_cast<std::uint64_t>(std::min(2 * steps, kContactsRecordedMax));
+}
 
 // Refuses at once what cannot end well, instead of filling the disk first.
-std::uint64_t bytes_that_fit(const std::string& path, std::int64_t rows) {
+std::uint64_t row_bytes_that_fit(const std::string& path, std::int64_t rows) {
   const std::uint64_t bytes = kRowBytes * static_cast<std::uint64_t>(rows);
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
@@ -31,7 +38,8 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scen
     : path_(path),
       rows_every_(scenario.record_every),
       target_(path),
-      file_(h5::create_file(target_.part_path(), bytes_that_fit(path, row_count(steps, rows_every_)))),
+      file_(h5::create_file(target_.part_path(), row_bytes_that_fit(path, row_count(steps, rows_every_)) +
+                                                     contact_bytes_max(steps))),
       trajectory_(h5::create_group(file_, "trajectory")),
       contacts_(h5::create_group(file_, "contacts")),
       row_table_(trajectory_, row_count(steps, rows_every_)),

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -40,12 +41,12 @@ void set_limit(int resource, std::uint64_t value) {
   setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-// Far more than any whole file takes, and no more than a user would wait for.
+// More than any complete file takes, a compressed one too, and no more than a user would wait for.
 void set_limits(std::uint64_t file_bytes) {
   constexpr std::uint64_t kMemoryLeast = 128 << 20;
   constexpr std::uint64_t kMemoryPerByte = 8;
   constexpr std::uint64_t kTimeLeast_s = 1;
-  constexpr std::uint64_t kBytesPerSecond = 20 << 20;
+  constexpr std::uint64_t kBytesPerSecond = 2 << 20;
   constexpr std::uint64_t kWaitPerTime = 20;  // On a busy machine.
   set_limit(RLIMIT_CORE, 0);
   const std::uint64_t time_s = kTimeLeast_s + file_bytes / kBytesPerSecond;
@@ -55,9 +56,14 @@ void set_limits(std::uint64_t file_bytes) {
     set_limit(RLIMIT_AS, mapped + kMemoryLeast + kMemoryPerByte * file_bytes);
 }
 
-// A crash is the answer to a question here, no event for a sanitizer's report.
+// A crash is an answer here, not an event for a sanitizer's report. A parent may have left the signals of
+// the limits ignored or blocked.
 void die_silently() {
-  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(number, SIG_DFL);
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGXCPU})
+    std::signal(number, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
   if (std::freopen("/dev/null", "w", stderr) == nullptr) close(STDERR_FILENO);
 }
 
@@ -100,8 +106,11 @@ void read_on_trial(const std::string& path, const std::function<void()>& read) {
     _exit(outcome_of(read));
   }
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR)
+      throw Failure(ExitCode::cannot_access,
+                    path + ": cannot be read: the outcome of reading it in a child process is not known: " +
+                        std::strerror(errno));
   if (status != survived)
     throw Failure(ExitCode::bad_input,
                   path + ": is damaged: " + damage_told_by(status) + "; write or copy it anew");

@@ -13,7 +13,9 @@ namespace hyrax {
 /// @param read must do to the file all that is to be done here; what it throws as a Failure is left
 /// for the reading here to find again.
 /// REQUIRES: this process has no other thread: the child would wait for ever for a lock that one holds.
-/// ERRORS: Failure(bad_input) "PATH: is damaged: ..." where the child did not survive.
+/// ERRORS: Failure(bad_input) "PATH: is damaged: ..." where the child did not survive;
+/// Failure(cannot_access) where no child can be made, or where its outcome is not known, as in a process
+/// that ignores SIGCHLD.
 void read_on_trial(const std::string& path, const std::function<void()>& read);
 
 }  // namespace hyrax

@@ -54,6 +54,20 @@ TEST_F(ShortRun, AFaultOfOneUlpInTheKeptRowsIsFoundAsWell) {
   }
 }
 
+TEST_F(ShortRun, ANanInBothIsADifference) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  kept_.rows.x_px.back() = kept_.final.x_px = nan;
+  const auto to_nan = [nan](Row row) {
+    row.x_px = nan;
+    return row;
+  };
+  const Comparison comparison = compare(kept_, scenario_, {.fault = Fault{kSteps, to_nan}});
+  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  ASSERT_TRUE(comparison.first);
+  EXPECT_EQ(comparison.first->step, kSteps);
+  EXPECT_EQ(comparison.first->field, "x");
+}
+
 TEST_F(ShortRun, OnlyTheFirstFaultIsTold) {
   StoredRun damaged = kept_;
   damaged.rows.x_px[200] += 1.0;

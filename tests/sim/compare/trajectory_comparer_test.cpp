@@ -50,6 +50,28 @@ TEST(Tolerance, NeverAcceptsNan) {
   EXPECT_FALSE(wide.accepts(1.0, kNan));
 }
 
+TEST(Tolerance, AcceptsInfinityForItselfOnly) {
+  const Tolerance wide{.abs = 1e300, .rel = 1.0, .ulps = std::numeric_limits<std::int64_t>::max()};
+  EXPECT_TRUE(wide.accepts(-kInfinity, -kInfinity));
+  EXPECT_FALSE(wide.accepts(1.0, kInfinity));
+  EXPECT_FALSE(wide.accepts(-kInfinity, 1.0));
+  EXPECT_FALSE(wide.accepts(-kInfinity, kInfinity));
+  EXPECT_FALSE(wide.accepts(std::numeric_limits<double>::max(), kInfinity));
+}
+
+TEST(Tolerance, IsOfTheLargerMagnitudeWhereTheDifferenceOverflows) {
+  EXPECT_FALSE((Tolerance{.rel = 1.9}.accepts(1.5e308, -1.5e308)));
+  EXPECT_TRUE((Tolerance{.rel = 2.0}.accepts(1.5e308, -1.5e308)));
+  EXPECT_FALSE((Tolerance{.abs = 1e308}.accepts(1.5e308, -1.5e308)));
+}
+
+TEST(Tolerance, HoldsForSubnormals) {
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  EXPECT_FALSE((Tolerance{.rel = 0.25}.accepts(smallest, 0.0)));
+  EXPECT_FALSE((Tolerance{.rel = 0.25}.accepts(smallest, -smallest)));
+  EXPECT_TRUE((Tolerance{.ulps = 2}.accepts(smallest, -smallest)));
+}
+
 Row row_at(std::int64_t step, double x_px, std::uint8_t contact = 0) {
   return {.step = step, .t_s = 0.25 * static_cast<double>(step), .x_px = x_px, .contact = contact};
 }
@@ -75,7 +97,7 @@ TEST(TrajectoryComparer, TellsTheFirstAndTheWorst) {
   const auto& worst = comparer.worst()[2];
   ASSERT_TRUE(worst);
   EXPECT_EQ(worst->step, 2);
-  EXPECT_EQ(worst->abs, 3.0);
+  EXPECT_EQ(worst->abs(), 3.0);
 }
 
 TEST(TrajectoryComparer, TellsTheWorstWithinTheTolerance) {
@@ -83,7 +105,7 @@ TEST(TrajectoryComparer, TellsTheWorstWithinTheTolerance) {
   comparer.compare(row_at(5, 1.0), row_at(5, 1.5));
   EXPECT_FALSE(comparer.first());
   ASSERT_TRUE(comparer.worst()[2]);
-  EXPECT_EQ(comparer.worst()[2]->abs, 0.5);
+  EXPECT_EQ(comparer.worst()[2]->abs(), 0.5);
 }
 
 TEST(TrajectoryComparer, TakesNanForTheWorst) {
@@ -92,8 +114,20 @@ TEST(TrajectoryComparer, TakesNanForTheWorst) {
   comparer.compare(row_at(2, kNan), row_at(2, kNan));
   ASSERT_TRUE(comparer.first());
   EXPECT_EQ(comparer.first()->step, 2);
-  EXPECT_TRUE(std::isnan(comparer.worst()[2]->abs));
-  EXPECT_EQ(comparer.worst()[2]->ulps, std::nullopt);
+  comparer.compare(row_at(3, kInfinity), row_at(3, 1.0));
+  comparer.compare(row_at(4, 1.0), row_at(4, 1.5));
+  comparer.compare(row_at(5, kNan), row_at(5, 1.0));
+  EXPECT_EQ(comparer.worst()[2]->step, 2);
+  EXPECT_TRUE(std::isnan(comparer.worst()[2]->abs()));
+}
+
+TEST(TrajectoryComparer, TakesInfinityForWorseThanAnyNumber) {
+  TrajectoryComparer comparer({});
+  comparer.compare(row_at(1, 1.0), row_at(1, -kInfinity));
+  comparer.compare(row_at(2, 1.0), row_at(2, 1e300));
+  comparer.compare(row_at(3, kInfinity), row_at(3, 1.0));
+  EXPECT_EQ(comparer.worst()[2]->step, 1);
+  EXPECT_EQ(comparer.worst()[2]->abs(), kInfinity);
 }
 
 TEST(TrajectoryComparer, AcceptsNoOtherContactByte) {
@@ -101,6 +135,7 @@ TEST(TrajectoryComparer, AcceptsNoOtherContactByte) {
   comparer.compare(row_at(4, 1.0, 0), row_at(4, 1.0, 1));
   ASSERT_TRUE(comparer.first());
   EXPECT_EQ(comparer.first()->field, "contact");
+  EXPECT_EQ(comparer.first()->ulps, std::nullopt);
 }
 
 Contact contact_at(std::int64_t step, double overshoot_px) {

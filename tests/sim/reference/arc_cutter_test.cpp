@@ -29,8 +29,14 @@ struct Seen : ArcVisitor {
     if (clamped != nullptr) open.clamped_step = clamped->step;
     arcs.push_back(open);
   }
+  void bounce(const ArcStart& start, const Row& flown, const Row& clamped) override {
+    EXPECT_EQ(flown.step, start.row.step + 1);
+    EXPECT_EQ(clamped.step, start.row.step + 2);
+    bounces.push_back(clamped.step);
+  }
   SeenArc open;
   std::vector<SeenArc> arcs;
+  std::vector<std::int64_t> bounces;
 };
 
 struct Cut {

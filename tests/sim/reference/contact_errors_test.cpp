@@ -107,7 +107,7 @@ TEST(ContactErrors, FindTheEnergyThatTheClampedStepTakes) {
   };
   const auto step = static_cast<std::size_t>(contact.step);
   const double change = energy(rows.row(step)) - energy(rows.row(step - 1));
-  EXPECT_NEAR(contact.energy_jump_rel.value(), change / measured.arcs.at(0).energy_largest_px2_per_s2, 1e-15);
+  EXPECT_NEAR(contact.energy_jump_rel, change / measured.arcs.at(0).energy_largest_px2_per_s2, 1e-15);
   EXPECT_LT(change, 0.0);
 }
 
@@ -152,6 +152,69 @@ TEST(ContactErrors, HaveNoTimeWhereTheWallIsNotMetInTwoFrames) {
   measure(scenario, rows, measured);
   EXPECT_FALSE(measured.contacts.at(0).time_error_s);
   EXPECT_FALSE(measured.contacts.at(0).effective_restitution);
+}
+
+// Into the lower right corner; both walls clamp the same step, and the floor's friction acts on vx after
+// the wall has turned it.
+TEST(ContactErrors, OfACornerAreTwo) {
+  const Scenario scenario = [] {
+    Scenario corner = open_sky({0.0, 0.0}, 60.0, 3);
+    corner.window = {1920, 1080};
+    corner.start = {1792.0 - 15.0, kFloor_px - 15.0};
+    corner.start_velocity = {500.0, 480.0};
+    return corner;
+  }();
+  const Columns rows = rows_of(scenario);
+  ASSERT_EQ(rows.contact[2], 2 | 8);
+  Measured measured;
+  measure(scenario, rows, measured);
+  ASSERT_EQ(measured.contacts.size(), 2u);
+  const ImpactErrors& right = measured.contacts[0];
+  const ImpactErrors& ground = measured.contacts[1];
+  EXPECT_EQ(right.wall, Wall::right);
+  EXPECT_EQ(ground.wall, Wall::ground);
+  EXPECT_EQ(right.step, ground.step);
+  EXPECT_EQ(right.energy_jump_rel, ground.energy_jump_rel);
+  EXPECT_NEAR(*right.effective_restitution, 0.6, 0.6 * 0.002);
+  EXPECT_NEAR(*ground.effective_restitution, 0.6, 0.6 * 0.05);
+}
+
+// An arc of one step is skipped, the contact that ends it is not.
+TEST(ContactErrors, AreListedOfAnArcOfOneStep) {
+  Scenario scenario = open_sky({0.0, 600.0}, 60.0, 3);
+  scenario.window = {1920, 1080};
+  scenario.start = {100.0, kFloor_px - 15.0};
+  Measured measured(true);
+  measure(scenario, measured);
+  ASSERT_EQ(measured.contacts.size(), 1u);
+  EXPECT_EQ(measured.contacts[0].step, 2);
+  EXPECT_EQ(measured.contacts[0].wall, Wall::ground);
+  EXPECT_NEAR(2.0 / 60.0 - measured.contacts[0].time_error_s.value(), 15.0 / 610.0, 0.001);
+  EXPECT_EQ(measured.summary.contacts, 1);
+  EXPECT_EQ(measured.summary.arcs, 0);
+  EXPECT_EQ(measured.summary.skipped_arcs, 2);
+  EXPECT_TRUE(measured.rows.empty());
+}
+
+// The frames before the clamped one are long, the last is short: past it the short one's rate goes on.
+TEST(ContactErrors, FlyEachFrameAtItsOwnRate) {
+  Scenario scenario = fall(321.0, 60.0);
+  scenario.clock.base = RecordedSteps{{0.1, 0.3, 0.2, 0.001, 0.2, 0.1, 0.1}};
+  scenario.length = std::int64_t{7};
+  const ImpactErrors contact = first_contact(scenario);
+  ASSERT_EQ(contact.step, 5);
+  WideMotion motion;
+  const Wide drag = Wide(0.0) - log(Wide(0.999));
+  for (const double dt_s : {0.1, 0.3, 0.2, 0.001}) motion.fly(kGravity, drag, dt_s);
+  Wide low = 0.0;
+  Wide high = 0.2;
+  for (int i = 0; i < 120; ++i) {
+    const Wide middle = (low + high) / 2.0;
+    WideMotion end = motion;
+    end.fly(kGravity, drag / 0.001 * middle, middle);
+    (end.displacement < Wide(321.0) ? low : high) = middle;
+  }
+  EXPECT_NEAR(contact.time_error_s.value(), 0.2 - low.rounded(), 1e-13);
 }
 
 TEST(ContactErrors, SumUpRestitutionOverTheRun) {

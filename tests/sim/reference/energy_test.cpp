@@ -46,8 +46,8 @@ TEST(EnergyDrift, WithoutDragIsThatFall) {
   measure(scenario, flight_without_drag(), measured, nullptr, {.air_drag = 1.0});
   const ArcErrors& arc = measured.arcs.at(0);
   // The difference never sees the energies of 7e8, so its rounding is that of the run alone.
-  EXPECT_NEAR(*arc.energy_drift_rel_end * arc.energy_largest_px2_per_s2, -10.0 * kFall_px2_per_s3, 1e-6);
-  EXPECT_NEAR(*arc.energy_drift_rel_max, -*arc.energy_drift_rel_end, 1e-15);
+  EXPECT_NEAR(arc.energy_drift_rel_end * arc.energy_largest_px2_per_s2, -10.0 * kFall_px2_per_s3, 1e-6);
+  EXPECT_NEAR(arc.energy_drift_rel_max, -arc.energy_drift_rel_end, 1e-15);
   EXPECT_NEAR(*arc.energy_drift_slope_per_s * arc.energy_largest_px2_per_s2, -kFall_px2_per_s3, 1e-7);
 }
 
@@ -61,7 +61,7 @@ TEST(EnergyDrift, OfTheMatchedOdeItselfIsNone) {
   const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 600);
   Measured measured;
   measure(scenario, fly_by(exact_step, scenario), measured, nullptr, {.air_drag = 1.0});
-  EXPECT_LT(*measured.arcs.at(0).energy_drift_rel_max, 1e-14);
+  EXPECT_LT(measured.arcs.at(0).energy_drift_rel_max, 1e-14);
 }
 
 // e of the run minus e of the reference at every row, in 80 bits, from the rows themselves.
@@ -81,7 +81,7 @@ TEST(EnergyDrift, IsTheDifferenceOfEnergiesAtEveryRow) {
     EXPECT_NEAR(reference.energy_px2_per_s2, energy(at), 1e-5) << n;
     largest = std::max(largest, std::fabs(reference.energy_drift_px2_per_s2));
   }
-  EXPECT_DOUBLE_EQ(*measured.arcs.at(0).energy_drift_rel_max * measured.arcs.at(0).energy_largest_px2_per_s2,
+  EXPECT_DOUBLE_EQ(measured.arcs.at(0).energy_drift_rel_max * measured.arcs.at(0).energy_largest_px2_per_s2,
                    largest);
 }
 
@@ -117,15 +117,27 @@ TEST_F(FarFromTheOrigin, SubtractedEnergiesLoseThem) {
   EXPECT_GT(std::fabs(fall - expected), 0.1);
 }
 
-TEST(EnergyDrift, IsNoneRelativeToAnEnergyThatIsNotPositive) {
-  // Below the floor by more than its speed can lift it.
+// Below the floor by more than its speed can lift it: no energy that a drift could be measured by.
+TEST(EnergyDrift, IsRelativeToAPixelOfHeightAtLeast) {
   Scenario scenario = open_sky({0.0, 0.0}, kRate_hz, 30);
   scenario.start = {0.0, 2'000'000.0};
   Measured measured;
   measure(scenario, fly_by(paper_step(0.999), scenario), measured);
-  EXPECT_LT(measured.arcs.at(0).energy_largest_px2_per_s2, 0.0);
-  EXPECT_FALSE(measured.arcs.at(0).energy_drift_rel_max);
-  EXPECT_FALSE(measured.arcs.at(0).energy_drift_slope_per_s);
+  const ArcErrors& arc = measured.arcs.at(0);
+  EXPECT_LT(arc.energy_largest_px2_per_s2, 0.0);
+  EXPECT_NEAR(arc.energy_drift_end_px2_per_s2, -kFall_px2_per_s3 * 0.5, 0.05 * kFall_px2_per_s3);
+  EXPECT_EQ(arc.energy_drift_rel_end, arc.energy_drift_end_px2_per_s2 / 1200.0);
+  EXPECT_EQ(arc.energy_drift_rel_max, arc.energy_drift_max_px2_per_s2 / 1200.0);
+}
+
+TEST(EnergyDrift, IsRelativeToTheLargestEnergyWhereThatIsMore) {
+  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 60);
+  Measured measured;
+  measure(scenario, measured);
+  const ArcErrors& arc = measured.arcs.at(0);
+  EXPECT_GT(arc.energy_largest_px2_per_s2, 1200.0);
+  EXPECT_EQ(arc.energy_drift_rel_end, arc.energy_drift_end_px2_per_s2 / arc.energy_largest_px2_per_s2);
+  EXPECT_EQ(measured.summary.energy_drift_max_px2_per_s2->value, arc.energy_drift_max_px2_per_s2);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // A run that is cut, stopped and resumed comes to the same bits.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "sim/replay/replay.h"
 #include "tests/sim/replay/some_flings.h"
 #include "tests/sim/replay/trace_sink.h"
@@ -135,22 +137,59 @@ TEST(ResumedReplay, DiffersFromAKeyframeThatIsOneUlpOff) {
   EXPECT_FALSE(same_rows(trace.rows(), rows_after(whole.trace.rows(), 50)));
 }
 
-void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::int64_t piece_max) {
+// The first row from which the rows of a run repeat with a period to its end.
+void expect_periodic_from(const std::vector<Row>& rows, std::int64_t step, std::int64_t period) {
+  ASSERT_GT(period, 0);
+  for (auto at = static_cast<std::size_t>(step); at + static_cast<std::size_t>(period) < rows.size(); ++at) {
+    const Row& a = rows[at];
+    const Row& b = rows[at + static_cast<std::size_t>(period)];
+    ASSERT_TRUE(same_bits(a.x_px, b.x_px) && same_bits(a.y_px, b.y_px) &&
+                same_bits(a.vx_px_per_s, b.vx_px_per_s) && same_bits(a.vy_px_per_s, b.vy_px_per_s))
+        << at;
+  }
+}
+
+TEST(ResumedReplay, LooksForRepetitionFromItsKeyframeOn) {
+  const Scenario scenario = fling_at(60.0, 30'000);
   const Played whole(scenario);
-  TraceSink trace;
-  Replay run(scenario, trace);
-  for (std::uint64_t k = 0; run.keyframe().row.step < run.steps(); ++k) {
+  const std::int64_t periodic_from = whole.summary.periodic_from_step.value();
+  const std::int64_t period = whole.summary.period_steps;
+  for (const std::int64_t step : {std::int64_t{1}, periodic_from - 100, periodic_from, periodic_from + 1,
+                                  std::int64_t{20'000}, 30'000 - 3 * period - 1, std::int64_t{29'999}}) {
+    TraceSink trace;
+    Replay resumed(scenario, stop_at(scenario, step), trace);
+    resumed.play_to(resumed.steps());
+    const RunSummary summary = resumed.finish();
+    if (step == 29'999) {
+      EXPECT_EQ(summary.periodic_from_step, std::nullopt);
+      continue;
+    }
+    ASSERT_TRUE(summary.periodic_from_step) << step;
+    if (step >= periodic_from) {
+      EXPECT_EQ(summary.periodic_from_step, step);
+    }
+    EXPECT_GE(*summary.periodic_from_step, step);
+    EXPECT_EQ(summary.period_steps, period);
+    expect_periodic_from(whole.trace.rows(), *summary.periodic_from_step, period);
+  }
+}
+
+// In pieces of 0 .. piece_max - 1 frames, or of one frame.
+void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::int64_t piece_max,
+                           RowSink::Wants wants = {.rows_every = 1, .contacts = true, .blocks = true},
+                           bool skips_repetition = true) {
+  const ReplayOptions options{.skips_repetition = skips_repetition, .checks_bounds = true};
+  TraceSink whole(wants);
+  const RunSummary whole_summary = replay(scenario, whole, options);
+  TraceSink trace(wants);
+  Replay run(scenario, trace, options);
+  for (std::uint64_t k = 0; run.keyframe().row.step < whole_summary.steps; ++k) {
     const auto piece =
         static_cast<std::int64_t>(split_mix64(seed, k) % static_cast<std::uint64_t>(piece_max));
     run.play_to(std::min(run.keyframe().row.step + piece, run.steps()));
   }
-  const RunSummary summary = run.finish();
-  EXPECT_TRUE(same_trace(trace, whole.trace)) << "seed " << seed;
-  EXPECT_EQ(summary.state_hash, whole.summary.state_hash);
-  EXPECT_EQ(summary.contacts, whole.summary.contacts);
-  EXPECT_EQ(summary.clamped_steps, whole.summary.clamped_steps);
-  EXPECT_EQ(summary.rest_steps, whole.summary.rest_steps);
-  EXPECT_EQ(summary.at_rest_since_s, whole.summary.at_rest_since_s);
+  EXPECT_EQ(text_of(run.finish()), text_of(whole_summary)) << "seed " << seed << ", pieces " << piece_max;
+  EXPECT_TRUE(same_trace(trace, whole)) << "seed " << seed << ", pieces " << piece_max;
 }
 
 TEST(ReplayInPieces, ComesToTheSameRun) {
@@ -158,9 +197,39 @@ TEST(ReplayInPieces, ComesToTheSameRun) {
 }
 
 TEST(ReplayInPieces, ComesToTheSameRunWhereItRepeats) {
-  for (const std::int64_t piece_max : {50, 3000, 30'000})
+  for (const std::int64_t piece_max : {2, 50, 3000, 30'000})
     for (std::uint64_t seed = 0; seed < 5; ++seed)
       expect_same_in_pieces(fling_at(60.0, 30'000), seed, piece_max);
+}
+
+TEST(ReplayInPieces, ComesToTheSameRunInRandomFlings) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Scenario scenario = any_fling(seed, 12'000);
+    if (seed % 8 == 7) scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.3, seed};
+    const std::int64_t piece_max = std::array{2, 5, 100, 1000, 5000, 12'000}[seed % 6];
+    const RowSink::Wants wants{
+        .rows_every = std::array{0, 1, 7}[seed % 3], .contacts = true, .blocks = seed % 2 == 0};
+    expect_same_in_pieces(scenario, seed, piece_max, wants, seed % 5 != 0);
+  }
+}
+
+TEST(ReplayInPieces, ComesToTheSameRunWhereItBecomesNonFinite) {
+  Scenario scenario = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
+  scenario.start_velocity = {1e12, 1e12};
+  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_same_in_pieces(scenario, seed, 5);
+}
+
+TEST(ReplayInPieces, ComesToTheSameContactsWhereTheListIsFull) {
+  // A sprite wider than its window touches both walls in turn for ever.
+  Scenario scenario = fling_at(60.0, 1'200'000);
+  scenario.window = {100, 1080};
+  for (const std::int64_t piece_max : {1000, 400'000})
+    expect_same_in_pieces(scenario, 1, piece_max, {.rows_every = 0, .contacts = true});
+}
+
+TEST(ReplayInPieces, ComputesAPeriodOnceHoweverLongItRepeats) {
+  const Scenario scenario = fling_at(60.0, 100'000'000);
+  expect_same_in_pieces(scenario, 1, 1 << 21, {});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/split_mix64.h"
@@ -162,6 +163,65 @@ TEST(Schedule, EndsWhereNoFrameMovesTime) {
   EXPECT_EQ(schedule(scenario).faulty[0].fault, ScheduleFault::beyond_end);
 }
 
+Clock jittered(Jitter::Kind kind, double amount) { return {FixedStep{1.0}, Jitter{kind, amount, 1}}; }
+
+std::optional<ScheduleFault> fault_of_last(const Schedule& result) {
+  if (result.faulty.empty() || result.faulty.back().event + 1 != result.frames.size()) return std::nullopt;
+  return result.faulty.back().fault;
+}
+
+TEST(Schedule, WalksJitteredFramesUpToItsLimit) {
+  const Clock clock = jittered(Jitter::Kind::missed_frames, 0.0);
+  const auto limit_s = static_cast<double>(kWalkedFrameMax);
+  EXPECT_EQ(schedule(with_events(clock, kStepsMax, {at_time(limit_s)})).frames,
+            (std::vector<std::int64_t>{kWalkedFrameMax}));
+  EXPECT_EQ(fault_of_last(schedule(with_events(clock, kStepsMax, {at_time(limit_s + 1.0)}))),
+            ScheduleFault::too_far);
+  EXPECT_EQ(fault_of_last(schedule(with_events(clock, kWalkedFrameMax, {at_time(limit_s)}))),
+            ScheduleFault::beyond_end);
+}
+
+TEST(Schedule, LeavesAFixedClockWithoutThatLimit) {
+  const Scenario scenario =
+      with_events({FixedStep{1.0}, {}}, kStepsMax, {at_step(1, Hitch{0.5}), at_time(5e11)});
+  EXPECT_EQ(schedule(scenario).frames.back(), 500'000'000'001);
+}
+
+// Each would take hours, or the life of the universe, if every frame were walked.
+TEST(Schedule, RefusesAtOnceWhatIsTooFarForEveryKindOfJitter) {
+  for (const auto& [kind, amount] : {std::pair{Jitter::Kind::uniform, 1.0},
+                                     {Jitter::Kind::normal, 10.0},
+                                     {Jitter::Kind::missed_frames, 0.5}}) {
+    const std::vector<Event> events(10'000, at_time(1e11));
+    const Schedule result = schedule(with_events(jittered(kind, amount), kStepsMax, events));
+    ASSERT_EQ(result.faulty.size(), events.size());
+    EXPECT_EQ(fault_of_last(result), ScheduleFault::too_far);
+    EXPECT_EQ(fault_of_last(schedule(with_events(jittered(kind, amount), kStepsMax, {at_time(1e300)}))),
+              ScheduleFault::beyond_end);
+  }
+}
+
+TEST(Schedule, RefusesATimeBehindAStepThatIsTooFar) {
+  const Schedule result =
+      schedule(with_events(jittered(Jitter::Kind::uniform, 0.5), kStepsMax,
+                           {at_step(kStepsMax / 2), at_time(1e12), at_step(kStepsMax - 1)}));
+  EXPECT_EQ(result.frames, (std::vector<std::int64_t>{kStepsMax / 2, -1, kStepsMax - 1}));
+  EXPECT_EQ(result.faulty.front().fault, ScheduleFault::too_far);
+}
+
+// Between the mean and the longest time only a walk can tell, and a hitch makes what it found void.
+TEST(Schedule, DoesNotWalkInVainForEveryEvent) {
+  std::vector<Event> events;
+  for (std::int64_t event = 0; event < 1000; ++event) {
+    events.push_back(at_step(event, Hitch{1.0}));
+    events.push_back(at_time(1.5e8));
+  }
+  const Schedule result =
+      schedule(with_events(jittered(Jitter::Kind::missed_frames, 0.1), kStepsMax, events));
+  EXPECT_EQ(result.faulty.size(), 1u);
+  EXPECT_EQ(result.frames.back(), -1);
+}
+
 // The rule to the letter: every frame, one after the other, for every event anew.
 Schedule walk_plainly(const Scenario& scenario, std::int64_t steps) {
   const FrameClock clock(scenario.clock);
@@ -207,11 +267,15 @@ class Draws {
 
 Clock any_clock(Draws& draws, std::int64_t steps) {
   const double dt_s = draws.one_of({1.0, 0.1, 1.0 / 60.0, 1e-9, 0.0, 3e-7});
-  switch (draws.below(3)) {
+  switch (draws.below(5)) {
     case 0:
       return {FixedStep{dt_s}, {}};
     case 1:
       return {FixedStep{dt_s}, Jitter{Jitter::Kind::uniform, draws.unit(), draws.below(99)}};
+    case 2:
+      return {FixedStep{dt_s}, Jitter{Jitter::Kind::normal, draws.unit() * dt_s, draws.below(99)}};
+    case 3:
+      return {FixedStep{dt_s}, Jitter{Jitter::Kind::missed_frames, draws.unit(), draws.below(99)}};
     default:
       RecordedSteps trace;
       for (std::int64_t frame = 0; frame < steps; ++frame)

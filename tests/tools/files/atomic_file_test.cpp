@@ -64,6 +64,29 @@ TEST_F(AtomicFileTest, ReplacesAnOldFile) {
   EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
 }
 
+TEST_F(AtomicFileTest, TakesANewNameOnly) {
+  AtomicFile fresh(path("new.txt"));
+  fresh.write("new");
+  fresh.commit_as_new();
+  EXPECT_EQ(read_text_file(path("new.txt")), "new");
+  AtomicFile late(old_file("old.txt"));
+  late.write("new");
+  EXPECT_THROW(late.commit_as_new(), Failure);
+  EXPECT_EQ(read_text_file(path("old.txt")), "old");
+}
+
+TEST_F(AtomicFileTest, LeavesNoPartOfAFileWhoseNameIsTaken) {
+  {
+    AtomicFile file(path("taken.txt"));
+    file.write("new");
+    old_file("taken.txt");
+    EXPECT_THROW(file.commit_as_new(), Failure);
+  }
+  EXPECT_EQ(names(), std::set<std::string>{"taken.txt"});
+  AtomicFile(path("other.txt")).commit_as_new();
+  EXPECT_EQ(names(), (std::set<std::string>{"other.txt", "taken.txt"}));
+}
+
 TEST_F(AtomicFileTest, IsReadableForOthersAsAnyNewFile) {
   const mode_t before = umask(022);
   write_text_file(path("a.txt"), "new");

@@ -219,9 +219,12 @@ TEST_F(ScenarioFile, KeepsAnExpectedPointApartFromAnUpperBound) {
   Scenario scenario = fling_at(60.0, 5);
   scenario.expect = Expect{};
   scenario.expect->final_x_px = Interval{5.0, 5.0};
-  scenario.expect->final_y_px = Interval{-std::numeric_limits<double>::infinity(), 5.0};
+  scenario.expect->final_y_px = Interval{-5.0, 5.0};
+  scenario.expect->at_rest_since_s = Interval{-std::numeric_limits<double>::infinity(), 5.0};
   scenario.expect->contacts.left = Interval{3.0, 3.0};
   scenario.expect->contacts.top = Interval{0.0, 3.0};
+  EXPECT_EQ(parse_scenario(scenario_file_text(scenario), "written").expect, scenario.expect);
+  scenario.expect->at_rest_since_s = Interval{5.0, 5.0};
   EXPECT_EQ(parse_scenario(scenario_file_text(scenario), "written").expect, scenario.expect);
 }
 

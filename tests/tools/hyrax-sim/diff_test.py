@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """`diff`: two trajectory files, value by value."""
 
+import fcntl
 import shutil
 
 import h5py
@@ -95,6 +96,31 @@ class Diff(ProgramTest):
         self.assertEqual(document["first_divergence"]["actual"], "-Infinity")
         self.assertEqual(document["worst"]["vy"]["abs"], "Infinity")
 
+    def test_infinity_agrees_with_no_number_whatever_the_tolerance(self):
+        self.change("trajectory/vy", 50, numpy.inf)
+        for option in (("--rel", "1"), ("--abs", "1e308"), ("--ulps", "9223372036854775807")):
+            self.assertEqual(self.diff(DISAGREED, *option)["first_divergence"]["actual"], "Infinity", option)
+        shutil.copyfile(self.folder / "b.h5", self.folder / "a.h5")
+        self.diff(AGREED)
+
+    def test_nothing_is_worse_than_nan(self):
+        self.change("trajectory/vy", 50, numpy.nan)
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file["trajectory/vy"][40] += 1e9
+            file["trajectory/vy"][60] += 1e-9
+        worst = self.diff(DISAGREED)["worst"]["vy"]
+        self.assertEqual((worst["step"], worst["abs"], worst["ulps"]), (50, "NaN", None))
+
+    def test_contacts_are_told_by_name(self):
+        self.change("trajectory/contact", 100, 1 + 8 + 16)
+        text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+        self.assertIn("field contact\n  expected   none\n  actual     left+ground+rest\n", text)
+        self.assertIn("\n  worst contact none and left+ground+rest at step 100\n", text)
+        self.assertNotIn("ulp", text)
+        document = self.diff(DISAGREED)
+        self.assertEqual((document["first_divergence"]["actual"], document["first_divergence"]["ulps"]), (25, None))
+        self.assertEqual(document["worst"]["contact"]["ulps"], None)
+
     def test_contacts_must_agree_whatever_the_tolerance(self):
         self.change("contacts/step", 2, lambda value: value + 1)
         document = self.diff(DISAGREED, "--abs", "1e9")
@@ -171,6 +197,19 @@ class Diff(ProgramTest):
             self.assertEqual(first["expected"], file["trajectory/x"][100])
         self.assertIn('"actual": 0.1,', self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--json").out)
         self.assertIsInstance(first["expected"], NUMBER)
+
+    def test_a_file_that_another_program_writes_is_told_as_locked(self):
+        shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        says = "b.h5: cannot be read: locked by another program, which may be writing it\n"
+        with h5py.File(self.folder / "b.h5", "r+"):
+            self.expect(CANNOT_ACCESS, "diff", "a.h5", "b.h5", says=says)
+            self.expect(CANNOT_ACCESS, "drift", "b.h5", says=says)
+        with open(self.folder / "b.h5", "rb") as file:
+            fcntl.flock(file, fcntl.LOCK_SH)  # Another reader.
+            self.expect(AGREED, "diff", "a.h5", "b.h5")
+            fcntl.flock(file, fcntl.LOCK_EX)
+            self.expect(CANNOT_ACCESS, "diff", "a.h5", "b.h5", says=says)
+        self.expect(AGREED, "diff", "a.h5", "b.h5")
 
     def test_what_is_no_trajectory_is_refused(self):
         outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is no HDF5 file")

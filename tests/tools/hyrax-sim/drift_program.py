@@ -4,12 +4,12 @@ from program import AGREED, NUMBER, Maybe, ProgramTest, fling
 
 ARC = {
     "first_step": int, "last_step": int, "duration_s": NUMBER, "ended_by": str, "implementation_px": NUMBER,
-    "truncation_px": NUMBER, "model_px": NUMBER, "energy_drift_rel_max": Maybe(NUMBER),
-    "energy_drift_rel_end": Maybe(NUMBER), "energy_drift_slope_per_s": Maybe(NUMBER),
-    "gsl_vs_closed_px": Maybe(NUMBER),
+    "truncation_px": NUMBER, "model_px": NUMBER, "energy_drift_rel_max": NUMBER,
+    "energy_drift_rel_end": NUMBER, "energy_drift_slope_per_s": Maybe(NUMBER), "energy_drift_max": NUMBER,
+    "energy_drift_end": NUMBER, "gsl_vs_closed_px": Maybe(NUMBER),
 }
 CONTACT = {
-    "step": int, "wall": str, "time_error_s": Maybe(NUMBER), "overshoot_px": NUMBER, "energy_jump_rel": Maybe(NUMBER),
+    "step": int, "wall": str, "time_error_s": Maybe(NUMBER), "overshoot_px": NUMBER, "energy_jump_rel": NUMBER,
     "effective_restitution": Maybe(NUMBER),
 }
 

@@ -22,7 +22,8 @@ class Errors(DriftTest):
         self.assert_shape(run["arcs"], [ARC])
         self.assert_shape(run["contacts"], [CONTACT])
         self.assertIsInstance(run["skipped_arcs"], int)
-        for key in ("implementation_px", "truncation_px", "model_px", "energy_drift_rel_max", "gsl_vs_closed_px"):
+        for key in ("implementation_px", "truncation_px", "model_px", "energy_drift_rel_max", "energy_drift_max",
+                    "gsl_vs_closed_px"):
             self.assertEqual(run["worst"][key], max(arc[key] for arc in run["arcs"]))
 
     def test_a_second_of_flight_errs_as_the_order_of_the_step_says(self):
@@ -46,6 +47,17 @@ class Errors(DriftTest):
     def test_gsl_agrees_with_the_closed_form_within_the_bound(self):
         for arc in self.drift_of(fling())["arcs"]:
             self.assertLess(arc["gsl_vs_closed_px"], 1e-9)
+
+    def test_a_fall_of_many_frames_is_no_fault_of_the_reference(self):
+        for rate_hz, steps in ((240, 60000), (1000, 100000)):
+            tall = fling(window={"width_px": 2000, "height_px": 1000000}, clock={"rate_hz": rate_hz}, steps=steps)
+            self.assertLess(self.drift_of(tall)["worst"]["gsl_vs_closed_px"], 1e-8)
+
+    def test_the_bounce_out_of_a_corner_is_listed(self):
+        corner = fling(window={"width_px": 1920, "height_px": 1080}, sprite={"width_px": 128, "height_px": 128},
+                       start={"x_px": 1780, "y_px": 925, "vx_px_per_s": 1500, "vy_px_per_s": 600}, steps=60)
+        run = self.drift_of(corner)
+        self.assertEqual([(contact["step"], contact["wall"]) for contact in run["contacts"]][:1], [(3, "ground")])
 
     def test_a_coarser_stepper_is_told_but_judges_nothing(self):
         run = self.drift_of(fling(), "--stepper", "msbdf", "--tolerance", 1e-3)

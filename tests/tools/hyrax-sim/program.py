@@ -70,9 +70,8 @@ class ProgramTest(unittest.TestCase):
 
     def hyrax_sim(self, *arguments, **options):
         """Runs the program in the folder."""
-        options.setdefault("cwd", self.folder)
-        done = subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, check=False, timeout=60,
-                              stdin=subprocess.DEVNULL, **options)
+        options = {"cwd": self.folder, "timeout": 60, "stdin": subprocess.DEVNULL, **options}
+        done = subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, check=False, **options)
         return Outcome(done)
 
     def expect(self, exit_code, *arguments, says=(), **options):

@@ -13,6 +13,7 @@ from program import AGREED, ProgramTest, fling, main
 UNITS = {"t": "s", "dt": "s", "x": "px", "y": "px", "vx": "px/s", "vy": "px/s"}
 CONTACT_UNITS = {"t": "s", "x": "px", "y": "px", "vx_before": "px/s", "vy_before": "px/s", "vx_after": "px/s",
                  "vy_after": "px/s", "overshoot": "px"}
+WALLS = {"left": 1, "right": 2, "top": 4, "ground": 8}
 KINDS = {"fling": 0, "place": 1, "stop": 2, "resize-window": 3, "resize-sprite": 4, "hitch": 5, "grab": 6, "release": 7}
 EVENTS = [{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}, {"step": 40, "hitch": {"dt_s": 0.25}},
           {"step": 90, "resize": {"window": {"width_px": 1280, "height_px": 720},
@@ -151,6 +152,73 @@ class Xarray(Reader):
                 self.assertEqual(rows[name].dims, ("t",))
             self.assertEqual(float(rows.x.sel(t=0.5, method="nearest")), float(rows.x[30]))
             self.assertEqual(float(rows.t[-1]), self.summary["simulated_s"])
+
+
+class EveryGroup(Reader):
+    """xarray opens each group with datasets, of every kind of file."""
+
+    def open(self, path, group):
+        """The group of a file; every dataset is along one axis."""
+        with xarray.open_dataset(self.folder / path, group=group, engine="h5netcdf") as opened:
+            data = opened.load()
+        self.assertEqual(len(data.dims), 1, group)
+        for name in data.variables:
+            self.assertEqual(data[name].dims, tuple(data.dims), f"{group}/{name}")
+        return data
+
+    def groups(self, path):
+        """Names of the groups that hold datasets."""
+        found = set()
+        with h5py.File(self.folder / path) as file:
+            file.visititems(lambda name, item: found.add(name.rpartition("/")[0]) if isinstance(item, h5py.Dataset) else None)
+        return sorted(found)
+
+    def test_of_a_run(self):
+        self.assertEqual(self.groups("fling.h5"), ["contacts", "events", "trajectory"])
+        with h5py.File(self.path) as file:
+            for group in self.groups("fling.h5"):
+                opened = self.open("fling.h5", group)
+                self.assertEqual(sorted(opened.variables), sorted(file[group]))
+                for name in file[group]:
+                    numpy.testing.assert_array_equal(opened[name], file[group][name])
+        self.assertEqual(list(self.open("fling.h5", "contacts").coords), ["step"])
+        self.assertEqual(list(self.open("fling.h5", "events").coords), ["frame"])
+
+    def test_of_a_run_of_more_contacts_than_a_batch_and_of_one_of_none(self):
+        self.expect(AGREED, "run", "fling.json", "-o", "many.h5", "--set", "/window/width_px=100", "--set", "/steps=9000",
+                    "--set", "/events=[]")
+        self.assertGreater(self.open("many.h5", "contacts").sizes["step"], 4096)
+        self.expect(AGREED, "run", "fling.json", "-o", "still.h5", "--set", "/events=[]", "--set", "/steps=0")
+        for group in self.groups("still.h5"):
+            self.assertEqual(list(self.open("still.h5", group).sizes.values()), [int(group == "trajectory")])
+
+    def test_of_a_run_that_was_measured(self):
+        self.expect(AGREED, "run", "fling.json", "--drift", "--rows", "-o", "measured.h5")
+        self.assertEqual(self.groups("measured.h5"), ["contacts", "drift", "drift/arcs", "drift/contacts", "events",
+                                                      "reference", "reference/arcs", "trajectory"])
+        for group in self.groups("measured.h5"):
+            self.open("measured.h5", group)
+
+    def test_of_a_study(self):
+        for study in (("needs", "fling.json", "--quick"), ("rest", "--quick"), ("hard-cases", "fling.json", "--quick")):
+            self.expect(AGREED, "study", *study, "--no-figures")
+            groups = self.groups(f"{study[0]}.h5")
+            self.assertTrue(groups)
+            for group in groups:
+                self.open(f"{study[0]}.h5", group)
+
+    def test_codes_and_inputs_are_described(self):
+        kinds = self.open("fling.h5", "events").kind
+        self.assertEqual(dict(zip(kinds.flag_meanings.split(), kinds.flag_values)), KINDS)
+        walls = self.open("fling.h5", "contacts").wall
+        self.assertEqual(dict(zip(walls.flag_meanings.split(), walls.flag_values)), WALLS)
+        contact = self.open("fling.h5", "trajectory").contact
+        self.assertEqual(dict(zip(contact.flag_meanings.split(), contact.flag_masks)), {**WALLS, "rest": 16})
+        events = self.open("fling.h5", "events")
+        for name in ("a", "b"):
+            units = dict(zip(kinds.flag_meanings.split(), events[name].units_by_kind.split(), strict=True))
+            self.assertEqual((units["fling"], units["place"], units["resize-window"]), ("px/s", "px", "px"))
+        self.assertTrue(all("long_name" in events[name].attrs for name in events.variables))
 
 
 class Hdf5Tools(Reader):

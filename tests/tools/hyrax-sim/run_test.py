@@ -2,8 +2,11 @@
 """`run`: what it writes, where it writes it, and what it says."""
 
 import os
+import pathlib
 import pty
+import re
 import subprocess
+import time
 
 import h5py
 
@@ -30,7 +33,7 @@ RUN = {
     "never_touched": [str],
     "not_computed": [str],
 }
-EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_px": 952, "at_rest_since_s": [1, 9],
+EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_px": [952, 952], "at_rest_since_s": [1, 9],
           "contacts": {"right": 1, "ground": [1, 20]}}
 
 
@@ -127,6 +130,28 @@ class Summary(ProgramTest):
         self.expect(AGREED, "run", "fling.json", "-o", "one.h5")
         self.expect(AGREED, "run", "fling.json", "-o", "two.h5")
         self.assertEqual((self.folder / "one.h5").read_bytes(), (self.folder / "two.h5").read_bytes())
+
+
+class Memory(ProgramTest):
+    """Memory does not grow with what is written."""
+
+    def test_a_million_contacts_in_a_billion_steps_take_little(self):
+        # Wider than its window, the sprite is clamped by a side wall in every step.
+        self.write("tight.json", fling(name="tight", window={"width_px": 100, "height_px": 1080}, steps=1_000_000_000,
+                                       record={"every": 1_000_000}))
+        peak_kb = 0
+        with subprocess.Popen([PROGRAM, "run", "tight.json", "-o", "tight.h5"], cwd=self.folder,
+                              stdout=subprocess.DEVNULL) as process:
+            while process.poll() is None:
+                status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+                peak_kb = max([peak_kb, *map(int, re.findall(r"VmHWM:\s*(\d+) kB", status))])
+                time.sleep(0.005)
+        self.assertEqual(process.returncode, AGREED)
+        with h5py.File(self.folder / "tight.h5") as file:
+            self.assertEqual(len(file["contacts/step"]), 1_000_000)
+        if "-fsanitize" not in self.expect(AGREED, "info").out:
+            self.assertGreater(peak_kb, 1000)
+            self.assertLess(peak_kb, 50_000)
 
 
 class Output(ProgramTest):

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <new>
 
 #include <unistd.h>
 
 #include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
 #include "tests/sim/replay/some_flings.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/hyrax/session.h"
 
 namespace hyrax {
@@ -90,6 +93,88 @@ TEST_F(RecordedSession, GoesOnInPartsAndEndsAsOneFile) {
   session.finish_recording();
   EXPECT_EQ(names(), (std::vector<std::string>{"long.json"}));
   EXPECT_EQ(good_frames(path("long.json")), 2 * Recording::kPartFrames + 500);
+}
+
+TEST_F(RecordedSession, NeitherReplacesNorRemovesAFileOfAnother) {
+  write_text_file(path("long-2.json"), "mine");
+  write_text_file(path("long-4.json"), "mine, too");
+  session.start_recording(path("long.json"), saver);
+  play(2 * Recording::kPartFrames + 500);
+  save();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long-4.json", "long-5.json",
+                                               "long.json"}));
+  EXPECT_EQ(good_frames(path("long-3.json")), Recording::kPartFrames);
+  EXPECT_EQ(good_frames(path("long-5.json")), 500);
+  session.finish_recording();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-4.json", "long.json"}));
+  EXPECT_EQ(read_text_file(path("long-2.json")), "mine");
+  EXPECT_EQ(read_text_file(path("long-4.json")), "mine, too");
+}
+
+TEST_F(RecordedSession, RefusesANameThatExists) {
+  write_text_file(path("fling.json"), "mine");
+  EXPECT_THROW(session.start_recording(path("fling.json"), saver), Failure);
+  EXPECT_FALSE(session.is_recording());
+  EXPECT_EQ(free_path(path("fling.json")), path("fling-2.json"));
+  EXPECT_EQ(free_path(path("other.json")), path("other.json"));
+}
+
+TEST_F(RecordedSession, LeavesAFileThatTookItsNameMeanwhile) {
+  session.start_recording(path("fling.json"), saver);
+  write_text_file(path("fling.json"), "mine");
+  play(50);
+  save();
+  EXPECT_EQ(good_frames(path("fling-2.json")), 50);
+  EXPECT_THROW(session.finish_recording(), Failure);
+  EXPECT_EQ(read_text_file(path("fling.json")), "mine");
+  EXPECT_EQ(good_frames(path("fling-2.json")), 50);
+}
+
+TEST_F(RecordedSession, ContinuesInFurtherFiles) {
+  write_text_file(path("long-2.json"), "mine");
+  session.start_recording(path("long.json"), saver);
+  for (const std::int64_t frames : {Recording::kPartFrames + 7, std::int64_t{20}, std::int64_t{30}}) {
+    play(frames);
+    session.apply(Fling{{100.0, -200.0}});
+    save();
+    session.continue_recording();
+  }
+  play(40);
+  session.finish_recording();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long-4.json", "long-5.json",
+                                               "long.json"}));
+  EXPECT_EQ(good_frames(path("long.json")), Recording::kPartFrames + 7);
+  EXPECT_EQ(good_frames(path("long-3.json")), 20);
+  EXPECT_EQ(good_frames(path("long-4.json")), 30);
+  EXPECT_EQ(good_frames(path("long-5.json")), 40);
+}
+
+TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
+  session.start_recording(path("fling.json"), saver);
+  play(10);
+  write_text_file(path("fling.json"), "mine");
+  EXPECT_THROW(session.continue_recording(), Failure);
+  ASSERT_TRUE(session.is_recording());
+  play(20);
+  session.finish_recording();
+  EXPECT_EQ(good_frames(path("fling-2.json")), 20);
+}
+
+// As where memory is short.
+TEST_F(RecordedSession, OutlivesEveryExceptionOfASave) {
+  ScenarioSaver short_of_memory([](const Scenario& scenario) {
+    if (step_count(scenario) > 5) throw std::bad_alloc();
+    return scenario_file_text(scenario);
+  });
+  short_of_memory.save(path("long.json"), fling_at(60.0, 6));
+  short_of_memory.wait();
+  const auto failure = short_of_memory.take_failure();
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_TRUE(failure->starts_with(path("long.json") + ": cannot be written: ")) << *failure;
+  short_of_memory.save(path("short.json"), fling_at(60.0, 5));
+  short_of_memory.wait();
+  EXPECT_FALSE(short_of_memory.take_failure().has_value());
+  EXPECT_EQ(names(), std::vector<std::string>{"short.json"});
 }
 
 TEST_F(RecordedSession, WithoutAFrameIsNoFile) {

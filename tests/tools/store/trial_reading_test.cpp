@@ -51,6 +51,45 @@ TEST_F(TrialReading, TellsOfAReadingThatDoesNotEnd) {
             ": is damaged: reading it does not come to an end; write or copy it anew");
 }
 
+// A parent may ignore or block the signals by which the limits end the child.
+TEST_F(TrialReading, IsUnderLimitsWhateverThisProcessInherited) {
+  sigset_t blocked;
+  sigset_t before;
+  sigemptyset(&blocked);
+  for (const int number : {SIGALRM, SIGXCPU}) {
+    sigaddset(&blocked, number);
+    std::signal(number, SIG_IGN);
+  }
+  sigprocmask(SIG_BLOCK, &blocked, &before);
+  EXPECT_EQ(told_of([] {
+              sigset_t in_child;
+              sigprocmask(SIG_BLOCK, nullptr, &in_child);
+              for (const int number : {SIGALRM, SIGXCPU}) {
+                struct sigaction action {};
+                sigaction(number, nullptr, &action);
+                if (sigismember(&in_child, number) != 0 || action.sa_handler != SIG_DFL)
+                  throw std::logic_error("a limit would not end this process");
+              }
+            }),
+            "");
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  for (const int number : {SIGALRM, SIGXCPU}) std::signal(number, SIG_DFL);
+}
+
+TEST_F(TrialReading, WithoutAnOutcomeIsNoSuccess) {
+  std::signal(SIGCHLD, SIG_IGN);  // The system then forgets how a child ended.
+  try {
+    read_on_trial(path_, [] { std::raise(SIGSEGV); });
+    ADD_FAILURE() << "should have refused";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
+    EXPECT_NE(std::string(failure.what()).find("the outcome of reading it in a child process is not known"),
+              std::string::npos)
+        << failure.what();
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+}
+
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kHasOwnAllocator = true;
 #elif defined(__has_feature)

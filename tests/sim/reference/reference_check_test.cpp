@@ -1,0 +1,110 @@
+// Controls: each of these mistakes in the closed forms is noticed by the second solution.
+#include "sim/reference/reference_check.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string_view>
+
+#include "sim/reference/arc_solution.h"
+#include "sim/reference/gsl_flight.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGravity = 1200.0;
+constexpr double kFrame_s = 1.0 / 60.0;
+constexpr double kHeight_px = 500.0;
+
+// What the closed forms say of an arc, as it is handed to the check; a test changes it.
+struct Closed {
+  std::function<void(Flight&)> flight = [](Flight&) {};
+  double height_sign = 1.0;       // In the energy.
+  double gain_height_sign = 1.0;  // In its change.
+  double model_rate_hz = 60.0;
+  std::function<void(std::optional<Impact>&)> impact = [](std::optional<Impact>&) {};
+};
+
+double kinetic(const Flight& flight) {
+  return 0.5 * (flight.vx_px_per_s * flight.vx_px_per_s + flight.vy_px_per_s * flight.vy_px_per_s);
+}
+
+// A throw up from the floor and to the right, until it comes down again.
+std::string_view fault_of(const Closed& closed) {
+  ArcStart start{.row = {.y_px = kHeight_px, .vx_px_per_s = 300.0, .vy_px_per_s = -600.0},
+                 .right_px = 1000.0,
+                 .bottom_px = kHeight_px};
+  GslFlight gsl;
+  ReferenceCheck check({}, gsl);
+  ArcSolution solution({.model_rate_hz = closed.model_rate_hz});
+  WallWatch walls(kGravity, solution.log_air_drag(), time_of_impact);
+  const Flight first{0.0, 0.0, start.row.vx_px_per_s, start.row.vy_px_per_s};
+  solution.start({first.vx_px_per_s, first.vy_px_per_s}, true);
+  walls.start(start);
+  check.start(start, true, kinetic(first));
+  for (int frame = 0; frame < 59; ++frame) {
+    solution.advance(kFrame_s);
+    Flight flight = solution.matched();
+    closed.flight(flight);
+    const double rise = -kGravity * flight.dy_px;
+    check.see({flight, kinetic(flight) + closed.height_sign * rise,
+               kinetic(flight) - kinetic(first) + closed.gain_height_sign * rise},
+              kFrame_s, solution.elapsed_s());
+    walls.see(flight, kFrame_s, solution.elapsed_s());
+  }
+  check.see_model(solution.model(), solution.elapsed_s());
+  std::optional<Impact> impact = walls.impact(Wall::ground, kFrame_s);
+  closed.impact(impact);
+  check.see_impact(Wall::ground, kFrame_s, impact);
+  return check.fault(kHeight_px);
+}
+
+TEST(ReferenceCheck, AgreesWithTheClosedForms) { EXPECT_EQ(fault_of({}), ""); }
+
+TEST(ReferenceCheck, NoticesNanInTheDisplacement) {
+  EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dy_px = kNaN; }}), "position");
+  EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dx_px = kNaN; }}), "position");
+}
+
+TEST(ReferenceCheck, NoticesNanInASingleFrame) {
+  int frame = 0;
+  EXPECT_EQ(fault_of({.flight =
+                          [&frame](Flight& flight) {
+                            if (++frame == 30) flight.dx_px = kNaN;
+                          }}),
+            "position");
+}
+
+TEST(ReferenceCheck, NoticesTheVelocityGain) {
+  // Of gravity alone: a thousandth of what the speed has gained.
+  EXPECT_EQ(
+      fault_of(
+          {.flight = [](Flight& flight) { flight.vy_px_per_s += 0.001 * (flight.vy_px_per_s + 600.0); }}),
+      "velocity");
+}
+
+TEST(ReferenceCheck, NoticesTheTimeOfImpact) {
+  EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().t_s *= 1.001; }}),
+            "time of impact");
+  EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().t_s = kNaN; }}),
+            "time of impact");
+  EXPECT_EQ(fault_of({.impact = [](std::optional<Impact>& impact) { impact.reset(); }}), "time of impact");
+}
+
+TEST(ReferenceCheck, NoticesTheSpeedOfImpact) {
+  EXPECT_EQ(
+      fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().speed_px_per_s *= 1.001; }}),
+      "time of impact");
+}
+
+TEST(ReferenceCheck, NoticesTheModelsRate) { EXPECT_EQ(fault_of({.model_rate_hz = 60.6}), "model error"); }
+
+TEST(ReferenceCheck, NoticesTheSignOfTheEnergysHeight) {
+  EXPECT_EQ(fault_of({.height_sign = -1.0}), "energy");
+  EXPECT_EQ(fault_of({.gain_height_sign = -1.0}), "energy");
+}
+
+}  // namespace
+}  // namespace hyrax
