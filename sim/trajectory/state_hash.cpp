@@ -38,23 +38,26 @@ std::string hex(const Digest& digest) {
   return text;
 }
 
-struct StateHash::State {
+struct ByteHash::State {
   XXH3_state_t xxh;
 };
 
-StateHash::StateHash() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->xxh); }
-StateHash::~StateHash() = default;
-StateHash::StateHash(StateHash&&) noexcept = default;
-StateHash& StateHash::operator=(StateHash&&) noexcept = default;
+ByteHash::ByteHash() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->xxh); }
+ByteHash::~ByteHash() = default;
+ByteHash::ByteHash(ByteHash&&) noexcept = default;
+ByteHash& ByteHash::operator=(ByteHash&&) noexcept = default;
+
+void ByteHash::add(std::span<const std::byte> bytes) {
+  XXH3_128bits_update(&state_->xxh, bytes.data(), bytes.size());
+}
+
+Digest ByteHash::value() const { return canonical(XXH3_128bits_digest(&state_->xxh)); }
 
 void StateHash::add(const Digest& block, std::int64_t count) {
   constexpr std::int64_t kBatch = 4096;
   std::vector<Digest> batch(static_cast<std::size_t>(std::min(count, kBatch)), block);
   for (; count > 0; count -= kBatch)
-    XXH3_128bits_update(&state_->xxh, batch.data(),
-                        static_cast<std::size_t>(std::min(count, kBatch)) * sizeof(Digest));
+    bytes_.add(std::as_bytes(std::span(batch.data(), static_cast<std::size_t>(std::min(count, kBatch)))));
 }
-
-Digest StateHash::value() const { return canonical(XXH3_128bits_digest(&state_->xxh)); }
 
 }  // namespace hyrax

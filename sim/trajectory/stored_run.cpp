@@ -30,6 +30,11 @@ RowCheck check_of(const Row& row) {
           byte_of(row.vx_px_per_s), byte_of(row.vy_px_per_s), row.contact};
 }
 
+void StoredRun::each_contact(const std::function<void(const Contact&)>& take) const {
+  if (replay_contacts) return replay_contacts(take);
+  for (const Contact& contact : contacts) take(contact);
+}
+
 void RunRecorder::rows(const Columns& batch) {
   for (std::size_t index = 0; index < batch.size(); ++index) run_.rows.append(batch.row(index));
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,13 @@ struct StoredRun {
   std::vector<StoredBlock> blocks;  ///< Of a long run; else empty.
   Row final;
   std::vector<Contact> contacts;
+  /// Set for a run of too many contacts to hold them: passes all of them on; `contacts` is then empty.
+  std::function<void(const std::function<void(const Contact&)>& take)> replay_contacts;
   std::int64_t contacts_total = 0;
   std::vector<Input> inputs;
+
+  /// Every contact in order, held or not.
+  void each_contact(const std::function<void(const Contact&)>& take) const;
 };
 
 /// Keeps of a run what a StoredRun holds; scenario, hash and steps are its owner's to fill in.

@@ -70,16 +70,9 @@ std::vector<Figure> check_figures(const std::string& program, const std::string&
     write_text_file(scenarios + "/" + scenario.name + ".json", scenario_file_text(scenario));
   }
   run({program, "bless", scenarios, "--reason", "figures"});
-  const auto timings = time_side_by_side({[&] {
-                                            run({program, "check", scenarios, "--jobs", "1"});
-                                          },
-                                          [&] {
-                                            run({program, "check", scenarios, "--jobs", "1", "--quick"});
-                                          }},
-                                         9);
+  const auto timings = time_side_by_side({[&] { run({program, "check", scenarios, "--jobs", "1"}); }}, 9);
   // Of 1000 scenarios in s is of one in ms; in microseconds a thousand times that.
-  return {of("check of one scenario of 600 steps", timings[0], 1e3, 300.0, "us"),
-          of("check --quick of one scenario of 600 steps", timings[1], 1e3, 60.0, "us")};
+  return {of("check of one scenario of 600 steps", timings[0], 1e3, 300.0, "us")};
 }
 
 Figure run_figure(const std::string& program, const std::string& scenario_path) {

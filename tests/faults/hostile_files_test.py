@@ -76,6 +76,7 @@ class HostileFile(ProgramTest):
             (self.folder / "golden/bad").mkdir(exist_ok=True)
             shutil.copyfile(CRASH if number % 2 else FOUND / "trajectory/crash-in-heap-object.h5",
                             self.folder / f"golden/bad/{number}.h5")
+            shutil.copyfile(self.golden.with_suffix(".txt"), self.folder / f"golden/bad/{number}.txt")
         document = self.expect(BAD_INPUT, "check", "--json", "--jobs", "8").json
         self.assertEqual((document["agreed"], document["failed"]), (2, 12))
 

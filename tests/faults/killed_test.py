@@ -192,7 +192,7 @@ class Blessing(Killed):
         for command in (("check",), ("check", "--quick")):
             exit_code, text = self.verdict(*command)
             self.assertEqual(exit_code, DISAGREED, command)
-            self.assertIn("they were blessed: golden/fling.txt: line ", text)
+            self.assertIn("after it was blessed: golden/fling.txt: line ", text)
 
     def test_a_first_blessing_is_missing_until_its_rows_stand_there(self):
         for _ in self.kill_everywhere("bless", "scenarios/unblessed.json", "--reason", "x"):

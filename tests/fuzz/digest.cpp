@@ -1,6 +1,5 @@
 // The reader of golden digests: the input is the text beside a golden file.
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/input_file.h"
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_seal.h"
 
@@ -10,10 +9,5 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   hold(digest_reason(text).find('\n') == std::string::npos, "a reason is one line");
   if (const auto seal = seal_in(text))
     hold(text.ends_with(seal_line(*seal)), "a seal is read as it was written");
-  const InputFile file(text);
-  std::string hash;
-  if (accepts([&] { hash = read_digest_hash(file.path()); }))
-    hold(hash.size() == 32 && hash.find_first_not_of("0123456789abcdef") == std::string::npos,
-         "a hash has 32 hex digits");
   return 0;
 }

@@ -1,4 +1,4 @@
-// Text that others wrote (paths, JSON keys, messages of the system) on its way to a terminal or a shell.
+// Text that others wrote (paths, JSON keys, messages of the system) on its way to a terminal.
 #pragma once
 
 #include <string>
@@ -12,9 +12,5 @@ namespace hyrax {
 
 /// The same, with its line ends and tabs kept. JSON text keeps its meaning.
 [[nodiscard]] std::string printable_lines(std::string_view text);
-
-/// One word of a command line for bash, quoted where it must be. A path that begins with '-' gets "./" in
-/// front, so that it is no option. It is printable.
-[[nodiscard]] std::string shell_word(std::string_view path);
 
 }  // namespace hyrax

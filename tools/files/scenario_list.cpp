@@ -55,8 +55,7 @@ class Walk {
 std::vector<std::string> scenarios_in(const std::string& folder) {
   Walk walk;
   walk.enter(folder);
-  if (walk.paths.empty())
-    throw Failure(ExitCode::bad_input, folder + ": holds no scenario (*.json)");
+  if (walk.paths.empty()) throw Failure(ExitCode::bad_input, folder + ": holds no scenario (*.json)");
   std::sort(walk.paths.begin(), walk.paths.end());
   return std::move(walk.paths);
 }

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <iterator>
+#include <system_error>
 #include <thread>
 
 #include "tools/files/presence.h"
@@ -19,7 +22,7 @@ struct CheckRequest {
   std::string golden_folder;
   std::optional<std::int64_t> jobs;
   std::string junit;
-  bool is_quick = false;
+  bool is_quick = false;  // No verdict depends on it, and `check` leaves out no less work without it.
   bool is_json = false;
 };
 
@@ -34,8 +37,18 @@ std::vector<std::string> paths_of(CheckRequest& request) {
   return list_scenarios(request.files);
 }
 
-// Each worker takes the next scenario until none is left; verdicts stand in the paths' order. A golden
-// file is taken apart, in a child process first, only after the workers are gone.
+// As many as asked for, or as the system allows: those that exist do the work of all.
+std::vector<std::jthread> start_workers(std::int64_t count, const std::function<void()>& work) {
+  std::vector<std::jthread> workers;
+  try {
+    for (std::int64_t worker = 0; worker < count; ++worker) workers.emplace_back(work);
+  } catch (const std::system_error&) {
+  }
+  return workers;
+}
+
+// Each worker takes the next scenario until none is left; verdicts are in the order of the paths. A golden
+// file is read, in a child process first, only after the workers have ended.
 std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
                                     std::int64_t jobs) {
   std::vector<CheckVerdict> verdicts(paths.size());
@@ -48,10 +61,8 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, Check
       if (!verdicts[index].is_open) ++done;
     }
   };
-  std::vector<std::jthread> workers;
-  for (std::int64_t worker = 1;
-       worker < std::min<std::int64_t>(jobs, static_cast<std::int64_t>(paths.size())); ++worker)
-    workers.emplace_back(work);
+  std::vector<std::jthread> workers =
+      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, work);
   Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
   for (std::size_t index = next++; index < paths.size(); index = next++) {
     verdicts[index] = check_scenario(paths[index], options);
@@ -84,8 +95,8 @@ ExitCode check(CheckRequest& request) {
   if (!request.junit.empty())
     OutputGuard(paths, request.golden_folder).admit("hyrax-sim check: --junit", request.junit);
   const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
-  const std::vector<CheckVerdict> verdicts =
-      check_all(paths, {.golden_folder = request.golden_folder, .is_quick = request.is_quick}, jobs);
+  std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
+  std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
   if (request.is_json)
     print_text("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
   else
@@ -106,15 +117,19 @@ Command check_command() {
           .is_common = true,
           .declare = [](Options& options) {
             const auto request = std::make_shared<CheckRequest>();
-            options.files(
-                request->files,
-                {"SCENARIO or DIR", "", "scenario files, or folders of them; scenarios/ if left out"}, 0, -1);
+            options.files(request->files,
+                          {"SCENARIO or DIR", "",
+                           "scenario files, or folders of them; scenarios/ if left out. For a folder, golden "
+                           "files that no scenario "
+                           "refers to are reported as unreferenced (exit code 1)"},
+                          0, -1);
             options.text(request->golden_folder,
                          {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
             options.whole(request->jobs, {"--jobs", "N", "scenarios at a time; one a core if left out"}, 1);
             options.text(request->junit, {"--junit", "FILE", "writes the verdicts as JUnit XML, too"});
-            options.flag(request->is_quick,
-                         {"--quick", "", "let the digest's hash decide, and read rows only on a mismatch"});
+            options.flag(
+                request->is_quick,
+                {"--quick", "", "same verdicts: `check` already skips all work that cannot change one"});
             options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
             return [request] { return check(*request); };
           }};

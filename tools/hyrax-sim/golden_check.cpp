@@ -1,6 +1,7 @@
 #include "tools/hyrax-sim/golden_check.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "sim/compare/run_comparer.h"
 #include "sim/replay/replay.h"
@@ -26,6 +27,45 @@ class BlockSink : public RowSink {
 
  private:
   RowBlock& rows_;
+};
+
+constexpr std::size_t kContactsHeldMax = 1 << 16;
+
+// Holds the contacts of a run as long as they are few; of many only where each ends.
+class FreshRecorder final : public RunRecorder {
+ public:
+  using RunRecorder::RunRecorder;
+  void contact_began(const Contact& contact) override {
+    last_steps_.push_back(contact.step);
+    if (last_steps_.size() <= kContactsHeldMax) RunRecorder::contact_began(contact);
+  }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    last_steps_[static_cast<std::size_t>(index)] = last_step;
+    if (static_cast<std::size_t>(index) < kContactsHeldMax) RunRecorder::contact_ended(index, last_step);
+  }
+  [[nodiscard]] bool holds_all() const { return last_steps_.size() <= kContactsHeldMax; }
+  [[nodiscard]] std::vector<std::int64_t> take_last_steps() { return std::move(last_steps_); }
+
+ private:
+  std::vector<std::int64_t> last_steps_;
+};
+
+// Passes on the contacts of a run that was played before, complete as they begin.
+class ContactSink final : public RowSink {
+ public:
+  ContactSink(const std::vector<std::int64_t>& last_steps, const std::function<void(const Contact&)>& take)
+      : last_steps_(last_steps), take_(take) {}
+  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
+  void contact_began(const Contact& contact) override {
+    Contact complete = contact;
+    complete.last_step = last_steps_[next_++];
+    take_(complete);
+  }
+
+ private:
+  const std::vector<std::int64_t>& last_steps_;
+  const std::function<void(const Contact&)>& take_;
+  std::size_t next_ = 0;
 };
 
 // Plays a kept block anew from its keyframe.
@@ -59,9 +99,16 @@ RunSummary play(const Scenario& scenario) {
 }
 
 FreshRun play_for_golden(const Scenario& scenario) {
-  RunRecorder recorder(step_count(scenario));
+  FreshRecorder recorder(step_count(scenario));
   const RunSummary summary = replay(scenario, recorder, options_for(scenario));
   StoredRun run = recorder.take();
+  if (!recorder.holds_all()) {
+    run.contacts = {};
+    run.replay_contacts = [scenario, last_steps = recorder.take_last_steps()](const auto& take) {
+      ContactSink sink(last_steps, take);
+      static_cast<void>(replay(scenario, sink, options_for(scenario)));
+    };
+  }
   run.scenario = scenario;
   run.physics = kPhysicsModel;
   run.steps = summary.steps;

@@ -153,7 +153,7 @@ class Runner {
     DriftReport drift;
     if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request_.stores_rows};
     if (!request_.is_json) {
-      print_text("{}{}", run_text(run, request_.golden_folder), run.drift ? drift_text(drift) : "");
+      print_text("{}{}", run_text(run), run.drift ? drift_text(drift) : "");
       return;
     }
     Json entry = run_json(run);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "tools/files/file_name.h"
-#include "tools/files/printable.h"
 #include "tools/hyrax-sim/difference_text.h"
+#include "tools/hyrax-sim/shell_command.h"
 
 namespace hyrax {
 namespace {
@@ -57,22 +57,24 @@ std::string expectations_text(const ScenarioRun& run) {
   return fmt::format("  expect         {} of {} hold\n", holding, run.expectations.size()) + broken;
 }
 
-// The suggested commands work when they are pasted.
-std::string golden_text(const ScenarioRun& run, const std::string& golden_folder) {
-  const std::string path = shell_word(run.path);
-  const std::string golden = golden_folder.empty() ? "" : " --golden " + shell_word(golden_folder);
+// Only a trajectory file can be compared.
+std::string diff_command_for(const ScenarioRun& run) {
+  const auto diff = [&](const std::string& output) {
+    return shell_command({"hyrax-sim", "diff", as_argument(run.golden_path), as_argument(output)});
+  };
+  if (file_name(run.output).extension != ".csv") return diff(run.output);
+  return shell_command({"hyrax-sim", "run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
+}
+
+std::string golden_text(const ScenarioRun& run) {
   if (run.golden_path.empty()) return "";
   if (!run.comparison)
-    return fmt::format("  golden         none at {}; `hyrax-sim bless {}{} --reason TEXT` makes one\n",
-                       run.golden_path, path, golden);
+    return fmt::format("  golden         none at {}; to make one: {}\n", run.golden_path,
+                       bless_command_for(run.path, run.golden_folder));
   if (run.comparison->agrees)
     return fmt::format("  golden         agrees bit for bit with {}\n", run.golden_path);
-  const bool is_csv = file_name(run.output).extension == ".csv";
   return fmt::format("  golden         DIFFERS from {}\n", run.golden_path) +
-         difference_text(*run.comparison) +
-         fmt::format("  more           {}hyrax-sim diff {} {}\n",
-                     is_csv ? fmt::format("hyrax-sim run {} -o now.h5; ", path) : "",
-                     shell_word(run.golden_path), is_csv ? "now.h5" : shell_word(run.output));
+         difference_text(*run.comparison) + fmt::format("  more           {}\n", diff_command_for(run));
 }
 
 Json golden_json(const ScenarioRun& run) {
@@ -122,7 +124,7 @@ Coverage coverage_of(const ScenarioRun& run) {
   return coverage;
 }
 
-std::string run_text(const ScenarioRun& run, const std::string& golden_folder) {
+std::string run_text(const ScenarioRun& run) {
   const RunSummary& summary = run.summary;
   const Coverage coverage = coverage_of(run);
   std::string text = fmt::format("{}: {} steps, {:.6g} s {}\n", run.scenario.name, summary.steps,
@@ -138,7 +140,7 @@ std::string run_text(const ScenarioRun& run, const std::string& golden_folder) {
       fmt::format("  exercised      {}\n  never touched  {}\n  not computed   {}\n",
                   joined(coverage.exercised), joined(coverage.never_touched), joined(coverage.not_computed));
   if (!run.expectations.empty()) text += expectations_text(run);
-  text += golden_text(run, golden_folder);
+  text += golden_text(run);
   text += fmt::format("  state hash     {}\n", hex(summary.state_hash));
   return text + fmt::format("  written        {} ({} rows)\n", run.output, run.rows_recorded);
 }

@@ -17,8 +17,7 @@ struct Coverage {
 };
 [[nodiscard]] Coverage coverage_of(const ScenarioRun& run);
 
-/// @param golden_folder as given, for the commands that it suggests; empty where none was given.
-[[nodiscard]] std::string run_text(const ScenarioRun& run, const std::string& golden_folder);
+[[nodiscard]] std::string run_text(const ScenarioRun& run);
 
 /// An entry of "runs".
 [[nodiscard]] Json run_json(const ScenarioRun& run);

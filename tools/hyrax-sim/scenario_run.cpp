@@ -2,29 +2,10 @@
 
 #include <algorithm>
 
-#include "tools/files/presence.h"
-#include "tools/files/text_file.h"
-#include "tools/hyrax-sim/golden_check.h"
+#include "tools/hyrax-sim/golden_pair.h"
 #include "tools/hyrax-sim/run_expectations.h"
-#include "tools/store/golden_digest.h"
-#include "tools/store/golden_file.h"
-#include "tools/store/golden_place.h"
-#include "tools/store/golden_seal.h"
 
 namespace hyrax {
-namespace {
-
-// Where the digest is of the golden file and names the run's hash all rows are equal, and nothing
-// more is played or read.
-Comparison compare_with_golden(const GoldenPlace& place, const Scenario& scenario,
-                               const RunSummary& summary) {
-  if (is_there(place.txt_path) && read_digest_hash(place.txt_path) == hex(summary.state_hash) &&
-      seals(read_text_file(place.txt_path), place.h5_path))
-    return {};
-  return compare_with(read_golden(place.h5_path), scenario).comparison;
-}
-
-}  // namespace
 
 bool ScenarioRun::is_as_expected() const {
   const bool all_hold =
@@ -53,7 +34,8 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
     return run;
   }
   run.golden_path = place->h5_path;
-  if (has_golden_file(*place)) run.comparison = compare_with_golden(*place, scenario, run.summary);
+  run.golden_folder = options.golden_folder;
+  if (has_golden_file(*place)) run.comparison = compare_with_pair(scenario, *place, true)->comparison;
   return run;
 }
 

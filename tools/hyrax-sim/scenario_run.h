@@ -29,6 +29,7 @@ struct ScenarioRun {
   std::optional<DriftRun> drift;  ///< On request.
   std::vector<Expectation> expectations;
   std::string golden_path;               ///< Empty where none was looked for.
+  std::string golden_folder;             ///< As given; empty where it was not.
   std::string not_compared;              ///< Why none was looked for; else empty.
   std::optional<Comparison> comparison;  ///< With the golden file; nothing where there is none.
 

@@ -41,7 +41,8 @@ Command validate_command() {
           .example = "hyrax-sim validate scenarios",
           .declare = [](Options& options) {
             const auto request = std::make_shared<ValidateRequest>();
-            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them; - is standard input"}, 1, -1);
+            options.files(request->files,
+                          {"SCENARIO", "", "scenario files, or folders of them; - is standard input"}, 1, -1);
             options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
             return [request] { return validate(*request); };
           }};

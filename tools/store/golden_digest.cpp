@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/failure.h"
-#include "tools/files/text_file.h"
 #include "tools/store/hex_float.h"
 
 namespace hyrax {
@@ -23,15 +21,20 @@ std::string line_of(const Contact& contact) {
   return fmt::format("  {} .. {} {}\n", contact.step, contact.last_step, wall);
 }
 
-std::string list_of(const std::vector<Contact>& contacts) {
-  const bool is_long = contacts.size() > kContactsListed;
-  std::string text;
-  for (std::size_t index = 0; index < contacts.size(); ++index) {
-    if (is_long && index == kContactsListed / 2) {
-      text += fmt::format("  ... {} more\n", contacts.size() - kContactsListed);
-      index = contacts.size() - kContactsListed / 2;
+std::string list_of(const StoredRun& run) {
+  std::vector<Contact> listed;
+  std::size_t left_out = 0;
+  run.each_contact([&](const Contact& contact) {
+    if (listed.size() == kContactsListed) {
+      listed.erase(listed.begin() + kContactsListed / 2);
+      ++left_out;
     }
-    text += line_of(contacts[index]);
+    listed.push_back(contact);
+  });
+  std::string text;
+  for (std::size_t index = 0; index < listed.size(); ++index) {
+    if (left_out > 0 && index == kContactsListed / 2) text += fmt::format("  ... {} more\n", left_out);
+    text += line_of(listed[index]);
   }
   return text;
 }
@@ -72,7 +75,7 @@ std::string golden_digest_text(const StoredRun& run, const RunSummary& summary, 
                                  run.physics, run.steps, kHashKey, run.state_hash);
   text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts[0], counts[1], counts[2],
                       counts[3]);
-  text += list_of(run.contacts);
+  text += list_of(run);
   text += fmt::format("end: t {} s\n", end.t_s);
   text += fmt::format("  x  {} px  {}\n  y  {} px  {}\n", end.x_px, hex_float(end.x_px), end.y_px,
                       hex_float(end.y_px));
@@ -85,7 +88,6 @@ std::string golden_digest_text(const StoredRun& run, const RunSummary& summary, 
 }
 
 std::string digest_reason(const std::string& text) { return value_of(text, kReasonKey); }
-std::string digest_margin(const std::string& text) { return value_of(text, kMarginKey); }
 
 std::optional<std::string> digest_fault(const std::string& kept, const std::string& fresh) {
   std::size_t kept_begin = 0;
@@ -93,24 +95,12 @@ std::optional<std::string> digest_fault(const std::string& kept, const std::stri
   for (int number = 1; kept_begin < kept.size() || fresh_begin < fresh.size(); ++number) {
     const std::string_view kept_line = line_at(kept, kept_begin);
     const std::string_view fresh_line = line_at(fresh, fresh_begin);
-    const bool is_the_name = number == 1 && kept_line.starts_with(kNameKey);
-    if (!is_the_name && kept_line != fresh_line)
+    if (kept_line != fresh_line)
       return fmt::format("line {}: must be {}, is {}", number, quoted(fresh_line), quoted(kept_line));
     kept_begin += kept_line.size();
     fresh_begin += fresh_line.size();
   }
   return std::nullopt;
-}
-
-std::string read_digest_hash(const std::string& path) {
-  const std::string text = read_text_file(path);
-  const std::size_t key = text.find(std::string("\n").append(kHashKey));
-  constexpr std::size_t kDigits = 32;
-  const std::size_t begin = key == std::string::npos ? text.size() : key + 1 + kHashKey.size();
-  if (text.find_first_not_of("0123456789abcdef", begin) != begin + kDigits || text[begin + kDigits] != '\n')
-    throw Failure(ExitCode::bad_input, path + ": has no line '" + std::string(kHashKey) +
-                                           "' of 32 hex digits; bless the scenario again");
-  return text.substr(begin, kDigits);
 }
 
 }  // namespace hyrax

@@ -17,15 +17,8 @@ namespace hyrax {
 /// The reason that a digest gives, empty where it gives none.
 [[nodiscard]] std::string digest_reason(const std::string& text);
 
-/// The margin that a digest gives, empty where it gives none.
-[[nodiscard]] std::string digest_margin(const std::string& text);
-
-/// Where a digest differs from the one that blessing the run now would write, in words; nothing where
-/// it does not. The scenario's name is left out, as it is part of no comparison.
+/// The first line in which a digest differs from the one that blessing the run now would write, in words;
+/// nothing where none does.
 [[nodiscard]] std::optional<std::string> digest_fault(const std::string& kept, const std::string& fresh);
-
-/// The state hash that a digest names. ERRORS: Failure(cannot_access) where it cannot be read,
-/// Failure(bad_input) where it names none.
-[[nodiscard]] std::string read_digest_hash(const std::string& path);
 
 }  // namespace hyrax

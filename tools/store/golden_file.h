@@ -20,8 +20,7 @@ void write_golden(const AtomicFile& target, const std::string& path, const Store
 /// Where a golden file says in words, its provenance aside, what write_golden does not: in its attributes,
 /// which hold no run, or in what stands in it besides. Nothing where it does not.
 /// REQUIRES: as read_on_trial.
-/// ERRORS: as TrajectoryFile's; Failure(cannot_access) where the folder for temporary files cannot be
-/// written to.
+/// ERRORS: as TrajectoryFile's.
 [[nodiscard]] std::optional<std::string> golden_words_fault(const std::string& path);
 
 }  // namespace hyrax

@@ -74,7 +74,7 @@ bool has_golden_file(const GoldenPlace& place) {
     if (is_device_or_pipe(path))
       throw Failure(ExitCode::bad_input,
                     path + ": is a pipe or a device; a golden file must be a regular file");
-  return is_there(place.h5_path);
+  return is_there(place.h5_path) && is_there(place.txt_path);
 }
 
 }  // namespace hyrax

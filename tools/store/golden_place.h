@@ -22,7 +22,7 @@ struct GoldenPlace {
 /// none.
 [[nodiscard]] std::string golden_folder_of(const std::string& scenario_path);
 
-/// Whether a golden file stands there.
+/// Whether a golden file is there: both of its parts. One without the other is a missing golden file.
 /// ERRORS: Failure(bad_input) "PATH: is a pipe or a device ..." where it or its digest is one, for reading
 /// that might never come to an end.
 [[nodiscard]] bool has_golden_file(const GoldenPlace& place);

@@ -1,19 +1,22 @@
 #include "tools/store/golden_seal.h"
 
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
+#include "tools/files/failure.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
 
-// Gathers bytes in an order and a byte order of their own, whatever the machine.
+// Hashes values in a byte order of its own, whatever the machine.
 class Bytes {
  public:
   void add(std::string_view text) {
     add(static_cast<std::int64_t>(text.size()));
-    bytes_ += text;
+    hash_.add(std::as_bytes(std::span(text.data(), text.size())));
   }
   void add(double value) { add_bits(little_endian_bits(value)); }
   void add(std::int64_t value) { add(std::bit_cast<double>(value)); }
@@ -27,17 +30,11 @@ class Bytes {
     add(std::int64_t{size.width_px});
     add(std::int64_t{size.height_px});
   }
-  [[nodiscard]] std::string hash() const {
-    return hex(digest(std::as_bytes(std::span(bytes_.data(), bytes_.size()))));
-  }
+  [[nodiscard]] std::string hash() const { return hex(hash_.value()); }
 
  private:
-  void add_bits(std::uint64_t bits) {
-    char raw[sizeof bits];
-    std::memcpy(raw, &bits, sizeof bits);
-    bytes_.append(raw, sizeof raw);
-  }
-  std::string bytes_;
+  void add_bits(std::uint64_t bits) { hash_.add(std::as_bytes(std::span(&bits, 1))); }
+  ByteHash hash_;
 };
 
 void add(Bytes& bytes, const Contact& contact) {
@@ -95,11 +92,6 @@ std::optional<GoldenSeal> seal_in(const std::string& digest_text) {
   return is_whole ? std::optional(seal) : std::nullopt;
 }
 
-bool seals(const std::string& digest_text, const std::string& h5_path) {
-  const auto seal = seal_in(digest_text);
-  return seal && seal->file == file_hash(h5_path);
-}
-
 std::string contents_hash(const StoredRun& run) {
   Bytes bytes;
   bytes.add(to_text(to_json(without_words(run.scenario))));
@@ -110,7 +102,7 @@ std::string contents_hash(const StoredRun& run) {
   for (const StoredBlock& block : run.blocks) add(bytes, block);
   bytes.add(run.final);
   bytes.add(run.contacts_total);
-  for (const Contact& contact : run.contacts) add(bytes, contact);
+  run.each_contact([&](const Contact& contact) { add(bytes, contact); });
   for (const Input& input : run.inputs) {
     bytes.add(input.frame);
     bytes.add(static_cast<std::int64_t>(input.kind));
@@ -121,8 +113,18 @@ std::string contents_hash(const StoredRun& run) {
 }
 
 std::string file_hash(const std::string& path) {
-  const std::string bytes = read_text_file(path);
-  return hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size()))));
+  const auto fail = [&path] {
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  };
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) fail();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> closed_at_end(file, std::fclose);
+  ByteHash hash;
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (const std::size_t bytes = std::fread(piece.data(), 1, piece.size(), file))
+    hash.add(std::as_bytes(std::span(piece.data(), bytes)));
+  if (std::ferror(file) != 0) fail();
+  return hex(hash.value());
 }
 
 }  // namespace hyrax

@@ -23,10 +23,6 @@ struct GoldenSeal {
 /// ERRORS: Failure(cannot_access) where the file cannot be read.
 [[nodiscard]] std::string file_hash(const std::string& path);
 
-/// Whether the seal in a digest is of the golden file as it stands.
-/// ERRORS: Failure(cannot_access) where the file cannot be read.
-[[nodiscard]] bool seals(const std::string& digest_text, const std::string& h5_path);
-
 /// The digest's line for it, and the seal that a digest names: nothing where it names none.
 [[nodiscard]] std::string seal_line(const GoldenSeal& seal);
 [[nodiscard]] std::optional<GoldenSeal> seal_in(const std::string& digest_text);

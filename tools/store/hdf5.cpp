@@ -23,10 +23,10 @@ Handle object_list(hid_t list_class) {
   return list;
 }
 
+constexpr std::size_t kGrowth = 64 << 10;  // Of a file in memory, in bytes.
+
 // A small file is held in memory and read or written in one piece, in place of some seventy short
 // system calls.
-constexpr std::size_t kGrowth = 64 << 10;
-
 Handle access_list(std::uint64_t bytes) {
   constexpr std::uint64_t kSmall = 4 << 20;
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -58,11 +58,11 @@ Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
   return create(path, access_list(expected_bytes));
 }
 
-Handle create_memory_file() {
+Handle create_file_in_memory() {
   begin();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access, kGrowth, false);
-  return create("in memory", access);
+  return create("/dev/null/in-memory", access);  // The library looks for a file of this name; there is none.
 }
 
 Handle open_file(const std::string& path) {

@@ -46,8 +46,8 @@ class Handle {
 /// bytes and any reader since HDF5 1.8 opens it.
 /// @param expected_bytes decides whether it is gathered in memory or written as it grows.
 [[nodiscard]] Handle create_file(const std::string& path, std::uint64_t expected_bytes);
-/// A new file of the same format that is in memory only.
-[[nodiscard]] Handle create_memory_file();
+/// The same in memory alone: nothing is written anywhere.
+[[nodiscard]] Handle create_file_in_memory();
 /// An existing file, to be read; not open where it is no HDF5 file. The library prints no errors of
 /// its own in the thread that made or opened a file so.
 [[nodiscard]] Handle open_file(const std::string& path);

@@ -35,6 +35,11 @@ bool holds_scenario(const std::string& path) {
   }
 }
 
+[[noreturn]] void refuse(const std::string& option, const std::string& what, const std::string& path) {
+  throw Failure(ExitCode::bad_input,
+                option + ": would overwrite " + what + " (found " + path + "); name another file");
+}
+
 bool is_beside_scenarios(const fs::path& folder) {
   return folder.filename() == "golden" && is_folder((folder.parent_path() / "scenarios").string());
 }
@@ -117,24 +122,20 @@ void OutputGuard::admit(const std::string& option, const std::string& path,
   if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))
     throw Failure(ExitCode::bad_input, option + ": is a golden file or in a golden folder (found " + path +
                                            "); only `hyrax-sim bless` writes there");
-  admit_file(option, path, route);
+  spare_inputs(option, path, route);
+  if (!outputs_.insert(route.end).second) refuse(option, "another output of this command", path);
 }
 
-void OutputGuard::admit_golden(const std::string& option, const std::string& path) {
-  admit_file(option, path, route_to(path));
+void OutputGuard::admit_golden(const std::string& option, const std::string& path) const {
+  spare_inputs(option, path, route_to(path));
 }
 
-void OutputGuard::admit_file(const std::string& option, const std::string& path, const Route& route) {
-  const auto refuse = [&](const std::string& what) {
-    throw Failure(ExitCode::bad_input,
-                  option + ": would overwrite " + what + " (found " + path + "); name another file");
-  };
+void OutputGuard::spare_inputs(const std::string& option, const std::string& path, const Route& route) const {
   const auto identity = identity_of(path);
-  if (identity && inputs_.count(*identity) > 0) refuse("an input of this command");
+  if (identity && inputs_.count(*identity) > 0) refuse(option, "an input of this command", path);
   const bool is_scenario_by_name =
       route.is_in_scenarios && identity && fs::path(route.end).extension() == ".json";
-  if (is_scenario_by_name || holds_scenario(path)) refuse("a scenario");
-  if (!outputs_.insert(route.end).second) refuse("another output of this command");
+  if (is_scenario_by_name || holds_scenario(path)) refuse(option, "a scenario", path);
 }
 
 }  // namespace hyrax

@@ -26,15 +26,15 @@ class OutputGuard {
   void admit(const std::string& option, const std::string& path,
              const std::vector<std::string>& suffixes = {});
 
-  /// The same for what goes into a golden folder on purpose.
-  void admit_golden(const std::string& option, const std::string& path);
+  /// The same for what goes into a golden folder on purpose; it may be admitted several times.
+  void admit_golden(const std::string& option, const std::string& path) const;
 
  private:
   using Identity = std::pair<std::uintmax_t, std::uintmax_t>;
   struct Route;
 
   [[nodiscard]] Route route_to(const std::string& path) const;
-  void admit_file(const std::string& option, const std::string& path, const Route& route);
+  void spare_inputs(const std::string& option, const std::string& path, const Route& route) const;
 
   std::set<Identity> inputs_;
   std::set<Identity> golden_files_;

@@ -1,4 +1,4 @@
-// Text of others on its way to a terminal or a shell.
+// Text of others on its way to a terminal.
 #include "tools/files/printable.h"
 
 #include <gtest/gtest.h>
@@ -32,22 +32,6 @@ TEST(Printable, EscapesBytesThatAreNoUtf8) {
 }
 
 TEST(Printable, KeepsLines) { EXPECT_EQ(printable_lines("a\n\tb\x1b\r"), "a\n\tb\\u001b\\u000d"); }
-
-TEST(ShellWord, QuotesOnlyWhatMustBe) {
-  EXPECT_EQ(shell_word("a/b-c_1.json"), "a/b-c_1.json");
-  EXPECT_EQ(shell_word("a b"), "'a b'");
-  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
-  EXPECT_EQ(shell_word("$HOME`id`*"), "'$HOME`id`*'");
-  EXPECT_EQ(shell_word("~"), "'~'");
-  EXPECT_EQ(shell_word(""), "''");
-}
-
-TEST(ShellWord, IsNoOption) { EXPECT_EQ(shell_word("--json"), "./--json"); }
-
-TEST(ShellWord, IsPrintable) {
-  EXPECT_EQ(shell_word("\x1b'\\"), "$'\\x1b\\'\\\\'");
-  EXPECT_EQ(shell_word("a\nb\xff"), "$'a\\x0ab\\xff'");
-}
 
 }  // namespace
 }  // namespace hyrax

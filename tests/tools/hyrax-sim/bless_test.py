@@ -1,9 +1,18 @@
 #!/usr/bin/python3
 """`bless`: the one way in which golden files change, on purpose and with a reason."""
 
+import json
+import os
+import subprocess
+
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM, Maybe, ProgramTest,
+                     fling, main)
+
+BLESS = {"new": int, "changed": int, "unchanged": int, "failed": int, "written": bool, "results": [object]}
+BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE),
+           "golden_file": Maybe(str), "summary": Maybe(str)}
 
 ANOTHER_START = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400}
 
@@ -69,11 +78,103 @@ class Bless(ProgramTest):
         self.assertEqual(outcome.out.count("agrees with golden/"), 2)
         self.assert_golden_untouched()
 
-    def test_it_takes_folders_and_goes_on_after_a_bad_one(self):
+    def test_one_that_fails_keeps_all_from_being_written(self):
+        self.write("scenarios/fling.json", fling(start=ANOTHER_START))
+        for document, exit_code, says in (("{", BAD_INPUT, "zz.json: line 1"),
+                                          (fling(expect={"contacts": {"top": 1}}), DISAGREED, "zz.json: not blessed")):
+            self.write("scenarios/zz.json", document)
+            outcome = self.expect(exit_code, "bless", "scenarios", "--reason", "all",
+                                  says=(says, "nothing written: 1 of 4 scenarios failed\n"))
+            self.assertIn("scenarios/fling.json: changes golden/fling.h5", outcome.out)
+            self.assertNotIn("blessed", outcome.out)
+            self.assert_golden_untouched()
+        self.expect(CANNOT_ACCESS, "bless", "scenarios", "no-such.json", "--reason", "all", says="no-such.json")
+        (self.folder / "scenarios/zz.json").rename(self.folder / "scenarios/file.json")
+        self.write("scenarios/file.json", fling(name="file"))
+        (self.folder / "golden/file.h5").mkdir()
+        self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "all", says="golden/file.h5")
+        self.assert_golden_untouched()
+
+    def test_it_takes_folders(self):
+        self.expect(AGREED, "bless", "scenarios", "scenarios/new.json", "--reason", "all")
+        self.assertEqual(self.names("golden"), ["a", "fling.h5", "fling.txt", "new.h5", "new.txt"])
+
+    def test_it_refuses_two_scenarios_of_one_golden_file(self):
+        for name in ("one", "two"):
+            self.write(f"{name}/x.json", fling(name="x", steps=100 if name == "one" else 200))
+        (self.folder / "link").symlink_to("g")
+        for golden in ("g", "./g/", "link"):
+            self.expect(BAD_INPUT, "bless", "one/x.json", "two/x.json", "--golden", golden, "--reason", "both",
+                        says=("two/x.json: has the same golden file as one/x.json", "nothing written"))
+            self.assertFalse((self.folder / "g").exists())
+        (self.folder / "linked").symlink_to("one")
+        self.expect(AGREED, "bless", "one/x.json", "./one/x.json", "linked/x.json", "--golden", "g", "--reason", "once")
+        self.assertEqual(self.names("g"), ["x.h5", "x.txt"])
+
+    def test_it_never_overwrites_a_scenario(self):
+        for name in ("x.h5", "x.txt"):
+            text = json.dumps(fling(name="x"))
+            self.write(name, text)
+            self.expect(BAD_INPUT, "bless", name, "--golden", ".", "--reason", "x", says=("would overwrite an input", name))
+            self.assertEqual((self.folder / name).read_text(), text)
+            self.assertFalse((self.folder / f"x.{'txt' if name == 'x.h5' else 'h5'}").exists())
+            (self.folder / name).unlink()
+
+    def test_it_needs_no_folder_for_temporary_files(self):
+        whole = self.state_of("golden")
+        with h5py.File(self.folder / "golden/fling.h5", "r+") as file:
+            file["trajectory/x"].attrs["units"] = "m"
+        environment = {**os.environ, "TMPDIR": str(self.folder / "no/such")}
+        self.expect(DISAGREED, "check", "scenarios/fling.json", env=environment)
+        self.expect(AGREED, "bless", "scenarios", "--reason", "for the test", env=environment)
+        self.expect(AGREED, "check", env=environment)
+        now = self.state_of("golden")
+        self.assertEqual({name: now[name][0] for name in whole}, {name: whole[name][0] for name in whole})
+
+    def test_a_new_name_is_taken_into_both_files(self):
+        self.write("scenarios/fling.json", fling(name="renamed", start={**fling()["start"], "vx_px_per_s": 1200}))
+        self.expect(AGREED, "check", "scenarios/fling.json")
+        self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "renamed")
+        self.expect(AGREED, "check", "scenarios/fling.json")
+        with h5py.File(self.folder / "golden/fling.h5") as file:
+            self.assertEqual(file.attrs["name"], "renamed")
+        self.assertIn("scenario: renamed\n", (self.folder / "golden/fling.txt").read_text())
+
+    def test_only_the_summary_of_a_run_that_agrees_is_written(self):
+        digest = self.folder / "golden/fling.txt"
+        digest.write_text(digest.read_text().replace("steps: 300", "steps: 301"))
+        time = (self.folder / "golden/fling.h5").stat().st_mtime_ns
+        outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "for the test")
+        self.assertIn("line 3: must be 'steps: 300', is 'steps: 301'", outcome.out)
+        self.assertEqual((self.folder / "golden/fling.h5").stat().st_mtime_ns, time)
+        self.expect(AGREED, "check", "scenarios/fling.json")
+
+    def bless_json(self, exit_code, *arguments):
+        """The document of `bless --json`; its statuses and classes."""
+        document = self.expect(exit_code, "bless", *arguments, "--json", "--reason", "x").json
+        self.assert_shape(document, BLESS)
+        for entry in document["results"]:
+            self.assert_shape({key: entry[key] for key in entry if key != "error"}, BLESSED)
+        return document, {entry["scenario"]: (entry["status"], entry["class"]) for entry in document["results"]}
+
+    def test_json_is_one_document_of_what_was_blessed(self):
+        self.write("scenarios/fling.json", fling(start=ANOTHER_START))
+        (self.folder / "golden/a/other.h5").write_text("damaged")
+        document, verdicts = self.bless_json(AGREED, "scenarios")
+        self.assertEqual(verdicts, {"scenarios/a/other.json": ("changed", "shape"), "scenarios/new.json": ("new", None),
+                                    "scenarios/fling.json": ("changed", "shape")})
+        self.assertEqual((document["new"], document["changed"], document["written"]), (1, 2, True))
+        self.assertEqual([(entry["golden_file"], entry["summary"]) for entry in document["results"]],
+                         [(f"golden/{name}.h5", f"golden/{name}.txt") for name in ("a/other", "fling", "new")])
+        document, verdicts = self.bless_json(AGREED, "scenarios")
+        self.assertEqual((document["unchanged"], set(verdicts.values())), (3, {("unchanged", None)}))
         self.write("scenarios/a/bad.json", "{")
-        outcome = self.expect(BAD_INPUT, "bless", "scenarios", "--reason", "all", says="scenarios/a/bad.json: line 1")
-        self.assertIn("scenarios/new.json: blessed", outcome.out)
-        self.assertNotIn("bad.h5", self.names("golden/a"))
+        self.write("scenarios/fling.json", fling())
+        before = self.state_of("golden")
+        document, verdicts = self.bless_json(BAD_INPUT, "scenarios")
+        self.assertEqual((document["failed"], document["changed"], document["written"]), (1, 1, False))
+        self.assertEqual(verdicts["scenarios/a/bad.json"], ("failed", None))
+        self.assertEqual(self.state_of("golden"), before)
 
     def test_a_scenario_with_no_place_for_a_golden_file_is_refused(self):
         self.write("alone.json", fling(name="alone"))
@@ -106,6 +207,13 @@ class Bless(ProgramTest):
         for name in ("new.h5", "new.txt"):
             self.assertEqual((self.folder / "golden" / name).read_bytes(), (self.folder / "again" / name).read_bytes())
 
+    def test_half_a_golden_file_is_replaced_and_said(self):
+        for name, other in (("fling.h5", "fling.txt"), ("fling.txt", "fling.h5")):
+            (self.folder / "golden" / name).unlink()
+            outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "for the test")
+            self.assertIn(f"replaces a golden file that cannot be read (golden/{name} is missing)", outcome.out)
+            self.assertEqual((self.folder / "golden" / other).read_bytes(), self.before[f"{self.folder}/golden/{other}"][0])
+
     def test_what_cannot_be_written_is_exit_3_and_leaves_no_part(self):
         (self.folder / "golden/new.txt").mkdir()
         self.expect(CANNOT_ACCESS, "bless", "scenarios/new.json", "--reason", "x", says="golden/new.txt")
@@ -120,6 +228,32 @@ class Bless(ProgramTest):
             self.assertIn("blocks", file)
         self.assertLess((self.folder / "golden/soak.h5").stat().st_size, 500_000)
         self.expect(AGREED, "check", "scenarios/soak.json")
+
+
+class Memory(ProgramTest):
+    """Memory grows neither with the run nor with its contacts."""
+
+    def peak_bytes(self, *arguments):
+        """The most memory that a command of exit code 0 holds."""
+        script = ("import resource, subprocess, sys; code = subprocess.call(sys.argv[1:], stdout=subprocess.DEVNULL); "
+                  "print(code, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
+        done = subprocess.run(["/usr/bin/python3", "-c", script, str(PROGRAM), *arguments], cwd=self.folder,
+                              capture_output=True, text=True, check=True)
+        exit_code, peak_kib = map(int, done.stdout.split())
+        self.assertEqual(exit_code, AGREED)
+        return peak_kib * 1024
+
+    def test_a_million_contacts_stay_below_100_megabytes(self):
+        self.write("scenarios/wide.json", fling(name="wide", window={"width_px": 100, "height_px": 1080}, steps=10**9))
+        limit = 1e12 if "-fsanitize" in self.expect(AGREED, "info").out else 100e6  # A sanitizer's own is no matter.
+        self.assertLess(self.peak_bytes("bless", "scenarios", "--reason", "x"), limit)
+        self.assertLess(self.peak_bytes("check"), limit)
+        with h5py.File(self.folder / "golden/wide.h5") as file:
+            contacts = file["contacts"]
+            self.assertEqual(contacts["step"].shape, (1_000_000,))
+            ground = contacts["wall"][...] == 8
+            self.assertEqual(contacts["last_step"][ground][-1], 10**9)
+            self.assertTrue((contacts["last_step"][~ground] == contacts["step"][~ground]).all())
 
 
 if __name__ == "__main__":

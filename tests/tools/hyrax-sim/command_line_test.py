@@ -3,6 +3,7 @@
 
 import itertools
 import os
+import re
 import subprocess
 
 from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, Outcome, ProgramTest, fling,
@@ -144,7 +145,9 @@ class OneDocument(ProgramTest):
         self.expect(AGREED, "run", *files)
         screen = self.expect(AGREED, "--help").out
         commands = {"run": files, "check": files, "diff": ["one.h5", "one.h5"], "drift": files, "validate": files,
-                    "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "schema": []}
+                    "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "schema": [],
+                    "bless": [*files, "--reason", "x"]}
+        self.assertEqual(sorted(commands), sorted(re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)))
         for command, arguments in commands.items():
             self.assertIn(f"\n  {command} ", screen)
             self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)
@@ -185,7 +188,8 @@ class Terminal(ProgramTest):
     def test_suggested_commands_work_when_pasted(self):
         for name in ("a b", "it's", "-x", "$HOME", HOSTILE.removesuffix(".json"), "a\nb"):
             path = self.write(f"scenarios/{name}.json", fling(name="fling"))
-            hint = self.expect(AGREED, "run", path, "--golden", "my golden").out.split("`")[1]
+            text = self.expect(AGREED, "run", path, "--golden", "my golden").out
+            hint, = re.findall("to make one: (.*)", text)
             self.assertTrue(hint.startswith("hyrax-sim bless "), hint)
             done = subprocess.run(["bash", "-c", hint.replace("hyrax-sim", str(PROGRAM), 1)], cwd=self.folder, check=False,
                                   capture_output=True)

@@ -73,7 +73,8 @@ class Damage(ProgramTest):
         golden = self.folder / "golden" / name
         wanted = {f"scenarios/{name}/whole.json": "nothing"}
         for number, (what, damage) in enumerate(damages(golden / "whole.h5")):
-            shutil.copyfile(golden / "whole.h5", golden / f"{number:04}.h5")
+            for suffix in (".h5", ".txt"):
+                shutil.copyfile((golden / "whole").with_suffix(suffix), golden / f"{number:04}{suffix}")
             with h5py.File(golden / f"{number:04}.h5", "r+") as copy:
                 damage(copy)
             wanted[self.write(f"scenarios/{name}/{number:04}.json", document)] = what

@@ -156,6 +156,7 @@ class Expectations(DriftTest):
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "for the test",
                     says="scenarios/bad.json: not blessed: its expectations do not hold; truncation_px_max: wanted at "
                          "most 9.8, measured 9.8")
+        self.bless("scenarios/good.json")
         self.expect(AGREED, "check", "scenarios/good.json")
         self.write("scenarios/good.json", {**bad, "name": "good"})
         self.assertIn("truncation_px_max", self.expect(DISAGREED, "check", "scenarios/good.json").out)
@@ -200,7 +201,7 @@ class Margin(DriftTest):
         digest.write_text("".join(line for line in lines if not line.startswith("margin: ")), encoding="utf-8")
         rows = (self.folder / "golden/one.h5").stat()
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "the margin, too")
-        self.assertIn("its digest, golden/one.txt, is written anew", outcome.out)
+        self.assertIn("its summary, golden/one.txt, is written again", outcome.out)
         self.assertIn("\nmargin: ", digest.read_text(encoding="utf-8"))
         self.assertIn("\nreason: the margin, too\n", digest.read_text(encoding="utf-8"))
         self.assertEqual((self.folder / "golden/one.h5").stat().st_mtime_ns, rows.st_mtime_ns)
