@@ -36,7 +36,7 @@ double lossless_drift(StepOrder order, Body body, double duration_s, Bounds boun
     body = listing_step(lossless(), order, body, kSixtieth_s, bounds);
     worst = std::max(worst, std::fabs(energy(body, bounds) - first));
   }
-  return worst / first;
+  return worst / std::fabs(first);
 }
 
 // A second of flight from vy = -900, and a minute of elastic bounces from the middle of the desktop.

@@ -12,6 +12,7 @@ constexpr AlteredCore kCores[] = {
     // Each constant, by much and by little.
     {"gravity_by_one_ulp", "gravity", "1200.0000000000002 for 1200", {.gravity = 1200.0000000000002}},
     {"gravity_stronger", "gravity", "1250 for 1200", {.gravity = 1250.0}},
+    {"gravity_none", "gravity", "0 for 1200", {.gravity = 0.0}},
     {"gravity_upward", "gravity", "-1200 for 1200", {.gravity = -1200.0}},
     {"restitution_softer", "restitution", "0.55 for 0.6", {.restitution = 0.55}},
     {"bounce_gains", "restitution", "1.1 for 0.6", {.restitution = 1.1}},
@@ -131,6 +132,7 @@ constexpr AlteredCore kCores[] = {
     {"drag_needs_time", "drag", "none in a frame of no time", {.fly = "gdxy"}},
     {"drag_by_time", "drag", "drag^(60 dt)", {.fly = "gDxy"}},
     {"losses_by_time", "drag", "drag^(60 dt), friction^(60 dt)", {.fly = "gDxy", .ground = "ctpr"}},
+    {"drag_explicit", "drag", "v (1 - 60 dt), unstable in frames above 1/30 s", {.fly = "gExy"}},
     {"position_by_mean_velocity", "position", "by the mean of old and new velocity", {.fly = "gXYv"}},
     {"no_losses",
      "constants",

@@ -21,6 +21,7 @@ struct AlteredStep {
   std::string_view update = "FC";
   /// g: vy += G dt. u: vy -= G dt. G: vx += G dt.
   /// X, Y: vx, vy *= drag. d: both, if dt > 0. D: both by time, drag^(60 dt).
+  /// E: both times 1 - 60 dt.
   /// x, y: x += vx dt, y += vy dt. <, ^: x -= vx dt, y -= vy dt. a, b: x += vy dt, y += vx dt.
   /// v: x and y by the mean of the speeds before and after. s: y += vy dt + 1e-9 vx.
   std::string_view fly = "gXYxy";

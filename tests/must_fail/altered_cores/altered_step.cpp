@@ -112,6 +112,10 @@ void fly(AlteredBody& body, double dt) {
         vx *= std::pow(step.air_drag, 60.0 * dt);
         vy *= std::pow(step.air_drag, 60.0 * dt);
         break;
+      case 'E':
+        vx *= 1.0 - 60.0 * dt;
+        vy *= 1.0 - 60.0 * dt;
+        break;
       case 'x':
         x += vx * dt;
         break;
