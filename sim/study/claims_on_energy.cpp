@@ -55,14 +55,13 @@ Claim conservation(bool is_listing) {
   const Body flown = listing_step(lossless(), StepOrder::paper, from, kSixtieth_s, kOpen);
   const double lost = energy(from, kDesktop) - energy(flown, kDesktop);
   const double gain = core_constants().gravity_px_per_s2 * kSixtieth_s;
-  Claim claim{
-      "2.3-energy",
-      "it ensures energy conservation in the undamped, elastic case",
-      "largest relative change of energy in a minute of lossless bounces at 60 Hz",
-      drift,
-      "1",
-      holds_if(drift < 1e-9),
-      "a step of flight loses " + digits(lost) + " px2/s2, where (G dt)^2/2 is " + digits(gain * gain / 2)};
+  Claim claim{"2.3-energy",
+              "it ensures energy conservation in the undamped, elastic case",
+              "largest relative change of energy in a minute of lossless bounces at 60 Hz",
+              drift,
+              "1",
+              holds_if(drift < 1e-9),
+              "a step of flight loses " + digits(lost) + " px2/s2; (G dt)^2/2 is " + digits(gain * gain / 2)};
   if (!is_listing) claim.verdict = ClaimVerdict::not_measured, claim.remark = kUnlikeListing;
   return claim;
 }

@@ -60,6 +60,15 @@ TEST(HardCase, AFindingIsNoBreachAndAFindingThatIsGoneIsOne) {
   EXPECT_EQ(broken_sentences({{hard_case, result}}).size(), 1u);
 }
 
+TEST(HardCase, DragInAFrameOfNoTimeIsAFindingInAScenarioOfTheUsersOwn) {
+  const HardCase hard_case{.name = "case",
+                           .made_from = "case",
+                           .why = "",
+                           .scenario = fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}}),
+                           .findings = {}};
+  EXPECT_EQ(judge(hard_case, play_hard_case(hard_case), Invariant::no_time), CaseVerdict::finding);
+}
+
 TEST(HardCase, AnExpectationThatDoesNotHoldIsNamed) {
   HardCase hard_case{
       .name = "case", .made_from = "case", .why = "", .scenario = fling_at(60.0, 200), .findings = {}};
