@@ -33,4 +33,5 @@ class StudyControl(ProgramTest):
 
     def study(self, core, name, *options):
         """What the study says with that core, as JSON, held to its gate."""
-        return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", self.folder, *options)
+        return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", self.folder,
+                           *options)

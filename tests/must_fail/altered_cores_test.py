@@ -79,8 +79,8 @@ class EveryCore(StudyControl):
 
     def test_none_is_the_shipped_core(self):
         for program, core in ((PROGRAM, "none"), (ALTERED, "none")):
-            subprocess.run([str(program), "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/"], cwd=SOURCE,
-                           check=True, capture_output=True, env={"HYRAX_ALTERED_CORE": core})
+            subprocess.run([str(program), "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/"],
+                           cwd=SOURCE, check=True, capture_output=True, env={"HYRAX_ALTERED_CORE": core})
         runs = [sorted((self.folder / program.name).rglob("*.h5")) for program in (PROGRAM, ALTERED)]
         self.assertGreater(len(runs[0]), 10)
         self.assertEqual([path.read_bytes() for path in runs[0]], [path.read_bytes() for path in runs[1]])
