@@ -17,7 +17,7 @@ struct Axis {
 void meet(std::string_view operations, const Axis& axis, double bound, double outwards, double dt) {
   const AlteredStep& step = altered_step();
   auto& [p, v, w] = axis;
-  const auto is_slow = [&] { return std::fabs(v) < step.rest_threshold; };
+  const auto is_slow = [&step](double speed) { return std::fabs(speed) < step.rest_threshold; };
   for (const char operation : operations) switch (operation) {
       case 'c':
         p = bound;
@@ -53,7 +53,7 @@ void meet(std::string_view operations, const Axis& axis, double bound, double ou
         w *= std::pow(step.ground_friction, 60.0 * dt);
         break;
       case 'r':
-        v = is_slow() ? 0.0 : v;
+        v = is_slow(v) ? 0.0 : v;
         break;
       case 'e':
         v = std::fabs(v) <= step.rest_threshold ? 0.0 : v;
@@ -65,7 +65,7 @@ void meet(std::string_view operations, const Axis& axis, double bound, double ou
         v = std::fabs(v) > step.rest_threshold ? 0.0 : v;
         break;
       case 'q':
-        w = is_slow() ? 0.0 : w;
+        w = is_slow(v) ? 0.0 : w;
         break;
     }
 }
