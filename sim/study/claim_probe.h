@@ -1,6 +1,7 @@
 // What measuring a claim takes again and again.
 #pragma once
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -32,6 +33,12 @@ inline constexpr double kSixtieth_s = 1.0 / 60.0;
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
+}
+
+/// The shortest text that reads back as the same number.
+[[nodiscard]] inline std::string exact_digits(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// Draw `index` of `seed`, in low .. high.

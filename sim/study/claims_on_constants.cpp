@@ -12,7 +12,8 @@ Claim constant(const char* id, const char* sentence, double core, double paper, 
           core,
           unit,
           holds_if(core == paper),
-          core == paper ? "" : "the paper has " + digits(paper)};
+          core == paper ? "" : "the paper has " + exact_digits(paper),
+          true};
 }
 
 }  // namespace

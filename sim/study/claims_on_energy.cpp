@@ -36,7 +36,7 @@ double lossless_drift(StepOrder order, Body body, double duration_s, Bounds boun
     body = listing_step(lossless(), order, body, kSixtieth_s, bounds);
     worst = std::max(worst, std::fabs(energy(body, bounds) - first));
   }
-  return worst / first;
+  return worst / std::fabs(first);
 }
 
 // A second of flight from vy = -900, and a minute of elastic bounces from the middle of the desktop.
@@ -51,13 +51,17 @@ double bouncing_drift(StepOrder order) {
 // e + (dt / 2) G vy exactly. (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2006, IX.)
 Claim conservation(bool is_listing) {
   const double drift = bouncing_drift(StepOrder::paper);
+  const Body from{500.0, 400.0, 300.0, 0.0};
+  const Body flown = listing_step(lossless(), StepOrder::paper, from, kSixtieth_s, kOpen);
+  const double lost = energy(from, kDesktop) - energy(flown, kDesktop);
+  const double gain = core_constants().gravity_px_per_s2 * kSixtieth_s;
   Claim claim{"2.3-energy",
               "it ensures energy conservation in the undamped, elastic case",
               "largest relative change of energy in a minute of lossless bounces at 60 Hz",
               drift,
               "1",
               holds_if(drift < 1e-9),
-              "in flight the energy falls steadily by (G dt)^2/2 a step; each clamp gives some back"};
+              "a step of flight loses " + digits(lost) + " px2/s2; (G dt)^2/2 is " + digits(gain * gain / 2)};
   if (!is_listing) claim.verdict = ClaimVerdict::not_measured, claim.remark = kUnlikeListing;
   return claim;
 }
@@ -96,14 +100,16 @@ Claim oscillators() {
     return most;
   };
   const Body stepped = core_flight({0.0, 0.0, 0.0, 0.0}, kSixtieth_s);
-  const double ours = amplitude(stepped.y_px == stepped.vy_px_per_s * kSixtieth_s);
+  const bool is_by_new_velocity = stepped.y_px == stepped.vy_px_per_s * kSixtieth_s;
+  const double ours = amplitude(is_by_new_velocity);
   const double explicit_euler = amplitude(false);
   return {"2.3-oscillators",
           "more stable than the explicit Euler method for oscillatory systems",
           "amplitude of an oscillator of 1 after 1000 steps of 0.1 rad, the core's way",
           ours,
           "1",
-          holds_if(ours < 1.1 && ours < explicit_euler),
+          is_by_new_velocity || stepped.y_px == 0.0 ? holds_if(ours < 1.1 && ours < explicit_euler)
+                                                    : ClaimVerdict::not_measured,
           "by explicit Euler " + digits(explicit_euler)};
 }
 

@@ -48,6 +48,7 @@ double apart_px(StepOrder order) {
 }
 
 Claim order_alters() {
+  const bool is_listing = steps_unlike_listing(5000) == 0;
   const double drag_first = apart_px(StepOrder::drag_first),
                position_first = apart_px(StepOrder::position_first),
                walls_first = apart_px(StepOrder::walls_first);
@@ -57,9 +58,10 @@ Claim order_alters() {
           "least of the largest shifts, in a second of a throw, by three other orders",
           least,
           "px",
-          holds_if(least > 0.0),
-          "drag first " + digits(drag_first) + ", position first " + digits(position_first) +
-              ", walls first " + digits(walls_first) + " px"};
+          is_listing ? holds_if(least > 0.0) : ClaimVerdict::not_measured,
+          !is_listing ? "this core's step is not the listing's, whose order could be changed"
+                      : "drag first " + digits(drag_first) + ", position first " + digits(position_first) +
+                            ", walls first " + digits(walls_first) + " px"};
 }
 
 // Rows in which a fling is outside the window, collisions being resolved last, as the core does, or first.

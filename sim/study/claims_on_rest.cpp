@@ -43,7 +43,7 @@ std::vector<Claim> claims_on_rest() {
     claim.number = rest_rate_hz();
     claim.verdict = ClaimVerdict::holds_when;
     claim.remark =
-        "when the display is faster than " + digits(claim.number) + " Hz; below, it buzzes for ever";
+        "when the display is faster than " + digits(claim.number) + " Hz; below, some keep a speed";
   }
   return {claim};
 }

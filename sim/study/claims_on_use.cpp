@@ -47,17 +47,24 @@ Claim sizes() {
       jump_px <= 30.0 ? "" : "when the sprite fits the window; a larger one is thrown from bound to bound"};
 }
 
-// What resetVelocity does is no more than two zeros; gravity goes on.
+// What resetVelocity does, and what gravity makes of it in the second after.
 Claim stopping() {
-  const Body stopped = core_steps({900.0, 100.0, 0.0, 0.0}, kSixtieth_s, kOpen, 60);
-  const double moved_px = stopped.y_px - 100.0;
+  const Body stopped = core_stopped({900.0, 100.0, 700.0, -300.0});
+  const bool is_stopped = stopped.vx_px_per_s == 0.0 && stopped.vy_px_per_s == 0.0;
+  const Body after = core_steps(stopped, kSixtieth_s, kOpen, 60);
+  const double moved_px = std::hypot(after.x_px - stopped.x_px, after.y_px - stopped.y_px);
   return {"6.1-reset",
           "resetVelocity sets both velocity components to zero, stopping all motion",
           "way that a sprite stopped in the air goes in the second after",
           moved_px,
           "px",
-          moved_px == 0.0 ? ClaimVerdict::holds : ClaimVerdict::holds_when,
-          moved_px == 0.0 ? "" : "when it stands on the ground; in the air gravity starts it again"};
+          !is_stopped       ? ClaimVerdict::does_not_hold
+          : moved_px == 0.0 ? ClaimVerdict::holds
+                            : ClaimVerdict::holds_when,
+          !is_stopped
+              ? "it leaves (" + digits(stopped.vx_px_per_s) + ", " + digits(stopped.vy_px_per_s) + ") px/s"
+          : moved_px == 0.0 ? ""
+                            : "when it is on the ground; in the air gravity starts it again"};
 }
 
 Claim drawing() {
@@ -73,7 +80,7 @@ Claim drawing() {
           least_px,
           "px",
           holds_if(least_px >= 0.0),
-          least_px < 0.0 ? "half of it is outside the window; x, y is its corner" : ""};
+          least_px < 0.0 ? digits(-least_px) + " px of it are outside the window; x, y is its corner" : ""};
 }
 
 }  // namespace

@@ -30,7 +30,9 @@ struct Reach {
   double friction_least = 1e300, friction_most = -1e300;  ///< vx after and before, on the ground.
   double vx_factor_in_flight_off = 0.0;
   double slowest_bounce_px_per_s = 1e300;  ///< Smallest |vy| that a ground contact left, but 0.
-  double energy_ratio = 0.0;               ///< Of the last bounce off the ceiling or a side wall.
+  double energy_ratio = 0.0;               ///< Of the last bounce off a side wall.
+  std::int64_t side_contacts = 0;
+  std::int64_t ground_contacts = 0;
 };
 
 void see_side(const Body& flight, const Body& after, double right_px, bool is_on_ground, Reach& reach) {
@@ -55,6 +57,8 @@ Reach reach_of_throws() {
     reach.y_most_px = std::max(reach.y_most_px, after.y_px);
     const bool is_side = flight.x_px < 0.0 || flight.x_px > right_px;
     const bool is_ground = flight.y_px > bottom_px;
+    reach.side_contacts += is_side ? 1 : 0;
+    reach.ground_contacts += is_ground ? 1 : 0;
     if (is_side) see_side(flight, after, right_px, is_ground, reach);
     if (flight.y_px < 0.0) reach.clamp_off_px = std::max(reach.clamp_off_px, std::fabs(after.y_px));
     if (is_ground) {
@@ -74,6 +78,11 @@ Reach reach_of_throws() {
   return reach;
 }
 
+// Nothing is known of walls that no throw met.
+ClaimVerdict if_met(std::int64_t contacts, bool holds) {
+  return contacts == 0 ? ClaimVerdict::not_measured : holds_if(holds);
+}
+
 Claim centre(const Reach& reach) {
   const double out_px = std::max(kSpriteSide_px / 2 - reach.x_least_px,
                                  reach.x_most_px - (kDesktop.right_px + kSpriteSide_px / 2));
@@ -83,7 +92,8 @@ Claim centre(const Reach& reach) {
           out_px,
           "px",
           holds_if(out_px <= 0.0),
-          "the bounds hold for the top left corner"};
+          "the top left corner was at " + digits(reach.x_least_px) + " .. " + digits(reach.x_most_px) +
+              " px in x, " + digits(reach.y_least_px) + " .. " + digits(reach.y_most_px) + " px in y"};
 }
 
 Claim exact_clamp(const Reach& reach) {
@@ -92,18 +102,19 @@ Claim exact_clamp(const Reach& reach) {
           "largest distance from the bound after a clamp, 200 throws",
           reach.clamp_off_px,
           "px",
-          holds_if(reach.clamp_off_px == 0.0),
+          if_met(std::min(reach.side_contacts, reach.ground_contacts), reach.clamp_off_px == 0.0),
           ""};
 }
 
 Claim restitution(const Reach& reach) {
   return {"3-restitution",
           "each collision applies a coefficient of restitution",
-          "ratio of normal speeds after and before, at the side walls",
+          "ratio of the step's normal speeds after and before, at the side walls",
           reach.ratio_least,
           "1",
-          holds_if(is_close(reach.ratio_least, reach.ratio_most) && reach.ratio_most < 1.0),
-          "as the step sees it, not at the wall"};
+          if_met(reach.side_contacts, is_close(reach.ratio_least, reach.ratio_most) &&
+                                          reach.ratio_least > 0.0 && reach.ratio_most < 1.0),
+          is_close(reach.ratio_least, reach.ratio_most) ? "" : "up to " + digits(reach.ratio_most)};
 }
 
 Claim energy_retention(const Reach& reach) {
@@ -113,8 +124,11 @@ Claim energy_retention(const Reach& reach) {
           "ratio of kinetic energies after and before a bounce",
           reach.energy_ratio,
           "1",
-          holds_if(is_close(reach.energy_ratio, said, 1e-9)),
-          "it is the ratio of speeds, " + digits(said) + ", squared"};
+          if_met(reach.side_contacts, is_close(reach.energy_ratio, said, 1e-9)),
+          is_close(reach.energy_ratio, said, 1e-9) ? ""
+          : is_close(reach.energy_ratio, said * said, 1e-9)
+              ? "it is the ratio of speeds, " + digits(said) + ", squared"
+              : "neither RESTITUTION, " + digits(said) + ", nor its square"};
 }
 
 Claim side_walls(const Reach& reach) {
@@ -123,7 +137,7 @@ Claim side_walls(const Reach& reach) {
           "largest change of vy at a side wall",
           reach.vy_changed_by_walls_px_per_s,
           "px/s",
-          holds_if(reach.vy_changed_by_walls_px_per_s == 0.0),
+          if_met(reach.side_contacts, reach.vy_changed_by_walls_px_per_s == 0.0),
           ""};
 }
 
@@ -146,7 +160,8 @@ Claim friction(const Reach& reach) {
           "factor of vx at a ground contact, 200 throws",
           reach.friction_least,
           "1",
-          holds_if(is_close(reach.friction_least, reach.friction_most, 1e-9) && reach.friction_most < 1.0),
+          if_met(reach.ground_contacts,
+                 is_close(reach.friction_least, reach.friction_most, 1e-9) && reach.friction_most < 1.0),
           ""};
 }
 
@@ -160,6 +175,14 @@ Claim friction_only_on_ground(const Reach& reach) {
           ""};
 }
 
+// Which comparison the bounces seen are compatible with.
+std::string slowest_bounce_text(const Reach& reach) {
+  if (reach.ground_contacts == 0) return "";
+  const bool keeps_threshold = reach.slowest_bounce_px_per_s >= core_constants().rest_threshold_px_per_s;
+  return std::string(keeps_threshold ? "it is |vy| that is compared" : "|vy| is not compared, either") +
+         ": the slowest bounce seen left " + digits(reach.slowest_bounce_px_per_s) + " px/s";
+}
+
 // In words a bounce, which goes up and so has vy < 0 < threshold, would be stopped.
 Claim threshold_in_words(const Reach& reach) {
   const Body from{500.0, 950.0, 0.0, 800.0};
@@ -170,14 +193,13 @@ Claim threshold_in_words(const Reach& reach) {
           bounced.vy_px_per_s,
           "px/s",
           holds_if(bounced.vy_px_per_s == 0.0),
-          "it is |vy| that is compared: the slowest bounce seen left " +
-              digits(reach.slowest_bounce_px_per_s) + " px/s"};
+          bounced.vy_px_per_s == 0.0 ? "" : slowest_bounce_text(reach)};
 }
 
 // Into corners, both walls in one step, by both orders of the listing's walls.
 struct CornerOrders {
-  double inside_px = 0.0;  ///< Largest way outside after either order.
-  double apart = 0.0;      ///< Largest relative difference of the two.
+  double outside_px = -1e300;  ///< Largest way outside after either order.
+  double apart = 0.0;          ///< Largest relative difference of the two.
   std::int64_t corners = 0;
 };
 CornerOrders corner_orders() {
@@ -191,8 +213,8 @@ CornerOrders corner_orders() {
     const Body y_first = listing_step(core, StepOrder::y_walls_first, body, kSixtieth_s, kDesktop);
     ++seen.corners;
     for (const Body& after : {x_first, y_first})
-      seen.inside_px =
-          std::max({seen.inside_px, after.x_px - kDesktop.right_px, after.y_px - kDesktop.bottom_px});
+      seen.outside_px =
+          std::max({seen.outside_px, after.x_px - kDesktop.right_px, after.y_px - kDesktop.bottom_px});
     seen.apart = std::max({seen.apart, std::fabs(x_first.vx_px_per_s / y_first.vx_px_per_s - 1.0),
                            std::fabs(x_first.vy_px_per_s / y_first.vy_px_per_s - 1.0)});
   }
@@ -208,7 +230,9 @@ Claim x_before_y() {
           seen.apart,
           "1",
           !is_listing ? ClaimVerdict::not_measured : holds_if(seen.apart > 1e-9),
-          is_listing ? "nothing penetrates in either order"
+          is_listing ? (seen.outside_px > 0.0
+                            ? "up to " + digits(seen.outside_px) + " px penetrate in one of the orders"
+                            : std::string("nothing penetrates in either order"))
                      : "this core's step is not the listing's, whose order could be changed"};
 }
 

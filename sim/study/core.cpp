@@ -27,6 +27,12 @@ Body core_steps(Body body, double dt_s, Bounds bounds, std::int64_t steps) {
   return out(moving);
 }
 
+Body core_stopped(const Body& body) {
+  physics moving = in(body);
+  moving.resetVelocity();
+  return out(moving);
+}
+
 Body core_flight(const Body& body, double dt_s) {
   physics moving = in(body);
   moving.fly(dt_s);

@@ -34,6 +34,9 @@ struct Bounds {
 /// `steps` calls of physics::update with one dt.
 [[nodiscard]] Body core_steps(Body body, double dt_s, Bounds bounds, std::int64_t steps);
 
+/// physics::resetVelocity.
+[[nodiscard]] Body core_stopped(const Body& body);
+
 /// physics::fly, its first half: the step without walls.
 [[nodiscard]] Body core_flight(const Body& body, double dt_s);
 

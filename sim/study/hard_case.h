@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,9 @@ struct HardCaseResult {
 };
 
 /// Plays the case, watching every step, then once more, and once more stopped and resumed twice.
-[[nodiscard]] HardCaseResult play_hard_case(const HardCase& hard_case);
+/// `tell` gets the number of steps watched, as the first of these goes on, which takes most of the time.
+[[nodiscard]] HardCaseResult play_hard_case(const HardCase& hard_case,
+                                            const std::function<void(std::int64_t)>& tell = {});
 
 /// What was expected of an invariant against how it fared.
 [[nodiscard]] CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invariant invariant);

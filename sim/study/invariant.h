@@ -14,7 +14,10 @@ enum class Invariant : std::uint8_t {
   step_energy,
   energy_ceiling,
   speed,
+  velocity,
+  position,
   clamp,
+  bounce,
   mirror,
   y_alone,
   no_time,
@@ -23,7 +26,7 @@ enum class Invariant : std::uint8_t {
   comes_to_rest,
   expectations,
 };
-inline constexpr std::size_t kInvariantCount = 13;
+inline constexpr std::size_t kInvariantCount = 16;
 
 struct InvariantText {
   std::string_view name;  ///< As tables and expected findings call it.
@@ -37,7 +40,10 @@ inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
     {"step-energy", "flight loses energy, a clamp adds no more than its lift", "px2/s2"},
     {"energy-ceiling", "since the last input never above what it gave, or the buzz", "px2/s2"},
     {"speed", "no faster than the same fling falling freely for ever", "px/s"},
+    {"velocity", "a flight changes vx to a vx, vy to a (vy + G dt), bit for bit", "px/s"},
+    {"position", "a flight adds dt times the new velocity to x and y, bit for bit", "px"},
     {"clamp", "no clamp without overshoot, no overshoot without clamp", "px"},
+    {"bounce", "a clamp turns the speed with the restitution, friction and rest rule on the ground", "px/s"},
     {"mirror", "left and right exchanged: the same contacts, to rounding", "px"},
     {"y-alone", "y and vy are the same bits whatever x does", "px/s"},
     {"no-time", "a frame of no time changes nothing", "px/s"},

@@ -68,7 +68,11 @@ Body listing_step(const CoreConstants& constants, StepOrder order, Body body, do
 
 std::int64_t steps_unlike_listing(std::int64_t steps) {
   constexpr std::int64_t kStepsOfAFling = 500;
+  constexpr std::int64_t kStepsInACorner = 25;
   constexpr Bounds kBounds{1792, 952};
+  const auto corner_speed = [](std::int64_t step) {
+    return 500.0 + 2000.0 * split_mix64_unit(815, static_cast<std::uint64_t>(step));
+  };
   const CoreConstants constants = core_constants();
   std::int64_t unlike = 0;
   Body body;
@@ -78,6 +82,12 @@ std::int64_t steps_unlike_listing(std::int64_t steps) {
       const auto draw = [first](std::uint64_t which) { return split_mix64_unit(4711, first + which); };
       body = {kBounds.right_px * draw(0), kBounds.bottom_px * draw(1), 6000.0 * (draw(2) - 0.5),
               6000.0 * (draw(3) - 0.5)};
+    }
+    // Every other fling is thrown into a corner again and again, so that both walls act in one step.
+    if (step / kStepsOfAFling % 2 == 1 && step % kStepsInACorner == 1) {
+      const double side = step % (2 * kStepsInACorner) == 1 ? 1.0 : 0.0;
+      body = {side * kBounds.right_px, kBounds.bottom_px, (2.0 * side - 1.0) * corner_speed(step),
+              corner_speed(step)};
     }
     // Some frames take no time: then a sprite on a bound has not passed it.
     const double drawn_dt_s = 0.03 * split_mix64_unit(1147, static_cast<std::uint64_t>(step));

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/compare/comparison.h"
+#include "sim/replay/replay.h"
 #include "sim/replay/rest_anchor.h"
 #include "sim/study/problem.h"
 #include "sim/trajectory/row.h"
@@ -214,7 +215,63 @@ void leave_out_unneeded(SceneNeeds& needs, const Script& script, const Rows& who
     }
     needs.without_all_unneeded = difference_without_all(script, whole, omissions, kept_out);
   }
-  needs.control_holds = needs.without_all_unneeded.path_px <= within_px;
+}
+
+// The replay's run against the script's, and the walls that it met.
+class ReplayedRows final : public RowSink {
+ public:
+  explicit ReplayedRows(const Rows& whole) : whole_(whole) {}
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size(); ++index) see(batch.row(index));
+  }
+  [[nodiscard]] std::int64_t first_difference() const { return first_difference_; }
+  [[nodiscard]] bool met(Wall wall) const { return touches(contacts_, wall); }
+  [[nodiscard]] bool met_any() const { return met(Wall::ground) || met(Wall::top) || met_side(); }
+
+ private:
+  [[nodiscard]] bool met_side() const { return met(Wall::left) || met(Wall::right); }
+  void see(const Row& row) {
+    if (row.step == 0) return;
+    contacts_ = static_cast<std::uint8_t>(contacts_ | row.contact);
+    const Motion& script = whole_.all()[static_cast<std::size_t>(row.step) - 1].motion;
+    const bool is_same = same_bits(script.x_px, row.x_px) && same_bits(script.y_px, row.y_px) &&
+                         same_bits(script.vx_px_per_s, row.vx_px_per_s) &&
+                         same_bits(script.vy_px_per_s, row.vy_px_per_s);
+    if (!is_same && first_difference_ < 0) first_difference_ = row.step;
+  }
+
+  const Rows& whole_;
+  std::uint8_t contacts_ = 0;
+  std::int64_t first_difference_ = -1;
+};
+
+// Whether the replay's walls let this part matter; none: they say nothing of it.
+struct Meeting {
+  bool may_be_exercised = true;
+  bool must_be_exercised = false;
+};
+Meeting meeting_of(Part part, const ReplayedRows& replayed) {
+  const auto wall = [&](Wall which) { return Meeting{replayed.met(which), replayed.met(which)}; };
+  switch (part) {
+    case Part::left_wall:
+      return wall(Wall::left);
+    case Part::right_wall:
+      return wall(Wall::right);
+    case Part::top_wall:
+      return wall(Wall::top);
+    case Part::ground:
+      return wall(Wall::ground);
+    case Part::friction:
+    case Part::rest_rule:
+      return {replayed.met(Wall::ground), false};
+    case Part::restitution:
+      return {replayed.met_any(), false};
+    case Part::gravity:
+    case Part::drag:
+      return {};
+  }
+  return {};
 }
 
 void find_methods(SceneNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
@@ -233,6 +290,29 @@ void find_methods(SceneNeeds& needs, const Scenario& scenario, const NeedsOption
 
 PathDifference difference_without(const Script& script, const Omitted& omitted, const Parts& parts) {
   return difference_of(play_rows(script, {}, AllParts()), play_rows(script, omitted, parts));
+}
+
+std::vector<std::string> contradictions_of(const Scenario& scenario, const std::vector<PartNeed>& parts) {
+  const Script script = script_of(scenario);
+  const Rows whole = play_rows(script, {}, AllParts());
+  ReplayedRows replayed(whole);
+  Replay run(scenario, replayed);
+  run.play_to(static_cast<std::int64_t>(whole.all().size()));
+  run.finish();
+  std::vector<std::string> broken;
+  if (replayed.first_difference() >= 0)
+    broken.push_back("with all parts its row " + std::to_string(replayed.first_difference()) +
+                     " is not the replay's, bit for bit");
+  for (const PartNeed& part : parts) {
+    if (!part.model_part) continue;
+    const Meeting meeting = meeting_of(*part.model_part, replayed);
+    const bool is_exercised = part.need != Need::not_exercised;
+    if (is_exercised && !meeting.may_be_exercised)
+      broken.push_back(part.part + " is exercised, where the replay meets no wall that it acts at");
+    if (!is_exercised && meeting.must_be_exercised)
+      broken.push_back(part.part + " is not exercised, where the replay meets it");
+  }
+  return broken;
 }
 
 Need need_of(const PathDifference& difference, double within_px) {
@@ -255,6 +335,7 @@ SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options, co
     needs.parts.push_back(
         {omission.name, omission.part, difference, need_of(difference, options.within_px), 0.0});
   }
+  needs.broken = contradictions_of(scenario, needs.parts);
   leave_out_unneeded(needs, script, whole, omissions, options.within_px);
   take_times(needs, script, omissions, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);

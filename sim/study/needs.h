@@ -46,8 +46,9 @@ struct SceneNeeds {
       false;             ///< No contact byte but the ground's, and less than 0.5 px, in the last second.
   double step_ns = 0.0;  ///< Of the variant kernel with all parts.
   std::vector<PartNeed> parts;
-  PathDifference without_all_unneeded;  ///< The control: all that is `below` or `not_exercised`, at once.
-  bool control_holds = true;            ///< That stays within the tolerance.
+  PathDifference without_all_unneeded;  ///< All that is `below` or `not_exercised`, at once.
+  /// Where the study contradicts the replay, one sentence each without its full stop; see contradictions_of.
+  std::vector<std::string> broken;
   /// The cheapest method and rate within the tolerance of the fixed laws; where it was asked for and can be.
   std::optional<SpeedError> methods;
   std::string why_no_methods;
@@ -62,6 +63,14 @@ struct NeedsOptions {
 /// Plays the scenario with every part left out in turn, and times it.
 [[nodiscard]] SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
                                      const NanosecondClock& now_ns);
+
+/// What the study has of a scenario against the replay, which knows nothing of parts:
+/// 1. with all parts the script is the replay's run, bit for bit;
+/// 2. a wall is exercised where the replay met it, and nowhere else;
+/// 3. friction and the rest rule are exercised only where it met the ground, restitution where it met any
+/// wall.
+[[nodiscard]] std::vector<std::string> contradictions_of(const Scenario& scenario,
+                                                         const std::vector<PartNeed>& parts);
 
 /// The difference that leaving these out makes.
 [[nodiscard]] PathDifference difference_without(const Script& script, const Omitted& omitted,

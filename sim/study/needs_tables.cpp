@@ -77,8 +77,8 @@ StudyTable control_table(const std::vector<SceneNeeds>& scenes, double within_px
            column_of<double>("path_difference", "px", "largest distance of two rows", scenes,
                              [](S s) { return s.without_all_unneeded.path_px; }),
            column_of<double>("tolerance", "px", "that it has to keep", scenes, [&](S) { return within_px; }),
-           column_of<std::int64_t>("holds", "1", "1: it does", scenes,
-                                   [](S s) { return std::int64_t{s.control_holds}; })}};
+           column_of<std::int64_t>("holds", "1", "1: the scene agrees with the replay", scenes,
+                                   [](S s) { return std::int64_t{s.broken.empty()}; })}};
 }
 
 // The cheapest point of a scene's methods; nullptr where there is none.

@@ -28,6 +28,8 @@ struct Claim {
   std::string unit;
   ClaimVerdict verdict = ClaimVerdict::not_measured;
   std::string remark;  ///< Of `holds when`: when. Else what the number means, where that is not plain.
+  bool is_exact =
+      false;  ///< The number was compared bit for bit, and is printed so that it reads back the same.
 
   /// "2.3" of "2.3-energy".
   [[nodiscard]] std::string section() const { return id.substr(0, id.find('-')); }

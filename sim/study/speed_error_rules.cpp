@@ -15,13 +15,31 @@ class Rules {
     if (!(value >= low && value <= high)) broken_.push_back({rule, where, value, low, high});
   }
 
+  void results() {
+    for (const WorkPoint& point : study_.points)
+      for (const double error :
+           {point.errors.position_px, point.errors.velocity_px_per_s, point.errors.end_px})
+        hold("the method plays the problem to its end with a finite error", where(point),
+             point.errors.is_failed ? std::numeric_limits<double>::quiet_NaN() : error, 0.0,
+             std::numeric_limits<double>::max());
+  }
   void orders() {
-    for (const OrderFit& fit : study_.orders) {
-      const MethodKind& kind = study_.methods[fit.method];
-      if (kind.order <= 0 || !study_.problems[fit.problem].is_free_flight) continue;
-      hold("the fitted order is the analytic one", where(fit.problem, fit.method), fit.order,
-           kind.order - kOrderApart, kind.order + kOrderApart);
-    }
+    for (std::size_t problem = 0; problem < study_.problems.size(); ++problem)
+      for (std::size_t method = 0; method < study_.methods.size(); ++method)
+        if (study_.methods[method].order > 0 && study_.problems[problem].is_free_flight)
+          order(problem, method);
+  }
+  void order(std::size_t problem, std::size_t method) {
+    const auto fit = std::find_if(study_.orders.begin(), study_.orders.end(), [&](const OrderFit& each) {
+      return each.problem == problem && each.method == method;
+    });
+    const bool is_fitted = fit != study_.orders.end();
+    hold("an order is fitted over three rates or more", where(problem, method),
+         is_fitted ? static_cast<double>(fit->points) : 0.0, 3.0, std::numeric_limits<double>::infinity());
+    const double analytic = study_.methods[method].order;
+    if (is_fitted)
+      hold("the fitted order is the analytic one", where(problem, method), fit->order, analytic - kOrderApart,
+           analytic + kOrderApart);
   }
   void exact_methods() {
     for (const WorkPoint& point : study_.points) {
@@ -87,6 +105,7 @@ class Rules {
 
 std::vector<BrokenRule> broken_rules(const SpeedError& study) {
   Rules rules(study);
+  rules.results();
   rules.orders();
   rules.exact_methods();
   rules.paper_does_not_converge();

@@ -18,7 +18,9 @@ struct BrokenRule {
   double high = 0.0;
 };
 
-/// 1. In free flight every convergent method's fitted order is the analytic one, +- kOrderApart.
+/// 0. Every method plays every problem to its end, with finite errors.
+/// 1. In free flight every convergent method's order can be fitted over three rates or more, and is the
+///    analytic one, +- kOrderApart.
 /// 2. The exact methods are there within rounding, at every rate.
 /// 3. The paper's step does not converge: its error at the highest rate is above that at 60 Hz.
 /// 4. Its distance from the fixed ODE, measured here, is that of sim/reference to 1e-6 of itself.

@@ -59,7 +59,10 @@ void StepWatch::see(const Row& row) {
       see_step_energy(step);
       see_energy_ceiling(step);
       see_speed(step);
+      see_velocity(step);
+      see_position(step);
       see_clamp(step);
+      see_bounce(step);
       see_mirror(step);
       see_y_alone(step);
       see_no_time(step);
@@ -161,6 +164,25 @@ void StepWatch::see_speed(const Step& step) {
       step.row.step);
 }
 
+// The flight's laws themselves, in the order of the listing: gravity, then drag. Bounds such as see_speed's
+// also hold for a core that is slower than the listing.
+void StepWatch::see_velocity(const Step& step) {
+  const auto& [from, flight, row, bounds] = step;
+  const double vx = from.vx_px_per_s * core_.air_drag;
+  const double vy = (from.vy_px_per_s + core_.gravity_px_per_s2 * row.dt_s) * core_.air_drag;
+  see(Invariant::velocity,
+      std::min(minus_difference(flight.vx_px_per_s, vx), minus_difference(flight.vy_px_per_s, vy)), row.step);
+}
+
+// x' = x + h vx', y' = y + h vy', by the new velocity.
+void StepWatch::see_position(const Step& step) {
+  const auto& [from, flight, row, bounds] = step;
+  see(Invariant::position,
+      std::min(minus_difference(flight.x_px, from.x_px + flight.vx_px_per_s * row.dt_s),
+               minus_difference(flight.y_px, from.y_px + flight.vy_px_per_s * row.dt_s)),
+      row.step);
+}
+
 // Where the flight without walls stays within a bound (on it, too), the step is that flight, bit for bit, but
 // for the friction that a ground contact takes from vx; where it does not, the step ends on the bound. The
 // margin is the overshoot of the nearest clamp.
@@ -184,6 +206,24 @@ void StepWatch::see_clamp(const Step& step) {
       axis_margin(flight.y_px, bounds.bottom_px, row.y_px,
                   minus_difference(row.vy_px_per_s, flight.vy_px_per_s)));
   see(Invariant::clamp, margin, row.step);
+}
+
+// A clamp turns the speed with which the flight met the wall, in x before y; the ground then takes its
+// friction from vx, and the rest rule sets a small vy to 0.
+void StepWatch::see_bounce(const Step& step) {
+  const auto& [from, flight, row, bounds] = step;
+  const bool meets_x = flight.x_px < 0.0 || flight.x_px > bounds.right_px;
+  const bool meets_top = flight.y_px < 0.0;
+  const bool meets_ground = !meets_top && flight.y_px > bounds.bottom_px;
+  if (!meets_x && !meets_top && !meets_ground) return;
+  double vx = meets_x ? -flight.vx_px_per_s * core_.restitution : flight.vx_px_per_s;
+  double vy = meets_top || meets_ground ? -flight.vy_px_per_s * core_.restitution : flight.vy_px_per_s;
+  if (meets_ground) {
+    vx *= core_.ground_friction;
+    if (std::fabs(vy) < core_.rest_threshold_px_per_s) vy = 0.0;
+  }
+  see(Invariant::bounce,
+      std::min(minus_difference(row.vx_px_per_s, vx), minus_difference(row.vy_px_per_s, vy)), row.step);
 }
 
 void StepWatch::mirror(const Body& body, Bounds bounds) {

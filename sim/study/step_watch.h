@@ -44,7 +44,10 @@ class StepWatch : public RowSink {
   void see_step_energy(const Step& step);
   void see_energy_ceiling(const Step& step);
   void see_speed(const Step& step);
+  void see_velocity(const Step& step);
+  void see_position(const Step& step);
   void see_clamp(const Step& step);
+  void see_bounce(const Step& step);
   void see_mirror(const Step& step);
   void see_y_alone(const Step& step);
   void see_no_time(const Step& step);

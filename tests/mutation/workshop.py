@@ -103,7 +103,7 @@ class Workshop:
         for entry in json.loads((self.build / "compile_commands.json").read_text(encoding="utf-8")):
             unit = pathlib.Path(entry["file"])
             command = shlex.split(entry["command"])
-            is_control = "controls" in entry.get("output", command[command.index("-o") + 1])
+            is_control = "must_fail" in entry.get("output", command[command.index("-o") + 1])
             if unit.is_relative_to(self.source) and not is_control:
                 commands.setdefault(str(unit.relative_to(self.source)), command)
         return commands

@@ -2,11 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include <unistd.h>
 
 namespace hyrax {
+
+std::string progress_text(std::int64_t done, std::int64_t total, const std::string& unit, double elapsed_s) {
+  const std::string text = fmt::format("{} of {} {}", done, total, unit);
+  if (done <= 0 || elapsed_s <= 0.0) return text;
+  const double rate = static_cast<double>(done) / elapsed_s;
+  return text + fmt::format(", {:.3g} per second, {:.0f} s left", rate,
+                            static_cast<double>(std::max<std::int64_t>(total - done, 0)) / rate);
+}
 
 Progress::Progress(std::string unit, std::int64_t total)
     : unit_(std::move(unit)), total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -22,13 +31,8 @@ void Progress::show(std::int64_t done) {
   if (!is_terminal_ || elapsed_s < 0.5 || duration<double>(now - last_shown_).count() < 0.1) return;
   last_shown_ = now;
   has_line_ = true;
-  const double rate = static_cast<double>(done) / elapsed_s;
-  const double left_s = static_cast<double>(total_ - done) / rate;
   // Unlike fmt::print, this ends nothing where the terminal is gone.
-  std::fputs(
-      fmt::format("\r\x1b[K{} of {} {}, {:.3g} per second, {:.0f} s left", done, total_, unit_, rate, left_s)
-          .c_str(),
-      stderr);
+  std::fputs(("\r\x1b[K" + progress_text(done, total_, unit_, elapsed_s)).c_str(), stderr);
   std::fflush(stderr);
 }
 

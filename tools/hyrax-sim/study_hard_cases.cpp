@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_case_table.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
@@ -37,12 +38,15 @@ std::vector<HardCase> cases_of(const StudyRequest& request) {
 }
 
 std::vector<PlayedCase> play(std::vector<HardCase> cases) {
-  Progress progress("cases", static_cast<std::int64_t>(cases.size()));
+  std::int64_t steps = 0, done = 0;
+  for (const HardCase& hard_case : cases) steps += step_count(hard_case.scenario);
+  Progress progress("steps", steps);
   std::vector<PlayedCase> played;
   for (HardCase& hard_case : cases) {
-    const HardCaseResult result = play_hard_case(hard_case);
+    const HardCaseResult result =
+        play_hard_case(hard_case, [&](std::int64_t watched) { progress.show(done + watched); });
+    done += step_count(hard_case.scenario);
     played.push_back({std::move(hard_case), result});
-    progress.show(static_cast<std::int64_t>(played.size()));
   }
   return played;
 }

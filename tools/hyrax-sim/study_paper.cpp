@@ -27,7 +27,9 @@ double step_time_s() {
 }
 
 std::string number_text(const Claim& claim) {
-  return fmt::format("{:.4g}{}", claim.number, claim.unit == "1" ? "" : " " + claim.unit);
+  const std::string number =
+      claim.is_exact ? fmt::format("{}", claim.number) : fmt::format("{:.4g}", claim.number);
+  return claim.unit == "1" ? number : number + " " + claim.unit;
 }
 
 std::string verdict_text(const std::vector<Claim>& claims) {

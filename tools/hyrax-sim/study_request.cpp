@@ -38,6 +38,8 @@ StudyRequest study_request(const StudyKind& kind, const StudyArguments& argument
   if (!request.scenarios.empty() && !kind.takes_scenarios)
     refuse("takes no scenarios, '" + request.scenarios.front() + "' is given");
   if (!arguments.expect_file.empty() && !kind.takes_expect) refuse("has no use for --expect");
+  if (kind.takes_expect && arguments.is_gate && arguments.expect_file.empty())
+    refuse("--gate needs --expect FILE, the verdicts to hold it to");
   if (!arguments.within.empty() && !kind.takes_within) refuse("has no use for --within");
   request.is_quick = arguments.is_quick;
   request.expect_file = arguments.expect_file;

@@ -71,7 +71,7 @@ class VerdictReader {
       return refuse(place, fmt::format("must be one of {}, is {}", fmt::join(kClaimVerdictNames, ", "),
                                        to_text(verdict)));
     if (*expected != name_of(claim->verdict))
-      unexpected_.push_back(fmt::format("{}: {}, where {} expects: {} ({}: {:.6g} {})", id,
+      unexpected_.push_back(fmt::format("{}: {}, where {} expects: {} ({}: {} {})", id,
                                         name_of(claim->verdict), path_, *expected, claim->measured,
                                         claim->number, claim->unit));
   }

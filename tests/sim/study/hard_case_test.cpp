@@ -60,6 +60,15 @@ TEST(HardCase, AFindingIsNoBreachAndAFindingThatIsGoneIsOne) {
   EXPECT_EQ(broken_sentences({{hard_case, result}}).size(), 1u);
 }
 
+TEST(HardCase, DragInAFrameOfNoTimeIsAFindingInAScenarioOfTheUsersOwn) {
+  const HardCase hard_case{.name = "case",
+                           .made_from = "case",
+                           .why = "",
+                           .scenario = fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}}),
+                           .findings = {}};
+  EXPECT_EQ(judge(hard_case, play_hard_case(hard_case), Invariant::no_time), CaseVerdict::finding);
+}
+
 TEST(HardCase, AnExpectationThatDoesNotHoldIsNamed) {
   HardCase hard_case{
       .name = "case", .made_from = "case", .why = "", .scenario = fling_at(60.0, 200), .findings = {}};
@@ -68,6 +77,20 @@ TEST(HardCase, AnExpectationThatDoesNotHoldIsNamed) {
   EXPECT_EQ(judge(hard_case, result, Invariant::expectations), CaseVerdict::broken);
   EXPECT_EQ(broken_sentences({{hard_case, result}}),
             std::vector<std::string>{"case: expectations: final_x_px: wanted -2 .. -1"});
+}
+
+TEST(HardCase, BoundsOfErrorsAreExpectationsToo) {
+  HardCase hard_case{
+      .name = "case", .made_from = "case", .why = "", .scenario = fling_at(60.0, 200), .findings = {}};
+  Expect& expect = hard_case.scenario.expect.emplace();
+  expect.implementation_px_max = 1e-6;
+  EXPECT_EQ(judge(hard_case, play_hard_case(hard_case), Invariant::expectations), CaseVerdict::held);
+  for (std::optional<double> Expect::*const bound :
+       {&Expect::implementation_px_max, &Expect::truncation_px_max, &Expect::energy_drift_rel_max}) {
+    expect = {};
+    expect.*bound = 0.0;
+    EXPECT_EQ(judge(hard_case, play_hard_case(hard_case), Invariant::expectations), CaseVerdict::broken);
+  }
 }
 
 TEST(HardCase, TablesHaveARowForEveryInvariantAsked) {

@@ -63,7 +63,7 @@ TEST(Needs, OfAFlingAreWhatItMeets) {
     EXPECT_EQ(need_of_part(scene, part), Need::needed) << part;
   for (const char* part : {"left wall", "top"})
     EXPECT_EQ(need_of_part(scene, part), Need::not_exercised) << part;
-  EXPECT_TRUE(scene.control_holds);
+  EXPECT_TRUE(scene.broken.empty());
   EXPECT_TRUE(scene.comes_to_rest);
 }
 
@@ -92,7 +92,7 @@ TEST(Needs, SeePartsThatStandInForOneAnother) {
   const SceneNeeds scene = needs_of(scenario_named("paper/rest-threshold"));
   const auto is_joint = [](const PartNeed& part) { return part.need == Need::needed_jointly; };
   EXPECT_GT(std::count_if(scene.parts.begin(), scene.parts.end(), is_joint), 0);
-  EXPECT_TRUE(scene.control_holds);
+  EXPECT_TRUE(scene.broken.empty());
   EXPECT_LE(scene.without_all_unneeded.path_px, 1.0);
 }
 
@@ -103,6 +103,27 @@ TEST(Needs, TheControlFailsWhereSomethingNeededIsLeftOut) {
   EXPECT_TRUE(difference_without(script, {}, parts).is_same_bits);
   parts.leave_out(Part::drag);
   EXPECT_EQ(need_of(difference_without(script, {}, parts), 1.0), Need::needed);
+}
+
+// What the replay meets of the first fling is the right wall and the ground.
+TEST(Needs, AreHeldToTheWallsThatTheReplayMeets) {
+  const Scenario scenario = scenario_named("flings/first-fling");
+  const auto contradictions = [&](Part part, Need need) {
+    PartNeed changed;
+    changed.part = kPartNames[static_cast<std::size_t>(part)];
+    changed.model_part = part;
+    changed.need = need;
+    return contradictions_of(scenario, {changed}).size();
+  };
+  for (const Part part : {Part::right_wall, Part::ground}) {
+    EXPECT_EQ(contradictions(part, Need::below), 0u);
+    EXPECT_EQ(contradictions(part, Need::not_exercised), 1u);
+  }
+  for (const Part part : {Part::left_wall, Part::top_wall}) {
+    EXPECT_EQ(contradictions(part, Need::not_exercised), 0u);
+    EXPECT_EQ(contradictions(part, Need::below), 1u);
+  }
+  EXPECT_EQ(contradictions(Part::friction, Need::not_exercised), 0u);
 }
 
 TEST(Needs, CountContactsThatMove) {

@@ -54,6 +54,31 @@ TEST(SpeedErrorRules, FindAMethodOfAnotherOrder) {
   EXPECT_TRUE(is_broken(study, "order is the analytic one"));
 }
 
+TEST(SpeedErrorRules, FindAMethodThatFails) {
+  SpeedError study = some_study();
+  study.points[1].errors.is_failed = true;
+  EXPECT_TRUE(is_broken(study, "to its end"));
+}
+
+TEST(SpeedErrorRules, FindAnErrorThatIsNoNumber) {
+  for (double MethodErrors::*const error :
+       {&MethodErrors::position_px, &MethodErrors::velocity_px_per_s, &MethodErrors::end_px})
+    for (const double value : {std::nan(""), HUGE_VAL}) {
+      SpeedError study = some_study();
+      study.points[1].errors.*error = value;
+      EXPECT_TRUE(is_broken(study, "finite error"));
+    }
+}
+
+TEST(SpeedErrorRules, FindAnOrderOfTooFewPoints) {
+  SpeedError study = some_study();
+  const auto of_euler = [](const OrderFit& fit) { return fit.problem == 0 && fit.method == 3; };
+  std::find_if(study.orders.begin(), study.orders.end(), of_euler)->points = 2;
+  EXPECT_TRUE(is_broken(study, "three rates or more"));
+  std::erase_if(study.orders, of_euler);
+  EXPECT_TRUE(is_broken(study, "three rates or more"));
+}
+
 TEST(SpeedErrorRules, FindAnExactMethodThatIsNot) {
   SpeedError study = some_study();
   for (WorkPoint& point : study.points)

@@ -110,6 +110,26 @@ TEST(StepWatch, FindsASpeedOneUlpTooHigh) {
 TEST(StepWatch, FindsAClampThatMetNoWall) {
   expect_broken(Invariant::clamp, [](Row& row) { row.x_px = std::nextafter(row.x_px, 0.0); });
 }
+// Each wall met in one frame, its row changed by an ulp in one speed.
+TEST(StepWatch, FindsASpeedThatNoBounceLeaves) {
+  struct Throw {
+    Position start;
+    Velocity velocity;
+  };
+  for (const Throw& at : {Throw{{1.0, 300.0}, {-900.0, 0.0}}, Throw{{1791.0, 300.0}, {900.0, 0.0}},
+                          Throw{{500.0, 1.0}, {300.0, -900.0}}, Throw{{500.0, 951.0}, {300.0, 900.0}}})
+    for (double Row::*const speed : {&Row::vx_px_per_s, &Row::vy_px_per_s}) {
+      Scenario scenario = fling_at(60.0, 1);
+      scenario.window = {1920, 1080};
+      scenario.sprite = {128, 128};
+      scenario.start = at.start;
+      scenario.start_velocity = at.velocity;
+      EXPECT_TRUE(of(watched(scenario), Invariant::bounce).is_asked);
+      EXPECT_TRUE(of(watched(scenario), Invariant::bounce).holds);
+      const auto change = [speed](Row& row) { row.*speed = std::nextafter(row.*speed, 0.0); };
+      EXPECT_FALSE(of(watched(scenario, 1, change), Invariant::bounce).holds) << at.start.x_px;
+    }
+}
 TEST(StepWatch, FindsAMirrorThatIsBroken) {
   expect_broken(Invariant::mirror, [](Row& row) { row.vx_px_per_s *= 0.999; });
 }

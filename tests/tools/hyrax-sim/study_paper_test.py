@@ -55,6 +55,9 @@ class Paper(ProgramTest):
         self.study(AGREED, "--expect", path)
         self.study(DISAGREED, "--expect", path, "--gate", says="2.3-energy: does not hold, where expected.json expects: holds")
 
+    def test_a_gate_without_verdicts_holds_nothing_and_is_refused(self):
+        self.study(BAD_INPUT, "--gate", says="--gate needs --expect FILE")
+
     def test_a_claim_of_which_nothing_is_expected_breaks_it_too(self):
         path = self.expected(lambda document: document["verdicts"].pop("7-fast"))
         self.study(DISAGREED, "--expect", path, "--gate", says="7-fast: holds, of which expected.json says nothing")

@@ -1,3 +1,0 @@
-# One comparison.
-set(original "m_y > bottomBound")
-set(mutated "m_y >= bottomBound")

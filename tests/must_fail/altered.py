@@ -1,0 +1,37 @@
+"""The altered cores: one program, the list of all cores, and what a study or `check` says of one of them.
+
+HYRAX_CONTROLS is the folder of the programs that are wrong on purpose.
+"""
+
+import functools
+import os
+import pathlib
+import subprocess
+
+from program import SOURCE, Outcome, ProgramTest
+
+CONTROLS = pathlib.Path(os.environ["HYRAX_CONTROLS"])
+ALTERED = CONTROLS / "control_altered"
+
+
+def run_altered(core, *arguments):
+    """The program with that core, in the project's folder."""
+    done = subprocess.run([str(ALTERED), *map(str, arguments)], cwd=SOURCE, capture_output=True, check=False,
+                          stdin=subprocess.DEVNULL, timeout=120, env={**os.environ, "HYRAX_ALTERED_CORE": core})
+    return Outcome(done)
+
+
+@functools.cache
+def altered_cores():
+    """All of them: {name: (operation, change)}."""
+    lines = run_altered("list").out.splitlines()
+    return {name: (operation, change) for name, operation, change in (line.split("\t") for line in lines)}
+
+
+class StudyControl(ProgramTest):
+    """A study by a program whose core is altered."""
+
+    def study(self, core, name, *options):
+        """What the study says with that core, as JSON, held to its gate."""
+        return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", self.folder,
+                           *options)

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""The list of altered cores: each is chosen by its name, `none` is the shipped core, all others are not.
+
+`study hard-cases --gate` is red on every one that changes results, except those that are named here with the reason.
+"""
+
+import subprocess
+
+from altered import ALTERED, StudyControl, altered_cores, run_altered
+from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
+
+# The same arithmetic in another order: no bit of any run changes.
+SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_moves_before_x"}
+
+# Constants are the parameters of hard-cases' laws, which hold with any: `study paper` is red on each of these.
+UNSEEN = {"gravity_by_one_ulp", "gravity_stronger", "gravity_none", "restitution_softer", "drag_stronger",
+          "friction_stronger", "friction_none", "rest_earlier", "rest_later", "two_constants"}
+
+# Short ones that are hard in every way, a stop and a grab.
+CASES = [f"scenarios/{name}.json" for name in (
+    "hard/any-speed", "hard/corners", "hard/frames-of-no-time", "hard/grazing", "hard/on-a-bound", "hard/rest",
+    "hard/sprite-larger-than-window", "hard/trace-of-extremes", "flings/grab-and-throw", "flings/stop-in-flight")]
+CHECKED = CASES + ["scenarios/flings/corner-fling.json", "scenarios/paper/exact-bounds.json"]
+
+# A bounce from the floor that leaves the threshold itself: 5 px/s, to the bit.
+THRESHOLD = fling(name="threshold", steps=20,
+                  start={"x_px": 896, "y_px": 952, "vx_px_per_s": 0, "vy_px_per_s": -11.658324991658324})
+
+
+class List(StudyControl):
+    """Names and how one is chosen."""
+
+    def test_it_is_long_enough_and_says_what_each_changes(self):
+        cores = altered_cores()
+        self.assertGreaterEqual(len(cores), 60)
+        self.assertEqual(next(iter(cores)), "none")
+        self.assertEqual(len({change for change in cores.values()}), len(cores), "two of the same words")
+
+    def test_an_unknown_name_is_refused(self):
+        outcome = run_altered("gravity_sideways", "check")
+        self.assertEqual(outcome.exit_code, 2)
+        self.assertIn("unknown altered core (found gravity_sideways)", outcome.err)
+
+
+class EveryCore(StudyControl):
+    """What each core changes, and what sees it."""
+
+    def red(self, core):
+        """The invariants of hard-cases that this core breaks, beside what the scenarios' authors expect."""
+        outcome = self.study(core, "hard-cases", *CASES, self.folder / self.write("threshold.json", THRESHOLD))
+        self.assertIn(outcome.exit_code, (AGREED, DISAGREED), outcome)
+        broken = {name for case in outcome.json["cases"] for name, entry in case["invariants"].items()
+                  if entry["verdict"] in ("broken", "finding gone")}
+        self.assertEqual(outcome.exit_code == DISAGREED, bool(broken), core)
+        return broken - {"expectations"}
+
+    def test_hard_cases_are_red_on_it_or_it_is_known_why_not(self):
+        for core in altered_cores():
+            with self.subTest(core=core):
+                self.assertEqual(self.red(core) == set(), core in SAME_BITS | UNSEEN)
+
+    def test_what_hard_cases_do_not_see_changes_results_or_no_bit_at_all(self):
+        for core in SAME_BITS | UNSEEN:
+            with self.subTest(core=core):
+                outcome = run_altered(core, "check", *CHECKED)
+                self.assertEqual(outcome.exit_code, AGREED if core in SAME_BITS else DISAGREED, outcome)
+
+    def test_the_paper_is_red_on_what_hard_cases_do_not_see(self):
+        for core in UNSEEN:
+            with self.subTest(core=core):
+                outcome = self.study(core, "paper", "--expect", SOURCE / "tests/tools/hyrax-sim/paper_verdicts.json")
+                self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+
+    def test_four_cores_break_the_invariants_made_for_them(self):
+        for core, invariant in (("ceiling_stops", "bounce"), ("ceiling_does_not_turn", "bounce"),
+                                ("side_walls_softer", "bounce"), ("x_by_old_vx", "position")):
+            with self.subTest(core=core):
+                self.assertIn(invariant, self.red(core))
+
+    def test_none_is_the_shipped_core(self):
+        for program, core in ((PROGRAM, "none"), (ALTERED, "none")):
+            subprocess.run([str(program), "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/"],
+                           cwd=SOURCE, check=True, capture_output=True, env={"HYRAX_ALTERED_CORE": core})
+        runs = [sorted((self.folder / program.name).rglob("*.h5")) for program in (PROGRAM, ALTERED)]
+        self.assertGreater(len(runs[0]), 10)
+        self.assertEqual([path.read_bytes() for path in runs[0]], [path.read_bytes() for path in runs[1]])
+
+
+if __name__ == "__main__":
+    main()

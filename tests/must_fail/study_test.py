@@ -1,0 +1,232 @@
+#!/usr/bin/python3
+"""A changed core turns the studies red, each change the rule that it breaks.
+"""
+
+import json
+
+from altered import StudyControl
+from program import AGREED, DISAGREED, SOURCE, main
+
+
+class HardCases(StudyControl):
+    """Each invariant is broken by a core that does not keep it."""
+
+    # Hard in every way, and short.
+    CASES = [f"scenarios/hard/{name}.json" for name in (
+        "any-frame", "any-speed", "corners", "frames-of-no-time", "grazing", "on-a-bound", "rest",
+        "trace-of-extremes")]
+
+    def broken(self, control):
+        """The invariants that are broken, and the findings that are gone: {invariant: {case}}."""
+        outcome = self.study(control, "hard-cases", *self.CASES)
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        broken = {}
+        for case in outcome.json["cases"]:
+            for name, entry in case["invariants"].items():
+                if entry["verdict"] in ("broken", "finding gone"):
+                    broken.setdefault(name, set()).add((case["case"], entry["verdict"]))
+        return broken
+
+    def test_no_change_is_green(self):
+        outcome = self.study("none", "hard-cases", *self.CASES)
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_each_change_breaks_its_invariant(self):
+        for control, invariants in (("bounce_explodes", {"finite"}),
+                                    ("bounce_gains", {"step-energy", "energy-ceiling"}),
+                                    ("no_floor", {"in-bounds", "clamp"}),
+                                    ("drag_before_gravity", {"speed"}),
+                                    ("ground_not_strict", {"clamp"}),
+                                    ("right_wall_softer", {"mirror"}),
+                                    ("y_sees_x", {"y-alone"}),
+                                    ("hidden_state", {"repeated", "resumed"}),
+                                    ("rest_rule_gone", {"comes-to-rest"}),
+                                    ("bounce_gains", {"expectations"})):
+            with self.subTest(control=control):
+                self.assertLessEqual(invariants, set(self.broken(control)))
+
+    def test_one_wall_that_is_softer_breaks_the_mirror_and_no_law_of_energy(self):
+        broken = self.broken("right_wall_softer")
+        self.assertNotIn("step-energy", broken)
+        self.assertNotIn("speed", broken)
+
+    def test_a_finding_that_is_gone_is_told(self):
+        broken = self.broken("drag_needs_time")
+        self.assertIn(("frames-of-no-time", "finding gone"), broken["no-time"])
+
+    def test_the_sentence_names_case_invariant_size_and_row(self):
+        sentences = self.study("right_wall_softer", "hard-cases", *self.CASES).json["broken"]
+        self.assertTrue(any(": mirror is broken by " in sentence and " in row " in sentence
+                            for sentence in sentences), json.dumps(sentences[:3]))
+
+
+# Cores, and the claims that each turns. Every claim is turned by one of them, but for those of NEVER_FLIPPED.
+FLIPS = {
+    "gravity_by_one_ulp": {"5-gravity": "does not hold"},
+    "gravity_none": {"1-axes": "does not hold", "2.3-energy": "holds", "2.4-explicit": "does not hold"},
+    "drag_before_gravity": {"2.1-gravity": "does not hold", "2.3-energy": "not measured",
+                            "2.4-first-order": "does not hold", "3-x-first": "not measured",
+                            "4.3-damps-gain": "does not hold", "4.3-order-alters": "not measured",
+                            "6-exactly": "does not hold"},
+    "bounce_gains": {"3-restitution": "does not hold", "3.2.2-infinite-bounce": "does not hold",
+                     "4.1-missed": "does not hold", "5-restitution": "does not hold"},
+    "drag_gains": {"2.2-exponential": "does not hold", "2.2-terminal": "does not hold",
+                   "5-air-drag": "does not hold"},
+    "drag_by_time": {"2.2-stokes": "holds", "6.1-frame-rate": "holds"},
+    "drag_explicit": {"4.1-stable-dt": "holds"},
+    "drag_on_vx_alone": {"2.2-both-components": "does not hold"},
+    "friction_stronger": {"5-ground-friction": "does not hold"},
+    "friction_left_out": {"3.2.2-friction": "does not hold"},
+    "friction_on_all_walls": {"3.1-no-friction": "does not hold", "3.2.2-only-on-ground": "does not hold"},
+    "rest_earlier": {"5-rest-threshold": "does not hold"},
+    "rest_signed": {"3.2.2-signed": "holds"},
+    "rest_rule_gone": {"3.2.2-infinite-bounce": "does not hold"},
+    "right_wall_softer": {"3-restitution": "does not hold"},
+    "ceiling_stops": {"3.2.1-top": "does not hold"},
+    "ceiling_does_not_turn": {"3.2.1-top": "does not hold"},
+    "no_losses": {"5-energy-retention": "holds"},
+    "no_floor": {"3-exact-position": "does not hold", "4.2-tunnel": "holds", "4.2-rare": "does not hold",
+                 "4.3-not-stuck": "does not hold"},
+    "no_motion_in_x": {"1-axes": "does not hold", "6.2-drawing": "holds"},
+    "position_before_velocity": {"2.3-oscillators": "does not hold"},
+    "position_by_mean_velocity": {"4.1-energy-drift": "does not hold"},
+    "walls_twice": {"6.1-sizes": "holds"},
+    "reset_keeps_vy": {"6.1-reset": "does not hold"},
+    "y_before_x": {"6-exactly": "does not hold"},
+    "ground_not_strict": {"6-exactly": "does not hold"},
+    "drag_needs_time": {"6-exactly": "does not hold"},
+    "y_sees_x": {"2.3-new-velocity": "does not hold"},
+}
+NEVER_FLIPPED = {
+    "3-centre": "throws start all over the window, whatever the core does then",
+    "7-fast": "judges a time; a unit test gives it a slow step",
+}
+
+
+class Paper(StudyControl):
+    """A changed core flips the verdicts that its change is about, and the author is told which."""
+
+    EXPECTED = SOURCE / "tests/tools/hyrax-sim/paper_verdicts.json"
+
+    def flipped(self, control):
+        """The claims with another verdict than the paper's core has: {claim: verdict}."""
+        outcome = self.study(control, "paper", "--expect", str(self.EXPECTED))
+        expected = json.loads(self.EXPECTED.read_text(encoding="utf-8"))["verdicts"]
+        flipped = {claim["claim"]: claim["verdict"] for claim in outcome.json["claims"]
+                   if claim["verdict"] != expected[claim["claim"]]}
+        self.assertEqual(outcome.exit_code, DISAGREED if flipped else AGREED, outcome)
+        self.assertEqual(len(outcome.json["broken"]), len(flipped))
+        return flipped
+
+    def test_no_change_flips_nothing(self):
+        self.assertEqual(self.flipped("none"), {})
+
+    def test_each_change_flips_its_claims(self):
+        for control, claims in FLIPS.items():
+            with self.subTest(control=control):
+                flipped = self.flipped(control)
+                self.assertLessEqual(claims.items(), flipped.items())
+
+    def test_each_claim_is_flipped_by_some_core(self):
+        expected = json.loads(self.EXPECTED.read_text(encoding="utf-8"))["verdicts"]
+        flipped = {claim for claims in FLIPS.values() for claim in claims}
+        self.assertEqual(set(expected) - flipped, set(NEVER_FLIPPED))
+
+    def remark(self, control, claim):
+        """What is said of a claim, beside its verdict."""
+        claims = self.study(control, "paper", "--expect", self.EXPECTED).json["claims"]
+        return next(entry["remark"] for entry in claims if entry["claim"] == claim)
+
+    def test_remarks_follow_from_what_was_measured(self):
+        for claim, words, core, other in (
+                ("4.2-tunnel", "a clamp cannot be passed", "no_floor", "of "),
+                ("5-energy-retention", "the ratio of speeds, 0.6, squared", "side_walls_softer", "nor its square"),
+                ("3.2.2-signed", "it is |vy| that is compared", "rest_rule_gone", "|vy| is not compared, either"),
+                ("2.2-exponential", "until it sticks at", "no_motion_in_x", "until it sticks at"),
+                ("6.1-reset", "in the air gravity starts it again", "reset_keeps_vy", "it leaves (0, -300) px/s"),
+                ("3-x-first", "nothing penetrates in either order", "y_before_x", "is not the listing's")):
+            with self.subTest(claim=claim):
+                self.assertIn(words, self.remark("none", claim))
+                remark = self.remark(core, claim)
+                self.assertIn(other, remark)
+                if other != words:
+                    self.assertNotIn(words, remark)
+
+    def test_constants_are_told_as_they_are(self):
+        outcome = self.study("gravity_by_one_ulp", "paper", "--expect", self.EXPECTED)
+        self.assertIn("1200.0000000000002", outcome.json["broken"][0])
+        self.assertEqual(self.remark("gravity_by_one_ulp", "5-gravity"), "the paper has 1200")
+
+    def test_a_constant_alone_flips_no_law(self):
+        self.assertEqual(set(self.flipped("gravity_by_one_ulp")), {"5-gravity"})
+
+
+class Rest(StudyControl):
+    """The boundaries of rest are where the laws put them, and a core of other laws has others or none."""
+
+    def boundaries(self, control, exit_code):
+        """{boundary: (analytic, measured)} by the program with that change."""
+        outcome = self.study(control, "rest")
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return [(entry["analytic_hz"], entry["measured_hz"]) for entry in outcome.json["boundaries"]]
+
+    def test_no_change_is_green(self):
+        for analytic, measured in self.boundaries("none", AGREED):
+            self.assertAlmostEqual(analytic, measured, delta=1e-9 * analytic)
+
+    def test_without_the_rest_rule_there_are_none(self):
+        self.assertEqual([measured for _, measured in self.boundaries("rest_rule_gone", DISAGREED)], [None] * 3)
+
+    def test_another_order_shifts_them_from_the_analytic_place(self):
+        for analytic, measured in self.boundaries("drag_before_gravity", DISAGREED):
+            self.assertGreater(abs(measured - analytic), 1e-4 * analytic)
+
+
+class FrameRate(StudyControl):
+    """What is said of the step is said of the core, and drag by time makes a difference."""
+
+    def test_no_change_is_green(self):
+        outcome = self.study("none", "frame-rate")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_a_core_that_takes_drag_by_time_itself_is_told(self):
+        outcome = self.study("drag_by_time", "frame-rate")
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertIn("make it no more independent of the frame rate", outcome.json["broken"][0])
+
+    def test_a_core_that_remembers_is_told(self):
+        outcome = self.study("hidden_state", "frame-rate")
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertIn("is not the core, bit for bit", outcome.json["broken"][0])
+
+
+class SpeedError(StudyControl):
+    """The paper's step is where its closed forms have it, and a core of another flight is not."""
+
+    def test_no_change_is_green(self):
+        outcome = self.study("none", "speed-error")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_another_flight_is_told(self):
+        for core in ("no_gravity", "drag_in_y_twice", "drag_before_gravity", "position_before_velocity"):
+            with self.subTest(core=core):
+                self.assertEqual(self.study(core, "speed-error").exit_code, DISAGREED)
+
+
+class Needs(StudyControl):
+    """What is left out is left out of the replay's run, or the gate is red."""
+
+    def test_no_change_is_green(self):
+        outcome = self.study("none", "needs", "scenarios/flings")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_a_core_that_is_not_the_variants_step_is_told(self):
+        for core in ("ceiling_stops", "x_by_old_vx", "friction_left_out"):
+            with self.subTest(core=core):
+                outcome = self.study(core, "needs", "scenarios/flings")
+                self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+                self.assertIn("is not the replay's, bit for bit", outcome.json["broken"][0])
+
+
+if __name__ == "__main__":
+    main()
