@@ -45,9 +45,9 @@ class AxisFlight {
     if (t_s == 0.0) return {from_.position_px, from_.speed_px_per_s};
     const double drag_s = std::min(t_s, kDragOfAll / from_.drag_rate_per_s);
     const double drag = from_.drag_rate_per_s * drag_s;
-    const double pieces = std::max(1.0, std::ceil(drag / kDragPerPiece));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(drag / kDragPerPiece)));
     driver_.start(0, {from_.position_px, from_.speed_px_per_s}, from_.acceleration_px_per_s2);
-    for (double piece = 0.0; piece < pieces; ++piece)
+    for (int piece = 0; piece < pieces; ++piece)
       if (!driver_.advance(drag_s / pieces, drag / pieces)) return {kNaN, kNaN};
     AxisMotion end = driver_.at(0);
     end.displacement_px += end.speed_px_per_s * (t_s - drag_s);

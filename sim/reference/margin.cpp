@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/reference/largest.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/wall.h"
 
@@ -139,7 +140,7 @@ Margin MarginMeter::margin() const {
   for (const auto& row : margin.sensitivity) {
     double sum = 0.0;
     for (const double entry : row) sum += std::fabs(entry);
-    margin.sensitivity_norm = std::max(margin.sensitivity_norm, sum);
+    margin.sensitivity_norm = larger(margin.sensitivity_norm, sum);
   }
   return margin;
 }
