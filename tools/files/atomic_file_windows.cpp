@@ -16,7 +16,7 @@ namespace hyrax {
 namespace {
 
 // Whoever reads the old file at this moment, as a virus scanner does, keeps it from being replaced.
-bool move(const std::string& from, const std::string& to, DWORD how) {
+bool move_file(const std::string& from, const std::string& to, DWORD how) {
   constexpr int kTries = 20;
   constexpr DWORD kPause_ms = 10;
   for (int tries = 1;; ++tries) {
@@ -62,12 +62,12 @@ void AtomicFile::write(std::string_view text) const {
 }
 
 void AtomicFile::commit() {
-  if (!move(part_path_, path_, MOVEFILE_REPLACE_EXISTING)) fail_to_move(path_);
+  if (!move_file(part_path_, path_, MOVEFILE_REPLACE_EXISTING)) fail_to_move(path_);
   part_path_.clear();
 }
 
 void AtomicFile::commit_as_new() {
-  if (!move(part_path_, path_, 0)) fail_to_move(path_);
+  if (!move_file(part_path_, path_, 0)) fail_to_move(path_);
   part_path_.clear();
 }
 
