@@ -1,4 +1,7 @@
 // How a command declares its arguments, and how they are read from the command line.
+//
+// Libraries were tried: CLI11 splits a file named `[a,b]` into two and lets an option with several values
+// take the files after it; getopt_long accepts abbreviations, which a later option makes ambiguous.
 #pragma once
 
 #include <cstdint>
