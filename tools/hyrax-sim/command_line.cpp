@@ -1,6 +1,7 @@
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
 #include "tools/files/standard_streams.h"
+#include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/options.h"
 
 namespace hyrax {
@@ -36,6 +37,12 @@ const Command* find(const std::vector<Command>& commands, const std::string& nam
   return nullptr;
 }
 
+std::vector<std::string_view> names_of(const std::vector<Command>& commands) {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return names;
+}
+
 void require_strict_ieee() {
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax-sim: " + std::string(*fault));
@@ -55,9 +62,10 @@ ExitCode print_help(const std::string& text) {
 ExitCode run_command_line(const std::vector<std::string>& arguments, const std::vector<Command>& commands) {
   const std::string name = arguments.empty() ? "--help" : arguments.front();
   if (name == "--help" || name == "-h" || name == "help") return print_help(first_screen(commands));
-  if (name == "--version") return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
+  if (name == "--version" || name == "-V")
+    return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
   const Command* const command = find(commands, name);
-  if (command == nullptr) refuse("hyrax-sim", "unknown command (found " + name + ")");
+  if (command == nullptr) refuse("hyrax-sim", unknown_word("command", name, names_of(commands)));
 
   Options options;
   const std::function<ExitCode()> act = command->declare(options);
