@@ -125,6 +125,7 @@ class Schema(ProgramTest):
 
     def test_it_is_a_json_schema_that_knows_a_good_scenario(self):
         schema = json.loads(self.expect(AGREED, "schema").out)
+        self.assertEqual(schema["$id"], "urn:hyrax-scenario:1")
         validator = jsonschema.validators.validator_for(schema)
         validator.check_schema(schema)
         validator(schema).validate(fling())
