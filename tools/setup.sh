@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Functions shared by tools/run, tools/test and .ci/run: packages, configuring, building. Sourced, not run.
+# Functions shared by tools/run, tools/check, tools/test and .ci/run: packages, configuring, building. Sourced, not run.
 # All messages go to stderr, so that stdout contains only the results of the program.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
@@ -169,6 +169,17 @@ build() {
   shift
   [[ ! -t 2 ]] || quiet=()
   ninja "${quiet[@]}" -C "$folder" "$@" >&2
+}
+
+# build_program FOLDER: builds hyrax-sim if a source file changed. The folder may be that of tools/test: whatever
+# it was configured for, it can build hyrax-sim.
+build_program() {
+  hold "$1"
+  is_configured "$1" || configure "$1" CMAKE_BUILD_TYPE=Release HYRAX_TESTS=OFF ||
+    stop "CMake could not configure hyrax-sim; see the output above."
+  is_up_to_date "$1" hyrax-sim || timed "build hyrax-sim" build "$1" hyrax-sim ||
+    stop "hyrax-sim could not be built; see the output above."
+  release
 }
 
 can_write() { mkdir -p -- "$1" 2> /dev/null && [[ -w $1 ]]; }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "tools/files/unknown_word.h"
+
 namespace hyrax {
 namespace {
 
@@ -29,12 +31,6 @@ std::string sentence_of(const NumberRule& rule) {
   return "must be a number";
 }
 
-std::string joined(std::initializer_list<std::string_view> keys) {
-  std::string text;
-  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
-  return text;
-}
-
 }  // namespace
 
 void JsonPlace::wrong(const std::string& sentence) const {
@@ -53,8 +49,7 @@ bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const
   std::unordered_set<std::string_view> seen;
   for (const auto& [key, value] : *object) {
     const JsonPlace here(&value, pointer_to(pointer_, key), *problems_);
-    if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      here.wrong("is no key that may stand here; these may: " + joined(keys));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) here.wrong(unknown_word("key", key, keys));
     if (!seen.insert(key).second) here.wrong("stands twice; keep one of the two");
   }
   return true;

@@ -11,6 +11,7 @@
 #include "tools/files/printable.h"
 #include "tools/files/quantity_reader.h"
 #include "tools/files/text_file.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
@@ -22,8 +23,7 @@ bool is_name(const std::string& name) {
 
 void read_format(const JsonPlace& here) {
   const auto format = here.text();
-  if (format && *format != kScenarioFormat)
-    here.breaks_rule("must be a format this program knows: \"" + std::string(kScenarioFormat) + "\"");
+  if (format && *format != kScenarioFormat) here.wrong(unknown_word("format", *format, {kScenarioFormat}));
 }
 
 std::string read_name(const JsonPlace& here, const std::string& fallback) {
@@ -56,6 +56,12 @@ constexpr JitterRule kJitterRules[] = {
     {"normal", Jitter::Kind::normal, "sigma_s", {0.0, kFrameMax_s}},
     {"missed_frames", Jitter::Kind::missed_frames, "probability", {0.0, 1.0}}};
 
+std::vector<std::string_view> jitter_kinds() {
+  std::vector<std::string_view> kinds;
+  for (const JitterRule& rule : kJitterRules) kinds.push_back(rule.kind);
+  return kinds;
+}
+
 // Where the kind is not known, any kind's keys may stand, each under its own rule.
 Jitter read_jitter_of_unknown_kind(const JsonPlace& here) {
   static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
@@ -74,7 +80,7 @@ Jitter read_jitter(const JsonPlace& here) {
   const auto rule = std::find_if(std::begin(kJitterRules), std::end(kJitterRules),
                                  [&](const JitterRule& r) { return kind == r.kind; });
   if (rule == std::end(kJitterRules)) {
-    if (kind) here.member("kind").breaks_rule("must be \"uniform\", \"normal\" or \"missed_frames\"");
+    if (kind) here.member("kind").wrong(unknown_word("value", *kind, jitter_kinds()));
     return read_jitter_of_unknown_kind(here);
   }
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));

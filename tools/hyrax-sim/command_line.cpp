@@ -1,6 +1,7 @@
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
 #include "tools/files/standard_streams.h"
+#include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/options.h"
 
 namespace hyrax {
@@ -24,8 +25,8 @@ std::string first_screen(const std::vector<Command>& commands) {
          "Usage: hyrax-sim COMMAND [OPTION]... [FILE]...\n\n"
          "Commands:\n" +
          command_list(commands, true) + "\nMore:\n" + command_list(commands, false) +
-         "\n`hyrax-sim COMMAND --help` describes a command, with an example; `--version` prints the "
-         "version.\n"
+         "\n`hyrax-sim COMMAND --help` describes a command, with an example; `--version` (`-V`) "
+         "prints the version.\n"
          "Exit codes: 0 agreed or done, 1 disagreed, 2 bad usage or input, 3 cannot read or write,\n"
          "4 golden file missing, 5 this machine or build is not strict IEEE-754, 70 internal error.\n";
 }
@@ -34,6 +35,12 @@ const Command* find(const std::vector<Command>& commands, const std::string& nam
   for (const Command& command : commands)
     if (command.name == name) return &command;
   return nullptr;
+}
+
+std::vector<std::string_view> names_of(const std::vector<Command>& commands) {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return names;
 }
 
 void require_strict_ieee() {
@@ -55,9 +62,10 @@ ExitCode print_help(const std::string& text) {
 ExitCode run_command_line(const std::vector<std::string>& arguments, const std::vector<Command>& commands) {
   const std::string name = arguments.empty() ? "--help" : arguments.front();
   if (name == "--help" || name == "-h" || name == "help") return print_help(first_screen(commands));
-  if (name == "--version") return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
+  if (name == "--version" || name == "-V")
+    return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
   const Command* const command = find(commands, name);
-  if (command == nullptr) refuse("hyrax-sim", "unknown command (found " + name + ")");
+  if (command == nullptr) refuse("hyrax-sim", unknown_word("command", name, names_of(commands)));
 
   Options options;
   const std::function<ExitCode()> act = command->declare(options);

@@ -11,6 +11,7 @@ namespace hyrax {
 [[nodiscard]] Command diff_command();
 [[nodiscard]] Command drift_command();
 [[nodiscard]] Command study_command();
+[[nodiscard]] Command new_command();
 [[nodiscard]] Command validate_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command info_command();

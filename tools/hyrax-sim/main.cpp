@@ -30,10 +30,10 @@ int main(int argc, char** argv) {
   std::signal(SIGCHLD, SIG_DFL);
   ExitCode exit_code = ExitCode::program_fault;
   try {
-    exit_code =
-        run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc),
-                         {run_command(), check_command(), bless_command(), diff_command(), drift_command(),
-                          study_command(), validate_command(), schema_command(), info_command()});
+    exit_code = run_command_line(
+        std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc),
+        {run_command(), check_command(), bless_command(), diff_command(), drift_command(), study_command(),
+         new_command(), validate_command(), schema_command(), info_command()});
   } catch (const Failure& failure) {
     print_error(failure.what());
     exit_code = failure.exit_code();

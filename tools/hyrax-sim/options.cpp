@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "tools/files/unknown_word.h"
+
 namespace hyrax {
 namespace {
 
@@ -87,15 +89,25 @@ void Options::choice(std::string& into, const OptionText& text, const std::vecto
   if (text.value.find('|') == std::string::npos) shown.help += fmt::format(":\n{}", fmt::join(words, ", "));
   add(shown, Kind::once, [&into, names = text.names, words](const std::string& value) {
     if (std::find(words.begin(), words.end(), value) == words.end())
-      refuse(fmt::format("{}: unknown value (found {}); allowed: {}", names, value, fmt::join(words, ", ")));
+      refuse(names + ": " + unknown_word("value", value, {words.begin(), words.end()}));
     into = value;
   });
+}
+
+std::vector<std::string_view> Options::names() const {
+  std::vector<std::string_view> names;
+  for (const Option& option : options_) {
+    const std::string_view all = option.text.names;
+    names.push_back(all.substr(all.rfind(',') + 1));
+  }
+  names.push_back("--help");
+  return names;
 }
 
 Options::Option& Options::find(const std::string& name) {
   const auto option =
       std::find_if(options_.begin(), options_.end(), [&](const Option& each) { return each.is_named(name); });
-  if (option == options_.end()) refuse(name + ": unknown option");
+  if (option == options_.end()) refuse(unknown_word("option", name, names()));
   return *option;
 }
 

@@ -62,6 +62,8 @@ class Options {
   using Argument = std::vector<std::string>::const_iterator;
   /// Takes the option at `argument`; returns the last argument that it used.
   [[nodiscard]] Argument take_option(Argument argument, Argument last);
+  /// The long names of all options.
+  [[nodiscard]] std::vector<std::string_view> names() const;
   [[nodiscard]] Option& find(const std::string& name);
   void take_files(std::vector<std::string> files) const;
 

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "tools/files/unknown_word.h"
+
 namespace hyrax {
 
 void declare_study(Options& options, StudyArguments& arguments, const std::string& study_list) {
@@ -20,12 +22,12 @@ void declare_study(Options& options, StudyArguments& arguments, const std::strin
 }
 
 const StudyKind& find_study(const std::vector<StudyKind>& kinds, const std::string& name) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const StudyKind& kind : kinds) {
     if (kind.name == name) return kind;
-    names += (names.empty() ? "" : &kind == &kinds.back() ? " and " : ", ") + kind.name;
+    names.push_back(kind.name);
   }
-  throw Failure(ExitCode::bad_input, "hyrax-sim study: '" + name + "' is no study; there are " + names);
+  throw Failure(ExitCode::bad_input, "hyrax-sim study: " + unknown_word("study", name, names));
 }
 
 StudyRequest study_request(const StudyKind& kind, const StudyArguments& arguments) {

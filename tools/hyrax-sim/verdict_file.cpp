@@ -8,6 +8,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
 #include "tools/files/text_file.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
@@ -29,7 +30,7 @@ class VerdictReader {
       else if (key == "verdicts")
         see_verdicts(value);
       else
-        refuse("/" + key, "is no key that may stand here; these may: format, verdicts");
+        refuse("/" + key, unknown_word("key", key, {"format", "verdicts"}));
     }
     if (members != nullptr && document_.find("format") == nullptr) refuse("/format", "is missing");
     if (members != nullptr && document_.find("verdicts") == nullptr) refuse("/verdicts", "is missing");
@@ -66,10 +67,10 @@ class VerdictReader {
     if (claim == claims_.end()) return refuse(place, "is no claim; `hyrax-sim study paper` lists them");
     if (!seen_.insert(id).second) return refuse(place, "stands twice");
     const std::string* const expected = verdict.get<std::string>();
-    if (expected == nullptr || std::find(kClaimVerdictNames.begin(), kClaimVerdictNames.end(), *expected) ==
-                                   kClaimVerdictNames.end())
-      return refuse(place, fmt::format("must be one of {}, is {}", fmt::join(kClaimVerdictNames, ", "),
-                                       to_text(verdict)));
+    const std::vector<std::string_view> allowed(kClaimVerdictNames.begin(), kClaimVerdictNames.end());
+    if (expected == nullptr || std::find(allowed.begin(), allowed.end(), *expected) == allowed.end())
+      return refuse(place,
+                    unknown_word("value", expected != nullptr ? *expected : to_text(verdict), allowed));
     if (*expected != name_of(claim->verdict))
       unexpected_.push_back(fmt::format("{}: {}, where {} expects: {} ({}: {} {})", id,
                                         name_of(claim->verdict), path_, *expected, claim->measured,

@@ -117,24 +117,34 @@ OutputGuard::OutputGuard(const std::vector<std::string>& inputs, const std::stri
 void OutputGuard::admit(const std::string& option, const std::string& path,
                         const std::vector<std::string>& suffixes) {
   require_suffix(option, path, suffixes);
+  admit_scenario(option, path);
+  spare_scenarios(option, path);
+}
+
+void OutputGuard::admit_scenario(const std::string& option, const std::string& path) {
   const Route route = route_to(path);
   const auto identity = identity_of(path);
   if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))
     throw Failure(ExitCode::bad_input, option + ": is a golden file or in a golden folder (found " + path +
                                            "); only `hyrax-sim bless` writes there");
-  spare_inputs(option, path, route);
+  spare_inputs(option, path);
   if (!outputs_.insert(route.end).second) refuse(option, "another output of this command", path);
 }
 
 void OutputGuard::admit_golden(const std::string& option, const std::string& path) const {
-  spare_inputs(option, path, route_to(path));
+  spare_inputs(option, path);
+  spare_scenarios(option, path);
 }
 
-void OutputGuard::spare_inputs(const std::string& option, const std::string& path, const Route& route) const {
+void OutputGuard::spare_inputs(const std::string& option, const std::string& path) const {
   const auto identity = identity_of(path);
   if (identity && inputs_.count(*identity) > 0) refuse(option, "an input of this command", path);
+}
+
+void OutputGuard::spare_scenarios(const std::string& option, const std::string& path) const {
+  const Route route = route_to(path);
   const bool is_scenario_by_name =
-      route.is_in_scenarios && identity && fs::path(route.end).extension() == ".json";
+      route.is_in_scenarios && identity_of(path) && fs::path(route.end).extension() == ".json";
   if (is_scenario_by_name || holds_scenario(path)) refuse(option, "a scenario", path);
 }
 

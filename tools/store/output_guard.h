@@ -26,6 +26,9 @@ class OutputGuard {
   void admit(const std::string& option, const std::string& path,
              const std::vector<std::string>& suffixes = {});
 
+  /// The same for a scenario file: it may replace a scenario.
+  void admit_scenario(const std::string& option, const std::string& path);
+
   /// The same for what goes into a golden folder on purpose; it may be admitted several times.
   void admit_golden(const std::string& option, const std::string& path) const;
 
@@ -34,7 +37,8 @@ class OutputGuard {
   struct Route;
 
   [[nodiscard]] Route route_to(const std::string& path) const;
-  void spare_inputs(const std::string& option, const std::string& path, const Route& route) const;
+  void spare_inputs(const std::string& option, const std::string& path) const;
+  void spare_scenarios(const std::string& option, const std::string& path) const;
 
   std::set<Identity> inputs_;
   std::set<Identity> golden_files_;

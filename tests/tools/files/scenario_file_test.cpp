@@ -143,7 +143,7 @@ TEST_F(ScenarioFile, TakesALaterOverrideOverAnEarlierOne) {
 // What a key says may be meant for a terminal.
 TEST_F(ScenarioFile, TellsAKeyInPrintableCharacters) {
   const std::string told = refusal(file("bad.json", R"({"\u0000\u001b[2J\n": 1})"), {});
-  EXPECT_NE(told.find(R"(/\u0000\u001b[2J\u000a: is no key)"), std::string::npos) << told;
+  EXPECT_NE(told.find(R"(/\u0000\u001b[2J\u000a: unknown key)"), std::string::npos) << told;
 }
 
 // Looking through all earlier keys for each would take a while.
@@ -151,7 +151,7 @@ TEST_F(ScenarioFile, TellsManyKeysThatMayNotStand) {
   std::string text = "{";
   for (int key = 0; key < 100'000; ++key) text += "\"" + std::to_string(key) + "\": 0,";
   const std::string told = refusal(file("keys.json", text + "\"0\": 0}"), {});
-  EXPECT_NE(told.find("/99999: is no key"), std::string::npos);
+  EXPECT_NE(told.find("/99999: unknown key"), std::string::npos);
   EXPECT_NE(told.find("/0: stands twice"), std::string::npos);
 }
 
@@ -159,7 +159,7 @@ TEST_F(ScenarioFile, HoldsOverridesToTheSameRules) {
   const std::string path = file("plain.json", kNameless);
   EXPECT_EQ(refusal(path, {{"/steps", "many"}}),
             path + ": /steps: must be a whole number 0 .. 1000000000000, is \"many\"");
-  EXPECT_NE(refusal(path, {{"/stpes", "7"}}).find(path + ": /stpes: is no key"), std::string::npos);
+  EXPECT_NE(refusal(path, {{"/stpes", "7"}}).find(path + ": /stpes: unknown key"), std::string::npos);
   EXPECT_EQ(refusal(path, {{"/steps/x", "7"}}), path + ": /steps/x: leads nowhere: there is no 'x'");
   EXPECT_EQ(refusal(path, {{"steps", "7"}}).find(path + ": steps: is no JSON Pointer"), 0u);
 }

@@ -145,7 +145,7 @@ class OneDocument(ProgramTest):
         self.expect(AGREED, "run", *files)
         screen = self.expect(AGREED, "--help").out
         commands = {"run": files, "check": files, "diff": ["one.h5", "one.h5"], "drift": files, "validate": files,
-                    "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "schema": [],
+                    "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "new": ["fresh"], "schema": [],
                     "bless": [*files, "--reason", "x"]}
         self.assertEqual(sorted(commands), sorted(re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)))
         for command, arguments in commands.items():

@@ -61,7 +61,8 @@ class Help(CommandTest):
                 self.assertIn(name, text)
 
     def test_the_version_is_one_line(self):
-        self.assertRegex(self.expect(AGREED, "--version").out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
+        for option in ("--version", "-V"):
+            self.assertRegex(self.expect(AGREED, option).out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
 
 
 class Usage(CommandTest):
@@ -75,11 +76,15 @@ class Usage(CommandTest):
         self.assertEqual(self.names(), [])
 
     def test_an_unknown_command_is_refused(self):
-        self.refuse("chekc", says=("unknown command (found chekc)", "--help"))
+        self.refuse("chekc", says=("unknown command (found chekc); allowed: run, check, ", "(did you mean check?)", "--help"))
 
     def test_an_unknown_option_is_refused(self):
         for command in self.commands():
-            self.refuse(command, "--colour", says=f"hyrax-sim {command}:")
+            self.refuse(command, "--colour", says=(f"hyrax-sim {command}:", "unknown option (found --colour)"))
+        self.refuse("run", "a.json", "--outptu", "x.h5", says=("unknown option (found --outptu)", "(did you mean --output?)"))
+
+    def test_a_value_that_is_no_choice_is_refused(self):
+        self.refuse("drift", "a.json", "--reference", "close", says=("unknown value (found close)", "(did you mean closed?)"))
 
     def test_missing_files_are_refused(self):
         for command in ("run", "bless", "validate", "diff"):
@@ -120,6 +125,7 @@ class Schema(ProgramTest):
 
     def test_it_is_a_json_schema_that_knows_a_good_scenario(self):
         schema = json.loads(self.expect(AGREED, "schema").out)
+        self.assertEqual(schema["$id"], "urn:hyrax-scenario:1")
         validator = jsonschema.validators.validator_for(schema)
         validator.check_schema(schema)
         validator(schema).validate(fling())

@@ -79,8 +79,8 @@ class Paper(ProgramTest):
         self.study(BAD_INPUT, "--expect", self.expected(change), says=(
             'expected.json: /format: must be "hyrax-verdicts/1", is "hyrax-verdicts/2"',
             "expected.json: /verdicts/9-moon: is no claim",
-            'expected.json: /verdicts/7-fast: must be one of holds, holds when, does not hold, not measured, is "maybe"',
-            "expected.json: /more: is no key that may stand here"))
+            'expected.json: /verdicts/7-fast: unknown value (found maybe); allowed: holds, holds when, does not hold, not measured',
+            "expected.json: /more: unknown key (found more); allowed: format, verdicts"))
         self.study(BAD_INPUT, "--expect", self.write("list.json", "[]"), says="list.json: /: must be an object")
         self.study(BAD_INPUT, "--expect", self.write("empty.json", "{}"), says=("/format: is missing", "/verdicts: is missing"))
         self.study(CANNOT_ACCESS, "--expect", "none.json", says="none.json: cannot be read")

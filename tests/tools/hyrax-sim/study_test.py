@@ -199,7 +199,7 @@ class Usage(StudyTest):
     """What is refused, before anything is made."""
 
     def test_an_unknown_study_is_told_which_there_are(self):
-        self.expect(BAD_INPUT, "study", "speed", says=("'speed' is no study", "speed-error", "needs"))
+        self.expect(BAD_INPUT, "study", "speed", says=("unknown study (found speed)", "speed-error", "needs"))
         self.expect(BAD_INPUT, "study", says="study")
 
     def test_options_without_use_are_refused(self):

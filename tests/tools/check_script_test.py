@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+"""tools/check builds hyrax-sim and passes on its verdict; --watch repeats that after a change.
+
+Runs a copy of the scripts in a project whose build folder has a ninja file of one target: it copies the program.
+"""
+
+import os
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from program import AGREED, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
+
+
+@unittest.skipUnless(shutil.which("ninja"), "ninja is not installed")
+class CheckScript(ProgramTest):
+    """A project with a build folder that is configured."""
+
+    def setUp(self):
+        super().setUp()
+        self.scenario, = self.project("one")
+        for script in ("check", "setup.sh"):
+            self.write(f"tools/{script}", (SOURCE / "tools" / script).read_text())
+        (self.folder / "tools/check").chmod(0o755)
+        self.write("CMakeLists.txt", "")
+        self.write("sim/source.txt", "1")
+        self.write("build/tools/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={self.folder.resolve()}\n")
+        self.write_build(f"cp {PROGRAM} bin/hyrax-sim")
+
+    def write_build(self, command):
+        """The program is made by a command, whenever sim/source.txt changed."""
+        self.write("build/tools/build.ninja",
+                   f"rule make\n  command = {command}\nbuild bin/hyrax-sim: make ../../sim/source.txt\n"
+                   "build hyrax-sim: phony bin/hyrax-sim\n")
+
+    def check(self, *arguments):
+        """Runs the script."""
+        return subprocess.run(["tools/check", *arguments], cwd=self.folder, capture_output=True, text=True, check=False,
+                              stdin=subprocess.DEVNULL, timeout=60)
+
+    def test_help_builds_nothing(self):
+        done = self.check("--help")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for words in ("--watch", "Ctrl-C", "Exit code"):
+            self.assertIn(words, done.stdout)
+        self.assertFalse((self.folder / "build/tools/bin").exists())
+
+    def test_it_builds_then_checks(self):
+        first = self.check()
+        self.assertEqual(first.returncode, AGREED, first)
+        self.assertIn("build hyrax-sim", first.stderr)
+        self.assertIn("1 agreed", first.stdout)
+        again = self.check(self.scenario)
+        self.assertEqual((again.returncode, again.stderr), (AGREED, ""), "up to date: nothing is built")
+        self.assertEqual(again.stdout, first.stdout)
+
+    def test_its_exit_code_is_that_of_check(self):
+        self.assertEqual(self.check("--golden", "nowhere").returncode, GOLDEN_MISSING)
+        self.write(self.scenario, fling(name="one", steps=299))
+        done = self.check()
+        self.assertEqual(done.returncode, DISAGREED, done)
+        self.assertIn("0 agreed, 1 disagreed", done.stdout)
+
+    def test_a_build_that_fails_is_exit_3(self):
+        self.write_build("false")
+        done = self.check()
+        self.assertEqual((done.returncode, done.stdout), (CANNOT_ACCESS, ""), done)
+        self.assertIn("hyrax-sim could not be built", done.stderr)
+
+    def test_watch_repeats_after_a_change_until_it_is_interrupted(self):
+        log = self.folder / "log"
+        with open(log, "wb") as stream:
+            process = subprocess.Popen(["tools/check", "--watch"], cwd=self.folder, stdout=stream, stderr=stream,
+                                       stdin=subprocess.DEVNULL, start_new_session=True,
+                                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
+        try:
+            self.wait_for(log, "exit code 0; waiting")
+            self.write(self.scenario, fling(name="one", steps=299))
+            self.wait_for(log, "exit code 1; waiting")
+            self.write("sim/source.txt", "other")
+            self.wait_for(log, "exit code 1; waiting", times=2)
+            os.killpg(process.pid, signal.SIGINT)
+            self.assertEqual(process.wait(timeout=10), 0)
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+        self.assertEqual(log.read_text().count("build hyrax-sim"), 2)
+
+    def wait_for(self, log, words, times=1):
+        """Until the words are in the log that often."""
+        end = time.monotonic() + 30
+        while log.read_text().count(words) < times:
+            self.assertLess(time.monotonic(), end, log.read_text())
+            time.sleep(0.05)
+
+
+if __name__ == "__main__":
+    main()

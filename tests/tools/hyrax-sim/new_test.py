@@ -1,0 +1,126 @@
+#!/usr/bin/python3
+"""new: a scenario to start from, and clocks from recorded frame times."""
+
+import json
+
+import jsonschema
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+
+PRESENTMON = ("Application,ProcessID,MsBetweenPresents,PresentMode\r\n"
+              "game.exe,42,16.6667,Hardware: Independent Flip\r\n"
+              '"a ""quoted"", name",42,33.25,"two\r\nlines"\r\n'
+              "game.exe,42,0,\r\n")
+
+
+class NewTest(ProgramTest):
+    """Reads what was written."""
+
+    def scenario(self, name="my-fling"):
+        """The file as a document."""
+        return json.loads((self.folder / f"{name}.json").read_text())
+
+    def assert_good(self, name="my-fling"):
+        """It is valid by the reader and by the schema, its expectations hold."""
+        self.expect(AGREED, "validate", f"{name}.json")
+        jsonschema.validate(self.scenario(name), json.loads(self.expect(AGREED, "schema").out))
+        self.expect(AGREED, "run", f"{name}.json", "-o", "out/")
+
+
+class New(NewTest):
+    """The file that is written."""
+
+    def test_it_is_a_valid_scenario_with_every_common_key(self):
+        outcome = self.expect(AGREED, "new", "my-fling")
+        self.assertTrue(outcome.out.startswith("written my-fling.json (600 steps)"), outcome)
+        self.assertEqual(list(self.scenario()), ["$schema", "format", "name", "description", "window", "sprite", "start",
+                                                 "clock", "steps", "events", "record", "expect"])
+        self.assertEqual(self.scenario()["name"], "my-fling")
+        self.assert_good()
+
+    def test_json(self):
+        self.assertEqual(self.expect(AGREED, "new", "my-fling", "--json").json,
+                         {"scenario": "my-fling.json", "steps": 600})
+
+    def test_an_existing_file_is_kept_without_force(self):
+        for content in ("not a scenario", json.dumps(fling())):
+            self.write("my-fling.json", content)
+            before = self.state_of(".")
+            self.expect(BAD_INPUT, "new", "my-fling", says=("my-fling.json: exists", "--force"))
+            self.assertEqual(self.state_of("."), before)
+        self.expect(AGREED, "new", "my-fling", "--force")
+        self.assert_good()
+
+    def test_a_bad_name_writes_nothing(self):
+        for name in ("My", "a b", "../up", "my-fling.json", "a" * 65):
+            self.expect(BAD_INPUT, "new", name, says="/name: must be 1 .. 64 of the characters")
+        self.assertEqual(self.names(), [])
+
+    def test_inputs_and_golden_folders_are_protected(self):
+        self.write("frames.json", "MsBetweenPresents\n5\n")
+        before = self.state_of(".")
+        self.expect(BAD_INPUT, "new", "frames", "--clock-from", "frames.json", "--force", says="an input of this command")
+        self.assertEqual(self.state_of("."), before)
+        self.project("one")
+        self.expect(BAD_INPUT, "new", "one", says="golden", cwd=self.folder / "golden")
+
+    def test_a_folder_that_cannot_be_read(self):
+        self.expect(CANNOT_ACCESS, "new", "my-fling", "--clock-from", "none.csv", says="none.csv: cannot be read")
+
+
+class ClockFrom(NewTest):
+    """Recorded frame times as the clock."""
+
+    def new(self, text, *options):
+        """The clock made from a CSV file."""
+        (self.folder / "frames.csv").write_bytes(text.encode())
+        self.expect(AGREED, "new", "my-fling", "--clock-from", "frames.csv", *options, "--force")
+        self.assert_good()
+        scenario = self.scenario()
+        self.assertEqual(scenario["steps"], len(scenario["clock"]["dt_s"]))
+        return scenario["clock"]["dt_s"]
+
+    def test_presentmon_as_it_is(self):
+        wanted = [16.6667 / 1000, 33.25 / 1000, 0]
+        self.assertEqual(self.new(PRESENTMON), wanted)
+        self.assertEqual(self.new("\ufeff" + PRESENTMON), wanted)
+        self.assertEqual(self.new(PRESENTMON.replace("\r\n", "\n")), wanted)
+        self.assertEqual(self.new(PRESENTMON.removesuffix("\r\n")), wanted)
+
+    def test_another_column_and_unit(self):
+        text = 'n,"dt, s"\n1,0.5\n2,"1e-3"\n'
+        self.assertEqual(self.new(text, "--column", "dt, s", "--unit", "s"), [0.5, 0.001])
+        self.assertEqual(self.new(text, "--column", "n", "--unit", "ms"), [0.001, 0.002])
+        self.assertEqual(self.new(PRESENTMON, "--unit", "s"), [16.6667, 33.25, 0])
+
+    def test_many_frames_keep_the_event_where_it_is(self):
+        self.assertEqual(len(self.new("MsBetweenPresents\n" + "7\n" * 500)), 500)
+        self.assertEqual(self.scenario()["events"][0]["step"], 120)
+
+    def test_what_is_wrong_is_named(self):
+        for text, says in (
+                ("", "line 1: unknown column (found MsBetweenPresents)"),
+                ("a,MsBetweenPresent\n1,2\n", "(did you mean MsBetweenPresent?)"),
+                ("MsBetweenPresents,MsBetweenPresents\n1,2\n", "line 1: duplicate column (found MsBetweenPresents)"),
+                ("MsBetweenPresents\n", "line 1: no frame after the header"),
+                ("a,MsBetweenPresents\n1,2\n1,NA\n", "line 3, column 2 (MsBetweenPresents): must be a number 0 .. 1000000000000 (found NA)"),
+                ("MsBetweenPresents\n-1\n", "line 2, column 1 (MsBetweenPresents): must be a number 0 .. 1000000000000 (found -1)"),
+                ("MsBetweenPresents\n1e13\n", "(found 1e13)"), ("MsBetweenPresents\nnan\n", "(found nan)"),
+                ("MsBetweenPresents\n1,5\n", "line 2: must have 1 fields, as the header (found 2)"),
+                ("a,MsBetweenPresents\n1,2\n\n", "line 3: must have 2 fields, as the header (found 1)"),
+                ('a,MsBetweenPresents\n"x\ny",2\n"z",?\n', "line 4, column 2 (MsBetweenPresents)"),
+                ('a,MsBetweenPresents\n"x,2\n', "line 2, column 1: closing quote is missing"),
+                ('a,MsBetweenPresents\nx"y,2\n', "line 2, column 1: quote inside a field without quotes"),
+                ('MsBetweenPresents\n"2"5\n', "line 2, column 1: text after the closing quote (found 5)")):
+            self.write("frames.csv", text)
+            self.expect(BAD_INPUT, "new", "my-fling", "--clock-from", "frames.csv", says=("frames.csv: ", says))
+            self.assertEqual(self.names(), ["frames.csv"])
+
+    def test_options_that_need_one_another(self):
+        self.write("frames.csv", "dt\n1\n")
+        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--column", "dt", says="--unit: is missing")
+        self.expect(BAD_INPUT, "new", "a", "--unit", "s", says="need --clock-from")
+
+
+if __name__ == "__main__":
+    main()
