@@ -163,7 +163,7 @@ std::string RunComparer::difference_in_shape(const Played& played) const {
 Comparison RunComparer::finish(const Played& played) {
   result_.contacts = contact_changes(kept_.contacts, contacts_);
   // Batches and blocks of equal bytes were not searched for a NaN, with which a run ends.
-  if (!result_.first && !is_finite_state(played.final))
+  if (!result_.first && !is_finite(state_of(played.final)))
     result_.first = first_difference(kept_.final, played.final);
   if (!result_.first && result_.contacts.is_none())
     result_.first = first_difference(kept_.contacts, contacts_);

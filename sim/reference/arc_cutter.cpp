@@ -13,7 +13,7 @@ constexpr double kStateMax = 1e100;
 bool is_measurable(const Row& row) {
   const double largest = std::max(
       {std::fabs(row.x_px), std::fabs(row.y_px), std::fabs(row.vx_px_per_s), std::fabs(row.vy_px_per_s)});
-  return is_finite_state(row) && largest <= kStateMax && row.dt_s >= 0.0 && row.dt_s <= kFrameMax_s;
+  return is_finite(state_of(row)) && largest <= kStateMax && row.dt_s >= 0.0 && row.dt_s <= kFrameMax_s;
 }
 
 ArcEnd end_at(std::uint8_t contact) {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/motion/wall.h"
 #include "sim/reference/input_playback.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/input.h"
 #include "sim/trajectory/row_sink.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 

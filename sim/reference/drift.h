@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "sim/motion/wall.h"
 #include "sim/reference/arc_cutter.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "sim/motion/wall.h"
 #include "sim/reference/largest.h"
 #include "sim/trajectory/row.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 namespace {
@@ -40,7 +40,7 @@ void MarginMeter::rows(const Columns& batch) {
 }
 
 void MarginMeter::take(const Row& row) {
-  has_ended_ = !is_finite_state(row);
+  has_ended_ = !is_finite(state_of(row));
   if (has_ended_) return;
   if (row.step > 0 && !playback_.is_held()) step_to(row);
   last_ = row;

@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 
+#include "sim/motion/wall.h"
 #include "sim/reference/arc_cutter.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/impact.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 

@@ -9,19 +9,9 @@ namespace {
 
 physics core_of(const Row& row) { return physics(row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s); }
 
-void take(Row& row, const physics& core) {
-  row.x_px = core.x();
-  row.y_px = core.y();
-  row.vx_px_per_s = core.vx();
-  row.vy_px_per_s = core.vy();
-}
+State state_of(const physics& body) { return {body.x(), body.y(), body.vx(), body.vy()}; }
 
 constexpr std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
-
-bool same_state(const physics& body, const Body& other) {
-  return same_bits(body.vy(), other.vy_px_per_s) && same_bits(body.y(), other.y_px) &&
-         same_bits(body.x(), other.x_px) && same_bits(body.vx(), other.vx_px_per_s);
-}
 
 // Contact byte of the step that came to `after`. A clamp corrects the position, so it shows in the
 // difference to the flight without walls, which is the core's own first half of update. Branches
@@ -119,7 +109,7 @@ physics play_free(const Stretch& stretch, physics body, RestAnchor& rest_anchor,
       log_change(stretch, contact_before, contact, before, dt_s, body, frame, log);
     if (rest.moves_to(body.x(), body.y())) moved_offset = frame;
     ++frame;
-    if (kSeeksAnchor && same_state(body, *stretch.anchor)) {
+    if (kSeeksAnchor && same_bits(state_of(body), *stretch.anchor)) {
       log.met_anchor = true;
       break;
     }
@@ -141,7 +131,7 @@ void play_held(const Stretch& stretch, const physics& body, RestAnchor& rest, st
              body.vy(), 0);
     row += kPackedRowBytes;
     ++log.frames;
-    log.met_anchor = stretch.anchor != nullptr && same_state(body, *stretch.anchor);
+    log.met_anchor = stretch.anchor != nullptr && same_bits(state_of(body), *stretch.anchor);
   }
 }
 
@@ -158,7 +148,7 @@ physics play_any(const Stretch& stretch, const physics& body, RestAnchor& rest, 
 
 }  // namespace
 
-void play(const Stretch& stretch, Body& body, RestAnchor& rest, RowBlock& rows, StretchLog& log) {
+void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows, StretchLog& log) {
   log.frames = 0;
   log.met_anchor = false;
   log.had_friction = false;
@@ -170,25 +160,25 @@ void play(const Stretch& stretch, Body& body, RestAnchor& rest, RowBlock& rows, 
   const physics moved =
       play_any(stretch, physics(body.x_px, body.y_px, body.vx_px_per_s, body.vy_px_per_s), rest, row, log);
   rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
-  body = {moved.x(), moved.y(), moved.vx(), moved.vy()};
+  body = state_of(moved);
 }
 
 void fling(Row& row, const Velocity& velocity) {
   physics core = core_of(row);
   core.setVelocity(velocity.vx_px_per_s, velocity.vy_px_per_s);
-  take(row, core);
+  set_state(row, state_of(core));
 }
 
 void place(Row& row, const Position& position) {
   physics core = core_of(row);
   core.setPos(position.x_px, position.y_px);
-  take(row, core);
+  set_state(row, state_of(core));
 }
 
 void stop(Row& row) {
   physics core = core_of(row);
   core.resetVelocity();
-  take(row, core);
+  set_state(row, state_of(core));
 }
 
 }  // namespace hyrax

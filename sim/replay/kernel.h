@@ -15,13 +15,6 @@
 
 namespace hyrax {
 
-struct Body {
-  double x_px = 0.0;
-  double y_px = 0.0;
-  double vx_px_per_s = 0.0;
-  double vy_px_per_s = 0.0;
-};
-
 /// What to play.
 struct Stretch {
   Size window;
@@ -31,7 +24,7 @@ struct Stretch {
   const double* dt_s = nullptr;     ///< One dt, or one a frame.
   bool is_dt_fixed = true;
   std::int64_t frames = 0;
-  const Body* anchor = nullptr;  ///< Ends the stretch early at the row whose state has these bits.
+  const State* anchor = nullptr;  ///< Ends the stretch early at the row whose state has these bits.
 };
 
 /// A wall begins or ceases to clamp in row `offset` of the stretch.
@@ -60,7 +53,7 @@ struct StretchLog {
 
 /// Plays the stretch: moves `body` and the anchor of rest, and appends a row a frame to `rows`.
 /// REQUIRES: stretch.frames <= rows.room().
-void play(const Stretch& stretch, Body& body, RestAnchor& rest, RowBlock& rows, StretchLog& log);
+void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows, StretchLog& log);
 
 /// Inputs, as the core takes them: its setVelocity, setPos and resetVelocity.
 void fling(Row& row, const Velocity& velocity);

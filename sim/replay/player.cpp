@@ -10,10 +10,7 @@ namespace {
 
 Keyframe start_of(const Scenario& scenario) {
   Keyframe start;
-  start.row.x_px = scenario.start.x_px;
-  start.row.y_px = scenario.start.y_px;
-  start.row.vx_px_per_s = scenario.start_velocity.vx_px_per_s;
-  start.row.vy_px_per_s = scenario.start_velocity.vy_px_per_s;
+  set_state(start.row, start_state(scenario));
   start.window = scenario.window;
   start.sprite = scenario.sprite;
   return start;
@@ -21,13 +18,6 @@ Keyframe start_of(const Scenario& scenario) {
 
 // Found periods are 1 and 2; a period that leaves blocks unequal would not be worth its code.
 bool divides_a_block(std::int64_t period) { return static_cast<std::int64_t>(kBlockRows) % period == 0; }
-
-bool is_finite(const Body& body) {
-  return is_finite_state({.x_px = body.x_px,
-                          .y_px = body.y_px,
-                          .vx_px_per_s = body.vx_px_per_s,
-                          .vy_px_per_s = body.vy_px_per_s});
-}
 
 }  // namespace
 
@@ -76,9 +66,7 @@ void Replay::Player::play_to(std::int64_t step_end) {
   }
 }
 
-Body Replay::Player::body() const {
-  return {now_.row.x_px, now_.row.y_px, now_.row.vx_px_per_s, now_.row.vy_px_per_s};
-}
+State Replay::Player::body() const { return state_of(now_.row); }
 
 Stretch Replay::Player::stretch(std::int64_t frames) const {
   return {.window = now_.window,
@@ -158,7 +146,7 @@ void Replay::Player::play_uneven_stretch(std::int64_t end) {
 void Replay::Player::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
   const RestAnchor rest_before = rest_;
-  Body moved = body();
+  State moved = body();
   play(stretch, moved, rest_, block_, log_);
   if (!is_finite(moved)) {
     rest_ = rest_before;
@@ -177,10 +165,10 @@ void Replay::Player::play_batch(const Stretch& stretch) {
 // stretch is played once more, just as far as it arose.
 void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_before) {
   std::size_t row = rows_before;
-  while (is_finite_state(block_.row(row))) ++row;
+  while (is_finite(state_of(block_.row(row)))) ++row;
   block_.shrink(rows_before);
   stretch.frames = static_cast<std::int64_t>(row - rows_before) + 1;
-  Body moved = body();
+  State moved = body();
   play(stretch, moved, rest_, block_, log_);
   summary_.non_finite_step = step() + stretch.frames;
 }

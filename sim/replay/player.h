@@ -42,13 +42,13 @@ class Replay::Player {
   // grows with the run, so that any period up to a block is found in the end. It lasts as long as a
   // stretch without input, however many calls of play_to that takes.
   struct Search {
-    Body anchor;
+    State anchor;
     std::int64_t step = 0;
     std::int64_t window = 256;
   };
 
   [[nodiscard]] std::int64_t step() const { return now_.row.step; }
-  [[nodiscard]] Body body() const;
+  [[nodiscard]] State body() const;
   [[nodiscard]] Stretch stretch(std::int64_t frames) const;
   [[nodiscard]] std::int64_t room() const;
   void apply_events();

@@ -48,7 +48,7 @@ Cycle Replay::Player::make_cycle(std::int64_t period) const {
   Cycle cycle;
   cycle.period = period;
   cycle.first_step = step() + 1;
-  Body moving = body();
+  State moving = body();
   RestAnchor unused;
   play(stretch(period), moving, unused, cycle.rows, cycle.log);
   multiply(cycle.rows);

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/motion/state.h"
+
 namespace hyrax {
 
 inline constexpr std::int64_t kWindowSideMax_px = 1'000'000;
@@ -20,25 +22,6 @@ inline constexpr double kRateMax_hz = 1e9;
 inline constexpr double kFrameMax_s = 1e9;  ///< The longest dt, a jittered one too.
 inline constexpr std::int64_t kStepsMax = 1'000'000'000'000;
 inline constexpr std::int64_t kNameLengthMax = 64;
-
-struct Size {
-  std::int32_t width_px = 0;
-  std::int32_t height_px = 0;
-  bool operator==(const Size&) const = default;
-};
-
-/// Top left corner of the sprite.
-struct Position {
-  double x_px = 0.0;
-  double y_px = 0.0;
-  bool operator==(const Position&) const = default;
-};
-
-struct Velocity {
-  double vx_px_per_s = 0.0;
-  double vy_px_per_s = 0.0;
-  bool operator==(const Velocity&) const = default;
-};
 
 struct Jitter {
   enum class Kind { uniform, normal, missed_frames };
@@ -144,6 +127,11 @@ struct Scenario {
   std::int64_t record_every = 1;  ///< Rows 0, K, 2K, ... and the last one are recorded.
   std::optional<Expect> expect;
 };
+
+[[nodiscard]] inline State start_state(const Scenario& scenario) {
+  return {scenario.start.x_px, scenario.start.y_px, scenario.start_velocity.vx_px_per_s,
+          scenario.start_velocity.vy_px_per_s};
+}
 
 /// Whether two scenarios play the same run: all but name, description, expect and schema.
 [[nodiscard]] bool plays_the_same(const Scenario& a, const Scenario& b);

@@ -47,8 +47,12 @@ inline constexpr double kSixtieth_s = 1.0 / 60.0;
 }
 
 /// Where a throw comes to lie: x after so long that nothing moves any more.
-[[nodiscard]] inline Body thrown(Body body, double rate_hz, double duration_s, Bounds bounds = kDesktop) {
+[[nodiscard]] inline State thrown(State body, double rate_hz, double duration_s, Bounds bounds = kDesktop) {
   return core_steps(body, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
 }
+
+/// Steps of random flings, contacts among them, in which the core is not the listing's step with the core's
+/// own constants, in the paper's order, bit for bit.
+[[nodiscard]] std::int64_t steps_unlike_listing(std::int64_t steps);
 
 }  // namespace hyrax

@@ -19,7 +19,7 @@ Claim constant(const char* id, const char* sentence, double core, double paper, 
 }  // namespace
 
 std::vector<Claim> claims_on_constants() {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   const Model paper;  // The reference's own copy of the table.
   return {
       constant("5-gravity", "GRAVITY 1200.0", core.gravity_px_per_s2, paper.gravity_px_per_s2, "px/s2"),

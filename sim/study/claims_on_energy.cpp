@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/motion/step.h"
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/phi.h"
 #include "sim/study/claim_probe.h"
-#include "sim/study/listing_step.h"
 
 namespace hyrax {
 namespace {
@@ -14,7 +14,7 @@ constexpr char kUnlikeListing[] =
     "this core's step is not the listing's, so nothing can be asked of it without drag";
 
 // The core's laws without loss.
-CoreConstants lossless() {
+Constants lossless() {
   return {.gravity_px_per_s2 = core_constants().gravity_px_per_s2,
           .restitution = 1.0,
           .air_drag = 1.0,
@@ -23,17 +23,17 @@ CoreConstants lossless() {
 }
 
 // e = v^2 / 2 + G (bottom - y).
-double energy(const Body& body, Bounds bounds) {
+double energy(const State& body, Bounds bounds) {
   return (body.vx_px_per_s * body.vx_px_per_s + body.vy_px_per_s * body.vy_px_per_s) / 2 +
          core_constants().gravity_px_per_s2 * (bounds.bottom_px - body.y_px);
 }
 
 // Relative change of energy in lossless motion, largest over the run.
-double lossless_drift(StepOrder order, Body body, double duration_s, Bounds bounds) {
+double lossless_drift(StepOrder order, State body, double duration_s, Bounds bounds) {
   const double first = energy(body, bounds);
   double worst = 0.0;
   for (int step = 0; step < static_cast<int>(duration_s / kSixtieth_s); ++step) {
-    body = listing_step(lossless(), order, body, kSixtieth_s, bounds);
+    body = stepped(lossless(), order, body, kSixtieth_s, bounds);
     worst = std::max(worst, std::fabs(energy(body, bounds) - first));
   }
   return worst / std::fabs(first);
@@ -51,8 +51,8 @@ double bouncing_drift(StepOrder order) {
 // e + (dt / 2) G vy exactly. (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2006, IX.)
 Claim conservation(bool is_listing) {
   const double drift = bouncing_drift(StepOrder::paper);
-  const Body from{500.0, 400.0, 300.0, 0.0};
-  const Body flown = listing_step(lossless(), StepOrder::paper, from, kSixtieth_s, kOpen);
+  const State from{500.0, 400.0, 300.0, 0.0};
+  const State flown = stepped(lossless(), StepOrder::paper, from, kSixtieth_s, kOpen);
   const double lost = energy(from, kDesktop) - energy(flown, kDesktop);
   const double gain = core_constants().gravity_px_per_s2 * kSixtieth_s;
   Claim claim{"2.3-energy",
@@ -99,7 +99,7 @@ Claim oscillators() {
     }
     return most;
   };
-  const Body stepped = core_flight({0.0, 0.0, 0.0, 0.0}, kSixtieth_s);
+  const State stepped = core_flight({0.0, 0.0, 0.0, 0.0}, kSixtieth_s);
   const bool is_by_new_velocity = stepped.y_px == stepped.vy_px_per_s * kSixtieth_s;
   const double ours = amplitude(is_by_new_velocity);
   const double explicit_euler = amplitude(false);
@@ -123,7 +123,7 @@ FlightErrors flight_errors(const Model& model, int rate_hz) {
   const double dt_s = 1.0 / rate_hz;
   ArcSolution exact(model);
   exact.start({0.0, -900.0}, false);
-  Body body{0.0, 0.0, 0.0, -900.0};
+  State body{0.0, 0.0, 0.0, -900.0};
   for (int step = 0; step < rate_hz; ++step) {
     body = core_flight(body, dt_s);
     exact.advance(dt_s);
@@ -142,7 +142,7 @@ double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& 
 }
 
 Claim first_order() {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   Claim claim{"2.4-first-order",
               "the method is only first-order accurate in time",
               "fitted order of the error after a second of flight, 30 to 960 Hz, against the ODE of the "

@@ -7,7 +7,7 @@ namespace hyrax {
 namespace {
 
 Claim axes() {
-  const Body fallen = core_flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s);
+  const State fallen = core_flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s);
   return {"1-axes",
           "+x right, +y down",
           "y after one step from 0 with a speed to the right alone",
@@ -25,7 +25,7 @@ Claim gravity() {
   double least = 1e300, most = -1e300;
   for (const double vy_px_per_s : {-900.0, 0.0, 900.0})
     for (const double dt_s : {1e-3, kSixtieth_s, 0.1}) {
-      const Body after = core_flight({0.0, 0.0, 0.0, vy_px_per_s}, dt_s);
+      const State after = core_flight({0.0, 0.0, 0.0, vy_px_per_s}, dt_s);
       const double gained = (after.vy_px_per_s / drag - vy_px_per_s) / dt_s;
       least = std::min(least, gained);
       most = std::max(most, gained);
@@ -41,8 +41,8 @@ Claim gravity() {
 
 // The same gravity acts on every speed, so a difference of speeds knows drag alone.
 Claim drag_factor() {
-  const Body fast = core_flight({0.0, 0.0, 1000.0, 1000.0}, kSixtieth_s);
-  const Body slow = core_flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
+  const State fast = core_flight({0.0, 0.0, 1000.0, 1000.0}, kSixtieth_s);
+  const State slow = core_flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
   const double x_factor = (fast.vx_px_per_s - slow.vx_px_per_s) / 500.0;
   const double y_factor = (fast.vy_px_per_s - slow.vy_px_per_s) / 500.0;
   return {"2.2-both-components",
@@ -56,7 +56,7 @@ Claim drag_factor() {
 
 // Rate of decay over a second of flight.
 double decay_per_s(double speed_px_per_s, double rate_hz) {
-  const Body body = thrown({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
+  const State body = thrown({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
   return -std::log(body.vx_px_per_s / speed_px_per_s);
 }
 
@@ -81,15 +81,15 @@ Claim stokes() {
 
 // ln v falls by the same amount each step, down to the smallest normal number.
 Claim exponential() {
-  Body body{0.0, 0.0, 1000.0, 0.0};
+  State body{0.0, 0.0, 1000.0, 0.0};
   const double factor = core_flight(body, kSixtieth_s).vx_px_per_s / body.vx_px_per_s;
   double worst = 0.0;
   for (int step = 1; step <= 5000; ++step) {
     body = core_flight(body, kSixtieth_s);
     worst = std::max(worst, std::fabs(body.vx_px_per_s / (1000.0 * std::pow(factor, step)) - 1.0));
   }
-  const Body late = core_steps({0.0, 0.0, 1000.0, 0.0}, kSixtieth_s, kOpen, 800'000);
-  const Body later = core_steps(late, kSixtieth_s, kOpen, 1);
+  const State late = core_steps({0.0, 0.0, 1000.0, 0.0}, kSixtieth_s, kOpen, 800'000);
+  const State later = core_steps(late, kSixtieth_s, kOpen, 1);
   return {"2.2-exponential",
           "the velocity decays exponentially in the absence of other forces",
           "largest relative distance from v0 a^n over 5000 steps",
@@ -104,8 +104,8 @@ Claim exponential() {
 
 // Terminal speed: the fixed point of v <- a (v + G dt).
 Claim terminal_speed() {
-  const Body late = core_steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpen, 20'000);
-  const Body later = core_steps(late, 1e-2, kOpen, 5'000);
+  const State late = core_steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpen, 20'000);
+  const State later = core_steps(late, 1e-2, kOpen, 5'000);
   const double at_60_hz = core_steps({}, kSixtieth_s, kOpen, 40'000).vy_px_per_s;
   const double at_240_hz = core_steps({}, kSixtieth_s / 4, kOpen, 40'000).vy_px_per_s;
   return {"2.2-terminal",
@@ -121,8 +121,8 @@ Claim new_velocity() {
   double worst_px = 0.0;
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
     const double dt_s = drawn(1, 2 * draw, 0.0, 0.1);
-    const Body before{0.0, 0.0, 700.0, drawn(1, 2 * draw + 1, -2000.0, 2000.0)};
-    const Body after = core_flight(before, dt_s);
+    const State before{0.0, 0.0, 700.0, drawn(1, 2 * draw + 1, -2000.0, 2000.0)};
+    const State after = core_flight(before, dt_s);
     worst_px = std::max({worst_px, std::fabs(after.y_px - after.vy_px_per_s * dt_s),
                          std::fabs(after.x_px - after.vx_px_per_s * dt_s)});
   }

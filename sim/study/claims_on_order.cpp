@@ -1,8 +1,8 @@
 // Sections 2.4, 4.3 and 6: the order of operations.
 #include <algorithm>
 
+#include "sim/motion/step.h"
 #include "sim/study/claim_probe.h"
-#include "sim/study/listing_step.h"
 
 namespace hyrax {
 namespace {
@@ -21,7 +21,7 @@ Claim sequence() {
 
 // From rest: with drag after gravity the newly gained speed is damped as well.
 Claim drag_damps_gain() {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   const double gained = core_flight({}, kSixtieth_s).vy_px_per_s;
   const double undamped = core.gravity_px_per_s2 * kSixtieth_s;
   return {"4.3-damps-gain",
@@ -36,12 +36,12 @@ Claim drag_damps_gain() {
 // How far a throw of a second, off a wall, is from where the paper's order has it: the largest of its frames,
 // since walls first is the same round of operations, begun elsewhere, and differs only where a wall is met.
 double apart_px(StepOrder order) {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   double worst_px = 0.0;
-  Body paper{100.0, 500.0, 2400.0, -700.0}, other = paper;
+  State paper{100.0, 500.0, 2400.0, -700.0}, other = paper;
   for (int step = 0; step < 60; ++step) {
-    paper = listing_step(core, StepOrder::paper, paper, kSixtieth_s, kDesktop);
-    other = listing_step(core, order, other, kSixtieth_s, kDesktop);
+    paper = stepped(core, StepOrder::paper, paper, kSixtieth_s, kDesktop);
+    other = stepped(core, order, other, kSixtieth_s, kDesktop);
     worst_px = std::max(worst_px, std::hypot(paper.x_px - other.x_px, paper.y_px - other.y_px));
   }
   return worst_px;
@@ -66,16 +66,16 @@ Claim order_alters() {
 
 // Rows in which a fling is outside the window, collisions being resolved last, as the core does, or first.
 Claim after_position() {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   std::int64_t outside = 0, outside_walls_first = 0;
-  const auto is_outside = [](const Body& body) {
+  const auto is_outside = [](const State& body) {
     return body.x_px < 0.0 || body.x_px > kDesktop.right_px || body.y_px < 0.0 ||
            body.y_px > kDesktop.bottom_px;
   };
-  Body ours{300.0, 500.0, 3000.0, -2000.0}, other = ours;
+  State ours{300.0, 500.0, 3000.0, -2000.0}, other = ours;
   for (int step = 0; step < 2000; ++step) {
     ours = core_step(ours, kSixtieth_s, kDesktop);
-    other = listing_step(core, StepOrder::walls_first, other, kSixtieth_s, kDesktop);
+    other = stepped(core, StepOrder::walls_first, other, kSixtieth_s, kDesktop);
     outside += is_outside(ours) ? 1 : 0;
     outside_walls_first += is_outside(other) ? 1 : 0;
   }

@@ -9,8 +9,8 @@ namespace {
 bool ends_at_rest(double rate_hz) {
   constexpr int kDrops = 12;
   for (int drop = 0; drop < kDrops; ++drop) {
-    const Body body = thrown({900.0, 952.0 * drop / kDrops, 0.0, 0.0}, rate_hz, 12.0);
-    const Body next = core_step(body, 1.0 / rate_hz, kDesktop);
+    const State body = thrown({900.0, 952.0 * drop / kDrops, 0.0, 0.0}, rate_hz, 12.0);
+    const State next = core_step(body, 1.0 / rate_hz, kDesktop);
     if (body.vy_px_per_s != 0.0 || next.vy_px_per_s != 0.0) return false;
   }
   return true;

@@ -8,7 +8,7 @@ namespace {
 
 // Ground contacts of a drop, those of one step each: a bounce that ends in the air.
 std::int64_t bounces(double dt_s) {
-  Body body{900.0, 0.0, 0.0, 0.0};
+  State body{900.0, 0.0, 0.0, 0.0};
   std::int64_t count = 0;
   bool was_down = false;
   for (int step = 0; step < static_cast<int>(6.0 / dt_s); ++step) {
@@ -34,7 +34,7 @@ Claim missed_collisions() {
 // Energy lost by a flight of a second, relative, at the dt said to be too large and at the usual one.
 double energy_lost(double dt_s) {
   const double gravity = core_constants().gravity_px_per_s2;
-  Body body{0.0, 0.0, 0.0, -900.0};
+  State body{0.0, 0.0, 0.0, -900.0};
   const double first = 900.0 * 900.0 / 2;
   const long frames = std::lround(1.0 / dt_s);
   for (long frame = 0; frame < frames; ++frame) body = core_flight(body, dt_s);
@@ -55,14 +55,14 @@ Claim energy_drift() {
 // Stable: whatever the throw, no speed beyond what was thrown and a step of gravity make (the fixed point of
 // |v| <- a b (|v| + G dt)), everything in the window.
 bool is_stable(double dt_s) {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   const double c = core.air_drag * core.restitution;
   const double bound_px_per_s =
       std::max(3000.0, core.air_drag * core.gravity_px_per_s2 * dt_s / (1.0 - std::min(c, 0.999999))) +
       core.gravity_px_per_s2 * 2.0;
   for (std::uint64_t fling = 0; fling < 20; ++fling) {
-    Body body{drawn(5, 4 * fling, 0.0, 1792.0), drawn(5, 4 * fling + 1, 0.0, 952.0),
-              drawn(5, 4 * fling + 2, -2000.0, 2000.0), drawn(5, 4 * fling + 3, -2000.0, 2000.0)};
+    State body{drawn(5, 4 * fling, 0.0, 1792.0), drawn(5, 4 * fling + 1, 0.0, 952.0),
+               drawn(5, 4 * fling + 2, -2000.0, 2000.0), drawn(5, 4 * fling + 3, -2000.0, 2000.0)};
     for (int step = 0; step < 500; ++step) {
       body = core_step(body, dt_s, kDesktop);
       const double speed = std::max(std::fabs(body.vx_px_per_s), std::fabs(body.vy_px_per_s));
@@ -102,15 +102,15 @@ CornerThrows corner_throws(double least_px_per_s, double most_px_per_s) {
                is_low = split_mix64_unit(6, 5 * draw + 1) < 0.5;
     const double speed = drawn(6, 5 * draw + 2, least_px_per_s, most_px_per_s);
     const double inset_px = drawn(6, 5 * draw + 3, 0.0, 20.0), other_px = drawn(6, 5 * draw + 4, 0.0, 20.0);
-    const Body body{is_right ? kDesktop.right_px - inset_px : inset_px,
-                    is_low ? kDesktop.bottom_px - other_px : other_px, is_right ? speed : -speed,
-                    is_low ? speed : -speed};
-    const Body flight = core_flight(body, kSixtieth_s);
+    const State body{is_right ? kDesktop.right_px - inset_px : inset_px,
+                     is_low ? kDesktop.bottom_px - other_px : other_px, is_right ? speed : -speed,
+                     is_low ? speed : -speed};
+    const State flight = core_flight(body, kSixtieth_s);
     const bool crosses_x = flight.x_px < 0.0 || flight.x_px > kDesktop.right_px;
     const bool crosses_y = flight.y_px < 0.0 || flight.y_px > kDesktop.bottom_px;
     if (!crosses_x || !crosses_y) continue;
     ++seen.crossed;
-    const Body after = core_step(body, kSixtieth_s, kDesktop);
+    const State after = core_step(body, kSixtieth_s, kDesktop);
     const bool is_inside = after.x_px >= 0.0 && after.x_px <= kDesktop.right_px && after.y_px >= 0.0 &&
                            after.y_px <= kDesktop.bottom_px;
     seen.outside += is_inside ? 0 : 1;

@@ -8,7 +8,7 @@ namespace {
 
 // Where one fling comes to lie at displays of 24 to 240 Hz.
 Claim frame_rate() {
-  constexpr Body kFling{100.0, 100.0, 900.0, -1200.0};
+  constexpr State kFling{100.0, 100.0, 900.0, -1200.0};
   constexpr double kApproximately = 0.05;
   double least_px = 1e300, most_px = -1e300;
   for (const double rate_hz : {24.0, 30.0, 60.0, 75.0, 120.0, 144.0, 165.0, 240.0}) {
@@ -30,10 +30,10 @@ Claim frame_rate() {
 // The largest jump of a step of a slow sprite that is larger than its window by 28 and 48 px.
 Claim sizes() {
   constexpr Bounds kNoRoom{-28, -48};
-  Body body{-10.0, -20.0, 1.0, 1.0};
+  State body{-10.0, -20.0, 1.0, 1.0};
   double jump_px = 0.0;
   for (int step = 0; step < 600; ++step) {
-    const Body after = core_step(body, kSixtieth_s, kNoRoom);
+    const State after = core_step(body, kSixtieth_s, kNoRoom);
     jump_px = std::max({jump_px, std::fabs(after.x_px - body.x_px), std::fabs(after.y_px - body.y_px)});
     body = after;
   }
@@ -49,9 +49,9 @@ Claim sizes() {
 
 // What resetVelocity does, and what gravity makes of it in the second after.
 Claim stopping() {
-  const Body stopped = core_stopped({900.0, 100.0, 700.0, -300.0});
+  const State stopped = core_stopped({900.0, 100.0, 700.0, -300.0});
   const bool is_stopped = stopped.vx_px_per_s == 0.0 && stopped.vy_px_per_s == 0.0;
-  const Body after = core_steps(stopped, kSixtieth_s, kOpen, 60);
+  const State after = core_steps(stopped, kSixtieth_s, kOpen, 60);
   const double moved_px = std::hypot(after.x_px - stopped.x_px, after.y_px - stopped.y_px);
   return {"6.1-reset",
           "resetVelocity sets both velocity components to zero, stopping all motion",
@@ -69,7 +69,7 @@ Claim stopping() {
 
 Claim drawing() {
   double least_px = 1e300;
-  Body body{500.0, 300.0, -2000.0, 0.0};
+  State body{500.0, 300.0, -2000.0, 0.0};
   for (int step = 0; step < 60; ++step) {
     body = core_step(body, kSixtieth_s, kDesktop);
     least_px = std::min(least_px, body.x_px - kSpriteSide_px / 2);

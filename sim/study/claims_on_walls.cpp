@@ -2,19 +2,19 @@
 #include <algorithm>
 #include <functional>
 
+#include "sim/motion/step.h"
 #include "sim/study/claim_probe.h"
-#include "sim/study/listing_step.h"
 
 namespace hyrax {
 namespace {
 
 // Random throws across the desktop, step by step.
-void watch_throws(const std::function<void(const Body& flight, const Body& after)>& see) {
+void watch_throws(const std::function<void(const State& flight, const State& after)>& see) {
   for (std::uint64_t fling = 0; fling < 200; ++fling) {
-    Body body{drawn(2, 4 * fling, 0.0, kDesktop.right_px), drawn(2, 4 * fling + 1, 0.0, kDesktop.bottom_px),
-              drawn(2, 4 * fling + 2, -4000.0, 4000.0), drawn(2, 4 * fling + 3, -4000.0, 4000.0)};
+    State body{drawn(2, 4 * fling, 0.0, kDesktop.right_px), drawn(2, 4 * fling + 1, 0.0, kDesktop.bottom_px),
+               drawn(2, 4 * fling + 2, -4000.0, 4000.0), drawn(2, 4 * fling + 3, -4000.0, 4000.0)};
     for (int step = 0; step < 200; ++step) {
-      const Body flight = core_flight(body, kSixtieth_s);
+      const State flight = core_flight(body, kSixtieth_s);
       body = core_step(body, kSixtieth_s, kDesktop);
       see(flight, body);
     }
@@ -35,7 +35,7 @@ struct Reach {
   std::int64_t ground_contacts = 0;
 };
 
-void see_side(const Body& flight, const Body& after, double right_px, bool is_on_ground, Reach& reach) {
+void see_side(const State& flight, const State& after, double right_px, bool is_on_ground, Reach& reach) {
   reach.clamp_off_px =
       std::max(reach.clamp_off_px, std::fabs(after.x_px - (flight.x_px < 0.0 ? 0.0 : right_px)));
   if (is_on_ground || flight.y_px < 0.0) return;
@@ -50,7 +50,7 @@ void see_side(const Body& flight, const Body& after, double right_px, bool is_on
 Reach reach_of_throws() {
   Reach reach;
   const double right_px = kDesktop.right_px, bottom_px = kDesktop.bottom_px;
-  watch_throws([&](const Body& flight, const Body& after) {
+  watch_throws([&](const State& flight, const State& after) {
     reach.x_least_px = std::min(reach.x_least_px, after.x_px);
     reach.x_most_px = std::max(reach.x_most_px, after.x_px);
     reach.y_least_px = std::min(reach.y_least_px, after.y_px);
@@ -142,8 +142,8 @@ Claim side_walls(const Reach& reach) {
 }
 
 Claim ceiling() {
-  const Body after = core_step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
-  const Body met = core_flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
+  const State after = core_step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
+  const State met = core_flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
   const double ratio = after.vy_px_per_s / met.vy_px_per_s;
   return {"3.2.1-top",
           "if y < 0, clamp y = 0 and invert the vertical speed",
@@ -185,8 +185,8 @@ std::string slowest_bounce_text(const Reach& reach) {
 
 // In words a bounce, which goes up and so has vy < 0 < threshold, would be stopped.
 Claim threshold_in_words(const Reach& reach) {
-  const Body from{500.0, 950.0, 0.0, 800.0};
-  const Body bounced = core_step(from, kSixtieth_s, kDesktop);
+  const State from{500.0, 950.0, 0.0, 800.0};
+  const State bounced = core_step(from, kSixtieth_s, kDesktop);
   return {"3.2.2-signed",
           "if vy < epsilon, set vy = 0",
           "vy that a bounce from 800 px/s leaves",
@@ -204,15 +204,15 @@ struct CornerOrders {
 };
 CornerOrders corner_orders() {
   CornerOrders seen;
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
-    const Body body{kDesktop.right_px - drawn(3, 4 * draw, 0.0, 20.0),
-                    kDesktop.bottom_px - drawn(3, 4 * draw + 1, 0.0, 20.0),
-                    drawn(3, 4 * draw + 2, 1500.0, 9000.0), drawn(3, 4 * draw + 3, 1500.0, 9000.0)};
-    const Body x_first = listing_step(core, StepOrder::paper, body, kSixtieth_s, kDesktop);
-    const Body y_first = listing_step(core, StepOrder::y_walls_first, body, kSixtieth_s, kDesktop);
+    const State body{kDesktop.right_px - drawn(3, 4 * draw, 0.0, 20.0),
+                     kDesktop.bottom_px - drawn(3, 4 * draw + 1, 0.0, 20.0),
+                     drawn(3, 4 * draw + 2, 1500.0, 9000.0), drawn(3, 4 * draw + 3, 1500.0, 9000.0)};
+    const State x_first = stepped(core, StepOrder::paper, body, kSixtieth_s, kDesktop);
+    const State y_first = stepped(core, StepOrder::y_walls_first, body, kSixtieth_s, kDesktop);
     ++seen.corners;
-    for (const Body& after : {x_first, y_first})
+    for (const State& after : {x_first, y_first})
       seen.outside_px =
           std::max({seen.outside_px, after.x_px - kDesktop.right_px, after.y_px - kDesktop.bottom_px});
     seen.apart = std::max({seen.apart, std::fabs(x_first.vx_px_per_s / y_first.vx_px_per_s - 1.0),

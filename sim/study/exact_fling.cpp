@@ -14,8 +14,8 @@ constexpr double kHorizon_s = 1e4;
 
 }  // namespace
 
-void ExactFling::start(const Motion& motion, const Room& room) {
-  room_ = room;
+void ExactFling::start(const State& motion, const Bounds& bounds) {
+  bounds_ = bounds;
   from_ = motion;
   from_s_ = 0.0;
   slides_ = false;
@@ -27,15 +27,15 @@ void ExactFling::start(const Motion& motion, const Room& room) {
 void ExactFling::put_inside() {
   if (from_.x_px < 0.0)
     meet(Wall::left);
-  else if (from_.x_px > room_.right_px())
+  else if (from_.x_px > bounds_.right_px)
     meet(Wall::right);
   if (from_.y_px < 0.0)
     meet(Wall::top);
-  else if (from_.y_px > room_.bottom_px())
+  else if (from_.y_px > bounds_.bottom_px)
     meet(Wall::ground);
 }
 
-Motion ExactFling::at(double t_s) {
+State ExactFling::at(double t_s) {
   while (t_s >= next_s_) {
     from_ = fly(next_s_ - from_s_);
     from_s_ = next_s_;
@@ -45,10 +45,10 @@ Motion ExactFling::at(double t_s) {
   return fly(t_s - from_s_);
 }
 
-Motion ExactFling::fly(double since_s) const {
+State ExactFling::fly(double since_s) const {
   const double rate_per_s = laws_.drag_rate_per_s + (slides_ ? laws_.friction_rate_per_s : 0.0);
   const AxisMotion x = hyrax::fly(from_.vx_px_per_s, 0.0, rate_per_s, since_s);
-  Motion now{from_.x_px + x.displacement_px, from_.y_px, x.speed_px_per_s, 0.0};
+  State now{from_.x_px + x.displacement_px, from_.y_px, x.speed_px_per_s, 0.0};
   if (slides_) return now;
   const AxisMotion y = hyrax::fly(from_.vy_px_per_s, laws_.gravity_px_per_s2, rate_per_s, since_s);
   now.y_px += y.displacement_px;
@@ -66,10 +66,10 @@ void ExactFling::find_next() {
     next_wall_ = wall;
   };
   if (from_.vx_px_per_s < 0.0) consider(Wall::left, -from_.x_px, -from_.vx_px_per_s, 0.0);
-  if (from_.vx_px_per_s > 0.0) consider(Wall::right, from_.x_px - room_.right_px(), from_.vx_px_per_s, 0.0);
+  if (from_.vx_px_per_s > 0.0) consider(Wall::right, from_.x_px - bounds_.right_px, from_.vx_px_per_s, 0.0);
   if (slides_) return;
   consider(Wall::top, -from_.y_px, -from_.vy_px_per_s, -laws_.gravity_px_per_s2);
-  consider(Wall::ground, from_.y_px - room_.bottom_px(), from_.vy_px_per_s, laws_.gravity_px_per_s2);
+  consider(Wall::ground, from_.y_px - bounds_.bottom_px, from_.vy_px_per_s, laws_.gravity_px_per_s2);
 }
 
 void ExactFling::meet(Wall wall) {
@@ -80,7 +80,7 @@ void ExactFling::meet(Wall wall) {
       from_.vx_px_per_s *= -laws_.restitution;
       return;
     case Wall::right:
-      from_.x_px = room_.right_px();
+      from_.x_px = bounds_.right_px;
       from_.vx_px_per_s *= -laws_.restitution;
       return;
     case Wall::top:
@@ -88,7 +88,7 @@ void ExactFling::meet(Wall wall) {
       from_.vy_px_per_s *= -laws_.restitution;
       return;
     case Wall::ground:
-      from_.y_px = room_.bottom_px();
+      from_.y_px = bounds_.bottom_px;
       from_.vy_px_per_s *= -laws_.restitution;
       from_.vx_px_per_s *= laws_.ground_friction;
       slides_ = std::fabs(from_.vy_px_per_s) < laws_.rest_threshold_px_per_s;

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "sim/motion/state.h"
+#include "sim/motion/wall.h"
 #include "sim/study/fixed_laws.h"
-#include "sim/study/motion.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 
@@ -19,12 +19,12 @@ class ExactFling {
  public:
   explicit ExactFling(const FixedLaws& laws = FixedLaws()) : laws_(laws) {}
 
-  /// Begins anew at time 0. REQUIRES: a room that can hold the sprite. A start outside is put onto the wall
+  /// Begins anew at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
   /// that it is behind, as an impact at time 0.
-  void start(const Motion& motion, const Room& room);
+  void start(const State& motion, const Bounds& bounds);
 
   /// REQUIRES: t_s not below any asked for before, since the start.
-  [[nodiscard]] Motion at(double t_s);
+  [[nodiscard]] State at(double t_s);
 
   /// Up to the latest time asked for, in their order; the corner's wall in x first.
   [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
@@ -33,11 +33,11 @@ class ExactFling {
   void put_inside();
   void find_next();
   void meet(Wall wall);
-  [[nodiscard]] Motion fly(double since_s) const;
+  [[nodiscard]] State fly(double since_s) const;
 
   FixedLaws laws_;
-  Room room_;
-  Motion from_;          // State at from_s_,
+  Bounds bounds_;
+  State from_;           // State at from_s_,
   double from_s_ = 0.0;  // where this arc or slide began.
   double next_s_ = 0.0;  // Time of the next impact.
   Wall next_wall_ = Wall::ground;

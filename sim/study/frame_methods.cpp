@@ -12,25 +12,24 @@ namespace {
 template <int kParts>
 class PaperStep final : public Method {
  public:
-  void start(const Motion& motion, const Room& room) override {
+  void start(const State& motion, const Bounds& bounds) override {
     body_ = physics(motion.x_px, motion.y_px, motion.vx_px_per_s, motion.vy_px_per_s);
-    room_ = room;
+    bounds_ = bounds;
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
     physics body = body_;  // A local, which nothing else points to, stays in registers.
-    const Size window = room_.window;
-    const Size sprite = room_.sprite;
+    const int right_px = static_cast<int>(bounds_.right_px);
+    const int bottom_px = static_cast<int>(bounds_.bottom_px);
     for (const double frame_s : frames_s)
-      for (int part = 0; part < kParts; ++part)
-        body.update(frame_s / kParts, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+      for (int part = 0; part < kParts; ++part) body.update(frame_s / kParts, right_px, bottom_px, 0, 0);
     body_ = body;
     return true;
   }
-  [[nodiscard]] Motion motion() const override { return {body_.x(), body_.y(), body_.vx(), body_.vy()}; }
+  [[nodiscard]] State motion() const override { return {body_.x(), body_.y(), body_.vx(), body_.vy()}; }
 
  private:
   physics body_;
-  Room room_;
+  Bounds bounds_;
 };
 
 // --- One frame of free flight each. `prepare` is called whenever dt changes.
@@ -42,7 +41,7 @@ struct NormalisedFlight {
     dt_s_ = dt_s;
     damping_ = std::exp(-laws_.drag_rate_per_s * dt_s);
   }
-  void fly(Motion& m) const {
+  void fly(State& m) const {
     m.vy_px_per_s += laws_.gravity_px_per_s2 * dt_s_;
     m.vx_px_per_s *= damping_;
     m.vy_px_per_s *= damping_;
@@ -60,7 +59,7 @@ struct NormalisedFlight {
 struct EulerFlight {
   explicit EulerFlight(const FixedLaws& laws) : laws_(laws) {}
   void prepare(double dt_s) { dt_s_ = dt_s; }
-  void fly(Motion& m) const {
+  void fly(State& m) const {
     m.x_px += m.vx_px_per_s * dt_s_;
     m.y_px += m.vy_px_per_s * dt_s_;
     m.vx_px_per_s += -laws_.drag_rate_per_s * m.vx_px_per_s * dt_s_;
@@ -82,7 +81,7 @@ struct VerletFlight {
     dt_s_ = dt_s;
     implicit_ = 1.0 / (1.0 + laws_.drag_rate_per_s * half_s_);
   }
-  void fly(Motion& m) const {
+  void fly(State& m) const {
     const double half_vx = m.vx_px_per_s - half_s_ * laws_.drag_rate_per_s * m.vx_px_per_s;
     const double half_vy =
         m.vy_px_per_s + half_s_ * (laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s);
@@ -103,24 +102,24 @@ struct VerletFlight {
 struct Rk4Flight {
   explicit Rk4Flight(const FixedLaws& laws) : laws_(laws) {}
   void prepare(double dt_s) { dt_s_ = dt_s; }
-  void fly(Motion& m) const {
-    const Motion k1 = rates(m);
-    const Motion k2 = rates(ahead(m, k1, 0.5 * dt_s_));
-    const Motion k3 = rates(ahead(m, k2, 0.5 * dt_s_));
-    const Motion k4 = rates(ahead(m, k3, dt_s_));
+  void fly(State& m) const {
+    const State k1 = rates(m);
+    const State k2 = rates(ahead(m, k1, 0.5 * dt_s_));
+    const State k3 = rates(ahead(m, k2, 0.5 * dt_s_));
+    const State k4 = rates(ahead(m, k3, dt_s_));
     const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * (b + c) + d) / 6.0; };
-    const Motion slope{mean(k1.x_px, k2.x_px, k3.x_px, k4.x_px), mean(k1.y_px, k2.y_px, k3.y_px, k4.y_px),
-                       mean(k1.vx_px_per_s, k2.vx_px_per_s, k3.vx_px_per_s, k4.vx_px_per_s),
-                       mean(k1.vy_px_per_s, k2.vy_px_per_s, k3.vy_px_per_s, k4.vy_px_per_s)};
+    const State slope{mean(k1.x_px, k2.x_px, k3.x_px, k4.x_px), mean(k1.y_px, k2.y_px, k3.y_px, k4.y_px),
+                      mean(k1.vx_px_per_s, k2.vx_px_per_s, k3.vx_px_per_s, k4.vx_px_per_s),
+                      mean(k1.vy_px_per_s, k2.vy_px_per_s, k3.vy_px_per_s, k4.vy_px_per_s)};
     m = ahead(m, slope, dt_s_);
   }
 
  private:
-  [[nodiscard]] Motion rates(const Motion& m) const {
+  [[nodiscard]] State rates(const State& m) const {
     return {m.vx_px_per_s, m.vy_px_per_s, -laws_.drag_rate_per_s * m.vx_px_per_s,
             laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s};
   }
-  [[nodiscard]] static Motion ahead(const Motion& m, const Motion& rate, double dt_s) {
+  [[nodiscard]] static State ahead(const State& m, const State& rate, double dt_s) {
     return {m.x_px + dt_s * rate.x_px, m.y_px + dt_s * rate.y_px, m.vx_px_per_s + dt_s * rate.vx_px_per_s,
             m.vy_px_per_s + dt_s * rate.vy_px_per_s};
   }
@@ -139,7 +138,7 @@ struct ExactFlight {
     gain_px_per_s_ = laws_.gravity_px_per_s2 * dt_s * p.one;
     fall_px_ = laws_.gravity_px_per_s2 * dt_s * dt_s * p.two;
   }
-  void fly(Motion& m) const {
+  void fly(State& m) const {
     m.x_px += m.vx_px_per_s * reach_s_;
     m.y_px += m.vy_px_per_s * reach_s_ + fall_px_;
     m.vx_px_per_s *= damping_;
@@ -159,19 +158,19 @@ struct ExactFlight {
 template <class Flight>
 class FrameMethod final : public Method {
  public:
-  void start(const Motion& motion, const Room& room) override {
+  void start(const State& motion, const Bounds& bounds) override {
     motion_ = motion;
-    room_ = room;
+    bounds_ = bounds;
     lies_ = false;
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    Motion m = motion_;
+    State m = motion_;
     Flight flight(laws_);
     double prepared_s = -1.0;
     double lying_friction = 1.0;
     bool lies = lies_;
-    const double right_px = room_.right_px();
-    const double bottom_px = room_.bottom_px();
+    const double right_px = bounds_.right_px;
+    const double bottom_px = bounds_.bottom_px;
     for (const double frame_s : frames_s) {
       if (frame_s != prepared_s) {
         flight.prepare(frame_s);
@@ -203,20 +202,20 @@ class FrameMethod final : public Method {
     lies_ = lies;
     return true;
   }
-  [[nodiscard]] Motion motion() const override { return motion_; }
+  [[nodiscard]] State motion() const override { return motion_; }
 
  private:
   FixedLaws laws_;
-  Motion motion_;
-  Room room_;
+  State motion_;
+  Bounds bounds_;
   bool lies_ = false;  // The last frame touched the ground.
 };
 
 // From impact to impact; the frames only say when to look.
 class EventDriven final : public Method {
  public:
-  void start(const Motion& motion, const Room& room) override {
-    fling_.start(motion, room);
+  void start(const State& motion, const Bounds& bounds) override {
+    fling_.start(motion, bounds);
     now_ = motion;
     time_ = {};
   }
@@ -227,12 +226,12 @@ class EventDriven final : public Method {
     }
     return true;
   }
-  [[nodiscard]] Motion motion() const override { return now_; }
+  [[nodiscard]] State motion() const override { return now_; }
   [[nodiscard]] const std::vector<ExactImpact>* impacts() const override { return &fling_.impacts(); }
 
  private:
   ExactFling fling_;
-  Motion now_;
+  State now_;
   Timeline time_;
 };
 

@@ -25,12 +25,12 @@ Clock clock_of(DisplayClock kind, double rate_hz) {
   return clock;
 }
 
-Motion fling_of(std::int64_t number) {
+State fling_of(std::int64_t number) {
   if (number == 0) return kDrawnFling;
   const auto draw = [number](std::uint64_t which, double low, double high) {
     return low + (high - low) * split_mix64_unit(77, 4 * static_cast<std::uint64_t>(number) + which);
   };
-  return {draw(0, 0.0, kDrawnRoom.right_px()), draw(1, 0.0, kDrawnRoom.bottom_px()), draw(2, -2000.0, 2000.0),
+  return {draw(0, 0.0, kDrawnBounds.right_px), draw(1, 0.0, kDrawnBounds.bottom_px), draw(2, -2000.0, 2000.0),
           draw(3, -2000.0, 500.0)};
 }
 
@@ -42,12 +42,12 @@ const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string
 // Plays one fling to its end, frame by frame.
 class FlingPlayed {
  public:
-  FlingPlayed(const MethodKind& kind, std::size_t method, const Motion& start)
+  FlingPlayed(const MethodKind& kind, std::size_t method, const State& start)
       : runner_(kind.make()),
         start_(start),
         core_{start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s} {
     landing_.method = method;
-    runner_->start(start, kDrawnRoom);
+    runner_->start(start, kDrawnBounds);
   }
 
   // Points of the path go into `path`, unless it is null.
@@ -56,7 +56,7 @@ class FlingPlayed {
     const FrameClock frames(clock);
     landing_.clock = kind;
     landing_.rate_hz = rate_hz;
-    Motion last = start_;
+    State last = start_;
     RestAnchor rest{start_.x_px, start_.y_px, 0.0};
     Timeline time;
     double next_point_s = 0.0;
@@ -65,7 +65,7 @@ class FlingPlayed {
       time.play(dt_s);
       // A steppable method never fails on a finite frame; one that did would lie where it failed.
       if (!runner_->play({&dt_s, 1})) break;
-      const Motion now = runner_->motion();
+      const State now = runner_->motion();
       landing_.path_px += std::hypot(now.x_px - last.x_px, now.y_px - last.y_px);
       landing_.across_px += std::fabs(now.x_px - last.x_px);
       last = now;
@@ -78,25 +78,19 @@ class FlingPlayed {
     }
     landing_.x_px = last.x_px;
     landing_.time_s = rest.t_s;
-    landing_.is_core = landing_.method != 0 || is_core(last);
+    landing_.is_core = landing_.method != 0 || same_bits(last, core_);
     return landing_;
   }
 
  private:
   void step_core(double dt_s) {
     if (landing_.method != 0) return;
-    core_ = core_step(core_, dt_s,
-                      {static_cast<std::int32_t>(kDrawnRoom.right_px()),
-                       static_cast<std::int32_t>(kDrawnRoom.bottom_px())});
-  }
-  [[nodiscard]] bool is_core(const Motion& last) const {
-    return same_bits(last.x_px, core_.x_px) && same_bits(last.y_px, core_.y_px) &&
-           same_bits(last.vx_px_per_s, core_.vx_px_per_s) && same_bits(last.vy_px_per_s, core_.vy_px_per_s);
+    core_ = core_step(core_, dt_s, kDrawnBounds);
   }
 
   std::unique_ptr<Method> runner_;
-  Motion start_;
-  Body core_;
+  State start_;
+  State core_;
   Landing landing_;
 };
 

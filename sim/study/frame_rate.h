@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/study/motion.h"
+#include "sim/motion/state.h"
 #include "sim/study/table.h"
 
 namespace hyrax {
@@ -62,8 +62,8 @@ struct FrameRateStudy {
 [[nodiscard]] FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings);
 
 /// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
-inline constexpr Motion kDrawnFling{100.0, 100.0, 900.0, -1200.0};
-inline constexpr Room kDrawnRoom{{1920, 1080}, {128, 128}};
+inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
+inline constexpr Bounds kDrawnBounds{1792.0, 952.0};
 
 [[nodiscard]] StudyTable landing_table(const std::vector<Landing>& landings);
 [[nodiscard]] StudyTable path_table(const std::vector<FanPoint>& paths);

@@ -47,7 +47,7 @@ std::vector<HardCase> on_a_bound_family(const Scenario& base) {
 std::vector<HardCase> grazing_family(const Scenario& base) {
   Family family(base);
   const double dt_s = 1.0 / std::get<FixedRate>(base.clock.base).rate_hz;
-  Body body{0.0, 0.0, base.start_velocity.vx_px_per_s, base.start_velocity.vy_px_per_s};
+  State body{0.0, 0.0, base.start_velocity.vx_px_per_s, base.start_velocity.vy_px_per_s};
   double apex_px = 0.0;
   for (int frame = 0; frame < 600; ++frame) {
     body = core_flight(body, dt_s);

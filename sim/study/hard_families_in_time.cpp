@@ -11,7 +11,7 @@ namespace {
 // Analytic: on the floor each step of gravity gives a = drag * G * h, and the bounce keeps restitution * a of
 // it; where that is below the threshold the rest rule ends it, at every other rate nothing does.
 bool ends_at_rest(double rate_hz) {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   return core.restitution * core.air_drag * core.gravity_px_per_s2 / rate_hz < core.rest_threshold_px_per_s;
 }
 
@@ -74,7 +74,7 @@ std::vector<HardCase> zeno_family(const Scenario& base) {
     scenario.clock.base = FixedRate{rate_hz};
     // Falling from rest takes t1 = sqrt(2 H / G); all bounces then 2 t1 b / (1 - b), with drag less. Where
     // the frames drag so often that it sinks instead of falling, H / terminal speed comes on top.
-    const CoreConstants core = core_constants();
+    const Constants core = core_constants();
     const double height_px = base.window.height_px - base.sprite.height_px - base.start.y_px;
     const double fall_s = std::sqrt(2.0 * height_px / core.gravity_px_per_s2);
     const double sink_s =

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/motion/state.h"
 #include "sim/study/exact_fling.h"
-#include "sim/study/motion.h"
 
 namespace hyrax {
 
@@ -20,10 +20,10 @@ class Method {
   Method& operator=(const Method&) = delete;
   virtual ~Method() = default;
 
-  virtual void start(const Motion& motion, const Room& room) = 0;
+  virtual void start(const State& motion, const Bounds& bounds) = 0;
   /// Plays the frames, each of its dt >= 0. False where the method failed: then it has no state any more.
   [[nodiscard]] virtual bool play(std::span<const double> frames_s) = 0;
-  [[nodiscard]] virtual Motion motion() const = 0;
+  [[nodiscard]] virtual State motion() const = 0;
   /// Impacts since the start, of a method that knows their moments; null: they show in its rows alone.
   [[nodiscard]] virtual const std::vector<ExactImpact>* impacts() const { return nullptr; }
 };

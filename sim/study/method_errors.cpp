@@ -13,7 +13,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kImpactsCompared = 3;
 
-Motion begun(const Stage& stage, Motion motion) {
+State begun(const Stage& stage, State motion) {
   if (stage.position) {
     motion.x_px = stage.position->x_px;
     motion.y_px = stage.position->y_px;
@@ -28,8 +28,8 @@ Motion begun(const Stage& stage, Motion motion) {
 // When a method that goes by frames met walls: where it stands on one on which it did not stand before.
 class ContactWatch {
  public:
-  ContactWatch(const Motion& start, const Room& room) : room_(room), stood_(walls_of(start)) {}
-  void see(const Motion& motion, double t_s) {
+  ContactWatch(const State& start, const Bounds& bounds) : bounds_(bounds), stood_(walls_of(start)) {}
+  void see(const State& motion, double t_s) {
     const std::array<bool, 4> stands = walls_of(motion);
     for (std::size_t wall = 0; wall < stands.size(); ++wall)
       if (stands[wall] && !stood_[wall]) impacts_.push_back({t_s, kWalls[wall]});
@@ -38,10 +38,10 @@ class ContactWatch {
   [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
 
  private:
-  [[nodiscard]] std::array<bool, 4> walls_of(const Motion& m) const {
-    return {m.x_px == 0.0, m.x_px == room_.right_px(), m.y_px == 0.0, m.y_px == room_.bottom_px()};
+  [[nodiscard]] std::array<bool, 4> walls_of(const State& m) const {
+    return {m.x_px == 0.0, m.x_px == bounds_.right_px, m.y_px == 0.0, m.y_px == bounds_.bottom_px};
   }
-  Room room_;
+  Bounds bounds_;
   std::array<bool, 4> stood_;
   std::vector<ExactImpact> impacts_;
 };
@@ -53,7 +53,7 @@ class ErrorMeter {
     errors_.contact_time_s = kNone;
   }
 
-  void see_row(const Motion& run, const Motion& exact, const Room& room) {
+  void see_row(const State& run, const State& exact, const Bounds& bounds) {
     const double dx = run.x_px - exact.x_px;
     const double dy = run.y_px - exact.y_px;
     errors_.end_px = std::hypot(dx, dy);
@@ -69,7 +69,7 @@ class ErrorMeter {
                          half_difference(run.vy_px_per_s, exact.vy_px_per_s) - gravity_px_per_s2_ * dy));
     energy_largest_ = std::max(energy_largest_, 0.5 * (exact.vx_px_per_s * exact.vx_px_per_s +
                                                        exact.vy_px_per_s * exact.vy_px_per_s) +
-                                                    gravity_px_per_s2_ * (room.bottom_px() - exact.y_px));
+                                                    gravity_px_per_s2_ * (bounds.bottom_px - exact.y_px));
     errors_.coordinate_largest_px =
         std::max({errors_.coordinate_largest_px, std::fabs(exact.x_px), std::fabs(exact.y_px)});
   }
@@ -103,7 +103,7 @@ class ErrorMeter {
 // One stage: rows at least `stride` frames apart, each frame where the method's contacts show in its rows.
 bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std::size_t stride,
                    bool watches_contacts, Method& method, ExactFling& exact, ErrorMeter& meter) {
-  ContactWatch watch(method.motion(), stage.room);
+  ContactWatch watch(method.motion(), stage.bounds);
   Timeline time;
   for (std::size_t frame = 0; frame < frames_s.size();) {
     const std::size_t row_end = std::min(frames_s.size(), (frame / stride + 1) * stride);
@@ -113,7 +113,7 @@ bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std:
       for (; frame < end; ++frame) time.play(frames_s[frame]);
       if (watches_contacts) watch.see(method.motion(), time.time_s());
     }
-    meter.see_row(method.motion(), exact.at(time.time_s()), stage.room);
+    meter.see_row(method.motion(), exact.at(time.time_s()), stage.bounds);
   }
   meter.see_impacts(method.impacts() != nullptr ? *method.impacts() : watch.impacts(), exact.impacts());
   return true;
@@ -127,8 +127,8 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kCheckRate_hz)));
   ExactFling exact;
   ErrorMeter meter{FixedLaws()};
-  Motion run = problem.start;
-  Motion truth = problem.start;
+  State run = problem.start;
+  State truth = problem.start;
   std::size_t frames = 0;
   for (std::size_t index = 0; index < problem.stages.size(); ++index) {
     const Stage& stage = problem.stages[index];
@@ -137,8 +137,8 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
     if (stage.is_held) continue;
     const std::vector<double>& frames_s = stage_frames_s[index];
     frames += frames_s.size();
-    method->start(run, stage.room);
-    exact.start(truth, stage.room);
+    method->start(run, stage.bounds);
+    exact.start(truth, stage.bounds);
     const bool watches = !problem.is_free_flight && method->impacts() == nullptr;
     if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter))
       return {.is_failed = true, .contact_time_s = kNone};
@@ -152,11 +152,11 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
 
 bool play_through(const Problem& problem, Method& method,
                   const std::vector<std::vector<double>>& stage_frames_s) {
-  Motion run = problem.start;
+  State run = problem.start;
   for (std::size_t index = 0; index < problem.stages.size(); ++index) {
     run = begun(problem.stages[index], run);
     if (problem.stages[index].is_held) continue;
-    method.start(run, problem.stages[index].room);
+    method.start(run, problem.stages[index].bounds);
     if (!method.play(stage_frames_s[index])) return false;
     run = method.motion();
   }

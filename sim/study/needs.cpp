@@ -8,6 +8,7 @@
 #include "sim/compare/comparison.h"
 #include "sim/replay/replay.h"
 #include "sim/replay/rest_anchor.h"
+#include "sim/study/core.h"
 #include "sim/study/problem.h"
 #include "sim/trajectory/row.h"
 
@@ -15,14 +16,14 @@ namespace hyrax {
 namespace {
 
 struct RunRow {
-  Motion motion;
+  State motion;
   std::uint8_t contact = 0;
 };
 
 // Rows as they come, and the contacts that they tell of.
 class Rows {
  public:
-  void add(const Motion& motion, std::uint8_t contact) {
+  void add(const State& motion, std::uint8_t contact) {
     const std::uint8_t before = rows_.empty() ? std::uint8_t{0} : rows_.back().contact;
     rows_.push_back({motion, contact});
     const auto step = static_cast<std::int64_t>(rows_.size());
@@ -45,18 +46,16 @@ class Rows {
 template <class PartSet>
 Rows play_rows(const Script& script, const Omitted& omitted, const PartSet& parts) {
   Rows rows;
-  play(script, omitted, parts,
-       [&rows](const Motion& motion, std::uint8_t contact) { rows.add(motion, contact); });
+  play(script, core_constants(), omitted, parts,
+       [&rows](const State& motion, std::uint8_t contact) { rows.add(motion, contact); });
   return rows;
 }
 
 bool same_row(const RunRow& a, const RunRow& b) {
-  return a.contact == b.contact && same_bits(a.motion.x_px, b.motion.x_px) &&
-         same_bits(a.motion.y_px, b.motion.y_px) && same_bits(a.motion.vx_px_per_s, b.motion.vx_px_per_s) &&
-         same_bits(a.motion.vy_px_per_s, b.motion.vy_px_per_s);
+  return a.contact == b.contact && same_bits(a.motion, b.motion);
 }
 
-double distance_px(const Motion& a, const Motion& b) {
+double distance_px(const State& a, const State& b) {
   const double distance = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
   return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
 }
@@ -82,7 +81,7 @@ PathDifference difference_of(const Rows& whole, const Rows& without) {
 }
 
 bool comes_to_rest(const Script& script, const Rows& rows) {
-  RestAnchor anchor{script.start.x_px, script.start.y_px, 0.0};
+  RestAnchor anchor{script.start.state.x_px, script.start.state.y_px, 0.0};
   double t_s = 0.0;
   for (std::size_t row = 0; row < rows.all().size(); ++row) {
     t_s += script.frames_s[row];
@@ -97,10 +96,10 @@ constexpr std::int64_t kFramesTimedMax = 10'000;
 // A run for the clock. Nobody looks at its rows, but the last one must be made.
 template <class PartSet>
 std::function<void()> timed(const Script& script, const Omitted& omitted, const PartSet& parts) {
-  return [&script, omitted, parts] {
-    Motion last;
+  return [&script, constants = core_constants(), omitted, parts] {
+    State last;
     play(
-        script, omitted, parts, [&last](const Motion& motion, std::uint8_t) { last = motion; },
+        script, constants, omitted, parts, [&last](const State& motion, std::uint8_t) { last = motion; },
         kFramesTimedMax);
     volatile double seen = last.x_px + last.y_px;
     static_cast<void>(seen);
@@ -234,7 +233,7 @@ class ReplayedRows final : public RowSink {
   void see(const Row& row) {
     if (row.step == 0) return;
     contacts_ = static_cast<std::uint8_t>(contacts_ | row.contact);
-    const Motion& script = whole_.all()[static_cast<std::size_t>(row.step) - 1].motion;
+    const State& script = whole_.all()[static_cast<std::size_t>(row.step) - 1].motion;
     const bool is_same = same_bits(script.x_px, row.x_px) && same_bits(script.y_px, row.y_px) &&
                          same_bits(script.vx_px_per_s, row.vx_px_per_s) &&
                          same_bits(script.vy_px_per_s, row.vy_px_per_s);

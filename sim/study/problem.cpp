@@ -15,24 +15,23 @@ constexpr Size kSprite{128, 128};
 constexpr std::int64_t kFramesMax = 10'000'000;  // Frames of next to no time come to no end.
 
 // Coordinates stay as small as the flight allows, so that rounding does.
-Problem open_sky(const std::string& name, const std::string& words, const Motion& start, double duration_s) {
+Problem open_sky(const std::string& name, const std::string& words, const State& start, double duration_s) {
   constexpr Size kSky{1'000'000, 1'000'000};
   Problem problem;
   problem.name = name;
   problem.words = words;
   problem.start = start;
-  problem.stages = {Stage{.duration_s = duration_s, .room = {kSky, kSprite}}};
+  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kSky, kSprite)}};
   problem.is_free_flight = true;
   return problem;
 }
 
-Problem on_desktop(const std::string& name, const std::string& words, const Motion& start,
-                   double duration_s) {
+Problem on_desktop(const std::string& name, const std::string& words, const State& start, double duration_s) {
   Problem problem;
   problem.name = name;
   problem.words = words;
   problem.start = start;
-  problem.stages = {Stage{.duration_s = duration_s, .room = {kDesktop, kSprite}}};
+  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kDesktop, kSprite)}};
   return problem;
 }
 
@@ -50,7 +49,8 @@ Jitter of_frame(Jitter jitter, double dt_s) {
 // Plays a scenario's events into stages.
 class StageBuilder {
  public:
-  explicit StageBuilder(const Scenario& scenario) : stage_{.room = {scenario.window, scenario.sprite}} {}
+  explicit StageBuilder(const Scenario& scenario)
+      : window_(scenario.window), sprite_(scenario.sprite), stage_{.bounds = bounds_of(window_, sprite_)} {}
 
   void happen(const Action& action) {
     std::visit([this](const auto& what) { apply(what); }, action);
@@ -67,7 +67,7 @@ class StageBuilder {
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
   [[nodiscard]] bool has_room() const {
     return std::all_of(stages_.begin(), stages_.end(), [](const Stage& stage) {
-      return stage.room.right_px() >= 0.0 && stage.room.bottom_px() >= 0.0;
+      return stage.bounds.right_px >= 0.0 && stage.bounds.bottom_px >= 0.0;
     });
   }
 
@@ -76,8 +76,9 @@ class StageBuilder {
   void apply(const Place& place) { stage_.position = place.position; }
   void apply(const Stop&) { stage_.velocity = Velocity{}; }
   void apply(const Resize& resize) {
-    if (resize.window) stage_.room.window = *resize.window;
-    if (resize.sprite) stage_.room.sprite = *resize.sprite;
+    window_ = resize.window.value_or(window_);
+    sprite_ = resize.sprite.value_or(sprite_);
+    stage_.bounds = bounds_of(window_, sprite_);
   }
   void apply(const Hitch& hitch) {
     if (hitch.dt_s > 0.0) stage_.hitch_s = hitch.dt_s;
@@ -91,6 +92,8 @@ class StageBuilder {
     stage_.is_held = false;
   }
 
+  Size window_;
+  Size sprite_;
   Stage stage_;
   std::vector<Stage> stages_;
 };
@@ -119,9 +122,9 @@ std::vector<Problem> study_problems() {
   Problem hitched = problems[0];
   hitched.name = "hitched-arc";
   hitched.words = "the second in the air, a quarter of it one frame";
-  const Room sky = hitched.stages[0].room;
-  hitched.stages = {Stage{.duration_s = 0.4, .room = sky},
-                    Stage{.duration_s = 0.6, .room = sky, .hitch_s = 0.25}};
+  const Bounds sky = hitched.stages[0].bounds;
+  hitched.stages = {Stage{.duration_s = 0.4, .bounds = sky},
+                    Stage{.duration_s = 0.6, .bounds = sky, .hitch_s = 0.25}};
   hitched.is_free_flight = false;
   problems.push_back(jittered);
   problems.push_back(hitched);
@@ -135,8 +138,7 @@ ScenarioProblem problem_of(const Scenario& scenario) {
   Problem problem;
   problem.name = scenario.name;
   problem.words = "scenario " + scenario.name;
-  problem.start = {scenario.start.x_px, scenario.start.y_px, scenario.start_velocity.vx_px_per_s,
-                   scenario.start_velocity.vy_px_per_s};
+  problem.start = start_state(scenario);
   StageBuilder builder(scenario);
   Timeline time;
   double stage_from_s = 0.0;

@@ -1,4 +1,4 @@
-// What methods are set to play: a motion, its room, and what happens to it on the way, at any rate of frames.
+// What methods are given to play: a start, bounds, and inputs, at any frame rate.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "sim/study/motion.h"
 
 namespace hyrax {
 
 /// A stretch of time without input. At its beginning, what is set here is set.
 struct Stage {
   double duration_s = 0.0;  ///< > 0.
-  Room room;
+  Bounds bounds;
   std::optional<Position> position = {};
   std::optional<Velocity> velocity = {};
   std::optional<double> hitch_s = {};  ///< The first frame's own dt; the others share what is left.
@@ -25,7 +24,7 @@ struct Problem {
   std::string name;    ///< As a key: "long-arc".
   std::string words;   ///< What it is, in a few words.
   std::string remark;  ///< What was left out of a scenario; may be empty.
-  Motion start;
+  State start;
   std::vector<Stage> stages;
   std::optional<Jitter> jitter;  ///< A normal one's sigma in units of the frame.
   bool is_free_flight = false;   ///< Meets no wall, has one stage.

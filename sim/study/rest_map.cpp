@@ -13,12 +13,12 @@ constexpr Bounds kBounds{1792, 952};
 constexpr double kUntil_s = 15.0;  // Longer than any fling of the map takes to lie.
 
 double gain_px_per_s(double rate_hz) {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   return core.air_drag * core.gravity_px_per_s2 / rate_hz;
 }
 
 double buzz_px_per_s(double rate_hz) {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   return -core.restitution * gain_px_per_s(rate_hz) / (1.0 + core.air_drag * core.restitution);
 }
 
@@ -27,7 +27,7 @@ bool is_near(double a, double b) { return std::fabs(a - b) <= 1e-6 * std::fabs(b
 // On the floor at this speed, `steps` later.
 std::array<double, 2> speeds_after(double vy_px_per_s, double rate_hz, std::int64_t steps) {
   const double dt_s = 1.0 / rate_hz;
-  const Body row =
+  const State row =
       core_steps({900.0, static_cast<double>(kBounds.bottom_px), 0.0, vy_px_per_s}, dt_s, kBounds, steps);
   return {row.vy_px_per_s, core_step(row, dt_s, kBounds).vy_px_per_s};
 }
@@ -78,7 +78,7 @@ End end_of_fling(double y_px, double vy_px_per_s, double rate_hz) {
   constexpr double kStill_px = 0.5;
   const double dt_s = 1.0 / rate_hz;
   const auto steps = static_cast<std::int64_t>(kUntil_s * rate_hz);
-  Body body{900.0, y_px, 0.0, vy_px_per_s};
+  State body{900.0, y_px, 0.0, vy_px_per_s};
   End end;
   for (std::int64_t step = 1; step <= steps; ++step) {
     body = core_step(body, dt_s, kBounds);
@@ -114,7 +114,7 @@ bool RestBoundary::agrees() const {
 }
 
 std::vector<RestBoundary> rest_boundaries() {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   const double kept = core.air_drag * core.restitution;
   // The rate at which gravity's gain of a step is `gain`.
   const auto rate_of = [&core](double gain) { return core.air_drag * core.gravity_px_per_s2 / gain; };
@@ -124,7 +124,7 @@ std::vector<RestBoundary> rest_boundaries() {
           {"cycle possible above", rate_of(threshold / (1.0 - kept)), changes_at(comes_back_to_rest)}};
 }
 
-FinalState final_state(const Body& row, const Body& next, double rate_hz, double bottom_px) {
+FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px) {
   if (row.y_px != bottom_px || next.y_px != bottom_px) return FinalState::moving;
   const double a = row.vy_px_per_s, b = next.vy_px_per_s;
   if (a == 0.0 && b == 0.0) return FinalState::rest;
@@ -145,7 +145,7 @@ std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t
 
 std::vector<BounceSeen> bounces_at(double rate_hz, std::int64_t phases) {
   constexpr double kHeight_px = 600.0;
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   const double dt_s = 1.0 / rate_hz;
   const double last_way_px = std::sqrt(2.0 * core.gravity_px_per_s2 * kHeight_px) * dt_s;
   std::vector<BounceSeen> bounces;
@@ -158,9 +158,9 @@ std::vector<BounceSeen> bounces_at(double rate_hz, std::int64_t phases) {
                         .acceleration_px_per_s2 = core.gravity_px_per_s2,
                         .drag_rate_per_s = -std::log(core.air_drag) * rate_hz},
                        60.0);
-    Body body{900.0, kBounds.bottom_px - height_px, 0.0, 0.0};
+    State body{900.0, kBounds.bottom_px - height_px, 0.0, 0.0};
     for (std::int64_t step = 0; step < static_cast<std::int64_t>(kUntil_s * rate_hz); ++step) {
-      const Body flight = core_flight(body, dt_s);
+      const State flight = core_flight(body, dt_s);
       body = core_step(body, dt_s, kBounds);
       if (!(flight.y_px > kBounds.bottom_px)) continue;
       if (impact && impact->speed_px_per_s > 0.0)

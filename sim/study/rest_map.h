@@ -55,7 +55,7 @@ struct BounceSeen {
 [[nodiscard]] std::vector<BounceSeen> bounces_at(double rate_hz, std::int64_t phases);
 
 /// REQUIRES: two rows of a sprite, one frame apart.
-[[nodiscard]] FinalState final_state(const Body& row, const Body& next, double rate_hz, double bottom_px);
+[[nodiscard]] FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px);
 
 [[nodiscard]] StudyTable rest_map_table(const std::vector<RateEnds>& map);
 [[nodiscard]] StudyTable rest_boundary_table(const std::vector<RestBoundary>& boundaries);

@@ -12,35 +12,33 @@ namespace {
 constexpr std::string_view kActionNames[] = {"fling", "place", "stop", "resize", "hitch", "hold", "hold"};
 
 struct Effect {
-  Motion& motion;
-  Room& room;
-  bool& is_held;
+  World& world;
   double& dt_s;
 
   void operator()(const Fling& fling) const { set(fling.velocity); }
   void operator()(const Place& place) const {
-    motion.x_px = place.position.x_px;
-    motion.y_px = place.position.y_px;
+    world.state.x_px = place.position.x_px;
+    world.state.y_px = place.position.y_px;
   }
   void operator()(const Stop&) const { set({}); }
   void operator()(const Resize& resize) const {
-    if (resize.window) room.window = *resize.window;
-    if (resize.sprite) room.sprite = *resize.sprite;
+    world.window = resize.window.value_or(world.window);
+    world.sprite = resize.sprite.value_or(world.sprite);
   }
   void operator()(const Hitch& hitch) const { dt_s = hitch.dt_s; }
   void operator()(const Grab&) const {
     set({});
-    is_held = true;
+    world.is_held = true;
   }
   void operator()(const Release& release) const {
     set(release.velocity);
-    is_held = false;
+    world.is_held = false;
   }
 
  private:
   void set(const Velocity& velocity) const {
-    motion.vx_px_per_s = velocity.vx_px_per_s;
-    motion.vy_px_per_s = velocity.vy_px_per_s;
+    world.state.vx_px_per_s = velocity.vx_px_per_s;
+    world.state.vy_px_per_s = velocity.vy_px_per_s;
   }
 };
 
@@ -53,16 +51,12 @@ std::vector<double> even_frames(const Scenario& scenario, const std::vector<doub
 
 }  // namespace
 
-void happen(const Action& action, Motion& motion, Room& room, bool& is_held, double& dt_s) {
-  std::visit(Effect{motion, room, is_held, dt_s}, action);
-}
+void happen(const Action& action, World& world, double& dt_s) { std::visit(Effect{world, dt_s}, action); }
 
 Script script_of(const Scenario& scenario) {
   Script script;
   script.name = scenario.name;
-  script.start = {scenario.start.x_px, scenario.start.y_px, scenario.start_velocity.vx_px_per_s,
-                  scenario.start_velocity.vy_px_per_s};
-  script.room = {scenario.window, scenario.sprite};
+  script.start = {.state = start_state(scenario), .window = scenario.window, .sprite = scenario.sprite};
   const std::int64_t steps = step_count(scenario);
   const std::vector<std::int64_t> frames = schedule_events(scenario, steps).frames;
   script.is_cut = steps > kScriptFramesMax;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/motion/step.h"
 #include "sim/scenario/scenario.h"
-#include "sim/study/variant_step.h"
 
 namespace hyrax {
 
@@ -22,8 +22,7 @@ inline constexpr std::int64_t kScriptFramesMax = 100'000;
 
 struct Script {
   std::string name;
-  Motion start;
-  Room room;
+  World start;
   std::vector<double> frames_s;       ///< As the clock gives them, jitter and all.
   std::vector<double> even_frames_s;  ///< Without jitter; empty where there is none to leave out.
   std::vector<ScriptEvent> events;    ///< In order of time.
@@ -44,24 +43,23 @@ struct Omitted {
 };
 
 /// What an event does to the state, as the format's rules have it.
-void happen(const Action& action, Motion& motion, Room& room, bool& is_held, double& dt_s);
+void happen(const Action& action, World& world, double& dt_s);
 
-/// Plays the script, or its first `frames_max` frames; `see(motion, contact)` gets every row but the first.
+/// Plays the script, or its first `frames_max` frames; `see(state, contact)` gets every row but the first.
 template <class PartSet, class See>
-void play(const Script& script, const Omitted& omitted, const PartSet& parts, const See& see,
-          std::size_t frames_max = kScriptFramesMax) {
+void play(const Script& script, const Constants& constants, const Omitted& omitted, const PartSet& parts,
+          const See& see, std::size_t frames_max = kScriptFramesMax) {
   const std::vector<double>& frames_s = omitted.jitter ? script.even_frames_s : script.frames_s;
-  Motion motion = script.start;
-  Room room = script.room;
-  bool is_held = false;
+  World world = script.start;
   auto event = script.events.begin();
   const std::size_t frames = std::min(frames_s.size(), frames_max);
   for (std::size_t frame = 0; frame < frames; ++frame) {
     double dt_s = frames_s[frame];
     for (; event != script.events.end() && event->frame == static_cast<std::int64_t>(frame); ++event)
-      if (!omitted.has_input(event->input)) happen(event->action, motion, room, is_held, dt_s);
-    const std::uint8_t contact = is_held ? std::uint8_t{0} : step(motion, dt_s, room, parts);
-    see(motion, contact);
+      if (!omitted.has_input(event->input)) happen(event->action, world, dt_s);
+    std::uint8_t contact = 0;
+    if (!world.is_held) contact = ListingStep(constants, parts, world.bounds())(world.state, dt_s);
+    see(world.state, contact);
   }
 }
 

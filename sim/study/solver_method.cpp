@@ -11,7 +11,7 @@ class SolverMethod final : public Method {
  public:
   explicit SolverMethod(std::unique_ptr<FlightSolver> solver) : solver_(std::move(solver)) {}
 
-  void start(const Motion& motion, const Room&) override {
+  void start(const State& motion, const Bounds&) override {
     start_ = motion;
     solver_->start({motion.vx_px_per_s, motion.vy_px_per_s}, true);
   }
@@ -20,14 +20,14 @@ class SolverMethod final : public Method {
       if (!solver_->advance(frame_s)) return false;
     return true;
   }
-  [[nodiscard]] Motion motion() const override {
+  [[nodiscard]] State motion() const override {
     const Flight flight = solver_->flight();
     return {start_.x_px + flight.dx_px, start_.y_px + flight.dy_px, flight.vx_px_per_s, flight.vy_px_per_s};
   }
 
  private:
   std::unique_ptr<FlightSolver> solver_;
-  Motion start_;
+  State start_;
 };
 
 }  // namespace

@@ -126,8 +126,9 @@ void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px
 Scenario scenario_of(const Problem& flight, double rate_hz) {
   const Stage& stage = flight.stages.front();
   Scenario scenario;
-  scenario.window = stage.room.window;
-  scenario.sprite = stage.room.sprite;
+  scenario.sprite = {1, 1};
+  scenario.window = {static_cast<std::int32_t>(stage.bounds.right_px) + scenario.sprite.width_px,
+                     static_cast<std::int32_t>(stage.bounds.bottom_px) + scenario.sprite.height_px};
   scenario.start = {flight.start.x_px, flight.start.y_px};
   scenario.start_velocity = {flight.start.vx_px_per_s, flight.start.vy_px_per_s};
   scenario.clock.base = FixedRate{rate_hz};

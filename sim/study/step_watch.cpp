@@ -20,12 +20,7 @@ std::vector<Input> all_inputs(const Scenario& scenario) {
   return inputs_of(scenario, schedule_events(scenario, steps).frames, steps);
 }
 
-Body body_of(const Row& row) { return {row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s}; }
-
-// Sizes are whole, and a Bounds holds their differences exactly.
-Bounds bounds_of(const InputPlayback& inputs) {
-  return {static_cast<std::int32_t>(inputs.right_px()), static_cast<std::int32_t>(inputs.bottom_px())};
-}
+Bounds bounds_of(const InputPlayback& inputs) { return {inputs.right_px(), inputs.bottom_px()}; }
 
 // 0 for equal bits, else how far off, and never 0.
 double minus_difference(double a, double b) {
@@ -49,9 +44,9 @@ void StepWatch::see(const Row& row) {
   if (has_row_) {
     const InputChange change = inputs_.apply(before_);
     const Bounds bounds = bounds_of(inputs_);
-    if (change.ends_arc || bounds != bounds_ || steps_ == 0) start_from(body_of(before_), bounds);
+    if (change.ends_arc || bounds != bounds_ || steps_ == 0) start_from(state_of(before_), bounds);
     if (!inputs_.is_held()) {
-      const Body from = body_of(before_);
+      const State from = state_of(before_);
       const Step step{from, core_flight(from, row.dt_s), row, bounds};
       ++steps_;
       dt_max_s_ = std::max(dt_max_s_, row.dt_s);
@@ -72,7 +67,7 @@ void StepWatch::see(const Row& row) {
   before_ = row;
 }
 
-void StepWatch::start_from(const Body& body, Bounds bounds) {
+void StepWatch::start_from(const State& body, Bounds bounds) {
   bounds_ = bounds;
   steps_ = 0;
   dt_max_s_ = 0.0;
@@ -90,7 +85,7 @@ void StepWatch::see_finite(const Row& row) {
   const double largest = std::max({std::fabs(row.x_px), std::fabs(row.y_px), std::fabs(row.vx_px_per_s),
                                    std::fabs(row.vy_px_per_s), 1.0});
   const bool is_fine =
-      is_finite_state(row) && std::isfinite(row.t_s) && row.t_s >= before_.t_s * (1.0 - 4 * kRounding);
+      is_finite(state_of(row)) && std::isfinite(row.t_s) && row.t_s >= before_.t_s * (1.0 - 4 * kRounding);
   if (!is_fine) see(Invariant::finite, std::numeric_limits<double>::quiet_NaN(), row.step);
   if (largest <= largest_) return;
   largest_ = largest;
@@ -226,7 +221,7 @@ void StepWatch::see_bounce(const Step& step) {
       std::min(minus_difference(row.vx_px_per_s, vx), minus_difference(row.vy_px_per_s, vy)), row.step);
 }
 
-void StepWatch::mirror(const Body& body, Bounds bounds) {
+void StepWatch::mirror(const State& body, Bounds bounds) {
   mirrored_ = {bounds.right_px - body.x_px, body.y_px, -body.vx_px_per_s, body.vy_px_per_s};
   mirror_slack_px_ = kRounding * (std::fabs(body.x_px) + std::abs(bounds.right_px));
 }
@@ -256,7 +251,7 @@ void StepWatch::see_mirror(const Step& step) {
   else
     see(Invariant::mirror, -std::max({apart_px, apart_px_per_s, std::numeric_limits<double>::denorm_min()}),
         row.step);
-  mirror(body_of(row), bounds);
+  mirror(state_of(row), bounds);
 }
 
 // The same y and vy from another x, without motion in x: at every step the same bits.

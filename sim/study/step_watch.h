@@ -31,14 +31,14 @@ class StepWatch : public RowSink {
  private:
   // One step: from a state with the frame's inputs applied, by the flight without walls, to the row.
   struct Step {
-    Body from;
-    Body flight;
+    State from;
+    State flight;
     const Row& row;
     Bounds bounds;
   };
 
   void see(const Row& row);
-  void start_from(const Body& body, Bounds bounds);
+  void start_from(const State& body, Bounds bounds);
   void see_finite(const Row& row);
   void see_bounds(const Step& step);
   void see_step_energy(const Step& step);
@@ -54,9 +54,9 @@ class StepWatch : public RowSink {
   void see(Invariant invariant, double margin, std::int64_t step) {
     measures_[static_cast<std::size_t>(invariant)].see(margin, step);
   }
-  void mirror(const Body& body, Bounds bounds);
+  void mirror(const State& body, Bounds bounds);
 
-  CoreConstants core_;
+  Constants core_;
   InputPlayback inputs_;
   InvariantMeasures measures_{};
   Row before_;
@@ -73,9 +73,9 @@ class StepWatch : public RowSink {
   double vx_max_px_per_s_ = 0.0;
   double vy_max_px_per_s_ = 0.0;
 
-  Body mirrored_;
+  State mirrored_;
   double mirror_slack_px_ = 0.0;
-  Body alone_;  // The same y with no motion in x.
+  State alone_;  // The same y with no motion in x.
   std::int64_t knife_edges_ = 0;
 };
 

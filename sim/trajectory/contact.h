@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/trajectory/wall.h"
+#include "sim/motion/wall.h"
 
 namespace hyrax {
 

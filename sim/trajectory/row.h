@@ -1,9 +1,9 @@
 // The recorded state after a frame.
 #pragma once
 
-#include <bit>
-#include <cmath>
 #include <cstdint>
+
+#include "sim/motion/state.h"
 
 namespace hyrax {
 
@@ -18,14 +18,15 @@ struct Row {
   std::uint8_t contact = 0;  ///< Wall bits and kRestBit.
 };
 
-/// Equality of bits: +0 and -0 differ, a NaN equals itself.
-[[nodiscard]] inline bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+[[nodiscard]] inline State state_of(const Row& row) {
+  return {row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s};
 }
 
-[[nodiscard]] inline bool is_finite_state(const Row& row) {
-  return std::isfinite(row.x_px) && std::isfinite(row.y_px) && std::isfinite(row.vx_px_per_s) &&
-         std::isfinite(row.vy_px_per_s);
+inline void set_state(Row& row, const State& state) {
+  row.x_px = state.x_px;
+  row.y_px = state.y_px;
+  row.vx_px_per_s = state.vx_px_per_s;
+  row.vy_px_per_s = state.vy_px_per_s;
 }
 
 }  // namespace hyrax

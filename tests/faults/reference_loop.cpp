@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/motion/wall.h"
 #include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/trajectory/state_hash.h"
-#include "sim/trajectory/wall.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 

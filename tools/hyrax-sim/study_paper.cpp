@@ -19,7 +19,7 @@ double step_time_s() {
   double least_s = 1.0;
   for (int repetition = 0; repetition < 200; ++repetition) {
     const auto start = std::chrono::steady_clock::now();
-    const Body body = core_steps({100.0, 100.0, 900.0, -1200.0}, 1.0 / 60.0, {1792, 952}, kSteps);
+    const State body = core_steps({100.0, 100.0, 900.0, -1200.0}, 1.0 / 60.0, {1792, 952}, kSteps);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     if (body.y_px >= 0.0) least_s = std::min(least_s, taken.count() / static_cast<double>(kSteps));
   }

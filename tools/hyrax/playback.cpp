@@ -34,7 +34,7 @@ void Playback::play(std::int64_t ticks) {
   for (std::int64_t frames = 0; !is_over() && now().row.t_s < elapsed_s && frames < kFramesAtOnceMax;
        ++frames) {
     replay_.play_to(now().row.step + 1);
-    is_non_finite_ = !is_finite_state(now().row);
+    is_non_finite_ = !is_finite(state_of(now().row));
   }
 }
 

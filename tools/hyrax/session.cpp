@@ -24,7 +24,7 @@ void Session::advance(double dt_s) {
                       .contact_before = before.contact,
                       .dt_s = &dt_s,
                       .frames = 1};
-  Body body{before.x_px, before.y_px, before.vx_px_per_s, before.vy_px_per_s};
+  State body = state_of(before);
   row_.shrink(0);
   play(frame, body, rest_, row_, log_);
   now_.timeline.play(dt_s);

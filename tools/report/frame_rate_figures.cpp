@@ -56,7 +56,7 @@ std::string resting_places_script(const FrameRateStudy& study) {
 }
 
 std::string fan_script(const FrameRateStudy& study, std::size_t method) {
-  const double right_px = kDrawnRoom.right_px(), bottom_px = kDrawnRoom.bottom_px();
+  const double right_px = kDrawnBounds.right_px, bottom_px = kDrawnBounds.bottom_px;
   const double width = 960 - 76 - 28;
   PlotFrame frame(method == 0 ? "The fan of one fling" : "The same fling, drag and friction by time",
                   fmt::format("The path of its corner, {}, at six display rates", kMethodWords[method]),

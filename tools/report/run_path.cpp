@@ -37,7 +37,7 @@ class PathMaker {
 
   // False where there is no room for more.
   bool take(const Row& row) {
-    if (!is_finite_state(row)) {
+    if (!is_finite(state_of(row))) {
       end_stroke();
       return true;
     }

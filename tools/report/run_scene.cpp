@@ -86,7 +86,7 @@ std::vector<Box> ghosts_of(const std::vector<Bounce>& bounces) {
 
 std::optional<Box> outline_at(const Columns& rows, std::size_t index, const SizesInForce& sizes) {
   const Row row = rows.row(index);
-  if (!is_finite_state(row)) return std::nullopt;
+  if (!is_finite(state_of(row))) return std::nullopt;
   return sprite_box(row.x_px, row.y_px, sizes.at(row.step).sprite);
 }
 

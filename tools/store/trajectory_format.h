@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include "sim/motion/wall.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 

@@ -116,8 +116,8 @@ TEST(Replay, EndsAtTheStepThatIsNotFinite) {
   EXPECT_EQ(summary.non_finite_step, 21);
   EXPECT_EQ(summary.steps, 21);
   ASSERT_EQ(trace.rows().size(), 22u);
-  EXPECT_TRUE(is_finite_state(trace.rows()[20]));
-  EXPECT_FALSE(is_finite_state(trace.rows()[21]));
+  EXPECT_TRUE(is_finite(state_of(trace.rows()[20])));
+  EXPECT_FALSE(is_finite(state_of(trace.rows()[21])));
 }
 
 TEST(Replay, EndsAtTheFirstStepWhereTheStartCannotMove) {

@@ -9,7 +9,7 @@
 namespace hyrax {
 namespace {
 
-constexpr Room kRoom{{1128, 1128}, {128, 128}};  // Bounds 0 .. 1000 px.
+constexpr Bounds kBounds{1000.0, 1000.0};
 
 // Without drag a drop from height h takes sqrt(2 h / g), and each bounce 0.6 of the one before.
 FixedLaws without_drag() {
@@ -20,7 +20,7 @@ FixedLaws without_drag() {
 
 TEST(ExactFling, BouncesAsADropWithoutDragDoes) {
   ExactFling fling(without_drag());
-  fling.start({500.0, 400.0, 0.0, 0.0}, kRoom);
+  fling.start({500.0, 400.0, 0.0, 0.0}, kBounds);
   EXPECT_EQ(fling.at(10.0).y_px, 1000.0);
   const double fall_s = std::sqrt(2.0 * 600.0 / 1200.0);
   const double speed_px_per_s = 1200.0 * fall_s;
@@ -43,7 +43,7 @@ TEST(ExactFling, BouncesAsADropWithoutDragDoes) {
 TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
   const FixedLaws laws;
   ExactFling fling(laws);
-  fling.start({100.0, 1000.0, 500.0, 0.0}, kRoom);
+  fling.start({100.0, 1000.0, 500.0, 0.0}, kBounds);
   const double rate_per_s = laws.drag_rate_per_s + laws.friction_rate_per_s;
   // It stands on the ground: met at once, which takes its fifth.
   EXPECT_NEAR(fling.at(100.0).x_px, 100.0 + 0.8 * 500.0 / rate_per_s, 1e-10);
@@ -52,30 +52,30 @@ TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
 TEST(ExactFling, FlightIsTheClosedFormOfLinearDrag) {
   const FixedLaws laws;
   ExactFling fling(laws);
-  fling.start({100.0, 500.0, 300.0, -600.0}, kRoom);
+  fling.start({100.0, 500.0, 300.0, -600.0}, kBounds);
   const double k = laws.drag_rate_per_s;
   const double t = 0.7;
   const double damping = std::exp(-k * t);
-  const Motion now = fling.at(t);
+  const State now = fling.at(t);
   EXPECT_NEAR(now.x_px, 100.0 + 300.0 * (1.0 - damping) / k, 1e-10);
   EXPECT_NEAR(now.vy_px_per_s, -600.0 * damping + 1200.0 * (1.0 - damping) / k, 1e-9);
 }
 
 TEST(ExactFling, MeetsEveryWall) {
   ExactFling fling;
-  fling.start({500.0, 500.0, -3000.0, -2500.0}, kRoom);
+  fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);
   EXPECT_GT(fling.at(3.0).y_px, 0.0);
   std::array<int, 4> met{};
   for (const ExactImpact& impact : fling.impacts()) ++met[wall_index(impact.wall)];
   for (const int count : met) EXPECT_GT(count, 0);
 }
 
-TEST(ExactFling, StaysInItsRoomAndNeverGainsEnergy) {
+TEST(ExactFling, StaysInItsBoundsAndNeverGainsEnergy) {
   ExactFling fling;
-  fling.start({500.0, 500.0, -3000.0, -2500.0}, kRoom);
+  fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);
   double energy = HUGE_VAL;
   for (double t_s = 0.0; t_s < 20.0; t_s += 0.01) {
-    const Motion now = fling.at(t_s);
+    const State now = fling.at(t_s);
     EXPECT_GE(now.x_px, -1e-9);
     EXPECT_LE(now.x_px, 1000.0 + 1e-9);
     EXPECT_GE(now.y_px, -1e-9);
@@ -89,7 +89,7 @@ TEST(ExactFling, StaysInItsRoomAndNeverGainsEnergy) {
 
 TEST(ExactFling, AStartOutsideIsPutOntoItsWall) {
   ExactFling fling;
-  fling.start({-50.0, 500.0, -100.0, 0.0}, kRoom);
+  fling.start({-50.0, 500.0, -100.0, 0.0}, kBounds);
   EXPECT_EQ(fling.at(0.0).x_px, 0.0);
   EXPECT_EQ(fling.at(0.0).vx_px_per_s, 60.0);
 }

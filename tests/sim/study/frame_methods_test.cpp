@@ -37,15 +37,15 @@ double order_of(const std::string& method, const Problem& problem, double rate_h
 }
 
 TEST(FrameMethods, ThePapersStepIsTheShippedCoreBitForBit) {
-  const Room room{{1920, 1080}, {128, 128}};
+  const Bounds bounds{1792.0, 952.0};
   const std::unique_ptr<Method> method = kind_of("paper").make();
-  method->start({300.0, 500.0, 2400.0, -700.0}, room);
+  method->start({300.0, 500.0, 2400.0, -700.0}, bounds);
   physics body(300.0, 500.0, 2400.0, -700.0);
   const double dt_s = 1.0 / 60.0;
   for (int frame = 0; frame < 2000; ++frame) {
     ASSERT_TRUE(method->play({&dt_s, 1}));
     body.update(dt_s, 1920, 1080, 128, 128);
-    const Motion now = method->motion();
+    const State now = method->motion();
     ASSERT_TRUE(same_bits(now.x_px, body.x()) && same_bits(now.y_px, body.y()) &&
                 same_bits(now.vx_px_per_s, body.vx()) && same_bits(now.vy_px_per_s, body.vy()));
   }
@@ -93,9 +93,9 @@ TEST(FrameMethods, AllThatSolveTheFixedLawsTendToTheSameFling) {
 TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
   class Lost final : public Method {
    public:
-    void start(const Motion&, const Room&) override {}
+    void start(const State&, const Bounds&) override {}
     bool play(std::span<const double>) override { return true; }
-    [[nodiscard]] Motion motion() const override { return {std::nan(""), 0.0, 0.0, 0.0}; }
+    [[nodiscard]] State motion() const override { return {std::nan(""), 0.0, 0.0, 0.0}; }
   };
   MethodKind kind{.name = "lost", .words = "", .order = 1, .make = [] { return std::make_unique<Lost>(); }};
   const Problem arc = problem_named("long-arc");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/replay/replay.h"
+#include "sim/study/core.h"
 #include "sim/study/needs.h"
 #include "sim/study/needs_tables.h"
 #include "sim/trajectory/row.h"
@@ -44,7 +45,7 @@ TEST(Script, WithAllPartsIsTheReplayBitForBit) {
     TraceSink trace({.rows_every = 1});
     replay(every, trace);
     std::size_t row = 1;
-    play(script_of(scenario), {}, AllParts(), [&](const Motion& m, std::uint8_t contact) {
+    play(script_of(scenario), core_constants(), {}, AllParts(), [&](const State& m, std::uint8_t contact) {
       const Row& wanted = trace.rows().at(row++);
       ASSERT_TRUE(same_bits(m.x_px, wanted.x_px) && same_bits(m.y_px, wanted.y_px) &&
                   same_bits(m.vx_px_per_s, wanted.vx_px_per_s) &&

@@ -16,7 +16,7 @@ FinalState state_of(double vy, double next_vy, double rate_hz = 60.0) {
 }
 
 double buzz_px_per_s() {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   return -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0 /
          (1.0 + core.air_drag * core.restitution);
 }
@@ -28,7 +28,7 @@ TEST(FinalState, OfABuzzBetweenNeighbouringDoublesIsABuzz) {
 }
 
 TEST(FinalState, OfACycleIsOneWhicheverRowComesFirst) {
-  const CoreConstants core = core_constants();
+  const Constants core = core_constants();
   const double thrown = -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0;
   EXPECT_EQ(state_of(0.0, thrown), FinalState::cycle);
   EXPECT_EQ(state_of(thrown, 0.0), FinalState::cycle);

@@ -4,10 +4,10 @@
 #include <limits>
 #include <set>
 
+#include "sim/motion/wall.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/input.h"
 #include "sim/trajectory/row_block.h"
-#include "sim/trajectory/wall.h"
 
 namespace hyrax {
 namespace {
@@ -90,11 +90,11 @@ TEST(SameBits, TellsZerosApartAndTakesNaNForItself) {
 }
 
 TEST(FiniteState, LooksAtEveryPart) {
-  EXPECT_TRUE(is_finite_state({}));
+  EXPECT_TRUE(is_finite(State{}));
   for (double Row::*const field : {&Row::x_px, &Row::y_px, &Row::vx_px_per_s, &Row::vy_px_per_s}) {
     Row row;
     row.*field = std::numeric_limits<double>::infinity();
-    EXPECT_FALSE(is_finite_state(row));
+    EXPECT_FALSE(is_finite(state_of(row)));
   }
 }
 

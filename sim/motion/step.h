@@ -1,0 +1,155 @@
+// The paper's step with its constants, its parts and its order free: what studies vary.
+//
+// With all parts, the paper's order and the constants of class physics it is physics::update bit for bit,
+// to which a test holds it. It moves no sprite in a result that is called exact.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/motion/state.h"
+#include "sim/motion/wall.h"
+
+namespace hyrax {
+
+/// The parts of the model and of the window.
+enum class Part : std::uint8_t {
+  gravity,
+  drag,
+  left_wall,
+  right_wall,
+  top_wall,
+  ground,
+  friction,
+  restitution,
+  rest_rule
+};
+
+inline constexpr std::size_t kPartCount = 9;
+inline constexpr std::array<std::string_view, kPartCount> kPartNames = {
+    "gravity", "drag", "left wall", "right wall", "top", "ground", "friction", "restitution", "rest rule"};
+
+/// Which parts a step has; all of them at first.
+class Parts {
+ public:
+  [[nodiscard]] constexpr bool has(Part part) const {
+    return (left_out_ >> static_cast<unsigned>(part) & 1u) == 0;
+  }
+  constexpr void leave_out(Part part) { left_out_ |= 1u << static_cast<unsigned>(part); }
+
+ private:
+  unsigned left_out_ = 0;
+};
+
+/// All parts but one, known when the step is compiled, so that what is left out costs nothing.
+template <Part kPart>
+struct AllBut {
+  [[nodiscard]] static constexpr bool has(Part part) { return part != kPart; }
+};
+struct AllParts {
+  [[nodiscard]] static constexpr bool has(Part) { return true; }
+};
+
+enum class StepOrder : std::uint8_t {
+  paper,           ///< Gravity, drag, position, walls in x, walls in y.
+  drag_first,      ///< Drag, gravity, position, walls.
+  position_first,  ///< Position with the old velocity, gravity, drag, walls: explicit Euler.
+  y_walls_first,   ///< As the paper's, with the walls in y before those in x.
+  walls_first,     ///< Walls, gravity, drag, position.
+};
+
+/// One step, an operation each. What a part left out does not do: gravity adds nothing, drag and friction
+/// keep the speed, a wall lets the sprite through, restitution keeps the speed's size, the rest rule never
+/// sets vy to 0.
+template <class PartSet>
+class ListingStep {
+ public:
+  ListingStep(const Constants& constants, const PartSet& parts, const Bounds& bounds)
+      : constants_(constants), parts_(parts), bounds_(bounds) {}
+
+  void pull(State& s, double dt_s) const {
+    if (parts_.has(Part::gravity)) s.vy_px_per_s += constants_.gravity_px_per_s2 * dt_s;
+  }
+  void drag(State& s) const {
+    if (!parts_.has(Part::drag)) return;
+    s.vx_px_per_s *= constants_.air_drag;
+    s.vy_px_per_s *= constants_.air_drag;
+  }
+  void move(State& s, double dt_s) const {
+    s.x_px += s.vx_px_per_s * dt_s;
+    s.y_px += s.vy_px_per_s * dt_s;
+  }
+  /// Returns the wall that clamped as a row's contact byte has it; 0: none.
+  std::uint8_t meet_walls_in_x(State& s) const {
+    if (parts_.has(Part::left_wall) && s.x_px < 0.0) {
+      s.x_px = 0.0;
+      s.vx_px_per_s = turned(s.vx_px_per_s);
+      return static_cast<std::uint8_t>(Wall::left);
+    }
+    if (parts_.has(Part::right_wall) && s.x_px > bounds_.right_px) {
+      s.x_px = bounds_.right_px;
+      s.vx_px_per_s = turned(s.vx_px_per_s);
+      return static_cast<std::uint8_t>(Wall::right);
+    }
+    return 0;
+  }
+  std::uint8_t meet_walls_in_y(State& s) const {
+    if (parts_.has(Part::top_wall) && s.y_px < 0.0) {
+      s.y_px = 0.0;
+      s.vy_px_per_s = turned(s.vy_px_per_s);
+      return static_cast<std::uint8_t>(Wall::top);
+    }
+    if (parts_.has(Part::ground) && s.y_px > bounds_.bottom_px) {
+      s.y_px = bounds_.bottom_px;
+      s.vy_px_per_s = turned(s.vy_px_per_s);
+      if (parts_.has(Part::friction)) s.vx_px_per_s *= constants_.ground_friction;
+      if (parts_.has(Part::rest_rule) && std::fabs(s.vy_px_per_s) < constants_.rest_threshold_px_per_s)
+        s.vy_px_per_s = 0.0;
+      return static_cast<std::uint8_t>(Wall::ground);
+    }
+    return 0;
+  }
+
+  /// The paper's order. Returns the walls that clamped.
+  [[gnu::always_inline]] std::uint8_t operator()(State& s, double dt_s) const {
+    pull(s, dt_s);
+    drag(s);
+    move(s, dt_s);
+    const std::uint8_t in_x = meet_walls_in_x(s);
+    return static_cast<std::uint8_t>(in_x | meet_walls_in_y(s));
+  }
+
+ private:
+  [[nodiscard]] double turned(double speed_px_per_s) const {
+    return parts_.has(Part::restitution) ? -speed_px_per_s * constants_.restitution : -speed_px_per_s;
+  }
+
+  Constants constants_;
+  PartSet parts_;
+  Bounds bounds_;
+};
+
+/// One step with all parts, in any order.
+[[nodiscard]] inline State stepped(const Constants& constants, StepOrder order, State s, double dt_s,
+                                   const Bounds& bounds) {
+  const ListingStep step(constants, AllParts{}, bounds);
+  if (order == StepOrder::position_first) step.move(s, dt_s);
+  if (order == StepOrder::walls_first) {
+    step.meet_walls_in_x(s);
+    step.meet_walls_in_y(s);
+  }
+  if (order == StepOrder::drag_first) step.drag(s);
+  step.pull(s, dt_s);
+  if (order != StepOrder::drag_first) step.drag(s);
+  if (order != StepOrder::position_first) step.move(s, dt_s);
+  if (order == StepOrder::walls_first) return s;
+  if (order == StepOrder::y_walls_first) step.meet_walls_in_y(s);
+  step.meet_walls_in_x(s);
+  if (order != StepOrder::y_walls_first) step.meet_walls_in_y(s);
+  return s;
+}
+
+}  // namespace hyrax
