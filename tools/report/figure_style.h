@@ -1,5 +1,5 @@
-// The look that all figures share: a light card with round corners, which reads well on white pages
-// and on dark ones, and colours that colour-blind readers tell apart.
+// The look that all figures share: a card with round corners, light as drawn here and dark by svg.h, and
+// colours that colour-blind readers tell apart.
 #pragma once
 
 #include <string>
@@ -35,9 +35,10 @@ inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
 
 }  // namespace style
 
-/// The first lines of every script: terminal, fonts, card, quiet axes, title and subtitle.
-/// A title that is wider than the card is drawn smaller. A note stands at the right: what the
-/// reader must know lest the figure mislead. Labels 1 .. 9 and object 1 are the head's.
+/// The first lines of every script: the title as a comment, which becomes the SVG's `<title>`, terminal,
+/// fonts, card, quiet axes, title and subtitle. A title that is wider than the card is drawn smaller. A note
+/// stands at the right: what the reader must know lest the figure mislead. Labels 1 .. 9 and object 1 are the
+/// head's.
 [[nodiscard]] std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
                                       std::string_view note = {});
 

@@ -35,9 +35,9 @@ std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<
   frame.explain_area("cycle: every other step at 0", style::kOrange);
   frame.explain_area("rest: speed 0", style::kGreen);
   return frame.script(
-      fmt::format("plot $ends using 1:4 with filledcurves y1=0 fs solid 1 lc rgb '{}', "
-                  "$ends using 1:3 with filledcurves y1=0 fs solid 1 lc rgb '{}', "
-                  "$ends using 1:2 with filledcurves y1=0 fs solid 1 lc rgb '{}'",
+      fmt::format("plot $ends using 1:4 title 'rest' with filledcurves y1=0 fs solid 1 lc rgb '{}', "
+                  "$ends using 1:3 title 'cycle' with filledcurves y1=0 fs solid 1 lc rgb '{}', "
+                  "$ends using 1:2 title 'buzz' with filledcurves y1=0 fs solid 1 lc rgb '{}'",
                   style::kGreen, style::kOrange, style::kVermilion));
 }
 
@@ -57,10 +57,10 @@ std::string rest_time_script(const std::vector<RateEnds>& map) {
   frame.add(fmt::format("set yrange [0:{:.3g}]\n", 1.1 * high_s + 0.1));
   frame.explain_line("median", style::kBlue);
   frame.explain_area("eight of ten flings", style::kHairline);
-  return frame.script(
-      fmt::format("plot $times using 1:2:4 with filledcurves fs solid 1 lc rgb '{}', "
-                  "$times using 1:3 with lines lw 2.5 lc rgb '{}'",
-                  style::kHairline, style::kBlue));
+  return frame.script(fmt::format(
+      "plot $times using 1:2:4 title 'eight of ten flings' with filledcurves fs solid 1 lc rgb '{}', "
+      "$times using 1:3 title 'median' with lines lw 2.5 lc rgb '{}'",
+      style::kHairline, style::kBlue));
 }
 
 std::string bounce_script(const std::vector<BounceSeen>& bounces) {
@@ -91,8 +91,9 @@ std::string bounce_script(const std::vector<BounceSeen>& bounces) {
     const std::string_view colour = kColours[index % kColours.size()];
     frame.add_block(fmt::format("rate{}", index), block);
     frame.explain_line(fmt::format("{:.0f} Hz", rate_hz), colour);
-    command += fmt::format("{} $rate{} using 1:2 smooth unique with lines lw 2.5 lc rgb '{}'",
-                           command.empty() ? "plot" : ",", index, colour);
+    command +=
+        fmt::format("{} $rate{} using 1:2 smooth unique title '{:.0f} Hz' with lines lw 2.5 lc rgb '{}'",
+                    command.empty() ? "plot" : ",", index, rate_hz, colour);
     ++index;
   }
   return frame.script(command.empty() ? "plot NaN notitle" : command);

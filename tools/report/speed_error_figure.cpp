@@ -174,6 +174,11 @@ class Diagram {
     return kStyles[curve.method];
   }
 
+  [[nodiscard]] const std::string& name_of(const Curve& curve) const {
+    const MethodKind& method = study_.methods[curve.method];
+    return method.family.empty() ? method.words : method.family;
+  }
+
   [[nodiscard]] std::string y_axis() const {
     Range range;
     for (const Curve& curve : curves_)
@@ -201,12 +206,14 @@ class Diagram {
         const Curve& curve = curves_[index];
         if (is_adaptive(study_, curve) != adaptive || (adaptive && !with_adaptive)) continue;
         const LineStyle look = style_of(curve);
-        command += fmt::format("{} $curve{} using {} with linespoints pt 7 ps {} lw {} dt {} lc rgb '{}'",
-                               command.empty() ? "plot" : ",", index, columns, adaptive ? 0.25 : 0.5,
-                               look.width, look.dashes, look.colour);
+        command +=
+            fmt::format("{} $curve{} using {} title {} with linespoints pt 7 ps {} lw {} dt {} lc rgb '{}'",
+                        command.empty() ? "plot" : ",", index, columns, quoted(name_of(curve)),
+                        adaptive ? 0.25 : 0.5, look.width, look.dashes, look.colour);
       }
     if (with_front)
-      command += fmt::format(", $front using 1:2 with points pt 6 ps 1.4 lw 1.5 lc rgb '{}'", style::kInk);
+      command += fmt::format(
+          ", $front using 1:2 title 'Pareto front' with points pt 6 ps 1.4 lw 1.5 lc rgb '{}'", style::kInk);
     script_ += command + "\n";
   }
 

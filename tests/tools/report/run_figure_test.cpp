@@ -13,6 +13,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
+#include "tools/report/figure_style.h"
 #include "tools/report/gnuplot.h"
 #include "tools/report/run_path.h"
 
@@ -224,7 +225,44 @@ TEST_F(RunFigureTest, WritesWellFormedXml) {
   const std::string svg = read_text_file(path("a.svg"));
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_NE(svg.find("it's &lt;b>"), std::string::npos);
+  EXPECT_NE(svg.find("<title>it's &lt;b> &amp; \"q\""), std::string::npos);
   EXPECT_NE(svg.find("{x}_y^z \\n $(ls) `ls`"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, PictureAndSeriesHaveNamesForPeople) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_run_figure(path("a.svg"), some_fling(), colourful_rows(600), contacts_at_each_wall(9));
+  const std::string svg = read_text_file(path("a.svg"));
+  EXPECT_NE(svg.find("<title>some-fling</title>"), std::string::npos);
+  EXPECT_NE(svg.find("<title>path of the centre</title>"), std::string::npos);
+  EXPECT_GT(svg.rfind("<title>contacts: ground</title>"), svg.rfind("<title>contacts: top</title>"));
+  EXPECT_EQ(svg.rfind("<title>contacts: ground</title>"), svg.rfind("<title>"));
+  for (const std::string made_up : {"<title>Gnuplot", "<title>gnuplot_plot", "<title>$"})
+    EXPECT_EQ(svg.find(made_up), std::string::npos) << made_up;
+}
+
+// A backslash at its end would join the title's line with the next.
+TEST_F(RunFigureTest, ATitleMayEndInABackslash) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_figure(path("a.svg"),
+              figure_head({}, "back\\", "") + "set yrange [0:1]\nset xrange [0:1]\nplot NaN notitle\n");
+  EXPECT_NE(read_text_file(path("a.svg")).find("<title>back\\</title>"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, HasADarkModeThatTurnsPaperDarkAndInkLight) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_run_figure(path("a.svg"), some_fling(), colourful_rows(10), {});
+  const std::string svg = read_text_file(path("a.svg"));
+  EXPECT_NE(svg.find("@media (prefers-color-scheme: dark) { #gnuplot_canvas { filter: url(#dark) } }"),
+            std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"gnuplot_canvas\">"), std::string::npos);
+  std::istringstream matrix(svg.substr(svg.find("feColorMatrix values=\"") + 22));
+  for (int channel = 0; channel < 3; ++channel) {
+    double red = 0, green = 0, blue = 0, alpha = 0, offset = 0;
+    matrix >> red >> green >> blue >> alpha >> offset;
+    EXPECT_GT(offset, 0.9) << "black";
+    EXPECT_NEAR(red + green + blue + offset, 0.07, 0.03) << "white";
+  }
 }
 
 TEST_F(RunFigureTest, TheLargestPictureKeepsItsBound) {
