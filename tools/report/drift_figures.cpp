@@ -127,7 +127,7 @@ std::string errors_figure_script(const DriftPicture& picture) {
                    return positive(row.implementation_px) + " " + positive(row.truncation_px) + " " +
                           positive(row.model_px);
                  }));
-  plot.explain_line("model", style::kOrange, 5);
+  plot.explain_line("model", style::kLavender, 5);
   plot.explain_line("truncation", style::kBlue, 2);
   plot.explain_line("implementation", style::kGreen, 2);
   mark_arcs(plot, picture);
@@ -137,7 +137,7 @@ std::string errors_figure_script(const DriftPicture& picture) {
       fmt::format("plot $errors using 1:4 title 'model error' with lines lw 5 lc rgb '{}', "
                   "$errors using 1:3 title 'truncation error' with lines lw 2 lc rgb '{}', "
                   "$errors using 1:2 title 'implementation error' with lines lw 2 lc rgb '{}'",
-                  style::kOrange, style::kBlue, style::kGreen));
+                  style::kLavender, style::kBlue, style::kGreen));
 }
 
 std::string restitution_figure_script(const DriftPicture& picture) {

@@ -74,7 +74,7 @@ std::string figure_head(const Canvas& canvas, std::string_view title, std::strin
 
 std::string viridis() {
   return "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', "
-         "5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b') maxcolors 40\n";
+         "5 '#1f9e89', 6 '#35b779') maxcolors 40\n";
 }
 
 std::string quoted(std::string_view text) {

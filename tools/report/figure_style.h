@@ -29,6 +29,8 @@ inline constexpr std::string_view kGreen = "#009e73";
 inline constexpr std::string_view kPurple = "#cc79a7";
 inline constexpr std::string_view kOrange = "#e69f00";
 inline constexpr std::string_view kSkyBlue = "#56b4e9";
+// Unlike every colour of a wall, and lighter than what is drawn over it.
+inline constexpr std::string_view kLavender = "#aa8fd8";
 inline constexpr std::string_view kBeads = "#26828e";  ///< The middle of viridis.
 
 inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
@@ -42,7 +44,7 @@ inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
 [[nodiscard]] std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
                                       std::string_view note = {});
 
-/// `set palette` with viridis (van der Walt and Smith, 2015) without its palest tenth, which would be
+/// `set palette` with viridis (van der Walt and Smith, 2015) without its palest third, which would be
 /// lost on paper.
 [[nodiscard]] std::string viridis();
 

@@ -50,10 +50,8 @@ std::string resting_places_script(const FrameRateStudy& study) {
     }
     frame.explain_line(kMethodWords[method], kMethodColours[method]);
   }
-  frame.add(fmt::format(
-      "set label 'circles: frames jittered by 2 ms; squares: one frame in twenty missed' at graph "
-      "0.01, 0.06 left front font ',12' tc rgb '{}'\n",
-      style::kQuietInk));
+  frame.explain_dot("frames jittered by 2 ms", style::kQuietInk, 6);
+  frame.explain_dot("one frame in twenty missed", style::kQuietInk, 4);
   return frame.script(command);
 }
 

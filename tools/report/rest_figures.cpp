@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -9,6 +10,17 @@
 #include "tools/report/plot_frame.h"
 
 namespace hyrax {
+namespace {
+
+// Where the picture steps from what was measured at one rate to what was at the next: at the boundary
+// between them, or half way on the logarithmic axis.
+double change_between(double low_hz, double high_hz, const std::vector<RestBoundary>& boundaries) {
+  for (const RestBoundary& boundary : boundaries)
+    if (boundary.analytic_hz > low_hz && boundary.analytic_hz < high_hz) return boundary.analytic_hz;
+  return std::sqrt(low_hz * high_hz);
+}
+
+}  // namespace
 
 std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<RestBoundary>& boundaries) {
   PlotFrame frame("How it ends on the floor",
@@ -16,7 +28,12 @@ std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<
                   "display rate, Hz (logarithmic)", "flings, %; dashed: analytic boundaries, Hz");
   frame.use_rate_axis(20, 1000);
   std::string lines;
-  for (const RateEnds& ends : map) {
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const RateEnds& ends = map[i];
+    const double from_hz =
+        i == 0 ? ends.rate_hz : change_between(map[i - 1].rate_hz, ends.rate_hz, boundaries);
+    const double to_hz =
+        i + 1 == map.size() ? ends.rate_hz : change_between(ends.rate_hz, map[i + 1].rate_hz, boundaries);
     double all = 0.0;
     for (const std::int64_t count : ends.flings) all += static_cast<double>(count);
     const auto part = [&](FinalState state) {
@@ -24,8 +41,8 @@ std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<
     };
     const double buzz = part(FinalState::buzz), cycle = part(FinalState::cycle),
                  rest = part(FinalState::rest);
-    lines +=
-        fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", ends.rate_hz, buzz, buzz + cycle, buzz + cycle + rest);
+    for (const double rate_hz : {from_hz, to_hz})
+      lines += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", rate_hz, buzz, buzz + cycle, buzz + cycle + rest);
   }
   frame.add_block("ends", lines);
   frame.add("set yrange [0:100]\n");

@@ -55,7 +55,7 @@ std::string run_figure_script(const Scenario& scenario, const Columns& rows,
   const RunPlot plot(scene.view);
   return figure_head(plot.canvas, scenario.name, run_subtitle(scenario, rows),
                      run_note(scenario, rows, scene)) +
-         run_axes(plot) + viridis() + run_colour_bar(plot, scene.path.speed_px_per_s_max) + run_data(scene) +
+         run_axes(plot) + viridis() + run_colour_bar(plot, scene.path) + run_data(scene) +
          run_labels(plot, scene) + run_legend(plot, scene) + plot_command(scene);
 }
 

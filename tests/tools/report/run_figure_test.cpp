@@ -241,6 +241,63 @@ TEST_F(RunFigureTest, PictureAndSeriesHaveNamesForPeople) {
     EXPECT_EQ(svg.find(made_up), std::string::npos) << made_up;
 }
 
+// The y of a label on the canvas, from its lower edge, as a part of its height.
+double label_y(const std::string& script, const std::string& words) {
+  const std::size_t at = script.find("set label '" + words + "' at screen ");
+  EXPECT_NE(at, std::string::npos) << words;
+  return std::stod(script.substr(script.find(',', at) + 1));
+}
+
+Columns dropped_rows(std::int64_t count) {
+  Columns rows;
+  for (std::int64_t i = 0; i < count; ++i)
+    rows.append(
+        {i, static_cast<double>(i) / 60, 1.0 / 60, 900, 100.0 + 10.0 * static_cast<double>(i), 0, 600, 0});
+  return rows;
+}
+
+TEST_F(RunFigureTest, TheWordAtTheStartKeepsOffThePath) {
+  Scenario scenario = some_fling();
+  scenario.start = {900, 100};
+  scenario.start_velocity = {0, 0};
+  const std::string script = run_figure_script(scenario, dropped_rows(60), {});
+  const double canvas = number_after(script, "svg size 960,");
+  const double centre = 1 - (78 + (100 + 64 + 28.8) * 812 / (1920 + 57.6)) / canvas;
+  EXPECT_GT(label_y(script, "start"), centre) << "the path leads down";
+}
+
+TEST_F(RunFigureTest, GrabsReleasesAndResizesHaveTheirTimes) {
+  Scenario scenario = some_fling();
+  scenario.events = {{std::int64_t{15}, Grab{}},
+                     {std::int64_t{30}, Release{{100, 0}}},
+                     {std::int64_t{45}, Resize{Size{1600, 1080}, std::nullopt}}};
+  const std::string script = run_figure_script(scenario, dropped_rows(60), {});
+  for (const std::string words : {"'grab 0.25 s'", "'release 0.5 s'", "'window 0.75 s'"})
+    EXPECT_NE(script.find(words), std::string::npos) << words;
+}
+
+TEST_F(RunFigureTest, OneFastThrowLeavesTheRestItsColours) {
+  Columns rows = dropped_rows(60);
+  EXPECT_EQ(run_figure_script(some_fling(), rows, {}).find("set logscale cb"), std::string::npos);
+  rows.vy_px_per_s[0] = 1e6;
+  rows.vy_px_per_s[1] = 0.0;
+  const std::string script = run_figure_script(some_fling(), rows, {});
+  EXPECT_NE(script.find("set logscale cb\nset cbrange [100:1e+06]"), std::string::npos);
+  EXPECT_NE(script.find("\n964 174 100\n"), std::string::npos) << "zero has no logarithm";
+}
+
+TEST_F(RunFigureTest, ContactsAtRestDoNotPileUp) {
+  std::vector<Contact> contacts(20);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].wall = Wall::ground;
+    contacts[i].x_px = 900 + static_cast<double>(i);
+    contacts[i].y_px = 952;
+  }
+  const std::string script = run_figure_script(some_fling(), dropped_rows(60), contacts);
+  EXPECT_EQ(lines_in_block(script, "ground_dots"), 1u);
+  EXPECT_NE(script.find("'ground 20'"), std::string::npos);
+}
+
 // A backslash at its end would join the title's line with the next.
 TEST_F(RunFigureTest, ATitleMayEndInABackslash) {
   SKIP_WITHOUT_GNUPLOT();
