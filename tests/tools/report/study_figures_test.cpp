@@ -51,6 +51,46 @@ TEST(SpeedErrorFigure, RingsTheParetoFront) {
   EXPECT_TRUE(has(speed_error_script(study, 0, ""), "$front << EOD\n150 0.0666667\nEOD"));
 }
 
+TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnMarkedSo) {
+  SpeedError study = some_study();
+  EXPECT_FALSE(has(speed_error_script(study, 0, ""), "no error at all"));
+  study.points[3].errors.position_px = 0.0;
+  study.points[4].errors.position_px = 2e-15;
+  const std::string script = speed_error_script(study, 0, "");
+  EXPECT_TRUE(has(script, "set ytics add ('0' 1e-17)"));
+  EXPECT_TRUE(has(script, "no error at all"));
+  EXPECT_TRUE(has(script, " 2e-15 ")) << "more than nothing";
+}
+
+TEST(SpeedErrorFigure, MarksTheRateThatDefinesTheLaws) {
+  EXPECT_TRUE(has(speed_error_script(some_study(), 0, ""), "'laws defined at 60 Hz' at first 0.016666667"));
+}
+
+TEST(SpeedErrorFigure, TheSentenceOnFreeFlightIsOnItsPictureAlone) {
+  SpeedError study = some_study();
+  study.problems.push_back(study.problems.front());
+  for (std::size_t i = 0; i < 6; ++i) {
+    study.points.push_back(study.points[i]);
+    study.points.back().problem = 1;
+  }
+  EXPECT_TRUE(has(speed_error_script(study, 0, ""), "Drag by the frame keeps"));
+  EXPECT_FALSE(has(speed_error_script(study, 1, ""), "Drag by the frame keeps"));
+}
+
+TEST(SpeedErrorFigure, NamesEveryStepper) {
+  SpeedError study = some_study();
+  for (const char* family : {"GSL rkck", "GSL rk4imp"}) {
+    study.methods.push_back({.name = family, .words = family, .family = family, .tolerance = 1e-6});
+    WorkPoint point{0, study.methods.size() - 1, 60.0, {}, {}};
+    point.errors.position_px = 1e-3;
+    point.cost.median_ns = 1e3;
+    study.points.push_back(point);
+  }
+  const std::string script = speed_error_script(study, 0, "");
+  EXPECT_TRUE(has(script, "'rkck' at first"));
+  EXPECT_TRUE(has(script, "'rk4imp' at first"));
+}
+
 TEST(ConvergenceSentence, HasTheFiguresOfTheStudy) {
   EXPECT_TRUE(has(convergence_sentence(some_study()), "9.8 px of error at 60 Hz become 42 px at 240 Hz"));
   EXPECT_EQ(convergence_sentence({}), "");
