@@ -96,8 +96,8 @@ std::string energy_figure_script(const DriftPicture& picture) {
   if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
   if (range.low >= 0.0) plot.add("set yrange [0:*]\n");
   return plot.script(
-      fmt::format("plot $energy using 1:3 with lines lw 3 lc rgb '{}', "
-                  "$energy using 1:2 with lines lw 1.5 dt (5,4) lc rgb '{}'",
+      fmt::format("plot $energy using 1:3 title 'run' with lines lw 3 lc rgb '{}', "
+                  "$energy using 1:2 title 'exact' with lines lw 1.5 dt (5,4) lc rgb '{}'",
                   style::kBlue, style::kInk));
 }
 
@@ -113,7 +113,8 @@ std::string energy_drift_figure_script(const DriftPicture& picture) {
   plot.add(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 1.5 lc rgb '{}' back\n",
                        style::kInk));
   if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
-  return plot.script(fmt::format("plot $drift using 1:2 with lines lw 2.5 lc rgb '{}'", style::kBlue));
+  return plot.script(
+      fmt::format("plot $drift using 1:2 title 'energy drift' with lines lw 2.5 lc rgb '{}'", style::kBlue));
 }
 
 std::string errors_figure_script(const DriftPicture& picture) {
@@ -126,17 +127,17 @@ std::string errors_figure_script(const DriftPicture& picture) {
                    return positive(row.implementation_px) + " " + positive(row.truncation_px) + " " +
                           positive(row.model_px);
                  }));
-  plot.explain_line("model", style::kOrange, 5);
+  plot.explain_line("model", style::kLavender, 5);
   plot.explain_line("truncation", style::kBlue, 2);
   plot.explain_line("implementation", style::kGreen, 2);
   mark_arcs(plot, picture);
   if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
   plot.add(decades(picture));
   return plot.script(
-      fmt::format("plot $errors using 1:4 with lines lw 5 lc rgb '{}', "
-                  "$errors using 1:3 with lines lw 2 lc rgb '{}', "
-                  "$errors using 1:2 with lines lw 2 lc rgb '{}'",
-                  style::kOrange, style::kBlue, style::kGreen));
+      fmt::format("plot $errors using 1:4 title 'model error' with lines lw 5 lc rgb '{}', "
+                  "$errors using 1:3 title 'truncation error' with lines lw 2 lc rgb '{}', "
+                  "$errors using 1:2 title 'implementation error' with lines lw 2 lc rgb '{}'",
+                  style::kLavender, style::kBlue, style::kGreen));
 }
 
 std::string restitution_figure_script(const DriftPicture& picture) {
@@ -170,8 +171,8 @@ std::string restitution_figure_script(const DriftPicture& picture) {
     const std::string_view name = kWallNames[wall_index(wall)];
     plot.add_block(name, dots[wall_index(wall)]);
     plot.explain_dot(name, wall_colour(wall));
-    command += fmt::format("{} ${} with points pt 7 ps 0.9 lc rgb '{}'", command.empty() ? "plot" : ",", name,
-                           wall_colour(wall));
+    command += fmt::format("{0} ${1} title 'contacts: {1}' with points pt 7 ps 0.9 lc rgb '{2}'",
+                           command.empty() ? "plot" : ",", name, wall_colour(wall));
   }
   return command.empty() ? plot.script_of_nothing("no contact that ends a flight") : plot.script(command);
 }

@@ -39,6 +39,13 @@ std::string card(const Canvas& canvas) {
                      corners, first, style::kHairline, style::kCard);
 }
 
+std::string in_one_line(std::string_view text) {
+  std::string line(text);
+  for (char& letter : line)
+    if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
+  return line;
+}
+
 double title_size(const Canvas& canvas, std::string_view title) {
   const double room = canvas.width - 2 * style::kMargin;
   return std::floor(std::min(
@@ -50,10 +57,10 @@ double title_size(const Canvas& canvas, std::string_view title) {
 std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
                         std::string_view note) {
   std::string head = fmt::format(
-      "set encoding utf8\n"
+      "# {} #\nset encoding utf8\n"
       "set terminal svg size {},{} fixed noenhanced rounded font '{},{}'\n"
       "set border 0\nset key off\nset tics scale 0.5 nomirror textcolor rgb '{}'\n",
-      canvas.width, canvas.height, kFonts, kTextSize, style::kQuietInk);
+      in_one_line(title), canvas.width, canvas.height, kFonts, kTextSize, style::kQuietInk);
   head += card(canvas);
   head += fmt::format("set label 1 {} at {} font ',{}' tc rgb '{}'\n", quoted(title),
                       screen(canvas, style::kMargin, 34), title_size(canvas, title), style::kInk);
@@ -67,14 +74,13 @@ std::string figure_head(const Canvas& canvas, std::string_view title, std::strin
 
 std::string viridis() {
   return "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', "
-         "5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b') maxcolors 40\n";
+         "5 '#1f9e89', 6 '#35b779') maxcolors 40\n";
 }
 
 std::string quoted(std::string_view text) {
   std::string result = "'";
-  for (const char letter : text) {
-    const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
-    result += is_control ? ' ' : letter;
+  for (const char letter : in_one_line(text)) {
+    result += letter;
     if (letter == '\'') result += '\'';
   }
   return result + "'";

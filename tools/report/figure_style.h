@@ -1,5 +1,5 @@
-// The look that all figures share: a light card with round corners, which reads well on white pages
-// and on dark ones, and colours that colour-blind readers tell apart.
+// The look that all figures share: a card with round corners, light as drawn here and dark by svg.h, and
+// colours that colour-blind readers tell apart.
 #pragma once
 
 #include <string>
@@ -29,19 +29,22 @@ inline constexpr std::string_view kGreen = "#009e73";
 inline constexpr std::string_view kPurple = "#cc79a7";
 inline constexpr std::string_view kOrange = "#e69f00";
 inline constexpr std::string_view kSkyBlue = "#56b4e9";
+// Unlike every colour of a wall, and lighter than what is drawn over it.
+inline constexpr std::string_view kLavender = "#aa8fd8";
 inline constexpr std::string_view kBeads = "#26828e";  ///< The middle of viridis.
 
 inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
 
 }  // namespace style
 
-/// The first lines of every script: terminal, fonts, card, quiet axes, title and subtitle.
-/// A title that is wider than the card is drawn smaller. A note stands at the right: what the
-/// reader must know lest the figure mislead. Labels 1 .. 9 and object 1 are the head's.
+/// The first lines of every script: the title as a comment, which becomes the SVG's `<title>`, terminal,
+/// fonts, card, quiet axes, title and subtitle. A title that is wider than the card is drawn smaller. A note
+/// stands at the right: what the reader must know lest the figure mislead. Labels 1 .. 9 and object 1 are the
+/// head's.
 [[nodiscard]] std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
                                       std::string_view note = {});
 
-/// `set palette` with viridis (van der Walt and Smith, 2015) without its palest tenth, which would be
+/// `set palette` with viridis (van der Walt and Smith, 2015) without its palest third, which would be
 /// lost on paper.
 [[nodiscard]] std::string viridis();
 

@@ -40,18 +40,18 @@ std::string resting_places_script(const FrameRateStudy& study) {
       const std::string name = fmt::format("places{}{}", method, clock);
       frame.add_block(name, lines);
       const bool is_steady = clock == static_cast<std::size_t>(DisplayClock::steady);
-      command += fmt::format("{} ${} with {} lc rgb '{}'", command == "plot" ? "" : ",", name,
-                             is_steady    ? "linespoints lw 2.5 pt 7 ps 0.6"
-                             : clock == 1 ? "points pt 6 ps 0.9 lw 1.5"
-                                          : "points pt 4 ps 0.9 lw 1.5",
-                             kMethodColours[method]);
+      command +=
+          fmt::format("{} ${} title {} with {} lc rgb '{}'", command == "plot" ? "" : ",", name,
+                      quoted(fmt::format("{}, {} frames", kMethodWords[method], kDisplayClockNames[clock])),
+                      is_steady    ? "linespoints lw 2.5 pt 7 ps 0.6"
+                      : clock == 1 ? "points pt 6 ps 0.9 lw 1.5"
+                                   : "points pt 4 ps 0.9 lw 1.5",
+                      kMethodColours[method]);
     }
     frame.explain_line(kMethodWords[method], kMethodColours[method]);
   }
-  frame.add(fmt::format(
-      "set label 'circles: frames jittered by 2 ms; squares: one frame in twenty missed' at graph "
-      "0.01, 0.06 left front font ',12' tc rgb '{}'\n",
-      style::kQuietInk));
+  frame.explain_dot("frames jittered by 2 ms", style::kQuietInk, 6);
+  frame.explain_dot("one frame in twenty missed", style::kQuietInk, 4);
   return frame.script(command);
 }
 
@@ -73,8 +73,8 @@ std::string fan_script(const FrameRateStudy& study, std::size_t method) {
     const std::string_view colour = kRateColours[index % kRateColours.size()];
     frame.add_block(fmt::format("path{}", index), block);
     frame.explain_line(fmt::format("{:.0f} Hz", rate_hz), colour);
-    command +=
-        fmt::format("{} $path{} with lines lw 2 lc rgb '{}'", command.empty() ? "plot" : ",", index, colour);
+    command += fmt::format("{} $path{} title '{:.0f} Hz' with lines lw 2 lc rgb '{}'",
+                           command.empty() ? "plot" : ",", index, rate_hz, colour);
     ++index;
   }
   return frame.script(command.empty() ? "plot NaN notitle" : command);

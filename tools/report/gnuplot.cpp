@@ -5,7 +5,6 @@
 #include <sstream>
 #include <string_view>
 
-#include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -13,6 +12,7 @@
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
+#include "tools/report/svg.h"
 
 extern char** environ;
 
@@ -102,21 +102,11 @@ std::string in_one_line(const std::string& text) {
   return line;
 }
 
-// gnuplot does not notice a full disk.
-bool is_whole_svg(const Descriptor& file) {
-  constexpr std::string_view kEnd = "</svg>";
-  char tail[16] = {};
-  const off_t size = lseek(file.number(), 0, SEEK_END);
-  const off_t from = size < off_t{sizeof tail} ? 0 : size - off_t{sizeof tail};
-  const ssize_t count = pread(file.number(), tail, sizeof tail, from);
-  return count > 0 && std::string_view(tail, static_cast<std::size_t>(count)).find(kEnd) != kEnd.npos;
-}
-
 }  // namespace
 
 void draw_figure(const std::string& path, const std::string& script) {
   AtomicFile file(path);
-  const Descriptor drawing(open(file.part_path().c_str(), O_RDWR | O_CLOEXEC), path);
+  const MemoryFile drawing(path);
   const MemoryFile input(path);
   const MemoryFile messages(path);
   input.write_all(script, path);
@@ -128,8 +118,10 @@ void draw_figure(const std::string& path, const std::string& script) {
   if (run_gnuplot(files, path) != 0)
     throw Failure(ExitCode::program_fault,
                   path + ": cannot be drawn: gnuplot says: " + in_one_line(messages.text()));
-  if (!is_whole_svg(drawing))
-    throw Failure(ExitCode::cannot_access, path + ": cannot be written whole; is the disk full?");
+  const std::string svg = drawing.text();
+  if (svg.find("</svg>") == svg.npos)
+    throw Failure(ExitCode::program_fault, path + ": cannot be drawn: gnuplot wrote no complete picture");
+  file.write(finished_svg(svg, script));
   file.commit();
 }
 

@@ -1,6 +1,7 @@
 #include "tools/report/hard_cases_figure.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ class Matrix {
     for (const PlayedCase& played : cases_) steps += played.result.steps;
     text_ = figure_head(
         canvas_, fmt::format("{} hard cases", cases_.size()),
-        fmt::format("What must hold in every one of {} steps, and in how many cases it does", steps));
+        fmt::format("What must hold in every one of {} steps; numbers: cases with that verdict", steps));
     text_ += "unset xtics\nunset ytics\nset lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n";
     for (std::size_t column = 0; column < kInvariantCount; ++column)
       text_ += fmt::format("set label {} at {} left rotate by 50 tc rgb '{}'\n",
@@ -50,8 +51,8 @@ class Matrix {
     const double y = canvas_.height - 26;
     double x = style::kMargin;
     for (const auto& [fill, words] :
-         {std::pair{kHeldFill, "held, in so many cases"},
-          std::pair{kFindingFill, "known not to hold: a finding"}, std::pair{kBrokenFill, "broken"}}) {
+         {std::pair{kHeldFill, "held"}, std::pair{kFindingFill, "known not to hold: a finding"},
+          std::pair{kBrokenFill, "broken"}}) {
       add_box(x, y - 8, 20, 16, fill);
       text_ += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", quoted(words),
                            screen(canvas_, x + 28, y), style::kQuietInk);
@@ -73,16 +74,23 @@ class Matrix {
     for (std::size_t column = 0; column < kInvariantCount; ++column) {
       const InvariantSummary summary = summarise(cases_, static_cast<Invariant>(column), origins_[row]);
       if (summary.asked == 0) continue;
-      const std::int64_t not_held = summary.broken > 0 ? summary.broken : summary.findings;
-      const std::string shown = not_held == 0               ? std::to_string(summary.held)
-                                : not_held == summary.asked ? std::to_string(not_held)
-                                                            : fmt::format("{}/{}", not_held, summary.asked);
-      add_box(x_of(column) + 1, y + 1, kColumnWidth - 2, kRowHeight - 2,
-              summary.broken > 0     ? kBrokenFill
-              : summary.findings > 0 ? kFindingFill
-                                     : kHeldFill);
-      text_ += fmt::format("set label '{}' at {} center front font ',12' tc rgb '{}'\n", shown,
-                           screen(canvas_, x_of(column) + kColumnWidth / 2, y + kRowHeight / 2), style::kInk);
+      add_cell(x_of(column) + 1, y, summary);
+    }
+  }
+
+  // A part in its own colour for each verdict, with the number of cases that have it.
+  void add_cell(double x, double y, const InvariantSummary& summary) {
+    const std::array<std::pair<std::int64_t, std::string_view>, 3> verdicts = {
+        {{summary.held, kHeldFill}, {summary.findings, kFindingFill}, {summary.broken, kBrokenFill}}};
+    const auto parts = std::count_if(verdicts.begin(), verdicts.end(),
+                                     [](const auto& verdict) { return verdict.first > 0; });
+    const double width = (kColumnWidth - 2) / static_cast<double>(parts);
+    for (const auto& [cases, fill] : verdicts) {
+      if (cases == 0) continue;
+      add_box(x, y + 1, width, kRowHeight - 2, fill);
+      text_ += fmt::format("set label '{}' at {} center front font ',12' tc rgb '{}'\n", cases,
+                           screen(canvas_, x + width / 2, y + kRowHeight / 2), style::kInk);
+      x += width;
     }
   }
 

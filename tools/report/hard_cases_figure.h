@@ -8,8 +8,8 @@
 
 namespace hyrax {
 
-/// A cell is a scenario with all that was made from it against one invariant: held in so many cases, known
-/// findings, broken; empty where it was not asked.
+/// A cell is a scenario with all that was made from it against one invariant: a part for each verdict (held,
+/// known finding, broken) with its number of cases; empty where it was not asked.
 [[nodiscard]] std::string hard_cases_figure_script(const std::vector<PlayedCase>& cases);
 
 }  // namespace hyrax

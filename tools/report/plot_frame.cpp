@@ -80,14 +80,14 @@ void PlotFrame::explain_area(std::string_view words, std::string_view colour) {
   explain(words, kSign);
 }
 
-void PlotFrame::explain_dot(std::string_view words, std::string_view colour) {
-  add(fmt::format("set label '' at {} point pt 7 ps 0.7 lc rgb '{}'\n",
-                  screen(canvas_, legend_x_ + 4, canvas_.height - kLegend), colour));
+void PlotFrame::explain_dot(std::string_view words, std::string_view colour, int point_type) {
+  add(fmt::format("set label '' at {} point pt {} ps 0.7 lc rgb '{}'\n",
+                  screen(canvas_, legend_x_ + 4, canvas_.height - kLegend), point_type, colour));
   explain(words, kDot);
 }
 
 void PlotFrame::explain(std::string_view words, double sign_width) {
-  constexpr double kLetter = 6.7;
+  constexpr double kLetter = 7.2;  // Of the widest of the fonts.
   constexpr double kGap = 18;
   add(fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(words),
                   screen(canvas_, legend_x_ + sign_width, canvas_.height - kLegend), style::kQuietInk));

@@ -28,7 +28,8 @@ class PlotFrame {
   void explain_line(std::string_view words, std::string_view colour, double width = 2.5,
                     std::string_view dashes = "solid");
   void explain_area(std::string_view words, std::string_view colour);
-  void explain_dot(std::string_view words, std::string_view colour);
+  /// @param point_type as gnuplot numbers them.
+  void explain_dot(std::string_view words, std::string_view colour, int point_type = 7);
 
   /// The script, ending in this plot command; or, where there is nothing to show, saying why.
   [[nodiscard]] std::string script(const std::string& plot_command) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -9,6 +10,17 @@
 #include "tools/report/plot_frame.h"
 
 namespace hyrax {
+namespace {
+
+// Where the picture steps from what was measured at one rate to what was at the next: at the boundary
+// between them, or half way on the logarithmic axis.
+double change_between(double low_hz, double high_hz, const std::vector<RestBoundary>& boundaries) {
+  for (const RestBoundary& boundary : boundaries)
+    if (boundary.analytic_hz > low_hz && boundary.analytic_hz < high_hz) return boundary.analytic_hz;
+  return std::sqrt(low_hz * high_hz);
+}
+
+}  // namespace
 
 std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<RestBoundary>& boundaries) {
   PlotFrame frame("How it ends on the floor",
@@ -16,7 +28,12 @@ std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<
                   "display rate, Hz (logarithmic)", "flings, %; dashed: analytic boundaries, Hz");
   frame.use_rate_axis(20, 1000);
   std::string lines;
-  for (const RateEnds& ends : map) {
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const RateEnds& ends = map[i];
+    const double from_hz =
+        i == 0 ? ends.rate_hz : change_between(map[i - 1].rate_hz, ends.rate_hz, boundaries);
+    const double to_hz =
+        i + 1 == map.size() ? ends.rate_hz : change_between(ends.rate_hz, map[i + 1].rate_hz, boundaries);
     double all = 0.0;
     for (const std::int64_t count : ends.flings) all += static_cast<double>(count);
     const auto part = [&](FinalState state) {
@@ -24,8 +41,8 @@ std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<
     };
     const double buzz = part(FinalState::buzz), cycle = part(FinalState::cycle),
                  rest = part(FinalState::rest);
-    lines +=
-        fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", ends.rate_hz, buzz, buzz + cycle, buzz + cycle + rest);
+    for (const double rate_hz : {from_hz, to_hz})
+      lines += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", rate_hz, buzz, buzz + cycle, buzz + cycle + rest);
   }
   frame.add_block("ends", lines);
   frame.add("set yrange [0:100]\n");
@@ -35,9 +52,9 @@ std::string rest_map_script(const std::vector<RateEnds>& map, const std::vector<
   frame.explain_area("cycle: every other step at 0", style::kOrange);
   frame.explain_area("rest: speed 0", style::kGreen);
   return frame.script(
-      fmt::format("plot $ends using 1:4 with filledcurves y1=0 fs solid 1 lc rgb '{}', "
-                  "$ends using 1:3 with filledcurves y1=0 fs solid 1 lc rgb '{}', "
-                  "$ends using 1:2 with filledcurves y1=0 fs solid 1 lc rgb '{}'",
+      fmt::format("plot $ends using 1:4 title 'rest' with filledcurves y1=0 fs solid 1 lc rgb '{}', "
+                  "$ends using 1:3 title 'cycle' with filledcurves y1=0 fs solid 1 lc rgb '{}', "
+                  "$ends using 1:2 title 'buzz' with filledcurves y1=0 fs solid 1 lc rgb '{}'",
                   style::kGreen, style::kOrange, style::kVermilion));
 }
 
@@ -57,10 +74,10 @@ std::string rest_time_script(const std::vector<RateEnds>& map) {
   frame.add(fmt::format("set yrange [0:{:.3g}]\n", 1.1 * high_s + 0.1));
   frame.explain_line("median", style::kBlue);
   frame.explain_area("eight of ten flings", style::kHairline);
-  return frame.script(
-      fmt::format("plot $times using 1:2:4 with filledcurves fs solid 1 lc rgb '{}', "
-                  "$times using 1:3 with lines lw 2.5 lc rgb '{}'",
-                  style::kHairline, style::kBlue));
+  return frame.script(fmt::format(
+      "plot $times using 1:2:4 title 'eight of ten flings' with filledcurves fs solid 1 lc rgb '{}', "
+      "$times using 1:3 title 'median' with lines lw 2.5 lc rgb '{}'",
+      style::kHairline, style::kBlue));
 }
 
 std::string bounce_script(const std::vector<BounceSeen>& bounces) {
@@ -91,8 +108,9 @@ std::string bounce_script(const std::vector<BounceSeen>& bounces) {
     const std::string_view colour = kColours[index % kColours.size()];
     frame.add_block(fmt::format("rate{}", index), block);
     frame.explain_line(fmt::format("{:.0f} Hz", rate_hz), colour);
-    command += fmt::format("{} $rate{} using 1:2 smooth unique with lines lw 2.5 lc rgb '{}'",
-                           command.empty() ? "plot" : ",", index, colour);
+    command +=
+        fmt::format("{} $rate{} using 1:2 smooth unique title '{:.0f} Hz' with lines lw 2.5 lc rgb '{}'",
+                    command.empty() ? "plot" : ",", index, rate_hz, colour);
     ++index;
   }
   return frame.script(command.empty() ? "plot NaN notitle" : command);

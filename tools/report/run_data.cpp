@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,8 +19,10 @@ std::string block(std::string_view name, std::string_view lines) {
 
 std::string point(double x_px, double y_px) { return fmt::format("{:.7g} {:.7g}\n", x_px, y_px); }
 
-std::string point(const PathPoint& at) {
-  return fmt::format("{:.7g} {:.7g} {:.4g}\n", at.x_px, at.y_px, at.speed_px_per_s);
+// Zero has no logarithm.
+std::string point(const PathPoint& at, const RunPath& path) {
+  return fmt::format("{:.7g} {:.7g} {:.4g}\n", at.x_px, at.y_px,
+                     std::max(at.speed_px_per_s, path.speed_px_per_s_low));
 }
 
 std::string rectangle(const Size& window) {
@@ -69,7 +73,7 @@ std::string strokes(const RunPath& path, StrokeKind kind) {
   std::string lines;
   for (const Stroke& stroke : path.strokes) {
     if (stroke.kind != kind) continue;
-    for (const PathPoint& at : stroke.points) lines += point(at);
+    for (const PathPoint& at : stroke.points) lines += point(at, path);
     lines += "\n";
   }
   return lines;
@@ -92,11 +96,20 @@ std::string windows(const RunScene& scene) {
 std::string bounces(const RunScene& scene) {
   std::string ghosts;
   std::array<std::string, 4> sides, dots;
+  // Contacts at rest would pile up: one dot for those that nearly cover one another.
+  const double apart_px = std::max(scene.view.width_px(), scene.view.height_px()) / 80;
+  std::vector<std::pair<Wall, PathPoint>> drawn;
   for (const Bounce& bounce : scene.bounces) {
     const Box& box = bounce.sprite;
     sides[wall_index(bounce.wall)] += touching_side(bounce);
-    dots[wall_index(bounce.wall)] +=
-        point((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2);
+    const PathPoint centre{(box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2, 0.0};
+    const auto covers = [&](const std::pair<Wall, PathPoint>& other) {
+      return other.first == bounce.wall &&
+             std::hypot(other.second.x_px - centre.x_px, other.second.y_px - centre.y_px) < apart_px;
+    };
+    if (std::any_of(drawn.begin(), drawn.end(), covers)) continue;
+    drawn.emplace_back(bounce.wall, centre);
+    dots[wall_index(bounce.wall)] += point(centre.x_px, centre.y_px);
   }
   for (const Box& ghost : scene.ghosts) ghosts += outline(ghost, scene.view);
   std::string blocks = block("ghosts", ghosts);
@@ -110,7 +123,7 @@ std::string bounces(const RunScene& scene) {
 
 std::string run_data(const RunScene& scene) {
   std::string beads;
-  for (const PathPoint& bead : scene.path.beads) beads += point(bead);
+  for (const PathPoint& bead : scene.path.beads) beads += point(bead, scene.path);
   return windows(scene) + bounces(scene) + block("start", outline(scene.start, scene.view)) +
          block("end", outline(scene.end, scene.view)) +
          block("flown", strokes(scene.path, StrokeKind::flown)) +

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "sim/scenario/frame_clock.h"
+#include "tools/report/label_placer.h"
 
 namespace hyrax {
 namespace {
@@ -37,7 +39,7 @@ double way_to_edge(const RunPlot& plot, double x, double y, double dx, double dy
 }
 
 // Its length tells the speed, but it neither vanishes nor covers the picture.
-std::string arrow_of(const RunPlot& plot, const Throw& one, double speed_px_per_s_max) {
+std::pair<double, double> arrow_span(const RunPlot& plot, const Throw& one, double speed_px_per_s_max) {
   constexpr double kLengthMin = 28;
   constexpr double kLengthMax = 112;
   const double speed = speed_px_per_s(one.velocity);
@@ -45,35 +47,85 @@ std::string arrow_of(const RunPlot& plot, const Throw& one, double speed_px_per_
   const double x = plot.x(one.x_px), y = plot.y(one.y_px);
   const double length = kLengthMin + (kLengthMax - kLengthMin) * std::min(1.0, speed / speed_px_per_s_max);
   const double shown = std::max(kLengthMin, std::min(length, way_to_edge(plot, x, y, dx, dy)));
-  return arrow(plot.canvas, x, y, shown * dx, shown * dy);
+  return {shown * dx, shown * dy};
 }
 
 std::string arrows(const RunPlot& plot, const RunScene& scene) {
   std::string commands;
-  for (const Throw& one : scene.throws) commands += arrow_of(plot, one, scene.path.speed_px_per_s_max);
+  for (const Throw& one : scene.throws) {
+    const auto [dx, dy] = arrow_span(plot, one, scene.path.speed_px_per_s_max);
+    commands += arrow(plot.canvas, plot.x(one.x_px), plot.y(one.y_px), dx, dy);
+  }
   return commands;
 }
 
-// A word inside the sprite's outline where it fits, else above it, or below where the top is near.
-std::string caption(const RunPlot& plot, const std::optional<Box>& sprite, std::string_view word,
-                    bool at_bottom) {
-  constexpr double kLetter = 6.2;
+using Point = LabelPlacer::Point;
+
+// Inside the sprite's outline where the word fits, or beside it.
+std::string caption(LabelPlacer& placer, const RunPlot& plot, const std::optional<Box>& sprite,
+                    std::string_view word) {
   constexpr double kLine = 9;
   if (!sprite || is_outside(sprite, plot.view)) return "";
+  const double left = plot.x(sprite->left_px), right = plot.x(sprite->right_px);
   const double top = plot.y(sprite->top_px), bottom = plot.y(sprite->bottom_px);
-  const bool fits = std::min(sprite->width_px(), sprite->height_px()) * plot.scale >=
-                    kLetter * static_cast<double>(word.size()) + kLine;
-  double y = at_bottom ? bottom - kLine : top + kLine;
-  if (!fits) y = top - kLine > RunPlot::kTop + 2 * kLine ? top - kLine : bottom + kLine;
-  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", quoted(word),
-                     screen(plot.canvas, plot.x((sprite->left_px + sprite->right_px) / 2), y), style::kInk);
+  const double x = (left + right) / 2, y = (top + bottom) / 2, half = LabelPlacer::width(word) / 2 + 2;
+  std::vector<Point> centres;
+  if (right - left >= 2 * half && bottom - top >= 4 * kLine)
+    centres = {{x, bottom - kLine}, {x, top + kLine}};
+  centres.insert(centres.end(), {{x, top - kLine}, {x, bottom + kLine}, {left - half, y}, {right + half, y}});
+  return placer.put(word, centres);
 }
 
-std::string captions(const RunPlot& plot, const RunScene& scene) {
-  const bool is_at_bottom = !scene.starts_downwards;
+std::string captions(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
   if (scene.start && scene.end && nearly_cover(*scene.start, *scene.end, 0.5))
-    return caption(plot, scene.end, "start, end", is_at_bottom);
-  return caption(plot, scene.start, "start", is_at_bottom) + caption(plot, scene.end, "end", true);
+    return caption(placer, plot, scene.end, "start, end");
+  return caption(placer, plot, scene.start, "start") + caption(placer, plot, scene.end, "end");
+}
+
+std::string times_of_inputs(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
+  std::string commands;
+  for (const TimedInput& input : scene.inputs) {
+    const std::string words = fmt::format("{} {:.3g} s", input.what, input.t_s);
+    const double x = plot.x(input.x_px), y = plot.y(input.y_px), half = LabelPlacer::width(words) / 2 + 6;
+    std::vector<Point> centres;
+    for (const double away : {14.0, 28.0, 42.0, 56.0})
+      centres.insert(centres.end(), {{x + half, y},
+                                     {x - half, y},
+                                     {x, y - away},
+                                     {x, y + away},
+                                     {x + half, y - away},
+                                     {x - half, y - away},
+                                     {x + half, y + away},
+                                     {x - half, y + away}});
+    commands += placer.put(words, centres);
+  }
+  return commands;
+}
+
+LabelPlacer placer_of(const RunPlot& plot, const RunScene& scene) {
+  LabelPlacer placer(plot);
+  for (const Stroke& stroke : scene.path.strokes)
+    for (std::size_t i = 1; i < stroke.points.size(); ++i)
+      placer.avoid({plot.x(stroke.points[i - 1].x_px), plot.y(stroke.points[i - 1].y_px)},
+                   {plot.x(stroke.points[i].x_px), plot.y(stroke.points[i].y_px)});
+  for (const Throw& one : scene.throws) {
+    const auto [dx, dy] = arrow_span(plot, one, scene.path.speed_px_per_s_max);
+    placer.avoid({plot.x(one.x_px), plot.y(one.y_px)}, {plot.x(one.x_px) + dx, plot.y(one.y_px) + dy});
+  }
+  for (const std::optional<Box>& sprite : {scene.start, scene.end}) {
+    if (!sprite) continue;
+    const double left = plot.x(sprite->left_px), right = plot.x(sprite->right_px);
+    for (const double y : {plot.y(sprite->top_px), plot.y(sprite->bottom_px)})
+      placer.avoid({left, y}, {right, y});
+    for (const double x : {left, right})
+      placer.avoid({x, plot.y(sprite->top_px)}, {x, plot.y(sprite->bottom_px)});
+  }
+  for (const Size& window : scene.windows) {
+    const Point corner{plot.x(window.width_px), plot.y(window.height_px)};
+    placer.avoid({corner.x, plot.y(0)}, corner);
+    placer.avoid({plot.x(0), corner.y}, corner);
+  }
+  return placer;
 }
 
 }  // namespace
@@ -96,7 +148,9 @@ std::string run_note(const Scenario& scenario, const Columns& rows, const RunSce
 }
 
 std::string run_labels(const RunPlot& plot, const RunScene& scene) {
-  return arrows(plot, scene) + captions(plot, scene);
+  LabelPlacer placer = placer_of(plot, scene);
+  const std::string words = captions(placer, plot, scene) + times_of_inputs(placer, plot, scene);
+  return arrows(plot, scene) + words;
 }
 
 }  // namespace hyrax

@@ -109,6 +109,19 @@ class PathMaker {
   PathPoint last_point_;
 };
 
+// A power of ten below most of the path's speeds.
+double low_end_of_colours(const RunPath& path) {
+  constexpr double kTimesTheMedian = 8.0;
+  std::vector<double> speeds;
+  for (const Stroke& stroke : path.strokes)
+    for (const PathPoint& point : stroke.points)
+      if (point.speed_px_per_s >= 1.0) speeds.push_back(point.speed_px_per_s);
+  if (speeds.empty()) return 0.0;
+  std::sort(speeds.begin(), speeds.end());
+  if (path.speed_px_per_s_max < kTimesTheMedian * speeds[speeds.size() / 2]) return 0.0;
+  return std::pow(10.0, std::floor(std::log10(speeds[speeds.size() / 8])));
+}
+
 RunPath path_in_detail(const Columns& rows, const SizesInForce& sizes, double detail_px) {
   PathMaker maker(sizes, detail_px, frames_per_bead(rows));
   bool has_room = true;
@@ -122,6 +135,7 @@ RunPath make_run_path(const Columns& rows, const SizesInForce& sizes, double det
   RunPath path = path_in_detail(rows, sizes, detail_px);
   for (double coarser = 2.0; path.cut_at_s && coarser <= kCoarsest; coarser *= 2.0)
     path = path_in_detail(rows, sizes, coarser * detail_px);
+  path.speed_px_per_s_low = low_end_of_colours(path);
   return path;
 }
 

@@ -35,6 +35,9 @@ struct RunPath {
   std::vector<PathPoint> beads;
   std::int64_t frames_per_bead = 0;
   double speed_px_per_s_max = 0.0;
+  /// Where one throw is so fast that all else would have one colour, colours are logarithmic from here on;
+  /// else 0.
+  double speed_px_per_s_low = 0.0;
   std::optional<double> cut_at_s;  ///< The path goes on after this moment: there was no room for more.
 };
 

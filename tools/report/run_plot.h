@@ -35,6 +35,6 @@ struct RunPlot {
 
 /// The commands that set the range of speeds and draw the colour bar beside the plot; no bar where
 /// nothing moves.
-[[nodiscard]] std::string run_colour_bar(const RunPlot& plot, double speed_px_per_s_max);
+[[nodiscard]] std::string run_colour_bar(const RunPlot& plot, const RunPath& path);
 
 }  // namespace hyrax

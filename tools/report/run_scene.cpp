@@ -73,7 +73,7 @@ std::vector<Bounce> bounces_of(const std::vector<Contact>& contacts, const Sizes
 }
 
 std::vector<Box> ghosts_of(const std::vector<Bounce>& bounces) {
-  constexpr double kTolerance = 0.06;
+  constexpr double kTolerance = 0.2;  // Contacts at rest would pile up.
   std::vector<Box> ghosts;
   for (const Bounce& bounce : bounces) {
     const auto covers = [&bounce](const Box& ghost) {
@@ -113,8 +113,11 @@ RunScene make_run_scene(const Scenario& scenario, const Columns& rows, const std
   scene.windows = shown(windows);
   scene.view = view_of(windows, rows, sizes);
   scene.path = make_run_path(rows, sizes, longer_side_px(scene.view) / view_parts);
-  scene.starts_downwards = scenario.start_velocity.vy_px_per_s > 0;
   scene.throws = throws_in(scene.view, throws_of(scenario, frames, rows, sizes));
+  scene.inputs = timed_inputs_of(scenario, frames, rows, sizes);
+  std::erase_if(scene.inputs,
+                [&scene](const TimedInput& input) { return !scene.view.holds(input.x_px, input.y_px); });
+  scene.inputs.resize(std::min(scene.inputs.size(), kInputsLabelledMax));
   scene.bounces = bounces_of(contacts, sizes);
   scene.ghosts = ghosts_of(scene.bounces);
   for (const Contact& contact : contacts) ++scene.contacts[wall_index(contact.wall)];

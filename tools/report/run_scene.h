@@ -39,17 +39,18 @@ struct Bounce {
 struct RunScene {
   std::vector<Size> windows;  ///< Each once, as they came; of many, some, with the first and the last.
   std::optional<Box> start, end;
-  bool starts_downwards = false;
-  std::vector<Bounce> bounces;  ///< The first kBouncesShownMax.
-  std::vector<Box> ghosts;      ///< Their outlines, without those that nearly cover one another.
-  WallCounts contacts{};        ///< How many there are, drawn or not.
-  std::vector<Throw> throws;    ///< The first kThrowsShownMax.
+  std::vector<Bounce> bounces;     ///< The first kBouncesShownMax.
+  std::vector<Box> ghosts;         ///< Their outlines, without those that nearly cover one another.
+  WallCounts contacts{};           ///< How many there are, drawn or not.
+  std::vector<Throw> throws;       ///< The first kThrowsShownMax.
+  std::vector<TimedInput> inputs;  ///< The first kInputsLabelledMax.
   RunPath path;
   Box view;  ///< Holds the windows, and the sprite as long as it stays near them.
 };
 
 inline constexpr std::size_t kBouncesShownMax = 30;
 inline constexpr std::size_t kThrowsShownMax = 12;
+inline constexpr std::size_t kInputsLabelledMax = 12;
 inline constexpr std::size_t kWindowsShownMax = 12;
 
 /// @param view_parts how fine the picture is: the path shows what is larger than the view's longer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,9 +22,8 @@ constexpr double kRight = 732;
 constexpr double kRightEnd = 1150;
 constexpr double kKeyTop = 600;
 constexpr double kKeyLine = 24;
-// Where an error of nothing is drawn: below all others, and not so far that these lie flat.
-constexpr double kNothing_px = 1e-13;
-constexpr double kNothingAmongLarge_px = 1e-3;
+// The smallest error of a picture of large ones: so that these do not lie flat.
+constexpr double kNothingAmongLarge_px = 1e-2;
 
 struct LineStyle {
   std::string_view colour;
@@ -63,12 +63,14 @@ std::vector<Curve> curves_of(const SpeedError& study, std::size_t problem) {
   return curves;
 }
 
+// Below all errors, and half way between two tics.
 double line_of_nothing_px(const std::vector<Curve>& curves) {
+  double least_px = kNothingAmongLarge_px;
   for (const Curve& curve : curves)
     for (const WorkPoint* point : curve.points)
-      if (point->errors.position_px > 0.0 && point->errors.position_px < kNothingAmongLarge_px)
-        return kNothing_px;
-  return kNothingAmongLarge_px;
+      if (point->errors.position_px > 0.0) least_px = std::min(least_px, point->errors.position_px);
+  const int exponent = static_cast<int>(std::floor(std::log10(least_px))) - 1;
+  return std::pow(10.0, exponent % 2 == 0 ? exponent - 1 : exponent);
 }
 
 // Every error of the curve is rounding.
@@ -158,7 +160,8 @@ class Diagram {
       script_ += block(fmt::format("curve{}", curve), curves_[curve], nothing_px_);
     script_ += pareto_block(curves_, nothing_px_);
     draw_key();
-    write_sentence();
+    // It speaks of the free flight that the first problem is.
+    if (problem == 0) write_sentence();
     script_ +=
         "set multiplot\nset xtics out font ',12' offset 0,0.3\nset ytics out font ',12' offset 0.5,0\n";
     script_ += fmt::format("set grid back lt 1 lw 1 lc rgb '{}'\n", style::kHairline);
@@ -174,12 +177,36 @@ class Diagram {
     return kStyles[curve.method];
   }
 
+  [[nodiscard]] const std::string& name_of(const Curve& curve) const {
+    const MethodKind& method = study_.methods[curve.method];
+    return method.family.empty() ? method.words : method.family;
+  }
+
   [[nodiscard]] std::string y_axis() const {
     Range range;
     for (const Curve& curve : curves_)
       for (const WorkPoint* point : curve.points)
         if (!point->errors.is_failed) range.see(std::max(point->errors.position_px, nothing_px_));
-    return log_axis('y', range.low * 0.5, range.high * 3.0, 2);
+    std::string axis = log_axis('y', range.low * 0.5, range.high * 3.0, 2);
+    // The axis has no place for zero: its line is named, and is no power of ten.
+    if (has_nothing()) axis += fmt::format("set ytics add ('0' {:.6g})\n", nothing_px_);
+    return axis;
+  }
+
+  [[nodiscard]] bool has_nothing() const {
+    for (const Curve& curve : curves_)
+      for (const WorkPoint* point : curve.points)
+        if (!point->errors.is_failed && point->errors.position_px <= nothing_px_) return true;
+    return false;
+  }
+
+  // From the lower end of the axis of errors to its upper one.
+  [[nodiscard]] double error_decades() const {
+    Range range;
+    for (const Curve& curve : curves_)
+      for (const WorkPoint* point : curve.points)
+        if (!point->errors.is_failed) range.see(std::max(point->errors.position_px, nothing_px_));
+    return std::log10(range.high * 3.0 / (range.low * 0.5));
   }
 
   void name_axes(double left, double right, std::string_view x_words) {
@@ -201,12 +228,14 @@ class Diagram {
         const Curve& curve = curves_[index];
         if (is_adaptive(study_, curve) != adaptive || (adaptive && !with_adaptive)) continue;
         const LineStyle look = style_of(curve);
-        command += fmt::format("{} $curve{} using {} with linespoints pt 7 ps {} lw {} dt {} lc rgb '{}'",
-                               command.empty() ? "plot" : ",", index, columns, adaptive ? 0.25 : 0.5,
-                               look.width, look.dashes, look.colour);
+        command +=
+            fmt::format("{} $curve{} using {} title {} with linespoints pt 7 ps {} lw {} dt {} lc rgb '{}'",
+                        command.empty() ? "plot" : ",", index, columns, quoted(name_of(curve)),
+                        adaptive ? 0.25 : 0.5, look.width, look.dashes, look.colour);
       }
     if (with_front)
-      command += fmt::format(", $front using 1:2 with points pt 6 ps 1.4 lw 1.5 lc rgb '{}'", style::kInk);
+      command += fmt::format(
+          ", $front using 1:2 title 'Pareto front' with points pt 6 ps 1.4 lw 1.5 lc rgb '{}'", style::kInk);
     script_ += command + "\n";
   }
 
@@ -217,11 +246,11 @@ class Diagram {
         if (!point->errors.is_failed) range.see(point->cost.median_ns);
     script_ += margins(kLeft, kLeftEnd) + y_axis() + log_axis('x', range.low * 0.7, range.high * 1.5, 1);
     name_axes(kLeft, kLeftEnd, "cost, ns per simulated second");
-    name_steppers();
-    script_ += fmt::format(
-        "set label 22 'drawn here: no error at all' at graph 0.99, first {:.3g} right font ',11' tc rgb "
-        "'{}'\n",
-        4.0 * nothing_px_, style::kQuietInk);
+    name_steppers(range.low * 0.7, range.high * 1.5);
+    if (has_nothing())
+      script_ += fmt::format(
+          "set label 22 'no error at all' at graph 0.99, first {:.3g} right font ',11' tc rgb '{}'\n",
+          4.0 * nothing_px_, style::kQuietInk);
     plot("1:2", true, true);
     // What was drawn once need not be drawn again over it.
     script_ += "unset label\nunset object\nunset arrow\n";
@@ -238,25 +267,38 @@ class Diagram {
       tics += fmt::format("{}'1/{}' {:.8g}", tics.empty() ? "" : ", ", rate_hz, 1.0 / rate_hz);
     script_ += fmt::format("set xtics ({})\n", tics);
     name_axes(kRight, kRightEnd, "dt, s");
+    script_ += fmt::format(
+        "set arrow 40 from first {0:.8g}, graph 0 to first {0:.8g}, graph 1 nohead back lw 1.5 dt (6,4) lc "
+        "rgb '{1}'\n"
+        "set label 40 'laws defined at 60 Hz' at first {0:.8g}, graph 1.03 center font ',11' tc rgb '{1}'\n",
+        1.0 / 60.0, style::kQuietInk);
     plot("3:2", false, false);
   }
 
-  // A few of GSL's steppers by name, at their most exact point.
-  void name_steppers() {
+  // Each of GSL's steppers by name, at its most exact point; where names would meet, the later one goes up.
+  void name_steppers(double low_ns, double high_ns) {
+    const double decades_wide = std::log10(high_ns / low_ns) / (kLeftEnd - kLeft);
+    const double decades_high = error_decades() / (kBottom - kTop);
+    std::vector<std::pair<double, double>> named;  // In px from the origin of the axes.
     int label = 30;
     for (const Curve& curve : curves_) {
       if (!is_adaptive(study_, curve)) continue;
       const std::string& family = study_.methods[curve.method].family;
       const std::string name = family.substr(family.rfind(' ') + 1);
-      if (name != "rk8pd" && name != "rk2" && name != "msadams" && name != "bsimp") continue;
       const WorkPoint* last = nullptr;
       for (const WorkPoint* point : curve.points)
         if (!point->errors.is_failed) last = point;
       if (last == nullptr) continue;
-      script_ +=
-          fmt::format("set label {} {} at first {:.6g}, first {:.6g} {} font ',11' tc rgb '{}'\n", label++,
-                      quoted(name), last->cost.median_ns, std::max(last->errors.position_px, nothing_px_),
-                      name == "rk8pd" ? "right offset -0.5,-0.5" : "left offset 0.8,0", style::kQuietInk);
+      const double x = std::log10(last->cost.median_ns) / decades_wide;
+      double y = std::log10(std::max(last->errors.position_px, nothing_px_)) / decades_high;
+      const auto meets = [&](const std::pair<double, double>& other) {
+        return std::fabs(other.first - x) < 50.0 && std::fabs(other.second - y) < 12.0;
+      };
+      while (std::any_of(named.begin(), named.end(), meets)) y += 3.0;
+      named.emplace_back(x, y);
+      script_ += fmt::format(
+          "set label {} {} at first {:.6g}, first {:.6g} left offset 0.8,0 font ',11' tc rgb '{}'\n", label++,
+          quoted(name), last->cost.median_ns, std::pow(10.0, y * decades_high), style::kQuietInk);
     }
   }
 

@@ -9,8 +9,8 @@
 namespace hyrax {
 
 /// gnuplot's script: error against cost, and beside it error against dt, one line a method, its fitted order
-/// in the key, the Pareto front ringed, gaps where a method failed. An error below 1e-13 px stands at
-/// that line.
+/// in the key, the Pareto front ringed, gaps where a method failed. No error at all is drawn on a
+/// line of its own, marked 0.
 [[nodiscard]] std::string speed_error_script(const SpeedError& study, std::size_t problem,
                                              const std::string& machine);
 

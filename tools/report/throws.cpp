@@ -43,6 +43,36 @@ std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::in
   return throws;
 }
 
+std::vector<TimedInput> timed_inputs_of(const Scenario& scenario, const std::vector<std::int64_t>& frames,
+                                        const Columns& rows, const SizesInForce& sizes) {
+  constexpr std::ptrdiff_t kResizesMax = 4;
+  const auto is_resize = [](const Event& event) { return std::holds_alternative<Resize>(event.action); };
+  const auto resizes = std::count_if(scenario.events.begin(), scenario.events.end(), is_resize);
+  std::ptrdiff_t resize_number = 0;
+  std::vector<TimedInput> inputs;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Action& action = scenario.events[i].action;
+    const auto row = row_at(rows, frames[i]);
+    const bool is_between = is_resize(scenario.events[i]) && ++resize_number > 1 && resize_number < resizes &&
+                            resizes > kResizesMax;
+    if (!row || is_between) continue;
+    const auto& size = sizes.at(frames[i]);
+    TimedInput input{"", row->t_s, row->x_px + size.sprite.width_px / 2.0,
+                     row->y_px + size.sprite.height_px / 2.0};
+    if (std::holds_alternative<Grab>(action)) input.what = "grab";
+    if (std::holds_alternative<Release>(action)) input.what = "release";
+    if (const auto* const resize = std::get_if<Resize>(&action)) {
+      input.what = resize->window ? "window" : "sprite";
+      if (resize->window) {
+        input.x_px = resize->window->width_px;
+        input.y_px = resize->window->height_px / 2.0;
+      }
+    }
+    if (!input.what.empty()) inputs.push_back(input);
+  }
+  return inputs;
+}
+
 double speed_px_per_s(const Velocity& velocity) {
   return std::hypot(velocity.vx_px_per_s, velocity.vy_px_per_s);
 }

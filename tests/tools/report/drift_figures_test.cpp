@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "tools/report/drift_frame.h"
 #include "tools/report/plot_frame.h"
 
 namespace hyrax {
@@ -98,6 +99,13 @@ TEST(ErrorsFigure, HasATicForEveryOtherDecadeAndNoLogarithmOfZero) {
   EXPECT_TRUE(has(script, "set yrange [1e-14:1e2]"));
   EXPECT_TRUE(has(script, "'10⁻¹⁴' 1e-14, '10⁻¹²' 1e-12"));
   EXPECT_TRUE(has(script, "0 NaN NaN NaN\n"));
+}
+
+TEST(ErrorsFigure, NoErrorHasTheColourOfAWall) {
+  const MeasuredRun run(2);
+  const std::string script = errors_figure_script(run.picture());
+  const std::string plotted = script.substr(script.rfind("plot "));
+  for (const Wall wall : kWalls) EXPECT_FALSE(has(plotted, std::string(wall_colour(wall))));
 }
 
 TEST(RestitutionFigure, DrawsThePapersValueAndSaysTheMean) {

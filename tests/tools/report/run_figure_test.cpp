@@ -13,6 +13,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
+#include "tools/report/figure_style.h"
 #include "tools/report/gnuplot.h"
 #include "tools/report/run_path.h"
 
@@ -224,7 +225,101 @@ TEST_F(RunFigureTest, WritesWellFormedXml) {
   const std::string svg = read_text_file(path("a.svg"));
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_NE(svg.find("it's &lt;b>"), std::string::npos);
+  EXPECT_NE(svg.find("<title>it's &lt;b> &amp; \"q\""), std::string::npos);
   EXPECT_NE(svg.find("{x}_y^z \\n $(ls) `ls`"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, PictureAndSeriesHaveNamesForPeople) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_run_figure(path("a.svg"), some_fling(), colourful_rows(600), contacts_at_each_wall(9));
+  const std::string svg = read_text_file(path("a.svg"));
+  EXPECT_NE(svg.find("<title>some-fling</title>"), std::string::npos);
+  EXPECT_NE(svg.find("<title>path of the centre</title>"), std::string::npos);
+  EXPECT_GT(svg.rfind("<title>contacts: ground</title>"), svg.rfind("<title>contacts: top</title>"));
+  EXPECT_EQ(svg.rfind("<title>contacts: ground</title>"), svg.rfind("<title>"));
+  for (const std::string made_up : {"<title>Gnuplot", "<title>gnuplot_plot", "<title>$"})
+    EXPECT_EQ(svg.find(made_up), std::string::npos) << made_up;
+}
+
+// The y of a label on the canvas, from its lower edge, as a part of its height.
+double label_y(const std::string& script, const std::string& words) {
+  const std::size_t at = script.find("set label '" + words + "' at screen ");
+  EXPECT_NE(at, std::string::npos) << words;
+  return std::stod(script.substr(script.find(',', at) + 1));
+}
+
+Columns dropped_rows(std::int64_t count) {
+  Columns rows;
+  for (std::int64_t i = 0; i < count; ++i)
+    rows.append(
+        {i, static_cast<double>(i) / 60, 1.0 / 60, 900, 100.0 + 10.0 * static_cast<double>(i), 0, 600, 0});
+  return rows;
+}
+
+TEST_F(RunFigureTest, TheWordAtTheStartKeepsOffThePath) {
+  Scenario scenario = some_fling();
+  scenario.start = {900, 100};
+  scenario.start_velocity = {0, 0};
+  const std::string script = run_figure_script(scenario, dropped_rows(60), {});
+  const double canvas = number_after(script, "svg size 960,");
+  const double centre = 1 - (78 + (100 + 64 + 28.8) * 812 / (1920 + 57.6)) / canvas;
+  EXPECT_GT(label_y(script, "start"), centre) << "the path leads down";
+}
+
+TEST_F(RunFigureTest, GrabsReleasesAndResizesHaveTheirTimes) {
+  Scenario scenario = some_fling();
+  scenario.events = {{std::int64_t{15}, Grab{}},
+                     {std::int64_t{30}, Release{{100, 0}}},
+                     {std::int64_t{45}, Resize{Size{1600, 1080}, std::nullopt}}};
+  const std::string script = run_figure_script(scenario, dropped_rows(60), {});
+  for (const std::string words : {"'grab 0.25 s'", "'release 0.5 s'", "'window 0.75 s'"})
+    EXPECT_NE(script.find(words), std::string::npos) << words;
+}
+
+TEST_F(RunFigureTest, OneFastThrowLeavesTheRestItsColours) {
+  Columns rows = dropped_rows(60);
+  EXPECT_EQ(run_figure_script(some_fling(), rows, {}).find("set logscale cb"), std::string::npos);
+  rows.vy_px_per_s[0] = 1e6;
+  rows.vy_px_per_s[1] = 0.0;
+  const std::string script = run_figure_script(some_fling(), rows, {});
+  EXPECT_NE(script.find("set logscale cb\nset cbrange [100:1e+06]"), std::string::npos);
+  EXPECT_NE(script.find("\n964 174 100\n"), std::string::npos) << "zero has no logarithm";
+}
+
+TEST_F(RunFigureTest, ContactsAtRestDoNotPileUp) {
+  std::vector<Contact> contacts(20);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].wall = Wall::ground;
+    contacts[i].x_px = 900 + static_cast<double>(i);
+    contacts[i].y_px = 952;
+  }
+  const std::string script = run_figure_script(some_fling(), dropped_rows(60), contacts);
+  EXPECT_EQ(lines_in_block(script, "ground_dots"), 1u);
+  EXPECT_NE(script.find("'ground 20'"), std::string::npos);
+}
+
+// A backslash at its end would join the title's line with the next.
+TEST_F(RunFigureTest, ATitleMayEndInABackslash) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_figure(path("a.svg"),
+              figure_head({}, "back\\", "") + "set yrange [0:1]\nset xrange [0:1]\nplot NaN notitle\n");
+  EXPECT_NE(read_text_file(path("a.svg")).find("<title>back\\</title>"), std::string::npos);
+}
+
+TEST_F(RunFigureTest, HasADarkModeThatTurnsPaperDarkAndInkLight) {
+  SKIP_WITHOUT_GNUPLOT();
+  draw_run_figure(path("a.svg"), some_fling(), colourful_rows(10), {});
+  const std::string svg = read_text_file(path("a.svg"));
+  EXPECT_NE(svg.find("@media (prefers-color-scheme: dark) { #gnuplot_canvas { filter: url(#dark) } }"),
+            std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"gnuplot_canvas\">"), std::string::npos);
+  std::istringstream matrix(svg.substr(svg.find("feColorMatrix values=\"") + 22));
+  for (int channel = 0; channel < 3; ++channel) {
+    double red = 0, green = 0, blue = 0, alpha = 0, offset = 0;
+    matrix >> red >> green >> blue >> alpha >> offset;
+    EXPECT_GT(offset, 0.9) << "black";
+    EXPECT_NEAR(red + green + blue + offset, 0.07, 0.03) << "white";
+  }
 }
 
 TEST_F(RunFigureTest, TheLargestPictureKeepsItsBound) {

@@ -1,7 +1,9 @@
 // The scripts of the studies' pictures.
 #include <gtest/gtest.h>
 
+#include "tools/report/hard_cases_figure.h"
 #include "tools/report/needs_figure.h"
+#include "tools/report/rest_figures.h"
 #include "tools/report/speed_error_figure.h"
 
 namespace hyrax {
@@ -49,9 +51,73 @@ TEST(SpeedErrorFigure, RingsTheParetoFront) {
   EXPECT_TRUE(has(speed_error_script(study, 0, ""), "$front << EOD\n150 0.0666667\nEOD"));
 }
 
+TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnMarkedSo) {
+  SpeedError study = some_study();
+  EXPECT_FALSE(has(speed_error_script(study, 0, ""), "no error at all"));
+  study.points[3].errors.position_px = 0.0;
+  study.points[4].errors.position_px = 2e-15;
+  const std::string script = speed_error_script(study, 0, "");
+  EXPECT_TRUE(has(script, "set ytics add ('0' 1e-17)"));
+  EXPECT_TRUE(has(script, "no error at all"));
+  EXPECT_TRUE(has(script, " 2e-15 ")) << "more than nothing";
+}
+
+TEST(SpeedErrorFigure, MarksTheRateThatDefinesTheLaws) {
+  EXPECT_TRUE(has(speed_error_script(some_study(), 0, ""), "'laws defined at 60 Hz' at first 0.016666667"));
+}
+
+TEST(SpeedErrorFigure, TheSentenceOnFreeFlightIsOnItsPictureAlone) {
+  SpeedError study = some_study();
+  study.problems.push_back(study.problems.front());
+  for (std::size_t i = 0; i < 6; ++i) {
+    study.points.push_back(study.points[i]);
+    study.points.back().problem = 1;
+  }
+  EXPECT_TRUE(has(speed_error_script(study, 0, ""), "Drag by the frame keeps"));
+  EXPECT_FALSE(has(speed_error_script(study, 1, ""), "Drag by the frame keeps"));
+}
+
+TEST(SpeedErrorFigure, NamesEveryStepper) {
+  SpeedError study = some_study();
+  for (const char* family : {"GSL rkck", "GSL rk4imp"}) {
+    study.methods.push_back({.name = family, .words = family, .family = family, .tolerance = 1e-6});
+    WorkPoint point{0, study.methods.size() - 1, 60.0, {}, {}};
+    point.errors.position_px = 1e-3;
+    point.cost.median_ns = 1e3;
+    study.points.push_back(point);
+  }
+  const std::string script = speed_error_script(study, 0, "");
+  EXPECT_TRUE(has(script, "'rkck' at first"));
+  EXPECT_TRUE(has(script, "'rk4imp' at first"));
+}
+
 TEST(ConvergenceSentence, HasTheFiguresOfTheStudy) {
   EXPECT_TRUE(has(convergence_sentence(some_study()), "9.8 px of error at 60 Hz become 42 px at 240 Hz"));
   EXPECT_EQ(convergence_sentence({}), "");
+}
+
+// From all in residual speed to all at zero speed, at the boundary between the two rates.
+TEST(RestMap, StepsAtTheBoundaryBetweenTwoRates) {
+  RateEnds slow, fast;
+  slow.rate_hz = 60.0;
+  slow.flings[static_cast<std::size_t>(FinalState::buzz)] = 5;
+  fast.rate_hz = 240.0;
+  fast.flings[static_cast<std::size_t>(FinalState::rest)] = 5;
+  EXPECT_TRUE(has(rest_map_script({slow, fast}, {{"some", 144.0, std::nullopt}}),
+                  "60 100 100 100\n144 100 100 100\n144 0 0 100\n240 0 0 100\n"));
+  EXPECT_TRUE(has(rest_map_script({slow, fast}, {}), "\n120 100 100 100\n120 0 0 100\n"));
+}
+
+TEST(HardCasesFigure, AVerdictHasItsColourInACellOfSeveral) {
+  std::vector<PlayedCase> cases(2);
+  for (PlayedCase& played : cases) {
+    played.hard_case.made_from = "some-scene";
+    played.result.measures[0].is_asked = true;
+  }
+  cases[1].result.measures[0].holds = false;
+  const std::string script = hard_cases_figure_script(cases);
+  for (const char* fill : {"fc rgb '#cfe8df'", "fc rgb '#f1b594'"})
+    EXPECT_NE(script.find(fill), script.rfind(fill)) << fill << " is in the legend only";
 }
 
 SceneNeeds some_scene() {
