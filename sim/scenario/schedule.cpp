@@ -27,15 +27,18 @@ double latest_due_s(double start_s, double dt_s) {
 // Walks the start times of frames forwards, events in order.
 class Walk {
  public:
-  Walk(const Scenario& scenario, std::int64_t steps)
-      : clock_(scenario.clock), is_jittered_(scenario.clock.jitter.has_value()), steps_(steps) {
+  Walk(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max)
+      : clock_(scenario.clock),
+        is_jittered_(scenario.clock.jitter.has_value()),
+        steps_(steps),
+        walked_frame_max_(walked_frame_max) {
     if (is_jittered_) longest_dt_s_ = longest_dt_s(scenario.clock);
   }
 
   std::int64_t frame() const { return frame_; }
 
   void play_to(std::int64_t frame) {
-    if (is_jittered_ && frame > kWalkedFrameMax) return jump_to(frame);
+    if (is_jittered_ && frame > walked_frame_max_) return jump_to(frame);
     while (frame_ < frame) play(is_even() ? frame - frame_ : 1);
   }
 
@@ -45,9 +48,10 @@ class Walk {
   // Goes on to the first frame that starts at `at_s` or later.
   std::optional<ScheduleFault> play_to_time(double at_s) {
     if (has_passed(at_s)) return ScheduleFault::goes_backwards;
+    const std::int64_t last = is_jittered_ ? std::min(walked_frame_max_, steps_) : steps_;
+    if (frame_ > last) return ScheduleFault::too_far;  // Jumped there: its time is unknown.
     if (at_s > reach_s_ || is_out_of_reach(at_s, steps_)) return ScheduleFault::beyond_end;
-    const std::int64_t last = is_jittered_ ? std::min(kWalkedFrameMax, steps_) : steps_;
-    if (frame_ > last || is_out_of_reach(at_s, last + 1)) return ScheduleFault::too_far;
+    if (is_out_of_reach(at_s, last)) return ScheduleFault::too_far;
     while (frame_ < steps_ && !is_due(timeline_.time_s(), at_s, clock_.nominal_dt_s(frame_))) {
       if (frame_ == last) return ScheduleFault::too_far;
       play(is_even() ? even_frames_to(at_s) : 1);
@@ -57,7 +61,7 @@ class Walk {
   }
 
   // Whether searches in vain have walked so far that there must be no more of them.
-  bool is_tired() const { return walked_in_vain_ >= kWalkedFrameMax; }
+  bool is_tired() const { return walked_in_vain_ >= walked_frame_max_; }
 
   void hitch(double dt_s) {
     hitch_dt_s_ = dt_s;
@@ -68,7 +72,7 @@ class Walk {
   // many events beyond it do not make as many walks.
   void go_back(const Walk& before) {
     const double reach_s = frame_ == steps_ ? passed_s() : reach_s_;
-    const std::int64_t in_vain = is_jittered_ ? frame_ - before.frame_ : 0;
+    const std::int64_t in_vain = clock_.is_fixed() ? 0 : frame_ - before.frame_;
     const std::int64_t walked_in_vain = walked_in_vain_ + in_vain;
     *this = before;
     reach_s_ = reach_s;
@@ -83,10 +87,10 @@ class Walk {
     return at_s <= passed_s_ || is_due(latest_start_s_, at_s, latest_nominal_dt_s_);
   }
 
-  // Whether no frame before `end` can start at `at_s` or later, however long jitter makes those to come;
+  // Whether no frame up to `last` can start at `at_s` or later, however long jitter makes those to come;
   // with room for the rounding of their sum.
-  bool is_out_of_reach(double at_s, std::int64_t end) const {
-    const double frames_s = static_cast<double>(end - frame_) * longest_dt_s_;
+  bool is_out_of_reach(double at_s, std::int64_t last) const {
+    const double frames_s = static_cast<double>(last - frame_) * longest_dt_s_;
     const double latest_s = timeline_.time_s() + hitch_dt_s_.value_or(0.0) + frames_s;
     return at_s > latest_s * (1.0 + 1e-9) + kTolerance * longest_dt_s_;
   }
@@ -136,6 +140,7 @@ class Walk {
   bool is_jittered_;
   double longest_dt_s_ = kInfinity;  // Of a jittered clock; on others a search needs no bound.
   std::int64_t steps_;
+  std::int64_t walked_frame_max_;
   std::int64_t frame_ = 0;
   Timeline timeline_;
   std::optional<double> hitch_dt_s_;
@@ -165,9 +170,9 @@ std::size_t timed_end(const std::vector<Event>& events) {
 
 }  // namespace
 
-Schedule schedule_events(const Scenario& scenario, std::int64_t steps) {
+Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max) {
   Schedule schedule;
-  Walk walk(scenario, steps);
+  Walk walk(scenario, steps, walked_frame_max);
   const std::size_t last_timed = timed_end(scenario.events);
   for (const Event& event : scenario.events) {
     const std::size_t number = schedule.frames.size();

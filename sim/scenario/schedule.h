@@ -12,7 +12,7 @@ namespace hyrax {
 /// With jitter, frames have to be walked one by one to find the frame of an `at_s`: up to this one.
 inline constexpr std::int64_t kWalkedFrameMax = 100'000'000;
 
-/// Why an event has no frame; too_far: an `at_s` beyond frame kWalkedFrameMax of a jittered clock.
+/// Why an event has no frame; too_far: an `at_s` beyond the last frame that is walked of a jittered clock.
 enum class ScheduleFault { beyond_end, goes_backwards, too_far };
 
 struct Schedule {
@@ -28,9 +28,10 @@ struct Schedule {
 /// The frame of every event: its `step`, or for `at_s` the first frame whose start time t is
 /// >= at_s - 1e-9 * dt, with dt the clock's base, or that frame's in a trace. Hitches move the
 /// times of all later frames. Takes time in proportion to the frames only under jitter or a trace; where
-/// searches that found no frame have walked kWalkedFrameMax frames in all, every later `at_s` has
+/// searches that found no frame have walked `walked_frame_max` frames in all, every later `at_s` has
 /// frame -1 and no fault of its own.
-/// REQUIRES: numbers within the limits of scenario.h; `steps` = step_count(scenario).
-[[nodiscard]] Schedule schedule_events(const Scenario& scenario, std::int64_t steps);
+/// REQUIRES: numbers within the limits of scenario.h; `steps` = step_count(scenario); walked_frame_max > 0.
+[[nodiscard]] Schedule schedule_events(const Scenario& scenario, std::int64_t steps,
+                                       std::int64_t walked_frame_max = kWalkedFrameMax);
 
 }  // namespace hyrax

@@ -57,14 +57,18 @@ class Judge:
             shutil.rmtree(place, ignore_errors=True)
 
     def prepare_unit_tests(self, mutants):
-        """Makes ready to ask unit tests about these mutants."""
-        units = {unit for mutant in mutants for unit in self.subject_of[mutant.path].test_units}
-        self.workshop.prepare(sorted(units), self.subject_of)
+        """Makes ready to ask unit tests about these mutants; unchanged, each must pass within the time of a mutant."""
+        subjects = {self.subject_of[mutant.path] for mutant in mutants}
+        self.workshop.prepare(sorted({unit for subject in subjects for unit in subject.test_units}), self.subject_of)
+        for subject in subjects:
+            if self._fails(subject, self.workshop.folder / f"unchanged-{subject.test}"):
+                raise CannotBuild(f"{subject.test} fails, or takes too long, without any change")
 
     def fails_unit_test(self, mutant, name):
         """Whether the subject's unit tests fail with the mutant."""
-        place = self.workshop.folder / name
-        subject = self.subject_of[mutant.path]
+        return self._fails(self.subject_of[mutant.path], self.workshop.folder / name, mutant)
+
+    def _fails(self, subject, place, mutant=None):
         try:
             objects = {unit: self.workshop.compile(unit, place, mutant) for unit in subject.test_units}
             self.workshop.link(subject.test, objects, place / subject.test)

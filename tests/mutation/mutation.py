@@ -90,15 +90,17 @@ def main():
         return ALL_IS_WELL
     reasons = read_reasons(asked.reasons)
     with tempfile.TemporaryDirectory(prefix="hyrax-mutation-") as folder:
-        judge = Judge(Workshop(asked.source, asked.build, folder), SUBJECTS, asked.scenarios)
+        paths = {mutant.path for mutant in chosen}
+        subjects = [subject for subject in SUBJECTS if subject.path in paths]
+        judge = Judge(Workshop(asked.source, asked.build, folder), subjects, asked.scenarios)
         try:
             judge.prepare()
+            verdicts = try_all(judge, chosen, asked.jobs)
+            faults = [*faults_of(reasons, mutants, verdicts),
+                      *survivors_without_reason(judge, verdicts, reasons, asked.jobs)]
         except CannotBuild as why:
             print(why, file=sys.stderr)
             return CANNOT_BUILD
-        verdicts = try_all(judge, chosen, asked.jobs)
-        faults = [*faults_of(reasons, mutants, verdicts),
-                  *survivors_without_reason(judge, verdicts, reasons, asked.jobs)]
     print(table_of(verdicts, reasons))
     print(summary_of(verdicts, reasons))
     if asked.markdown:

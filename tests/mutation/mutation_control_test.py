@@ -10,13 +10,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 from judge import Judge, Verdict
 from mutators import Mutant, mutants_of, numbers_near
 from program import SOURCE
 from reasons import Reason, faults_of
 from subjects import SUBJECTS
-from workshop import Workshop
+from workshop import CannotBuild, Workshop
 
 BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
 TOOL = pathlib.Path(__file__).with_name("mutation.py")
@@ -61,6 +62,18 @@ class Fates(unittest.TestCase):
     def test_what_never_ends_hangs(self):
         verdict = self.fate("for (volatile bool again = true; again;) {}")
         self.assertEqual(verdict, Verdict("caught", difference="hangs"))
+
+    def test_a_unit_test_passes_without_a_change_and_fails_with_one(self):
+        told = next(mutant for mutant in self.judge.subject_of[CORE].mutants(SOURCE)
+                    if mutant.name.endswith("-> physics() : physics(-0.0, 0.0) {}"))
+        self.judge.prepare_unit_tests([told])
+        self.assertFalse(self.judge.fails_unit_test(change_of("m_x = rightBound * 1.0;"), "control"))
+        self.assertTrue(self.judge.fails_unit_test(told, "control"))
+
+    def test_a_unit_test_that_fails_without_a_change_is_refused(self):
+        judge = Judge(mock.MagicMock(), SUBJECTS, "scenarios")
+        with mock.patch.object(judge, "_limited", return_value=None), self.assertRaises(CannotBuild):
+            judge.prepare_unit_tests([change_of(LINE)])
 
     def test_what_dies_crashes(self):
         self.assertEqual(self.fate("__builtin_trap();"), Verdict("caught", difference="crashes"))

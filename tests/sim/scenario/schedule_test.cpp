@@ -140,11 +140,12 @@ TEST(Schedule, ResolvesAnHourlongWaitOfManyFramesAtOnce) {
   EXPECT_EQ(schedule(scenario).frames, (std::vector<std::int64_t>{999'500'000'000}));
 }
 
+// Even where the limit of walked frames would let it walk them all.
 TEST(Schedule, DrawsNoJitterThatNoTimeAsksFor) {
   const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
   const Scenario scenario =
       with_events(clock, kStepsMax, {at_time(0.5), at_step(kStepsMax - 2), at_step(kStepsMax - 1)});
-  EXPECT_EQ(schedule(scenario).frames.back(), kStepsMax - 1);
+  EXPECT_EQ(schedule_events(scenario, kStepsMax, kStepsMax).frames.back(), kStepsMax - 1);
 }
 
 // Start times far from zero are far apart: many short frames start at the same rounded time.
@@ -170,15 +171,30 @@ std::optional<ScheduleFault> fault_of_last(const Schedule& result) {
   return result.faulty.back().fault;
 }
 
+constexpr std::int64_t kWalkedMax = 100;
+
+Schedule walked_to_100(const Scenario& scenario) {
+  return schedule_events(scenario, step_count(scenario), kWalkedMax);
+}
+
 TEST(Schedule, WalksJitteredFramesUpToItsLimit) {
   const Clock clock = jittered(Jitter::Kind::missed_frames, 0.0);
-  const auto limit_s = static_cast<double>(kWalkedFrameMax);
-  EXPECT_EQ(schedule(with_events(clock, kStepsMax, {at_time(limit_s)})).frames,
-            (std::vector<std::int64_t>{kWalkedFrameMax}));
-  EXPECT_EQ(fault_of_last(schedule(with_events(clock, kStepsMax, {at_time(limit_s + 1.0)}))),
+  EXPECT_EQ(walked_to_100(with_events(clock, kStepsMax, {at_time(100.0)})).frames,
+            (std::vector<std::int64_t>{100}));
+  EXPECT_EQ(walked_to_100(with_events(clock, kStepsMax, {at_step(100), at_time(100.0)})).frames,
+            (std::vector<std::int64_t>{100, 100}));
+  EXPECT_EQ(fault_of_last(walked_to_100(with_events(clock, kStepsMax, {at_time(101.0)}))),
             ScheduleFault::too_far);
-  EXPECT_EQ(fault_of_last(schedule(with_events(clock, kWalkedFrameMax, {at_time(limit_s)}))),
+  EXPECT_EQ(fault_of_last(walked_to_100(with_events(clock, 100, {at_time(100.0)}))),
             ScheduleFault::beyond_end);
+}
+
+// Every frame as long as jitter can make it, of a dt that is longer than the float next to it.
+TEST(Schedule, FindsATimeThatOnlyTheLongestFramesReach) {
+  const double longest_s = 1.0 + 0.99 * 0x1p-24;
+  const Clock clock{FixedStep{0.5 * longest_s}, Jitter{Jitter::Kind::missed_frames, 1.0, 1}};
+  const Scenario scenario = with_events(clock, kStepsMax, {at_time((1e6 - 0.01) * longest_s)});
+  EXPECT_EQ(schedule_events(scenario, kStepsMax, 1'000'000).frames, (std::vector<std::int64_t>{1'000'000}));
 }
 
 TEST(Schedule, LeavesAFixedClockWithoutThatLimit) {
@@ -201,25 +217,43 @@ TEST(Schedule, RefusesAtOnceWhatIsTooFarForEveryKindOfJitter) {
   }
 }
 
+// The time of that step is unknown, so the end's is as well.
 TEST(Schedule, RefusesATimeBehindAStepThatIsTooFar) {
-  const Schedule result =
-      schedule(with_events(jittered(Jitter::Kind::uniform, 0.5), kStepsMax,
-                           {at_step(kStepsMax / 2), at_time(1e12), at_step(kStepsMax - 1)}));
-  EXPECT_EQ(result.frames, (std::vector<std::int64_t>{kStepsMax / 2, -1, kStepsMax - 1}));
-  EXPECT_EQ(result.faulty.front().fault, ScheduleFault::too_far);
+  for (const std::int64_t step : {kStepsMax / 2, kStepsMax / 10 * 9}) {
+    const Clock clock = jittered(Jitter::Kind::uniform, 0.5);
+    const Schedule result =
+        schedule(with_events(clock, kStepsMax, {at_step(step), at_time(9.5e11), at_step(kStepsMax - 1)}));
+    EXPECT_EQ(result.frames, (std::vector<std::int64_t>{step, -1, kStepsMax - 1}));
+    ASSERT_EQ(result.faulty.size(), 1u);
+    EXPECT_EQ(result.faulty.front().fault, ScheduleFault::too_far);
+  }
 }
 
 // Between the mean and the longest time only a walk can tell, and a hitch makes what it found void.
 TEST(Schedule, DoesNotWalkInVainForEveryEvent) {
-  std::vector<Event> events;
-  for (std::int64_t event = 0; event < 1000; ++event) {
-    events.push_back(at_step(event, Hitch{1.0}));
-    events.push_back(at_time(1.5e8));
+  RecordedSteps trace;
+  trace.dt_s.assign(101, 1.0);
+  for (const Clock& clock : {jittered(Jitter::Kind::missed_frames, 0.0), Clock{trace, {}}}) {
+    const Scenario once = with_events(
+        clock, 101, {at_step(0, Hitch{1.0}), at_time(150.0), at_step(0, Hitch{1.0}), at_time(150.0)});
+    EXPECT_EQ(walked_to_100(once).frames, (std::vector<std::int64_t>{0, -1, 0, -1}));
+    EXPECT_EQ(walked_to_100(once).faulty.size(), 1u);
   }
-  const Schedule result =
-      schedule(with_events(jittered(Jitter::Kind::missed_frames, 0.1), kStepsMax, events));
-  EXPECT_EQ(result.faulty.size(), 1u);
-  EXPECT_EQ(result.frames.back(), -1);
+}
+
+TEST(Schedule, WalksInVainOnceMoreWhereThatIsAFrameShortOfTheLimit) {
+  const Scenario twice = with_events(jittered(Jitter::Kind::missed_frames, 0.0), kStepsMax,
+                                     {at_step(1), at_time(150.0), at_time(150.0), at_time(150.0)});
+  EXPECT_EQ(walked_to_100(twice).frames, (std::vector<std::int64_t>{1, -1, -1, -1}));
+  EXPECT_EQ(walked_to_100(twice).faulty.size(), 2u);
+}
+
+// A time beyond the end teaches how late the last frame is due, to the last bit.
+TEST(Schedule, FindsTheLatestTimeOfTheLastFrameBehindOneBeyondTheEnd) {
+  double latest_s = 4.0;
+  while (4.0 >= std::nextafter(latest_s, kInfinity) - 1e-9) latest_s = std::nextafter(latest_s, kInfinity);
+  EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_time(latest_s)}).frames, (std::vector<std::int64_t>{-1, 4}));
+  EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_time(std::nextafter(latest_s, kInfinity))}).frames.back(), -1);
 }
 
 // The rule to the letter: every frame, one after the other, for every event anew.
