@@ -61,5 +61,5 @@ SUBJECTS = (
     Subject(_PLAYER, (_PLAYER,), likely=_EVENTS,
             functions=("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
     Subject(_ACTION_EFFECT, (_ACTION_EFFECT,), likely=_EVENTS),
-    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("core_of", "take", "fling", "place", "stop")),
+    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("core_of", "state_of", "fling", "place", "stop")),
 )
