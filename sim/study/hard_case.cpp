@@ -128,7 +128,7 @@ CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invar
   const bool is_known = std::any_of(hard_case.findings.begin(), hard_case.findings.end(),
                                     [&](const Finding& finding) { return finding.invariant == invariant; });
   const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
-  // The listing itself takes its drag in a frame of no time, in a scenario of the user's own as well.
+  // The listing itself takes its drag in a zero-length frame, in a scenario of the user's own as well.
   const bool is_expected_failure = is_known || invariant == Invariant::no_time;
   if (holds) return is_known ? CaseVerdict::finding_gone : CaseVerdict::held;
   return is_expected_failure ? CaseVerdict::finding : CaseVerdict::broken;

@@ -106,7 +106,7 @@ std::vector<HardCase> any_jitter_family(const Scenario& base) {
       scenario.clock.jitter = Jitter{kind.kind, amount, 2026};
       HardCase& member = family.add(std::string(kind.name) + "-" + text_of(amount),
                                     "no two frames take the same time", scenario);
-      // Normal jitter of this size draws frames of no time.
+      // Normal jitter of this size draws zero-length frames.
       if (kind.kind == Jitter::Kind::normal && amount >= 0.02)
         member.findings = {{Invariant::no_time, kNoTimeDamps}};
     }

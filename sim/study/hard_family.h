@@ -40,8 +40,8 @@ class Family {
   return text;
 }
 
-/// What the core does in a frame of no time; a finding.
-inline constexpr char kNoTimeDamps[] = "drag acts once a frame, even in a frame of no time";
+/// What the core does in a zero-length frame; a finding.
+inline constexpr char kNoTimeDamps[] = "drag acts once a frame, even in a zero-length frame";
 
 /// The families, each made from the scenario that bears its name: what is varied in its clock and length ...
 [[nodiscard]] std::vector<HardCase> any_frame_family(const Scenario& base);

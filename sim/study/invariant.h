@@ -46,7 +46,7 @@ inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
     {"bounce", "a clamp turns the speed with the restitution, friction and rest rule on the ground", "px/s"},
     {"mirror", "left and right exchanged: the same contacts, to rounding", "px"},
     {"y-alone", "y and vy are the same bits whatever x does", "px/s"},
-    {"no-time", "a frame of no time changes nothing", "px/s"},
+    {"no-time", "a zero-length frame changes nothing", "px/s"},
     {"resumed", "stopped and resumed: the same bits as the whole", "1"},
     {"repeated", "run twice: the same bits, repetition skipped or not", "1"},
     {"comes-to-rest", "left alone, it ends without speed", "px/s"},

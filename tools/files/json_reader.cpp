@@ -50,7 +50,7 @@ bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const
   for (const auto& [key, value] : *object) {
     const JsonPlace here(&value, pointer_to(pointer_, key), *problems_);
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) here.wrong(unknown_word("key", key, keys));
-    if (!seen.insert(key).second) here.wrong("stands twice; keep one of the two");
+    if (!seen.insert(key).second) here.wrong("duplicate key; keep one of the two");
   }
   return true;
 }

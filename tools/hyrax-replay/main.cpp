@@ -23,7 +23,7 @@ constexpr char kHelp[] =
     "scenario whose `expect` holds a `state_hash` must come to it. `--version` tells version, compiler,\n"
     "flags, target and instruction set.\n"
     "Exit codes: 0 done, 1 another hash than expected, or a state that is not finite, 2 bad usage or\n"
-    "input, 3 cannot read, 5 this machine or build does no strict IEEE-754 arithmetic, 70 own fault.\n";
+    "input, 3 cannot read, 5 arithmetic is not strict IEEE-754, 70 internal error.\n";
 
 ExitCode judge(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   if (summary.non_finite_step) {

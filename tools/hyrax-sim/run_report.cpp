@@ -43,8 +43,8 @@ std::string clock_text(const Clock& clock) {
 }
 
 std::string rest_text(const RunSummary& summary) {
-  return summary.at_rest_since_s ? fmt::format("since {:.6g} s", *summary.at_rest_since_s)
-                                 : std::string("never");
+  return summary.at_rest_since_s ? fmt::format("  settled        since {:.6g} s\n", *summary.at_rest_since_s)
+                                 : std::string("  not settled    moved within the last 1 s\n");
 }
 
 std::string expectations_text(const ScenarioRun& run) {
@@ -135,7 +135,7 @@ std::string run_text(const ScenarioRun& run) {
   text += fmt::format("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
                       summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s,
                       summary.final.vy_px_per_s);
-  text += fmt::format("  at rest        {}\n", rest_text(summary));
+  text += rest_text(summary);
   text +=
       fmt::format("  exercised      {}\n  never touched  {}\n  not computed   {}\n",
                   joined(coverage.exercised), joined(coverage.never_touched), joined(coverage.not_computed));

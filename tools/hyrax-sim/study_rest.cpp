@@ -74,7 +74,7 @@ std::string verdict_text(const RestStudy& rest) {
   std::string text = fmt::format("rest: how a sprite ends on the floor, {} display rates\n", rest.map.size());
   text += fmt::format("  {:<26} {:>12} {:>12}\n", "boundary", "analytic Hz", "measured Hz");
   for (const RestBoundary& boundary : rest.boundaries) text += boundary_line(boundary);
-  text += "  display        rest    cycle     buzz   lies after (first .. last decile)\n";
+  text += "  display        rest    cycle     buzz   settles after (first .. last decile)\n";
   for (const RateEnds& ends : rest.map)
     if (std::find(kDisplays_hz.begin(), kDisplays_hz.end(), ends.rate_hz) != kDisplays_hz.end())
       text += ends_line(ends);

@@ -129,7 +129,7 @@ constexpr AlteredCore kCores[] = {
     {"bounds_of_two_sprites", "bounds", "screen - 2 sprite for screen - sprite", {.sprite_sides = 2}},
 
     // Other laws.
-    {"drag_needs_time", "drag", "none in a frame of no time", {.fly = "gdxy"}},
+    {"drag_needs_time", "drag", "none in a zero-length frame", {.fly = "gdxy"}},
     {"drag_by_time", "drag", "drag^(60 dt)", {.fly = "gDxy"}},
     {"losses_by_time", "drag", "drag^(60 dt), friction^(60 dt)", {.fly = "gDxy", .ground = "ctpr"}},
     {"drag_explicit", "drag", "v (1 - 60 dt), unstable in frames above 1/30 s", {.fly = "gExy"}},

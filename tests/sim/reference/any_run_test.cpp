@@ -25,7 +25,7 @@ Clock random_clock(Draw& draw) {
       clock.jitter = Jitter{Jitter::Kind::uniform, draw(0.0, 1.0), 1};
       break;
     case 1:
-      clock.jitter = Jitter{Jitter::Kind::normal, dt_s * draw(0.0, 2.0), 2};  // Many frames of no time.
+      clock.jitter = Jitter{Jitter::Kind::normal, dt_s * draw(0.0, 2.0), 2};  // Many zero-length frames.
       break;
     case 2:
       clock.jitter = Jitter{Jitter::Kind::missed_frames, draw(0.0, 0.5), 3};

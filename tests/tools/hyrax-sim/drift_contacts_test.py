@@ -22,7 +22,7 @@ NAMES = {LEFT: "left", RIGHT: "right", TOP: "top", GROUND: "ground"}
 
 
 def random_clock(draw, frames):
-    """A recorded or a jittered clock; frames of no time and long ones among the rest."""
+    """A recorded or a jittered clock; zero-length frames and long ones among the rest."""
     kind = draw.randrange(4)
     if kind == 0:
         return {"dt_s": [draw.choice((0, 1e-6, 0.05, 0.1)) if draw.random() < 0.2 else draw.lognormvariate(-4.1, 0.7)
@@ -99,7 +99,7 @@ class Arc:
         return Axis(x, vx, D(0), dt), Axis(y, vy, GRAVITY, dt)
 
     def flown(self, state, dt):
-        """The state a frame later; a frame of no time only damps."""
+        """The state a frame later; a zero-length frame only damps."""
         if dt == 0:
             return state[:2] + tuple(D(0.999) * speed for speed in state[2:])
         (x, vx), (y, vy) = (axis.at(dt) for axis in self.axes(state, dt))

@@ -39,7 +39,7 @@ class BadInput(ProgramTest):
                     "bad.json: /sprite/width_px: ", "bad.json: /name: ")
 
     def test_a_repeated_key_is_told(self):
-        self.refuse('{"format": "hyrax-scenario/1", "steps": 1, "steps": 2}', "bad.json: /steps: stands twice")
+        self.refuse('{"format": "hyrax-scenario/1", "steps": 1, "steps": 2}', "bad.json: /steps: duplicate key")
 
     def test_a_missing_file_cannot_be_read(self):
         self.expect(CANNOT_ACCESS, "run", "none.json",
