@@ -141,5 +141,16 @@ TEST(PlaysTheSame, TakesATraceWithAndWithoutStepsAsOne) {
   EXPECT_TRUE(plays_the_same(of_length(clock, {}), of_length(clock, std::int64_t{2})));
 }
 
+TEST(LongestFrame, IsThatOfTheKindOfJitter) {
+  const auto longest_s = [](Jitter::Kind kind, double amount, double dt_s) {
+    return longest_dt_s({FixedStep{dt_s}, Jitter{kind, amount, 1}});
+  };
+  EXPECT_EQ(longest_dt_s({FixedStep{0.25}, {}}), 0.25);
+  EXPECT_EQ(longest_s(Jitter::Kind::uniform, 1.0, 0.25), 0.5);
+  EXPECT_EQ(longest_s(Jitter::Kind::missed_frames, 0.1, 0.25), 0.5);
+  EXPECT_EQ(longest_s(Jitter::Kind::normal, 1.0, 0.25), 6.25);
+  EXPECT_EQ(longest_s(Jitter::Kind::normal, kFrameMax_s, 0.25), kFrameMax_s);
+}
+
 }  // namespace
 }  // namespace hyrax
