@@ -45,6 +45,7 @@ class AxisFlight {
     if (t_s == 0.0) return {from_.position_px, from_.speed_px_per_s};
     const double drag_s = std::min(t_s, kDragOfAll / from_.drag_rate_per_s);
     const double drag = from_.drag_rate_per_s * drag_s;
+    if (!std::isfinite(drag)) return {kNaN, kNaN};
     const int pieces = std::max(1, static_cast<int>(std::ceil(drag / kDragPerPiece)));
     driver_.start(0, {from_.position_px, from_.speed_px_per_s}, from_.acceleration_px_per_s2);
     for (int piece = 0; piece < pieces; ++piece)

@@ -40,7 +40,7 @@ class Help(CommandTest):
     def test_the_first_screen_tells_the_exit_codes(self):
         text = " ".join(self.expect(AGREED, "--help").out.split())
         for words in ("0 agreed or done", "1 disagreed", "2 bad usage or input", "3 cannot read or write",
-                      "4 golden file missing", "5 this machine", "70 internal error"):
+                      "4 golden file missing", "5 arithmetic is not strict", "70 internal error"):
             self.assertIn(words, text)
 
     def test_every_command_has_help_with_an_example_that_names_it(self):
