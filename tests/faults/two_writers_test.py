@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Several processes write the same output: one of them wins, whole, and none disturbs another."""
 
+import pathlib
 import signal
 import subprocess
 import time
@@ -27,6 +28,12 @@ class TwoWriters(ProgramTest):
         return subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE, text=True)
 
+    def is_locked(self, name):
+        """Whether a process has made the file its own, which it does just after it created it."""
+        path = self.folder / name
+        locks = pathlib.Path("/proc/locks").read_text(encoding="ascii")
+        return path.exists() and f":{path.stat().st_ino} " in locks
+
     def assert_done(self, process):
         """It ended well."""
         _, err = process.communicate()
@@ -44,7 +51,7 @@ class TwoWriters(ProgramTest):
         stopped = self.start("run", "--no-skip", "endless.json", "-o", "out.h5")
         self.addCleanup(stopped.communicate)
         self.addCleanup(stopped.kill)
-        while ".out.h5.part" not in self.names():
+        while not self.is_locked(".out.h5.part"):
             time.sleep(0.01)
         stopped.send_signal(signal.SIGSTOP)
         self.assert_done(self.start("run", "900.json", "-o", "out.h5"))
@@ -63,7 +70,7 @@ class TwoWriters(ProgramTest):
     def test_a_part_that_a_killed_writer_left_goes_with_the_next_write(self):
         self.write("endless.json", fling(name="endless", steps=1_000_000_000_000, record={"every": 1_000_000_000}))
         killed = self.start("run", "--no-skip", "endless.json", "-o", "out.h5")
-        while ".out.h5.part" not in self.names():
+        while not self.is_locked(".out.h5.part"):
             time.sleep(0.01)
         killed.kill()
         killed.communicate()
