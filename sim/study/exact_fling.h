@@ -19,7 +19,7 @@ class ExactFling {
  public:
   explicit ExactFling(const FixedLaws& laws = FixedLaws()) : laws_(laws) {}
 
-  /// Begins anew at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
+  /// Starts again at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
   /// that it is behind, as an impact at time 0.
   void start(const State& motion, const Bounds& bounds);
 

@@ -27,7 +27,7 @@ class DigestSink : public RowSink {
   RowDigest digest_;
 };
 
-// Hands rows on, and tells how many.
+// Passes rows on and counts them.
 class TellingSink : public RowSink {
  public:
   TellingSink(RowSink& sink, const std::function<void(std::int64_t)>& tell) : sink_(sink), tell_(tell) {}

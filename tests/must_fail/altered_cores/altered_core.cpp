@@ -51,7 +51,7 @@ constexpr AlteredCore kCores[] = {
     {"left_does_not_turn", "left wall", "leaves the speed", {.left = "c"}},
     {"right_does_not_turn", "right wall", "leaves the speed", {.right = "c"}},
     {"ceiling_does_not_turn", "ceiling", "leaves the speed", {.top = "c"}},
-    {"ground_does_not_turn", "ground", "leaves vy, but for the rest rule", {.ground = "cfr"}},
+    {"ground_does_not_turn", "ground", "leaves vy, except by the rest rule", {.ground = "cfr"}},
     {"friction_left_out", "friction", "left out", {.ground = "ctr"}},
     {"rest_rule_gone", "rest rule", "left out", {.ground = "ctf"}},
 
