@@ -19,8 +19,8 @@
 #include "tools/hyrax-sim/study_speed_error.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/output_guard.h"
-#include "tools/store/study_csv.h"
-#include "tools/store/study_file.h"
+#include "tools/files/table_text.h"
+#include "tools/store/table_file.h"
 
 namespace hyrax {
 namespace {

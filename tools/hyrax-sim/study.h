@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/table.h"
+#include "sim/result/table.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
@@ -26,7 +26,7 @@ struct StudyFigure {
 
 /// What a study came to.
 struct StudyOutcome {
-  std::vector<StudyTable> tables;    ///< The first is the CSV file, too. REQUIRES: at least one.
+  std::vector<Table> tables;    ///< The first is the CSV file, too. REQUIRES: at least one.
   std::vector<StudyFigure> figures;  ///< None where none was asked for is fine; drawing is not the study's.
   std::string verdict;               ///< At most one screen of text, its lines ended.
   std::vector<std::string> broken;   ///< What --gate fails on, one sentence each, without its full stop.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/frame_rate.h"
+#include "sim/study/frame_rate/frame_rate.h"
 #include "tools/report/frame_rate_figures.h"
 
 namespace hyrax {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "sim/scenario/frame_clock.h"
-#include "sim/study/hard_case_table.h"
+#include "sim/study/hard_cases/hard_case_table.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"

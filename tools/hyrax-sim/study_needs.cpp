@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "sim/study/needs.h"
-#include "sim/study/needs_tables.h"
+#include "sim/study/needs/needs.h"
+#include "sim/study/needs/needs_tables.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"

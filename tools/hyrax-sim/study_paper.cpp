@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "sim/study/core.h"
-#include "sim/study/paper_claim.h"
+#include "sim/study/methods/core.h"
+#include "sim/study/paper/paper_claim.h"
 #include "tools/hyrax-sim/verdict_file.h"
 #include "tools/report/paper_figure.h"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/study/rest_map.h"
+#include "sim/study/rest/rest_map.h"
 #include "tools/report/rest_figures.h"
 
 namespace hyrax {

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "sim/reference/gsl_flight.h"
-#include "sim/study/solver_method.h"
-#include "sim/study/speed_error.h"
-#include "sim/study/speed_error_rules.h"
-#include "sim/study/speed_error_tables.h"
+#include "sim/study/methods/solver_method.h"
+#include "sim/study/speed_error/speed_error.h"
+#include "sim/study/speed_error/speed_error_rules.h"
+#include "sim/study/speed_error/speed_error_tables.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/paper_claim.h"
+#include "sim/study/paper/paper_claim.h"
 
 namespace hyrax {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/study/frame_rate.h"
+#include "sim/study/frame_rate/frame_rate.h"
 
 namespace hyrax {
 

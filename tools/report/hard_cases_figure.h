@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/hard_case_table.h"
+#include "sim/study/hard_cases/hard_case_table.h"
 
 namespace hyrax {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/needs_tables.h"
+#include "sim/study/needs/needs_tables.h"
 #include "tools/report/figure_style.h"
 #include "tools/report/plot_frame.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/needs.h"
+#include "sim/study/needs/needs.h"
 
 namespace hyrax {
 

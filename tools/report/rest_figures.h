@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/rest_map.h"
+#include "sim/study/rest/rest_map.h"
 
 namespace hyrax {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "sim/study/speed_error.h"
+#include "sim/study/speed_error/speed_error.h"
 
 namespace hyrax {
 

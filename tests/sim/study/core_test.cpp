@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/motion/step.h"
-#include "sim/study/claim_probe.h"
+#include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/physics/physics.h"
-#include "sim/study/method_errors.h"
-#include "sim/study/speed_error.h"
+#include "sim/study/methods/method_errors.h"
+#include "sim/study/speed_error/speed_error.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "sim/study/hard_case_table.h"
+#include "sim/study/hard_cases/hard_case_table.h"
 #include "tests/sim/replay/some_flings.h"
 
 namespace hyrax {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "sim/replay/replay.h"
-#include "sim/study/core.h"
-#include "sim/study/needs.h"
-#include "sim/study/needs_tables.h"
+#include "sim/study/methods/core.h"
+#include "sim/study/needs/needs.h"
+#include "sim/study/needs/needs_tables.h"
 #include "sim/trajectory/row.h"
 #include "tests/sim/replay/trace_sink.h"
 #include "tools/files/scenario_reader.h"
@@ -152,7 +152,7 @@ TEST(Coverage, TellsTheMostThatASceneNeeds) {
 
 TEST(NeedsTables, HaveARowAPartAndAScene) {
   const std::vector<SceneNeeds> scenes = {needs_of(scenario_named("flings/first-fling"))};
-  const std::vector<StudyTable> tables = tables_of(scenes, 1.0);
+  const std::vector<Table> tables = tables_of(scenes, 1.0);
   EXPECT_EQ(row_count(tables[0]), scenes[0].parts.size());
   EXPECT_EQ(row_count(tables[1]), 1u);
   EXPECT_EQ(row_count(tables[2]), 1u);

@@ -1,7 +1,7 @@
 // A claim's verdict follows from its number.
 #include <gtest/gtest.h>
 
-#include "sim/study/paper_claim.h"
+#include "sim/study/paper/paper_claim.h"
 
 namespace hyrax {
 namespace {

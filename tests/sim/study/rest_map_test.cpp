@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/study/rest_map.h"
+#include "sim/study/rest/rest_map.h"
 
 namespace hyrax {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/study/speed_error.h"
-#include "sim/study/speed_error_rules.h"
-#include "sim/study/speed_error_tables.h"
+#include "sim/study/speed_error/speed_error.h"
+#include "sim/study/speed_error/speed_error_rules.h"
+#include "sim/study/speed_error/speed_error_tables.h"
 
 namespace hyrax {
 namespace {
@@ -129,7 +129,7 @@ TEST(SpeedError, AnswersWithTheCheapestBelowAnError) {
 }
 
 TEST(SpeedErrorTables, HaveARowAPoint) {
-  const std::vector<StudyTable> tables = tables_of(some_study(), "a machine");
+  const std::vector<Table> tables = tables_of(some_study(), "a machine");
   EXPECT_EQ(tables.front().name, "points");
   EXPECT_EQ(row_count(tables.front()), some_study().points.size());
 }

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/replay/replay.h"
-#include "sim/study/step_watch.h"
+#include "sim/study/hard_cases/step_watch.h"
 #include "tests/sim/replay/some_flings.h"
 
 namespace hyrax {

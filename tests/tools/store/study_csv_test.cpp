@@ -3,13 +3,13 @@
 
 #include <limits>
 
-#include "tools/store/study_csv.h"
+#include "tools/files/table_text.h"
 
 namespace hyrax {
 namespace {
 
 TEST(CsvText, HeadsNameTheirUnits) {
-  const StudyTable table{"t",
+  const Table table{"t",
                          "",
                          {{"speed", "px/s", "", std::vector<double>{}},
                           {"energy", "px2/s2", "", std::vector<double>{}},
@@ -21,7 +21,7 @@ TEST(CsvText, HeadsNameTheirUnits) {
 TEST(CsvText, NumbersAreShortestRoundTripAndWhatDoesNotExistIsEmpty) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const StudyTable table{"t",
+  const Table table{"t",
                          "",
                          {{"a", "s", "", std::vector<double>{0.1, nan, infinity}},
                           {"n", "1", "", std::vector<std::int64_t>{-7, 0, 1'000'000'000'000}}}};
@@ -29,7 +29,7 @@ TEST(CsvText, NumbersAreShortestRoundTripAndWhatDoesNotExistIsEmpty) {
 }
 
 TEST(CsvText, TextIsQuotedWhereItMustBe) {
-  const StudyTable table{
+  const Table table{
       "t", "", {{"words", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
   EXPECT_EQ(csv_text(table), "words\nplain\n\"a, b\"\n\"the \"\"step\"\"\"\n\"two\nlines\"\n");
 }

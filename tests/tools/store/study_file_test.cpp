@@ -4,14 +4,14 @@
 #include "tests/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 #include "tools/store/hdf5.h"
-#include "tools/store/study_file.h"
+#include "tools/store/table_file.h"
 
 namespace hyrax {
 namespace {
 
 const StudyHead kHead{"some-study", "what was studied"};
 
-std::vector<StudyTable> some_tables() {
+std::vector<Table> some_tables() {
   return {{"first",
            "numbers",
            {{"error", "px", "distance", std::vector<double>{1.5, 2.5}},
@@ -45,7 +45,7 @@ TEST_F(StudyFile, HasEqualBytesForEqualContentAndOthersForOther) {
   write_study_file(path_, kHead, some_tables());
   write_study_file(folder_.at("again.h5"), kHead, some_tables());
   EXPECT_EQ(bytes_of(path_), bytes_of(folder_.at("again.h5")));
-  std::vector<StudyTable> others = some_tables();
+  std::vector<Table> others = some_tables();
   std::get<std::vector<double>>(others[0].columns[0].values)[1] = 2.25;
   write_study_file(folder_.at("other.h5"), kHead, others);
   EXPECT_NE(bytes_of(path_), bytes_of(folder_.at("other.h5")));

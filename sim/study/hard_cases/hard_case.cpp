@@ -1,0 +1,137 @@
+#include "sim/study/hard_cases/hard_case.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/compare/expectations.h"
+#include "sim/reference/drift_meter.h"
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "sim/study/methods/row_digest.h"
+#include "sim/study/hard_cases/step_watch.h"
+
+namespace hyrax {
+namespace {
+
+// Takes the digest of the rows that pass.
+class DigestSink : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t row = 0; row < batch.size(); ++row) digest_.add(batch.row(row));
+  }
+  [[nodiscard]] Digest finish() { return digest_.finish(); }
+
+ private:
+  RowDigest digest_;
+};
+
+// Passes rows on and counts them.
+class TellingSink : public RowSink {
+ public:
+  TellingSink(RowSink& sink, const std::function<void(std::int64_t)>& tell) : sink_(sink), tell_(tell) {}
+  [[nodiscard]] Wants wants() const override { return sink_.wants(); }
+  void rows(const Columns& batch) override {
+    sink_.rows(batch);
+    if (tell_ && batch.size() > 0) tell_(batch.row(batch.size() - 1).step);
+  }
+
+ private:
+  RowSink& sink_;
+  const std::function<void(std::int64_t)>& tell_;
+};
+
+// At the first input past the start, if there is one, and at two thirds.
+std::vector<std::int64_t> stops_of(const Scenario& scenario, std::int64_t steps) {
+  std::vector<std::int64_t> stops{steps / 3, 2 * steps / 3};
+  for (const std::int64_t frame : schedule_events(scenario, steps).frames)
+    if (frame > 0) {
+      stops.front() = frame;
+      break;
+    }
+  std::sort(stops.begin(), stops.end());
+  return stops;
+}
+
+Digest resumed_digest(const Scenario& scenario) {
+  DigestSink sink;
+  std::optional<Replay> run(std::in_place, scenario, sink);
+  for (const std::int64_t stop : stops_of(scenario, run->steps())) {
+    run->play_to(stop);
+    const Keyframe stopped = run->keyframe();
+    run->finish();
+    run.emplace(scenario, stopped, sink);
+  }
+  run->play_to(run->steps());
+  run->finish();
+  return sink.finish();
+}
+
+double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
+
+// At rest by position, and both speeds 0.
+double rest_margin(const RunSummary& summary, double speed_px_per_s) {
+  return summary.at_rest_since_s ? -speed_px_per_s : -std::max(speed_px_per_s, 1.0);
+}
+
+std::optional<double> value_of(const std::optional<Worst>& worst) {
+  return worst ? std::optional(worst->value) : std::nullopt;
+}
+
+// Against the closed form alone, in one more run.
+RunErrors errors_of(const Scenario& scenario, std::int64_t steps) {
+  DriftSink nobody;
+  DriftMeter meter(scenario, inputs_of(scenario, schedule_events(scenario, steps).frames, steps), nobody);
+  replay(scenario, meter);
+  const DriftSummary drift = meter.finish();
+  return {value_of(drift.implementation_px), value_of(drift.truncation_px),
+          value_of(drift.energy_drift_rel_max)};
+}
+
+void judge_expectations(const HardCase& hard_case, const RunSummary& summary, HardCaseResult& result) {
+  const std::optional<Expect>& expect = hard_case.scenario.expect;
+  if (!expect) return;
+  std::optional<RunErrors> errors;
+  if (bounds_errors(*expect)) errors = errors_of(hard_case.scenario, summary.steps);
+  for (const Expectation& expectation : judge(*expect, summary, errors)) {
+    result.measures[static_cast<std::size_t>(Invariant::expectations)].see(zero_or_less(expectation.holds),
+                                                                           summary.steps);
+    if (!expectation.holds && result.expectation_broken.empty())
+      result.expectation_broken = expectation.rule + ": wanted " + expectation.wanted;
+  }
+}
+
+}  // namespace
+
+HardCaseResult play_hard_case(const HardCase& hard_case, const std::function<void(std::int64_t)>& tell) {
+  const Scenario& scenario = hard_case.scenario;
+  StepWatch watch(scenario);
+  TellingSink told(watch, tell);
+  const RunSummary watched = replay(scenario, told, {.skips_repetition = false, .checks_bounds = true});
+  HardCaseResult result{.measures = watch.measures(),
+                        .steps = watched.steps,
+                        .knife_edges = watch.knife_edges(),
+                        .expectation_broken = {}};
+  const auto see = [&](Invariant invariant, double margin) {
+    result.measures[static_cast<std::size_t>(invariant)].see(margin, watched.steps);
+  };
+  RowSink nobody;
+  see(Invariant::repeated, zero_or_less(replay(scenario, nobody).state_hash == watched.state_hash));
+  see(Invariant::resumed, zero_or_less(resumed_digest(scenario) == watched.state_hash));
+  if (hard_case.asks_rest) see(Invariant::comes_to_rest, rest_margin(watched, watch.last_speed_px_per_s()));
+  judge_expectations(hard_case, watched, result);
+  return result;
+}
+
+CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invariant invariant) {
+  const bool is_known = std::any_of(hard_case.findings.begin(), hard_case.findings.end(),
+                                    [&](const Finding& finding) { return finding.invariant == invariant; });
+  const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
+  // The listing itself takes its drag in a zero-length frame, in a scenario of the user's own as well.
+  const bool is_expected_failure = is_known || invariant == Invariant::no_time;
+  if (holds) return is_known ? CaseVerdict::finding_gone : CaseVerdict::held;
+  return is_expected_failure ? CaseVerdict::finding : CaseVerdict::broken;
+}
+
+}  // namespace hyrax
