@@ -34,17 +34,18 @@ inline constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 
 struct Tick {
   double at = 0.0;
-  std::string text;
+  std::string text = {};
 };
 
 struct Axis {
-  std::string label;  ///< Quantity and unit.
+  std::string label = {};  ///< Quantity and unit.
   bool is_logarithmic = false;
   bool is_reversed = false;
   double low = kNotGiven;  ///< Ends of the axis; not given: from the data.
   double high = kNotGiven;
-  std::vector<Tick> ticks;              ///< Empty: chosen by whoever draws; powers of ten if logarithmic.
-  std::vector<std::string> categories;  ///< If there are any: names of 0, 1, 2, ..., from the top of a y axis.
+  std::vector<Tick> ticks = {};  ///< Empty: chosen by whoever draws; powers of ten if logarithmic.
+  std::vector<std::string> categories =
+      {};  ///< If there are any: names of 0, 1, 2, ..., from the top of a y axis.
   /// Of a logarithmic axis: data at most this large are drawn here, with the tick "0".
   double zero_at = kNotGiven;
 };
@@ -71,20 +72,20 @@ struct Look {
 
 /// A NaN in y is a gap in the line.
 struct Series {
-  std::string name;  ///< For readers: the title of its part of the picture.
-  Look look;
-  std::vector<double> x;
-  std::vector<double> y;       ///< As many as x.
-  std::vector<double> y_low;   ///< Of a band: as many as x.
-  std::vector<double> x_low;   ///< With x_high: bars of spread through the points; as many as x, or none.
-  std::vector<double> x_high;
+  std::string name = {};  ///< For readers: the title of its part of the picture.
+  Look look = {};
+  std::vector<double> x = {};
+  std::vector<double> y = {};      ///< As many as x.
+  std::vector<double> y_low = {};  ///< Of a band: as many as x.
+  std::vector<double> x_low = {};  ///< With x_high: bars of spread through the points; as many as x, or none.
+  std::vector<double> x_high = {};
 };
 
 /// A dashed line across the plot.
 struct Mark {
   bool is_vertical = true;
   double at = 0.0;
-  std::string text;  ///< At its upper or right end; may be empty.
+  std::string text = {};  ///< At its upper or right end; may be empty.
   Tone tone = Tone::ink;
 };
 
@@ -92,16 +93,16 @@ struct Mark {
 struct PointText {
   double x = 0.0;
   double y = 0.0;
-  std::string text;
+  std::string text = {};
   Tone tone = Tone::quiet;
 };
 
 struct Plot {
-  Axis x;
-  Axis y;
-  std::vector<Series> series;  ///< The later over the earlier.
-  std::vector<Mark> marks;
-  std::vector<PointText> texts;
+  Axis x = {};
+  Axis y = {};
+  std::vector<Series> series = {};  ///< The later over the earlier.
+  std::vector<Mark> marks = {};
+  std::vector<PointText> texts = {};
   bool has_equal_scales = false;  ///< One px of x is as long as one px of y.
 };
 
@@ -110,49 +111,49 @@ struct Cell {
   std::size_t row = 0;
   std::size_t column = 0;
   Tone tone = Tone::none;
-  std::string text;
+  std::string text = {};
   double left = 0.0;
   double right = 1.0;
 };
 
 struct Grid {
-  std::vector<std::string> rows;
-  std::vector<std::pair<std::string, Tone>> columns;  ///< Names above, slanted.
-  std::vector<Cell> cells;
+  std::vector<std::string> rows = {};
+  std::vector<std::pair<std::string, Tone>> columns = {};  ///< Names above, slanted.
+  std::vector<Cell> cells = {};
 };
 
 struct ListColumn {
-  std::string title;  ///< May be empty.
+  std::string title = {};  ///< May be empty.
   double width_px = 0.0;
   bool is_right = false;        ///< Aligned at the right.
   std::size_t letters_max = 0;  ///< Longer texts are cut at a word, with an ellipsis; 0: never.
 };
 
 struct ListField {
-  std::string text;
-  std::string detail;      ///< Below the text, smaller; may be empty.
-  Tone fill = Tone::none;  ///< Behind the text.
+  std::string text = {};
+  std::string detail = {};  ///< Below the text, smaller; may be empty.
+  Tone fill = Tone::none;   ///< Behind the text.
 };
 
 /// Lines of text in columns.
 struct Listing {
-  std::vector<ListColumn> columns;
-  std::vector<std::vector<ListField>> rows;  ///< A field for each column.
+  std::vector<ListColumn> columns = {};
+  std::vector<std::vector<ListField>> rows = {};  ///< A field for each column.
 };
 
 struct LegendEntry {
-  std::string text;
-  Look look;
+  std::string text = {};
+  Look look = {};
 };
 
 struct Figure {
-  std::string suffix;  ///< Of its file's name: empty, or begins with "-".
-  std::string title;
-  std::string subtitle;
-  std::string note;  ///< At the title's right: what else a reader would take wrongly; may be empty.
-  std::variant<std::vector<Plot>, Grid, Listing> body;  ///< Plots stand side by side.
-  std::vector<LegendEntry> legend;
-  std::vector<std::string> remarks;  ///< Sentences below.
+  std::string suffix = {};  ///< Of its file's name: empty, or begins with "-".
+  std::string title = {};
+  std::string subtitle = {};
+  std::string note = {};  ///< At the title's right: what else a reader would take wrongly; may be empty.
+  std::variant<std::vector<Plot>, Grid, Listing> body = {};  ///< Plots stand side by side.
+  std::vector<LegendEntry> legend = {};
+  std::vector<std::string> remarks = {};  ///< Sentences below.
 };
 
 }  // namespace hyrax

@@ -1,10 +1,11 @@
-// A table of plain columns with units: the one form in which a study hands on numbers. Text, CSV, JSON and HDF5
-// are made of it by code that knows no study.
+// A table of plain columns with units: the one form in which a study hands on numbers. Text, CSV, JSON and
+// HDF5 are made of it by code that knows no study.
 #pragma once
 
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -17,13 +18,13 @@ struct Table;
 
 /// One quantity, one value a row.
 struct Column {
-  std::string name;       ///< snake_case, without its unit.
-  std::string unit;       ///< "px", "px/s", "1" for a pure number; empty for text.
-  std::string long_name;  ///< What it is, in a few words.
+  std::string name = {};       ///< snake_case, without its unit.
+  std::string unit = {};       ///< "px", "px/s", "1" for a pure number; empty for text.
+  std::string long_name = {};  ///< What it is, in a few words.
   /// A number that is missing is a NaN. A table in a cell is for JSON only.
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>, std::vector<bool>,
                std::vector<Table>>
-      values;
+      values = {};
   int digits = 4;  ///< Significant digits in printed text; files have all.
 };
 
@@ -37,9 +38,9 @@ enum class JsonShape : std::uint8_t {
 };
 
 struct Table {
-  std::string name;  ///< snake_case, unique within a study.
-  std::string long_name;
-  std::vector<Column> columns;  ///< All of one length.
+  std::string name = {};  ///< snake_case, unique within a study.
+  std::string long_name = {};
+  std::vector<Column> columns = {};  ///< All of one length.
   JsonShape shape = JsonShape::rows;
 };
 
@@ -55,15 +56,15 @@ struct Table {
   return table.columns.empty() ? 0 : length(table.columns.front());
 }
 
-/// A column with `get(record)` as the value of each record's row.
+/// A column with a value of each record: `get` is a function of the record, or a pointer to its member.
 /// Value is double, std::int64_t, bool, std::string or Table.
 template <class Value, class Records, class Get>
 [[nodiscard]] Column column_of(const std::string& name, const std::string& unit, const std::string& long_name,
-                               const Records& records, const Get& get) {
+                               const Records& records, const Get& get, int digits = 4) {
   std::vector<Value> values;
   values.reserve(std::size(records));
-  for (const auto& record : records) values.push_back(Value(get(record)));
-  return {name, unit, long_name, std::move(values)};
+  for (const auto& record : records) values.push_back(Value(std::invoke(get, record)));
+  return {name, unit, long_name, std::move(values), digits};
 }
 
 }  // namespace hyrax

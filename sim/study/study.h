@@ -18,28 +18,33 @@ namespace hyrax {
 
 /// A scenario and what the user called its file.
 struct NamedScenario {
-  std::string path;
-  Scenario scenario;
+  std::string path = {};
+  Scenario scenario = {};
+};
+
+/// Verdicts that the user expects, each with the name of what it is about.
+struct ExpectedVerdicts {
+  std::string path = {};  ///< Of their file.
+  std::vector<std::pair<std::string, std::string>> verdicts = {};
 };
 
 /// What the user asked of a study, and what a study may not do itself.
 struct StudyRequest {
-  std::vector<NamedScenario> scenarios;
-  bool is_quick = false;            ///< A smaller study, in seconds.
-  std::optional<double> within_px;  ///< A tolerance.
-  /// Verdicts that are expected, by what they are about; nullopt: none are.
-  std::optional<std::vector<std::pair<std::string, std::string>>> expected;
-  std::string machine;              ///< Name of the processor, for results that depend on it.
+  std::vector<NamedScenario> scenarios = {};
+  bool is_quick = false;                 ///< A smaller study, in seconds.
+  std::optional<double> within_px = {};  ///< A tolerance.
+  std::optional<ExpectedVerdicts> expected = {};
+  std::string machine = {};            ///< Name of the processor, for results that depend on it.
   std::int64_t (*now_ns)() = nullptr;  ///< A clock that never goes back.
   /// Called from time to time with what is counted ("steps"), how many are done, and of how many.
-  std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress;
+  std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress = {};
 };
 
 struct StudyResult {
-  std::vector<Table> tables;   ///< At least one; the first is also the CSV file.
-  std::vector<Figure> figures;
-  Verdict verdict;
-  std::vector<Table> summary;  ///< The study's own members of the JSON document.
+  std::vector<Table> tables = {};  ///< At least one; the first is also the CSV file.
+  std::vector<Figure> figures = {};
+  Verdict verdict = {};
+  std::vector<Table> summary = {};  ///< The study's own members of the JSON document.
 };
 
 /// The request does not suit the study: one sentence, beginning with the place.
@@ -48,8 +53,8 @@ struct RequestRefused : std::runtime_error {
 };
 
 struct Study {
-  std::string name;     ///< On the command line: "frame-rate".
-  std::string summary;  ///< In a few words, for the help.
+  std::string name = {};     ///< On the command line: "frame-rate".
+  std::string summary = {};  ///< In a few words, for the help.
   bool takes_scenarios = false;
   bool takes_within = false;
   bool takes_expected = false;

@@ -40,23 +40,52 @@ auto cell(const Column& column, std::size_t row, const Field& field) {
       column.values);
 }
 
-std::string printed(double value, int digits) {
+// How a column of numbers is printed: with as many decimals as its largest value needs to show its digits,
+// or, if the values are of very different size, each with these digits.
+struct NumberFormat {
+  std::chars_format format = std::chars_format::general;
+  int precision = 0;
+};
+
+NumberFormat format_of(const std::vector<double>& values, int digits) {
+  constexpr double kDecadesMax = 3.0;
+  double least = HUGE_VAL, most = 0.0;
+  bool is_whole = true;
+  for (const double value : values) {
+    if (!std::isfinite(value) || value == 0.0) continue;
+    least = std::min(least, std::fabs(value));
+    most = std::max(most, std::fabs(value));
+    is_whole = is_whole && value == std::floor(value);
+  }
+  if (most == 0.0) return {std::chars_format::general, digits};
+  if (std::log10(most / least) > kDecadesMax || most >= 1e9) return {std::chars_format::general, digits};
+  const int before_point = static_cast<int>(std::floor(std::log10(most))) + 1;
+  return {std::chars_format::fixed, is_whole ? 0 : std::max(0, digits - before_point)};
+}
+
+std::string printed(double value, const NumberFormat& format) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0.0 ? "no bound" : "-no bound";
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+  char text[400];
+  const auto end = std::to_chars(text, text + sizeof text, value, format.format, format.precision).ptr;
   return {text, end};
 }
 
-std::string printed(const Column& column, std::size_t row) {
-  return cell(column, row, [&column](const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      return printed(value, column.digits);
-    else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
-      return value;
-    else
-      return csv_field(value);
-  });
+// The values of a column as people read them.
+std::vector<std::string> printed(const Column& column) {
+  std::vector<std::string> texts;
+  const auto* const numbers = std::get_if<std::vector<double>>(&column.values);
+  const NumberFormat format = numbers != nullptr ? format_of(*numbers, column.digits) : NumberFormat{};
+  for (std::size_t row = 0; row < length(column); ++row)
+    texts.push_back(cell(column, row, [&format](const auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+        return printed(value, format);
+      else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+        return value;
+      else
+        return csv_field(value);
+    }));
+  return texts;
 }
 
 // Letters of UTF-8 text.
@@ -70,8 +99,8 @@ std::vector<std::string> aligned(const Column& column) {
   std::string head = column.name;
   std::replace(head.begin(), head.end(), '_', ' ');
   if (!column.unit.empty() && column.unit != "1") head += ", " + column.unit;
-  std::vector<std::string> lines = {head};
-  for (std::size_t row = 0; row < length(column); ++row) lines.push_back(printed(column, row));
+  std::vector<std::string> lines = printed(column);
+  lines.insert(lines.begin(), head);
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, letters(line));
   const bool is_text = std::holds_alternative<std::vector<std::string>>(column.values);
@@ -143,17 +172,19 @@ std::string csv_text(const Table& table) {
 Json json_of(const Table& table) {
   assert(table.shape != JsonShape::members);
   if (table.shape == JsonShape::one) return row_count(table) == 0 ? Json() : key_values(table, 0, 0);
-  Json::Array array;
-  Json::Object object;
-  for (std::size_t row = 0; row < row_count(table); ++row) {
-    if (table.shape == JsonShape::by_first)
-      object.push_back({printed(table.columns.front(), row), key_values(table, row, 1)});
-    else if (table.shape == JsonShape::values)
-      array.push_back(json_cell(table.columns.front(), row));
-    else
-      array.push_back(key_values(table, row, 0));
+  if (table.shape == JsonShape::by_first) {
+    Json::Object object;
+    const std::vector<std::string> keys =
+        table.columns.empty() ? std::vector<std::string>() : printed(table.columns.front());
+    for (std::size_t row = 0; row < keys.size(); ++row)
+      object.push_back({keys[row], key_values(table, row, 1)});
+    return object;
   }
-  return table.shape == JsonShape::by_first ? Json(std::move(object)) : Json(std::move(array));
+  Json::Array array;
+  for (std::size_t row = 0; row < row_count(table); ++row)
+    array.push_back(table.shape == JsonShape::values ? json_cell(table.columns.front(), row)
+                                                     : key_values(table, row, 0));
+  return array;
 }
 
 void add_members(Json::Object& object, const Table& table) {

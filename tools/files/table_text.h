@@ -20,7 +20,8 @@ namespace hyrax {
 /// REQUIRES: the shape is not `members`, which has no value of its own; see add_members.
 [[nodiscard]] Json json_of(const Table& table);
 
-/// Adds the table to an object: its first row's values if its shape is `members`, else one member of its name.
+/// Adds the table to an object: its first row's values if its shape is `members`, else one member of its
+/// name.
 void add_members(Json::Object& object, const Table& table);
 
 }  // namespace hyrax

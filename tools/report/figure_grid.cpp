@@ -67,7 +67,9 @@ Canvas body_size(const Grid& grid) {
 std::string body_script(const Grid& grid, const Canvas& canvas) {
   const GridPlaces places(grid);
   std::string script(kEmptyAxes);
-  const auto x_of = [&](std::size_t column) { return places.left + places.column * static_cast<double>(column); };
+  const auto x_of = [&](std::size_t column) {
+    return places.left + places.column * static_cast<double>(column);
+  };
   const auto y_of = [&](std::size_t row) { return places.top + kRow * static_cast<double>(row); };
   for (std::size_t column = 0; column < grid.columns.size(); ++column)
     script += fmt::format("set label {} at {} left rotate by 50 font ',12' tc rgb '{}'\n",

@@ -145,7 +145,9 @@ class PlotScript {
   }
 
  private:
-  [[nodiscard]] std::string block_name(std::size_t index) const { return fmt::format("$plot{}_{}", number_, index); }
+  [[nodiscard]] std::string block_name(std::size_t index) const {
+    return fmt::format("$plot{}_{}", number_, index);
+  }
 
   // Bars and several logarithmic scales are read along x, too.
   [[nodiscard]] std::string_view grid_axis() const {
@@ -169,15 +171,14 @@ class PlotScript {
 
   [[nodiscard]] static std::string mark_script(const Mark& mark) {
     const auto [from, to, at] =
-        mark.is_vertical
-            ? std::array{fmt::format("first {:.8g}, graph 0", mark.at),
-                         fmt::format("first {:.8g}, graph 1", mark.at),
-                         fmt::format("first {:.8g}, graph 1.035 center", mark.at)}
-            : std::array{fmt::format("graph 0, first {:.8g}", mark.at),
-                         fmt::format("graph 1, first {:.8g}", mark.at),
-                         fmt::format("graph 1, first {:.8g} right offset 0,0.5", mark.at)};
-    std::string script = fmt::format("set arrow from {} to {} nohead front lw 1.5 dt (6,4) lc rgb '{}'\n", from,
-                                     to, colour_of(mark.tone));
+        mark.is_vertical ? std::array{fmt::format("first {:.8g}, graph 0", mark.at),
+                                      fmt::format("first {:.8g}, graph 1", mark.at),
+                                      fmt::format("first {:.8g}, graph 1.035 center", mark.at)}
+                         : std::array{fmt::format("graph 0, first {:.8g}", mark.at),
+                                      fmt::format("graph 1, first {:.8g}", mark.at),
+                                      fmt::format("graph 1, first {:.8g} right offset 0,0.5", mark.at)};
+    std::string script = fmt::format("set arrow from {} to {} nohead front lw 1.5 dt (6,4) lc rgb '{}'\n",
+                                     from, to, colour_of(mark.tone));
     if (!mark.text.empty())
       script += fmt::format("set label {} at {} font ',11' tc rgb '{}'\n", quoted(mark.text), at,
                             colour_of(mark.tone));
@@ -189,7 +190,8 @@ class PlotScript {
     for (const Series& series : plot_.series)
       for (std::size_t row = 0; series.look.form == Form::bars && row < series.x.size(); ++row)
         script += fmt::format(
-            "set object rectangle from first {:.8g}, first {:.6g} to first {:.8g}, first {:.6g} front fs solid 1 "
+            "set object rectangle from first {:.8g}, first {:.6g} to first {:.8g}, first {:.6g} front fs "
+            "solid 1 "
             "noborder fc rgb '{}'\n",
             x_ends_.low, series.y[row] - 0.32, std::clamp(series.x[row], x_ends_.low, x_ends_.high),
             series.y[row] + 0.32, colour_of(series.look.tone));
@@ -224,8 +226,9 @@ class PlotScript {
       };
       while (std::any_of(placed.begin(), placed.end(), meets)) place.y += 3.0;
       placed.push_back(place);
-      script += fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", quoted(text.text),
-                            screen(canvas_, box_.left + place.x, box_.bottom - place.y), colour_of(text.tone));
+      script +=
+          fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", quoted(text.text),
+                      screen(canvas_, box_.left + place.x, box_.bottom - place.y), colour_of(text.tone));
     }
     return script;
   }
@@ -298,15 +301,16 @@ Canvas body_size(const std::vector<Plot>& plots) {
 std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
   const double bottom = kBodyTop + body_size(plots).height - kBelow;
   if (is_empty(plots))
-    return fmt::format("unset xtics\nunset ytics\nset xrange [0:1]\nset yrange [0:1]\n"
-                       "set label 'nothing to show' at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
-                       style::kQuietInk);
+    return fmt::format(
+        "unset xtics\nunset ytics\nset xrange [0:1]\nset yrange [0:1]\n"
+        "set label 'nothing to show' at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
+        style::kQuietInk);
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
   const double width = canvas.width / static_cast<double>(plots.size());
   for (std::size_t index = 0; index < plots.size(); ++index) {
     const double start = width * static_cast<double>(index);
-    const PlotScript plot(plots[index], canvas, {start + left_of(plots[index]), start + width - kRight, bottom},
-                          index);
+    const PlotScript plot(plots[index], canvas,
+                          {start + left_of(plots[index]), start + width - kRight, bottom}, index);
     data += plot.data();
     script += plot.script();
     // What is drawn with one plot is not drawn again with the next.

@@ -41,12 +41,11 @@ Legend place_legend(const std::vector<LegendEntry>& entries, double width) {
 std::string sign(const Canvas& canvas, const Look& look, double x, double y) {
   const std::string_view colour = colour_of(look.tone);
   if (look.form == Form::points)
-    return fmt::format("set label '' at {} point {} lc rgb '{}'\n", screen(canvas, x + 12, y), marker_of(look),
-                       colour);
+    return fmt::format("set label '' at {} point {} lc rgb '{}'\n", screen(canvas, x + 12, y),
+                       marker_of(look), colour);
   if (look.form == Form::band || look.form == Form::bars)
     return fmt::format("set object rectangle from {} to {} fs solid 1 border lc rgb '{}' fc rgb '{}'\n",
-                       screen(canvas, x, y - 7), screen(canvas, x + 24, y + 7), style::kHairline,
-                       colour);
+                       screen(canvas, x, y - 7), screen(canvas, x + 24, y + 7), style::kHairline, colour);
   return fmt::format("set arrow from {} to {} nohead {} lc rgb '{}'\n", screen(canvas, x, y),
                      screen(canvas, x + 24, y), stroke_of(look), colour);
 }

@@ -1,6 +1,7 @@
 #include "tools/store/table_file.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 
 #include "tools/files/atomic_file.h"
@@ -29,6 +30,15 @@ bool write_column(hid_t group, const Column& column, const std::vector<std::int6
   return write_values(group, column, H5T_STD_I64LE, H5T_NATIVE_INT64, values.size(), values.data());
 }
 
+bool write_column(hid_t group, const Column& column, const std::vector<bool>& values) {
+  return write_column(group, column, std::vector<std::int64_t>(values.begin(), values.end()));
+}
+
+bool write_column(hid_t, const Column&, const std::vector<Table>&) {
+  assert(false);  // Tables in cells are for JSON.
+  return false;
+}
+
 // Text of variable length would lie in a heap apart, with gaps that nobody fills.
 bool write_column(hid_t group, const Column& column, const std::vector<std::string>& values) {
   std::size_t width = 1;
@@ -46,11 +56,9 @@ bool write_table(hid_t file, const Table& table) {
   const h5::Handle group = h5::create_group(file, table.name.c_str());
   if (!group.is_open()) return false;
   h5::write_attribute(group, "long_name", table.long_name);
-  const bool is_written =
-      std::all_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
-        return std::visit([&](const auto& values) { return write_column(group, column, values); },
-                          column.values);
-      });
+  const bool is_written = std::all_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
+    return std::visit([&](const auto& values) { return write_column(group, column, values); }, column.values);
+  });
   return is_written && h5::share_axis(group, table.columns.front().name.c_str());
 }
 

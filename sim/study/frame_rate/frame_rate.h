@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "sim/motion/state.h"
-#include "sim/result/table.h"
 
 namespace hyrax {
 
 enum class DisplayClock : std::uint8_t { steady, jittered, missing };
 inline constexpr std::array<std::string_view, 3> kDisplayClockNames = {"steady", "jittered", "missing"};
-inline constexpr std::array<std::string_view, 3> kDisplayClockWords = {
-    "every frame the same", "frames jittered by 2 ms (normal)", "one frame in twenty missed"};
 
 inline constexpr std::array<std::string_view, 2> kFrameRateMethods = {"paper", "normalised-drag"};
 
@@ -26,11 +23,11 @@ struct Landing {
   DisplayClock clock = DisplayClock::steady;
   double rate_hz = 0.0;
   std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random.
-  double x_px = 0.0;       ///< Where it comes to lie.
+  double x_px = 0.0;       ///< Where it settles.
   double time_s = 0.0;     ///< Since when it has stayed there within half a pixel.
-  double path_px = 0.0;    ///< Length of its way.
-  double across_px = 0.0;  ///< Of it what was horizontal.
-  bool is_core = true;     ///< Of the paper's: the same bits as the core's own steps.
+  double path_px = 0.0;    ///< Length of its path.
+  double across_px = 0.0;  ///< Horizontal part of the path.
+  bool is_core = true;     ///< Of the paper's method: every step has the core's bits.
 };
 
 /// A point of the drawn fling's path.
@@ -42,8 +39,9 @@ struct FanPoint {
   double y_px = 0.0;
 };
 
-/// Frame-rate independence of a method under a clock: with S the spread of a fling's resting places over all
-/// rates and D its horizontal way at the rate nearest to 60 Hz, each averaged over the flings,
+/// Frame-rate independence of a method under a clock: with S the spread of the places where a fling
+/// settles over all rates and D its horizontal path at the rate nearest to 60 Hz, each averaged over the
+/// flings,
 ///   score = 100 (1 - S / D), and 0 where S > D.
 /// 100: the same place on every display. 0: the display decides where it goes more than the hand.
 struct Independence {
@@ -64,9 +62,5 @@ struct FrameRateStudy {
 /// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
 inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
 inline constexpr Bounds kDrawnBounds{1792.0, 952.0};
-
-[[nodiscard]] Table landing_table(const std::vector<Landing>& landings);
-[[nodiscard]] Table path_table(const std::vector<FanPoint>& paths);
-[[nodiscard]] Table independence_table(const std::vector<Independence>& scores);
 
 }  // namespace hyrax
