@@ -89,7 +89,7 @@ struct Mark {
   Tone tone = Tone::ink;
 };
 
-/// Text at the right of a point; moved up where it would meet another.
+/// Text beside a point, off the series, the marks and other texts where there is room.
 struct PointText {
   double x = 0.0;
   double y = 0.0;
