@@ -2,6 +2,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -321,11 +322,14 @@ std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
         "set label 'nothing to show' at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
         style::kQuietInk);
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
-  const double width = canvas.width / static_cast<double>(plots.size());
+  const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
+                                        [](double sum, const Plot& plot) { return sum + plot.share; });
+  double start = 0.0;
   for (std::size_t index = 0; index < plots.size(); ++index) {
-    const double start = width * static_cast<double>(index);
+    const double width = canvas.width * plots[index].share / shares;
     const PlotScript plot(plots[index], canvas,
                           {start + left_of(plots[index]), start + width - kRight, bottom}, index);
+    start += width;
     data += plot.data();
     script += plot.script();
     // What is drawn with one plot is not drawn again with the next.

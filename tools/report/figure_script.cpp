@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLegendLine = 24;  // All in px of the SVG.
 constexpr double kRemarkLine = 22;
+constexpr double kAboveRemarks = 8;
 constexpr double kSign = 32;  // From a sign of the legend to its text.
 constexpr double kGap = 18;
 constexpr double kBelow = 26;
@@ -99,8 +100,9 @@ std::string figure_script(const Figure& figure) {
   const Canvas body = std::visit([](const auto& each) { return body_size(each); }, figure.body);
   const Legend legend = place_legend(figure.legend, body.width);
   const std::vector<std::string> remarks = lines_of(figure.remarks, body.width);
-  const Canvas canvas{body.width, kBodyTop + body.height + legend.height +
-                                      kRemarkLine * static_cast<double>(remarks.size()) + kBelow};
+  const double remarks_height =
+      remarks.empty() ? 0.0 : kAboveRemarks + kRemarkLine * static_cast<double>(remarks.size());
+  const Canvas canvas{body.width, kBodyTop + body.height + legend.height + remarks_height + kBelow};
   std::string script = figure_head(canvas, figure.title, figure.subtitle, figure.note);
   double y = kBodyTop + body.height + kLegendLine / 2;
   for (std::size_t index = 0; index < figure.legend.size(); ++index) {
@@ -109,7 +111,7 @@ std::string figure_script(const Figure& figure) {
     script += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(figure.legend[index].text),
                           screen(canvas, entry_x + kSign, y + entry_y), style::kQuietInk);
   }
-  y += legend.height;
+  y += legend.height + kAboveRemarks;
   for (const std::string& remark : remarks) {
     script += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(remark),
                           screen(canvas, style::kMargin, y), style::kVermilion);

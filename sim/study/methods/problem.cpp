@@ -113,7 +113,7 @@ std::vector<Problem> study_problems() {
       open_sky("fast-arc", "one second at 10,000 px/s", {200.0, 6000.0, 8000.0, -6000.0}, 1.0),
       open_sky("terminal-speed", "one second at terminal speed", {200.0, 200.0, 0.0, 1200.0 / 0.0600300},
                1.0),
-      on_desktop("fling", "a fling that bounces until it lies", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
+      on_desktop("fling", "a fling that bounces until it settles", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
       on_desktop("corner-fling", "a fast fling into a corner", {300.0, 500.0, 2400.0, -700.0}, 8.0)};
   Problem jittered = problems[4];
   jittered.name = "jittered-fling";

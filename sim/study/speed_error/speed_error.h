@@ -106,7 +106,7 @@ inline constexpr double kOrderApart = 0.1;
 
 /// How drag per frame keeps the paper's step from converging, with the values of this study; empty if
 /// SpeedError::paper has no 60 Hz.
-[[nodiscard]] std::string convergence_sentence(const SpeedError& study);
+[[nodiscard]] std::vector<std::string> convergence_sentences(const SpeedError& study);
 
 /// Least-squares order of errors (> 0) against dt. REQUIRES: two points or more.
 [[nodiscard]] double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& errors);

@@ -53,7 +53,9 @@ class Diagram {
   Diagram(const SpeedError& study, std::size_t problem) : study_(study), curves_(curves_of(study, problem)) {}
 
   [[nodiscard]] Plot cost_plot() const {
-    Plot plot{.x = {.label = "cost, ns per simulated second", .is_logarithmic = true}, .y = error_axis()};
+    Plot plot{.x = {.label = "cost, ns per simulated second", .is_logarithmic = true},
+              .y = error_axis(),
+              .share = 1.3};
     Series front{.name = "Pareto front", .look = kFrontLook};
     for (const Curve* const curve : in_drawing_order()) {
       Series series = series_of(*curve);
@@ -193,21 +195,20 @@ Figure speed_error_figure(const SpeedError& study, std::size_t problem, const st
                       study.repetitions, machine),
       .body = std::vector{diagram.cost_plot(), diagram.dt_plot()},
       .legend = diagram.legend()};
-  // The sentence is about the free flight that the first problem is.
-  const std::string sentence = convergence_sentence(study);
-  if (problem == 0 && !sentence.empty()) figure.remarks.push_back(sentence);
+  if (problem == 0) figure.remarks = convergence_sentences(study);  // They are about its free flight.
   return figure;
 }
 
-std::string convergence_sentence(const SpeedError& study) {
+std::vector<std::string> convergence_sentences(const SpeedError& study) {
   const auto at_60 = std::find_if(study.paper.begin(), study.paper.end(),
                                   [](const PaperErrors& paper) { return paper.rate_hz == 60.0; });
-  if (at_60 == study.paper.end()) return "";
+  if (at_60 == study.paper.end()) return {};
   const PaperErrors& last = study.paper.back();
-  return fmt::format(
+  return {
       "Drag per frame keeps the paper's step from converging: each frame takes 0.1 % of the speed, however "
-      "short it is. In {}, the error is {:.3g} px at 60 Hz and {:.3g} px at {:.0f} Hz.",
-      study.problems.front().label, at_60->model_px, last.model_px, last.rate_hz);
+      "short it is.",
+      fmt::format("Over {}, its error is {:.3g} px at 60 Hz and {:.3g} px at {:.0f} Hz.",
+                  study.problems.front().label, at_60->model_px, last.model_px, last.rate_hz)};
 }
 
 }  // namespace hyrax

@@ -52,12 +52,11 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
           column_of<std::string>("method", "", "", lines, [&](L l) { return study.methods[l.method].label; }),
           column_of<std::string>("order", "", "", lines,
                                  [&](L l) { return order_text(study, problem, l.method); }),
-          column_of<double>(
-              "error_at_60_Hz", "px", "", lines, [](L l) { return l.at_60->errors.position_px; }, 3),
+          column_of<double>("error_at_60_Hz", "px", "", lines,
+                            [](L l) { return l.at_60->errors.position_px; }),
           column_of<double>(
               "cost_at_60_Hz", "ns/s", "", lines, [](L l) { return l.at_60->cost.median_ns; }, 3),
-          column_of<double>(
-              "least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }, 3),
+          column_of<double>("least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }),
           column_of<double>("at", "Hz", "", lines, [](L l) { return l.best->rate_hz; })}};
 }
 
@@ -117,8 +116,9 @@ Verdict verdict_of(const SpeedError& study, const StudyRequest& request) {
     verdict.text.push_back(methods_text(study, problem));
     verdict.text.push_back(cheapest_text(study, problem));
   }
-  for (const std::string& sentence : {paper_text(study, fling), convergence_sentence(study)})
-    if (!sentence.empty()) verdict.text.push_back(sentence);
+  if (const std::string sentence = paper_text(study, fling); !sentence.empty())
+    verdict.text.push_back(sentence);
+  for (const std::string& sentence : convergence_sentences(study)) verdict.text.push_back(sentence);
   return verdict;
 }
 
