@@ -132,7 +132,7 @@ class Diagram {
     return series;
   }
 
-  // No error at all is drawn a decade below the least error, or low enough that large errors do not lie flat.
+  // No error at all is drawn below the least error, or low enough that large errors do not lie flat.
   [[nodiscard]] Axis error_axis() const {
     constexpr double kLeastAmongLarge_px = 1e-2;
     double least_px = kLeastAmongLarge_px;
@@ -141,7 +141,7 @@ class Diagram {
         if (point->errors.position_px > 0.0) least_px = std::min(least_px, point->errors.position_px);
     return {.label = "distance, px (largest over the run)",
             .is_logarithmic = true,
-            .zero_at = std::pow(10.0, std::floor(std::log10(least_px)) - 1.0)};
+            .zero_at = std::pow(10.0, std::floor(std::log10(least_px)) - 2.0)};
   }
 
   // The names of GSL's steppers, each at its most accurate point, and what the line of zeros is.

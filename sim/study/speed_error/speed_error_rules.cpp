@@ -16,11 +16,16 @@ class Rules {
   explicit Rules(const SpeedError& study) : study_(study) {}
 
   void errors_are_finite() {
-    for (const WorkPoint& point : study_.points)
+    for (const WorkPoint& point : study_.points) {
+      if (point.errors.is_failed) {
+        broken_.push_back(fmt::format("the method cannot play the problem to its end ({})", name_of(point)));
+        continue;
+      }
       for (const double error :
            {point.errors.position_px, point.errors.velocity_px_per_s, point.errors.end_px})
-        require("the method plays the problem to its end with a finite error", name_of(point),
-                point.errors.is_failed ? kInfinity : error, 0.0, std::numeric_limits<double>::max());
+        require("the method has a finite error", name_of(point), error, 0.0,
+                std::numeric_limits<double>::max());
+    }
   }
   void orders_are_analytic() {
     for (std::size_t problem = 0; problem < study_.problems.size(); ++problem)

@@ -85,7 +85,7 @@ TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
   study.points[3].errors.position_px = 0.0;
   study.points[4].errors.position_px = 2e-15;
   const std::vector<Plot> plots = plots_of(study);
-  for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-16);
+  for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17);
   ASSERT_EQ(plots[0].texts.size(), 1u);
   EXPECT_EQ(plots[0].texts[0].text, "no error at all");
 }

@@ -63,7 +63,9 @@ TEST(SpeedErrorRules, SayWhereWhatIsAllowedAndWhatWasFound) {
 TEST(SpeedErrorRules, FindAMethodThatFails) {
   SpeedError study = some_study();
   study.points[1].errors.is_failed = true;
-  EXPECT_TRUE(is_broken(study, "to its end"));
+  EXPECT_EQ(
+      broken_rules(study),
+      std::vector<std::string>{"the method cannot play the problem to its end (paper, long-arc, 30 Hz)"});
 }
 
 TEST(SpeedErrorRules, FindAnErrorThatIsNoNumber) {
