@@ -89,7 +89,7 @@ struct Mark {
   Tone tone = Tone::ink;
 };
 
-/// Text at the right of a point; moved up where it would meet another.
+/// Text beside a point, off the series, the marks and other texts where there is room.
 struct PointText {
   double x = 0.0;
   double y = 0.0;
@@ -104,6 +104,7 @@ struct Plot {
   std::vector<Mark> marks = {};
   std::vector<PointText> texts = {};
   bool has_equal_scales = false;  ///< One px of x is as long as one px of y.
+  double share = 1.0;             ///< Of the figure's width, relative to the plots beside it.
 };
 
 /// A part of a field of a grid, from `left` to `right` (0 .. 1 of its width).

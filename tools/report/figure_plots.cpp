@@ -2,10 +2,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "tools/report/figure_body.h"
+#include "tools/report/label_placer.h"
 #include "tools/report/plot_frame.h"
 
 namespace hyrax {
@@ -70,13 +72,14 @@ Range ends_of(const Axis& axis, Range range) {
   return range;
 }
 
-std::string powers_of_ten(const Range& ends) {
+// Ticks at powers of ten, above the line of zeros if there is one.
+std::string powers_of_ten(const Axis& axis, const Range& ends) {
   const int low = static_cast<int>(std::ceil(std::log10(ends.low) - 1e-9));
   const int high = static_cast<int>(std::floor(std::log10(ends.high) + 1e-9));
   const int every = 1 + (high - low) / kTicsMax;
   std::string tics;
   for (int exponent = low; exponent <= high; ++exponent)
-    if (exponent % every == 0)
+    if (exponent % every == 0 && !(std::pow(10.0, exponent) <= axis.zero_at * 1.01))
       tics += fmt::format("{}'{}' 1e{}", tics.empty() ? "" : ", ", power_of_ten(exponent), exponent);
   return tics;
 }
@@ -87,7 +90,7 @@ std::string tics_of(const Axis& axis, const Range& ends) {
     tics += fmt::format("{}{} {:.8g}", tics.empty() ? "" : ", ", quoted(tick.text), tick.at);
   for (std::size_t index = 0; index < axis.categories.size(); ++index)
     tics += fmt::format("{}{} {}", index == 0 ? "" : ", ", quoted(axis.categories[index]), index);
-  if (tics.empty() && axis.is_logarithmic) tics = powers_of_ten(ends);
+  if (tics.empty() && axis.is_logarithmic) tics = powers_of_ten(axis, ends);
   return tics;
 }
 
@@ -198,37 +201,50 @@ class PlotScript {
     return script;
   }
 
-  // The place of a value on its axis, in px from its low end.
-  [[nodiscard]] static double px_of(double value, const Axis& axis, const Range& ends, double length) {
-    if (axis.is_logarithmic) return length * std::log(value / ends.low) / std::log(ends.high / ends.low);
-    return length * (value - ends.low) / (ends.high - ends.low);
+  // The part of its axis at which a value is, 0 at the low end.
+  [[nodiscard]] static double part_of(double value, const Axis& axis, const Range& ends) {
+    const double shown = std::clamp(drawn(axis, value), ends.low, ends.high);
+    const double part = axis.is_logarithmic ? std::log(shown / ends.low) / std::log(ends.high / ends.low)
+                                            : (shown - ends.low) / (ends.high - ends.low);
+    return axis.is_reversed ? 1.0 - part : part;
+  }
+
+  [[nodiscard]] LabelPlacer::Point on_canvas(double x, double y) const {
+    const double up = part_of(y, plot_.y, y_ends_);
+    const double down = plot_.y.categories.empty() ? 1.0 - up : up;
+    return {box_.left + (box_.right - box_.left) * part_of(x, plot_.x, x_ends_),
+            kBodyTop + (box_.bottom - kBodyTop) * down};
+  }
+
+  void avoid_series(LabelPlacer& placer, const Series& series) const {
+    const bool is_line = series.look.form == Form::line || series.look.form == Form::line_and_points;
+    for (std::size_t row = 0; row < series.x.size() && series.look.form != Form::band; ++row) {
+      if (std::isnan(series.x[row]) || std::isnan(series.y[row])) continue;
+      const LabelPlacer::Point at = on_canvas(series.x[row], series.y[row]);
+      if (is_line && row > 0 && !std::isnan(series.x[row - 1]) && !std::isnan(series.y[row - 1]))
+        placer.avoid(on_canvas(series.x[row - 1], series.y[row - 1]), at);
+      const double half = 3.5 * series.look.marker_size;
+      placer.avoid({at.x - half, at.y}, {at.x + half, at.y});
+      if (series.look.form == Form::bars) placer.avoid(on_canvas(x_ends_.low, series.y[row]), at);
+      if (!series.x_low.empty())
+        placer.avoid(on_canvas(series.x_low[row], series.y[row]),
+                     on_canvas(series.x_high[row], series.y[row]));
+    }
   }
 
   [[nodiscard]] std::string texts() const {
-    constexpr double kTextHeight = 12;
-    constexpr double kSmallLetter_px = 6.2;
-    struct Placed {
-      double x, y, width;
-    };
-    std::vector<Placed> placed;
+    LabelPlacer placer({box_.left, kBodyTop, box_.right, box_.bottom});
+    for (const Series& series : plot_.series) avoid_series(placer, series);
+    for (const Mark& mark : plot_.marks)
+      placer.avoid(
+          on_canvas(mark.is_vertical ? mark.at : x_ends_.low, mark.is_vertical ? y_ends_.low : mark.at),
+          on_canvas(mark.is_vertical ? mark.at : x_ends_.high, mark.is_vertical ? y_ends_.high : mark.at));
     std::string script;
-    const double width = box_.right - box_.left, height = box_.bottom - kBodyTop;
     for (const PointText& text : plot_.texts) {
-      const double x_value = std::clamp(drawn(plot_.x, text.x), x_ends_.low, x_ends_.high);
-      Placed place{px_of(x_value, plot_.x, x_ends_, width) + 6,
-                   px_of(drawn(plot_.y, text.y), plot_.y, y_ends_, height),
-                   kSmallLetter_px * static_cast<double>(letters_of(text.text))};
-      if (plot_.y.is_reversed || !plot_.y.categories.empty()) place.y = height - place.y;
-      place.x = std::min(place.x, width - place.width);
-      const auto meets = [&](const Placed& other) {
-        return place.x < other.x + other.width && other.x < place.x + place.width &&
-               std::fabs(place.y - other.y) < kTextHeight;
-      };
-      while (std::any_of(placed.begin(), placed.end(), meets)) place.y += 3.0;
-      placed.push_back(place);
-      script +=
-          fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", quoted(text.text),
-                      screen(canvas_, box_.left + place.x, box_.bottom - place.y), colour_of(text.tone));
+      const LabelPlacer::Point at =
+          placer.place(text.text, LabelPlacer::centres_around(on_canvas(text.x, text.y), text.text));
+      script += fmt::format("set label {} at {} center front font ',11' tc rgb '{}'\n", quoted(text.text),
+                            screen(canvas_, at.x, at.y), colour_of(text.tone));
     }
     return script;
   }
@@ -306,11 +322,14 @@ std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
         "set label 'nothing to show' at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
         style::kQuietInk);
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
-  const double width = canvas.width / static_cast<double>(plots.size());
+  const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
+                                        [](double sum, const Plot& plot) { return sum + plot.share; });
+  double start = 0.0;
   for (std::size_t index = 0; index < plots.size(); ++index) {
-    const double start = width * static_cast<double>(index);
+    const double width = canvas.width * plots[index].share / shares;
     const PlotScript plot(plots[index], canvas,
                           {start + left_of(plots[index]), start + width - kRight, bottom}, index);
+    start += width;
     data += plot.data();
     script += plot.script();
     // What is drawn with one plot is not drawn again with the next.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -12,11 +13,12 @@ namespace {
 
 constexpr double kLegendLine = 24;  // All in px of the SVG.
 constexpr double kRemarkLine = 22;
+constexpr double kAboveRemarks = 8;
 constexpr double kSign = 32;  // From a sign of the legend to its text.
 constexpr double kGap = 18;
 constexpr double kBelow = 26;
 
-// Where each entry of the legend stands: in a row while there is room, then in the next.
+// Where each entry of the legend is: in one row if there is room, else in columns.
 struct Legend {
   std::vector<std::pair<double, double>> places;  // x from the canvas's left edge, y from the legend's top.
   double height = 0.0;
@@ -24,17 +26,21 @@ struct Legend {
 
 Legend place_legend(const std::vector<LegendEntry>& entries, double width) {
   Legend legend;
+  std::vector<double> widths;
+  for (const LegendEntry& entry : entries)
+    widths.push_back(kSign + kLetter_px * static_cast<double>(letters_of(entry.text)) + kGap);
+  const double room = width - style::kMargin;
+  const bool is_row = std::accumulate(widths.begin(), widths.end(), 0.0) <= room;
+  const double widest = entries.empty() ? room : *std::max_element(widths.begin(), widths.end());
+  const std::size_t columns =
+      is_row ? entries.size() : static_cast<std::size_t>(std::max(1.0, room / widest));
+  const std::size_t rows = columns == 0 ? 0 : (entries.size() + columns - 1) / columns;
   double x = style::kMargin;
-  for (const LegendEntry& entry : entries) {
-    const double entry_width = kSign + kLetter_px * static_cast<double>(letters_of(entry.text)) + kGap;
-    if (x > style::kMargin && x + entry_width > width) {
-      x = style::kMargin;
-      legend.height += kLegendLine;
-    }
-    legend.places.emplace_back(x, legend.height);
-    x += entry_width;
+  for (std::size_t index = 0; index < entries.size(); ++index) {
+    legend.places.emplace_back(x, kLegendLine * static_cast<double>(index % rows));
+    if (index % rows == rows - 1) x += is_row ? widths[index] : room / static_cast<double>(columns);
   }
-  if (!entries.empty()) legend.height += kLegendLine;
+  legend.height = kLegendLine * static_cast<double>(rows);
   return legend;
 }
 
@@ -94,8 +100,9 @@ std::string figure_script(const Figure& figure) {
   const Canvas body = std::visit([](const auto& each) { return body_size(each); }, figure.body);
   const Legend legend = place_legend(figure.legend, body.width);
   const std::vector<std::string> remarks = lines_of(figure.remarks, body.width);
-  const Canvas canvas{body.width, kBodyTop + body.height + legend.height +
-                                      kRemarkLine * static_cast<double>(remarks.size()) + kBelow};
+  const double remarks_height =
+      remarks.empty() ? 0.0 : kAboveRemarks + kRemarkLine * static_cast<double>(remarks.size());
+  const Canvas canvas{body.width, kBodyTop + body.height + legend.height + remarks_height + kBelow};
   std::string script = figure_head(canvas, figure.title, figure.subtitle, figure.note);
   double y = kBodyTop + body.height + kLegendLine / 2;
   for (std::size_t index = 0; index < figure.legend.size(); ++index) {
@@ -104,7 +111,7 @@ std::string figure_script(const Figure& figure) {
     script += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(figure.legend[index].text),
                           screen(canvas, entry_x + kSign, y + entry_y), style::kQuietInk);
   }
-  y += legend.height;
+  y += legend.height + kAboveRemarks;
   for (const std::string& remark : remarks) {
     script += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(remark),
                           screen(canvas, style::kMargin, y), style::kVermilion);

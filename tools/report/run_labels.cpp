@@ -61,6 +61,11 @@ std::string arrows(const RunPlot& plot, const RunScene& scene) {
 
 using Point = LabelPlacer::Point;
 
+std::string label(const RunPlot& plot, std::string_view text, Point centre) {
+  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", quoted(text),
+                     screen(plot.canvas, centre.x, centre.y), style::kInk);
+}
+
 // Inside the sprite's outline where the word fits, or beside it.
 std::string caption(LabelPlacer& placer, const RunPlot& plot, const std::optional<Box>& sprite,
                     std::string_view word) {
@@ -73,7 +78,7 @@ std::string caption(LabelPlacer& placer, const RunPlot& plot, const std::optiona
   if (right - left >= 2 * half && bottom - top >= 4 * kLine)
     centres = {{x, bottom - kLine}, {x, top + kLine}};
   centres.insert(centres.end(), {{x, top - kLine}, {x, bottom + kLine}, {left - half, y}, {right + half, y}});
-  return placer.put(word, centres);
+  return label(plot, word, placer.place(word, centres));
 }
 
 std::string captions(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
@@ -86,24 +91,15 @@ std::string times_of_inputs(LabelPlacer& placer, const RunPlot& plot, const RunS
   std::string commands;
   for (const TimedInput& input : scene.inputs) {
     const std::string words = fmt::format("{} {:.3g} s", input.what, input.t_s);
-    const double x = plot.x(input.x_px), y = plot.y(input.y_px), half = LabelPlacer::width(words) / 2 + 6;
-    std::vector<Point> centres;
-    for (const double away : {14.0, 28.0, 42.0, 56.0})
-      centres.insert(centres.end(), {{x + half, y},
-                                     {x - half, y},
-                                     {x, y - away},
-                                     {x, y + away},
-                                     {x + half, y - away},
-                                     {x - half, y - away},
-                                     {x + half, y + away},
-                                     {x - half, y + away}});
-    commands += placer.put(words, centres);
+    const Point at{plot.x(input.x_px), plot.y(input.y_px)};
+    commands += label(plot, words, placer.place(words, LabelPlacer::centres_around(at, words)));
   }
   return commands;
 }
 
 LabelPlacer placer_of(const RunPlot& plot, const RunScene& scene) {
-  LabelPlacer placer(plot);
+  LabelPlacer placer(
+      {RunPlot::kLeft, RunPlot::kTop, RunPlot::kLeft + RunPlot::kWidth, RunPlot::kTop + plot.height});
   for (const Stroke& stroke : scene.path.strokes)
     for (std::size_t i = 1; i < stroke.points.size(); ++i)
       placer.avoid({plot.x(stroke.points[i - 1].x_px), plot.y(stroke.points[i - 1].y_px)},

@@ -1,5 +1,8 @@
 #include "sim/study/methods/core.h"
 
+#include <cassert>
+#include <cmath>
+
 #include "sim/physics/physics.h"
 
 namespace hyrax {
@@ -24,6 +27,7 @@ State core_step(const State& body, double dt_s, const Bounds& bounds) {
 
 State core_steps(State body, double dt_s, const Bounds& bounds, std::int64_t steps) {
   physics moving = in(body);
+  assert(bounds.right_px == std::trunc(bounds.right_px) && bounds.bottom_px == std::trunc(bounds.bottom_px));
   const int right_px = static_cast<int>(bounds.right_px);
   const int bottom_px = static_cast<int>(bounds.bottom_px);
   for (std::int64_t step = 0; step < steps; ++step) moving.update(dt_s, right_px, bottom_px, 0, 0);

@@ -1,7 +1,7 @@
-// The shipped core as the studies of its behaviour ask it.
+// The shipped core, as the studies of its behaviour call it.
 //
-// Its source is the one of them that sees class physics, so that a control, or an author who tries other
-// laws, exchanges that and the replay's kernel, and every study tells what became of them.
+// Beside the replay's kernel and the methods that are timed, its source alone uses class physics: a control,
+// or an author who tries other laws, compiles these anew, and every study shows the effect.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "sim/study/methods/cost.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/scenario/split_mix64.h"
@@ -37,6 +38,7 @@ std::vector<std::size_t> shuffled(std::size_t works, int repetitions, std::uint6
 }  // namespace
 
 double quantile(std::vector<double> values, double part) {
+  assert(!values.empty() && part >= 0.0 && part <= 1.0);
   std::sort(values.begin(), values.end());
   const double place = part * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -45,7 +47,8 @@ double quantile(std::vector<double> values, double part) {
 }
 
 Costs measure_costs(const std::vector<std::function<void()>>& works, const NanosecondClock& now_ns,
-                    const CostOptions& options, const std::function<void(std::int64_t, std::int64_t)>& tell) {
+                    const CostOptions& options,
+                    const std::function<void(std::int64_t, std::int64_t)>& report_progress) {
   std::vector<std::int64_t> runs_per_sample;
   for (const auto& work : works) {
     work();
@@ -65,7 +68,8 @@ Costs measure_costs(const std::vector<std::function<void()>>& works, const Nanos
     for (std::int64_t run = 0; run < runs; ++run) works[work]();
     samples_ns[work].push_back(static_cast<double>(now_ns() - from_ns) / static_cast<double>(runs));
     if (sample % kSamplesBetweenProbes == 0) probes_ns.push_back(static_cast<double>(probe_ns(now_ns)));
-    if (tell) tell(static_cast<std::int64_t>(sample), static_cast<std::int64_t>(order.size()));
+    if (report_progress)
+      report_progress(static_cast<std::int64_t>(sample), static_cast<std::int64_t>(order.size()));
   }
   Costs result;
   for (const std::vector<double>& sample : samples_ns)

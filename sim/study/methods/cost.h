@@ -1,4 +1,5 @@
-// What pieces of work cost, measured so that a slow moment of the machine does not fall on one of them.
+// What pieces of work cost, in random order so that a slow moment of the machine does not fall on one of
+// them.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,7 @@ struct Cost {
   double upper_quartile_ns = 0.0;
 };
 
-/// The same short piece of arithmetic, timed again and again between the samples: what it took tells how
-/// steady the machine's clock was.
+/// The same short piece of arithmetic, timed between the samples: shows how steady the processor's clock was.
 struct ClockProbe {
   double median_ns = 0.0;
   double drift_rel = 0.0;  ///< (95th - 5th percentile) / median.
@@ -35,11 +35,11 @@ struct Costs {
   ClockProbe probe;
 };
 
-/// Times all works, samples in random order. `tell`, if it is set, hears how many samples are done and of
-/// how many.
-[[nodiscard]] Costs measure_costs(const std::vector<std::function<void()>>& works,
-                                  const NanosecondClock& now_ns, const CostOptions& options,
-                                  const std::function<void(std::int64_t, std::int64_t)>& tell = {});
+/// Times all works, samples in random order. `report_progress`, if it is set, is called with the number of
+/// samples done and of all.
+[[nodiscard]] Costs measure_costs(
+    const std::vector<std::function<void()>>& works, const NanosecondClock& now_ns,
+    const CostOptions& options, const std::function<void(std::int64_t, std::int64_t)>& report_progress = {});
 
 /// The quantile of a sample, 0 .. 1, between its neighbours where it falls between. REQUIRES: not empty.
 [[nodiscard]] double quantile(std::vector<double> values, double part);

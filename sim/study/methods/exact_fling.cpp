@@ -1,5 +1,6 @@
 #include "sim/study/methods/exact_fling.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ constexpr double kHorizon_s = 1e4;
 }  // namespace
 
 void ExactFling::start(const State& motion, const Bounds& bounds) {
+  assert(bounds.right_px >= 0.0 && bounds.bottom_px >= 0.0);
   bounds_ = bounds;
   from_ = motion;
   from_s_ = 0.0;
@@ -36,6 +38,7 @@ void ExactFling::put_inside() {
 }
 
 State ExactFling::at(double t_s) {
+  assert(t_s >= from_s_);
   while (t_s >= next_s_) {
     from_ = fly(next_s_ - from_s_);
     from_s_ = next_s_;

@@ -244,15 +244,15 @@ std::function<std::unique_ptr<Method>()> maker() {
 
 std::vector<MethodKind> frame_methods() {
   return {
-      {"paper", "the paper's step", "", 0, true, 0.0, maker<PaperStep<1>>()},
-      {"paper-4-substeps", "the paper's step, 4 to a frame", "", 0, true, 0.0, maker<PaperStep<4>>()},
-      {"normalised-drag", "the paper's step, drag by time", "", 1, true, 0.0,
+      {"paper", "the paper's step", "", Divergent{}, true, maker<PaperStep<1>>()},
+      {"paper-4-substeps", "the paper's step, 4 to a frame", "", Divergent{}, true, maker<PaperStep<4>>()},
+      {"normalised-drag", "the paper's step, drag by time", "", Convergent{1}, true,
        maker<FrameMethod<NormalisedFlight>>()},
-      {"euler", "explicit Euler", "", 1, true, 0.0, maker<FrameMethod<EulerFlight>>()},
-      {"verlet", "velocity Verlet", "", 2, true, 0.0, maker<FrameMethod<VerletFlight>>()},
-      {"rk4", "Runge-Kutta 4", "", 4, true, 0.0, maker<FrameMethod<Rk4Flight>>()},
-      {"exact-flight", "exact flight step", "", kExactOrder, true, 0.0, maker<FrameMethod<ExactFlight>>()},
-      {"event-driven", "event-driven", "", kExactOrder, true, 0.0, maker<EventDriven>()}};
+      {"euler", "explicit Euler", "", Convergent{1}, true, maker<FrameMethod<EulerFlight>>()},
+      {"verlet", "velocity Verlet", "", Convergent{2}, true, maker<FrameMethod<VerletFlight>>()},
+      {"rk4", "Runge-Kutta 4", "", Convergent{4}, true, maker<FrameMethod<Rk4Flight>>()},
+      {"exact-flight", "exact flight step", "", Exact{}, true, maker<FrameMethod<ExactFlight>>()},
+      {"event-driven", "event-driven", "", Exact{}, true, maker<EventDriven>()}};
 }
 
 }  // namespace hyrax

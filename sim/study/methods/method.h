@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/motion/state.h"
@@ -21,33 +22,43 @@ class Method {
   virtual ~Method() = default;
 
   virtual void start(const State& motion, const Bounds& bounds) = 0;
-  /// Plays the frames, each of its dt >= 0. False where the method failed: then it has no state any more.
+  /// Plays the frames, each of its dt >= 0. False if the method failed: then it has no state any more.
   [[nodiscard]] virtual bool play(std::span<const double> frames_s) = 0;
   [[nodiscard]] virtual State motion() const = 0;
-  /// Impacts since the start, of a method that knows their moments; null: they show in its rows alone.
+  /// Impacts since the start, if the method computes their times; null: they show only in its rows.
   [[nodiscard]] virtual const std::vector<ExactImpact>* impacts() const { return nullptr; }
 };
 
-/// What a method is called and how it is made.
+/// The error of a method in free flight, against the fixed laws, ...
+struct Divergent {};  ///< ... does not vanish with the frame.
+struct Convergent {   ///< ... goes as this power of the frame.
+  int order = 1;
+};
+struct Exact {};   ///< ... is rounding, at every frame.
+struct Adaptive {  ///< ... is set by a tolerance: the method chooses steps of its own within the frame.
+  double tolerance = 0.0;
+};
+using Accuracy = std::variant<Divergent, Convergent, Exact, Adaptive>;
+
+/// A method's names and how it is made.
 struct MethodKind {
-  std::string name;   ///< As a key: "paper".
-  std::string words;  ///< As people read it: "the paper's step".
-  /// Of an adaptive method at several tolerances: what these have in common, as "GSL rk4"; else empty.
-  std::string family = {};
-  /// Order of convergence to the fixed laws in free flight; 0: does not converge, -1: exact but for rounding,
-  /// -2: as good as its tolerance.
-  int order = 0;
+  std::string name;         ///< As a key: "paper".
+  std::string label = {};   ///< For readers: "the paper's step".
+  std::string family = {};  ///< Common to an adaptive method's tolerances: "GSL rk4"; else empty.
+  Accuracy accuracy = {};
   bool meets_walls = true;
-  double tolerance = 0.0;  ///< Of an adaptive method, which needs no frames; 0: error follows the frame.
   std::function<std::unique_ptr<Method>()> make = {};
+
+  [[nodiscard]] bool is_adaptive() const { return std::holds_alternative<Adaptive>(accuracy); }
 };
 
-inline constexpr int kExactOrder = -1;
-inline constexpr int kAdaptiveOrder = -2;
-
-/// The paper's step, its rate-normalised variant, classical steps, sub-steps and the two exact ones. All
-/// but the paper's solve the fixed laws; those that go by frames meet walls as the paper's step does, with
-/// the friction of a sprite that lies taken by time.
+/// The paper's step, first of all, its rate-normalised variant, classical steps, sub-steps and the two exact
+/// ones. All except the paper's solve the fixed laws; those that go by frames meet walls as the paper's step
+/// does, except that the friction on a sprite lying on the ground is taken by time.
 [[nodiscard]] std::vector<MethodKind> frame_methods();
+
+/// Each of GSL's steppers at several tolerances, without walls. Quick: fewer tolerances, and without the
+/// stepper (rk1imp) that takes as long as all others together.
+[[nodiscard]] std::vector<MethodKind> gsl_methods(bool is_quick);
 
 }  // namespace hyrax

@@ -13,7 +13,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kImpactsCompared = 3;
 
-State begun(const Stage& stage, State motion) {
+State with_inputs(const Stage& stage, State motion) {
   if (stage.position) {
     motion.x_px = stage.position->x_px;
     motion.y_px = stage.position->y_px;
@@ -29,7 +29,7 @@ State begun(const Stage& stage, State motion) {
 class ContactWatch {
  public:
   ContactWatch(const State& start, const Bounds& bounds) : bounds_(bounds), stood_(walls_of(start)) {}
-  void see(const State& motion, double t_s) {
+  void add_row(const State& motion, double t_s) {
     const std::array<bool, 4> stands = walls_of(motion);
     for (std::size_t wall = 0; wall < stands.size(); ++wall)
       if (stands[wall] && !stood_[wall]) impacts_.push_back({t_s, kWalls[wall]});
@@ -53,7 +53,7 @@ class ErrorMeter {
     errors_.contact_time_s = kNone;
   }
 
-  void see_row(const State& run, const State& exact, const Bounds& bounds) {
+  void add_row(const State& run, const State& exact, const Bounds& bounds) {
     const double dx = run.x_px - exact.x_px;
     const double dy = run.y_px - exact.y_px;
     errors_.end_px = std::hypot(dx, dy);
@@ -74,7 +74,7 @@ class ErrorMeter {
         std::max({errors_.coordinate_largest_px, std::fabs(exact.x_px), std::fabs(exact.y_px)});
   }
 
-  void see_impacts(const std::vector<ExactImpact>& run, const std::vector<ExactImpact>& exact) {
+  void add_impacts(const std::vector<ExactImpact>& run, const std::vector<ExactImpact>& exact) {
     for (std::size_t i = 0; i < std::min({run.size(), exact.size(), kImpactsCompared}); ++i) {
       if (run[i].wall != exact[i].wall) return;
       const double apart_s = std::fabs(run[i].t_s - exact[i].t_s);
@@ -111,11 +111,11 @@ bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std:
       const std::size_t end = watches_contacts ? frame + 1 : row_end;
       if (!method.play({frames_s.data() + frame, end - frame})) return false;
       for (; frame < end; ++frame) time.play(frames_s[frame]);
-      if (watches_contacts) watch.see(method.motion(), time.time_s());
+      if (watches_contacts) watch.add_row(method.motion(), time.time_s());
     }
-    meter.see_row(method.motion(), exact.at(time.time_s()), stage.bounds);
+    meter.add_row(method.motion(), exact.at(time.time_s()), stage.bounds);
   }
-  meter.see_impacts(method.impacts() != nullptr ? *method.impacts() : watch.impacts(), exact.impacts());
+  meter.add_impacts(method.impacts() != nullptr ? *method.impacts() : watch.impacts(), exact.impacts());
   return true;
 }
 
@@ -132,8 +132,8 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
   std::size_t frames = 0;
   for (std::size_t index = 0; index < problem.stages.size(); ++index) {
     const Stage& stage = problem.stages[index];
-    run = begun(stage, run);
-    truth = begun(stage, truth);
+    run = with_inputs(stage, run);
+    truth = with_inputs(stage, truth);
     if (stage.is_held) continue;
     const std::vector<double>& frames_s = stage_frames_s[index];
     frames += frames_s.size();
@@ -154,7 +154,7 @@ bool play_through(const Problem& problem, Method& method,
                   const std::vector<std::vector<double>>& stage_frames_s) {
   State run = problem.start;
   for (std::size_t index = 0; index < problem.stages.size(); ++index) {
-    run = begun(problem.stages[index], run);
+    run = with_inputs(problem.stages[index], run);
     if (problem.stages[index].is_held) continue;
     method.start(run, problem.stages[index].bounds);
     if (!method.play(stage_frames_s[index])) return false;

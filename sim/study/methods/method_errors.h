@@ -9,15 +9,15 @@
 
 namespace hyrax {
 
-/// Largest differences over the rows that are 1/15 s apart and the last one, and what is at the end. NaN:
-/// there is none.
+/// Largest differences over the rows that are 1/15 s apart and the last one, and the difference at the end.
+/// NaN: there is none.
 struct MethodErrors {
-  bool is_failed = false;  ///< The method gave up; then nothing else is told.
+  bool is_failed = false;  ///< The method gave up; then the other values mean nothing.
   double position_px = 0.0;
   double velocity_px_per_s = 0.0;
   double energy_rel = 0.0;  ///< Of the largest energy of the exact fling.
-  double end_px = 0.0;    ///< Distance of the last places: of a fling that came to rest, the resting places'.
-  double contact_time_s;  ///< Of the first three impacts of every stage, where both meet the same walls.
+  double end_px = 0.0;      ///< Distance of the last positions.
+  double contact_time_s;    ///< Of the first three impacts of every stage, where both meet the same walls.
   double coordinate_largest_px = 0.0;  ///< Of the exact fling.
   std::size_t frames = 0;
 };
@@ -27,7 +27,7 @@ struct MethodErrors {
                                           const std::vector<std::vector<double>>& stage_frames_s,
                                           double rate_hz);
 
-/// The same run for the clock: nothing is measured on the way. False where the method failed.
+/// The same run without measurements, to be timed. False if the method failed.
 [[nodiscard]] bool play_through(const Problem& problem, Method& method,
                                 const std::vector<std::vector<double>>& stage_frames_s);
 

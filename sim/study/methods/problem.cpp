@@ -15,21 +15,21 @@ constexpr Size kSprite{128, 128};
 constexpr std::int64_t kFramesMax = 10'000'000;  // Frames of next to no time come to no end.
 
 // Coordinates stay as small as the flight allows, so that rounding does.
-Problem open_sky(const std::string& name, const std::string& words, const State& start, double duration_s) {
+Problem open_sky(const std::string& name, const std::string& label, const State& start, double duration_s) {
   constexpr Size kSky{1'000'000, 1'000'000};
   Problem problem;
   problem.name = name;
-  problem.words = words;
+  problem.label = label;
   problem.start = start;
   problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kSky, kSprite)}};
   problem.is_free_flight = true;
   return problem;
 }
 
-Problem on_desktop(const std::string& name, const std::string& words, const State& start, double duration_s) {
+Problem on_desktop(const std::string& name, const std::string& label, const State& start, double duration_s) {
   Problem problem;
   problem.name = name;
-  problem.words = words;
+  problem.label = label;
   problem.start = start;
   problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kDesktop, kSprite)}};
   return problem;
@@ -52,7 +52,7 @@ class StageBuilder {
   explicit StageBuilder(const Scenario& scenario)
       : window_(scenario.window), sprite_(scenario.sprite), stage_{.bounds = bounds_of(window_, sprite_)} {}
 
-  void happen(const Action& action) {
+  void apply_action(const Action& action) {
     std::visit([this](const auto& what) { apply(what); }, action);
   }
   void pass(double duration_s) { stage_.duration_s += duration_s; }
@@ -113,15 +113,15 @@ std::vector<Problem> study_problems() {
       open_sky("fast-arc", "one second at 10,000 px/s", {200.0, 6000.0, 8000.0, -6000.0}, 1.0),
       open_sky("terminal-speed", "one second at terminal speed", {200.0, 200.0, 0.0, 1200.0 / 0.0600300},
                1.0),
-      on_desktop("fling", "a fling that bounces until it lies", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
+      on_desktop("fling", "a fling that bounces until it settles", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
       on_desktop("corner-fling", "a fast fling into a corner", {300.0, 500.0, 2400.0, -700.0}, 8.0)};
   Problem jittered = problems[4];
   jittered.name = "jittered-fling";
-  jittered.words = "the fling on a clock that jitters by half a frame";
+  jittered.label = "the fling on a clock that jitters by half a frame";
   jittered.jitter = Jitter{Jitter::Kind::uniform, 0.5, 7};
   Problem hitched = problems[0];
   hitched.name = "hitched-arc";
-  hitched.words = "the second in the air, a quarter of it one frame";
+  hitched.label = "the second in the air, a quarter of it one frame";
   const Bounds sky = hitched.stages[0].bounds;
   hitched.stages = {Stage{.duration_s = 0.4, .bounds = sky},
                     Stage{.duration_s = 0.6, .bounds = sky, .hitch_s = 0.25}};
@@ -137,7 +137,7 @@ ScenarioProblem problem_of(const Scenario& scenario) {
   const FrameClock clock(scenario.clock);
   Problem problem;
   problem.name = scenario.name;
-  problem.words = "scenario " + scenario.name;
+  problem.label = "scenario " + scenario.name;
   problem.start = start_state(scenario);
   StageBuilder builder(scenario);
   Timeline time;
@@ -153,7 +153,7 @@ ScenarioProblem problem_of(const Scenario& scenario) {
     }
     for (; event < frames.size() && frames[event] == frame; ++event) {
       const Action& action = scenario.events[event].action;
-      builder.happen(action);
+      builder.apply_action(action);
       if (const auto* hitch = std::get_if<Hitch>(&action)) dt_s = hitch->dt_s;
     }
     time.play(dt_s);

@@ -22,7 +22,7 @@ struct Stage {
 
 struct Problem {
   std::string name;    ///< As a key: "long-arc".
-  std::string words;   ///< What it is, in a few words.
+  std::string label;   ///< For readers: "one second in the air".
   std::string remark;  ///< What was left out of a scenario; may be empty.
   State start;
   std::vector<Stage> stages;

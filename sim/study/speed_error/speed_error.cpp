@@ -27,7 +27,7 @@ class Measurer {
       for (std::size_t method = 0; method < study_.methods.size(); ++method) {
         const MethodKind& kind = study_.methods[method];
         if (!suits(kind, study_.problems[problem])) continue;
-        if (kind.tolerance > 0.0)
+        if (kind.is_adaptive())
           add_point(problem, method, kCheckRate_hz);
         else
           for (const double rate_hz : options_.rates_hz) add_point(problem, method, rate_hz);
@@ -35,7 +35,7 @@ class Measurer {
   }
 
   void measure_costs_of_all(const NanosecondClock& now_ns) {
-    const Costs measured = measure_costs(works_, now_ns, options_.cost, options_.tell);
+    const Costs measured = measure_costs(works_, now_ns, options_.cost, options_.report_progress);
     study_.probe = measured.probe;
     study_.repetitions = options_.cost.repetitions;
     for (std::size_t work = 0; work < works_.size(); ++work) {
@@ -95,7 +95,7 @@ void fit_orders(SpeedError& study) {
       std::vector<double> dt_s, errors;
       for (const WorkPoint& point : study.points) {
         if (point.problem != problem || point.method != method || point.errors.is_failed) continue;
-        if (study.methods[method].tolerance > 0.0 || !(point.errors.position_px > rounding_px(point.errors)))
+        if (study.methods[method].is_adaptive() || !(point.errors.position_px > rounding_px(point.errors)))
           continue;
         dt_s.push_back(1.0 / point.rate_hz);
         errors.push_back(point.errors.position_px);
@@ -184,6 +184,7 @@ double rounding_px(const MethodErrors& errors) {
 }
 
 std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors) {
+  assert(costs.size() == errors.size());
   std::vector<std::size_t> order(costs.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -201,7 +202,7 @@ std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vect
 
 SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
                              const SpeedErrorOptions& options, const NanosecondClock& now_ns) {
-  assert(!problems.empty());
+  assert(!problems.empty() && !methods.empty() && methods.front().name == "paper");
   SpeedError study;
   study.problems = std::move(problems);
   study.methods = std::move(methods);

@@ -1,4 +1,4 @@
-// Work-precision diagrams: what every method costs, how far it is from the fixed laws, at every rate.
+// Work and precision: what every method costs, and how far it is from the fixed laws, at every rate.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/result/figure.h"
+#include "sim/result/table.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/methods/method_errors.h"
@@ -21,7 +23,7 @@ struct WorkPoint {
   double rate_hz = 0.0;     ///< Of the rows; of an adaptive method kCheckRate_hz.
   MethodErrors errors;
   Cost cost;               ///< Per simulated second; 0 of one that failed.
-  bool is_pareto = false;  ///< No other point of its problem is as cheap and as near.
+  bool is_pareto = false;  ///< No other point of its problem is both cheaper and more accurate.
 };
 
 /// log(error) = order * log(dt) + constant, by least squares over the rates at which the error is more than
@@ -44,12 +46,12 @@ struct PaperErrors {
   double truncation_expected_px_per_s = 0.0;
 };
 
-/// What is cheapest below an error, and what the paper's step costs for it.
+/// The cheapest point below an error, and the cheapest of the paper's step.
 struct CheapestBelow {
   std::size_t problem = 0;
   double error_px = 0.0;
-  std::optional<std::size_t> point;        ///< Into SpeedError::points; none: nothing comes so near.
-  std::optional<std::size_t> paper_point;  ///< None: the paper's step does not, at any rate.
+  std::optional<std::size_t> point;        ///< Into SpeedError::points; none: no method is so accurate.
+  std::optional<std::size_t> paper_point;  ///< None: the paper's step is not, at any rate.
 };
 
 struct SpeedError {
@@ -67,23 +69,54 @@ struct SpeedErrorOptions {
   std::vector<double> rates_hz;  ///< Each kCheckRate_hz times a power of two.
   CostOptions cost;
   std::vector<double> errors_asked_px = {100.0, 10.0, 1.0,
-                                         0.1,   0.01, 1e-6};  ///< What is cheapest below each?
-  std::function<void(std::int64_t, std::int64_t)> tell = {};  ///< See measure_costs; may be empty.
+                                         0.1,   0.01, 1e-6};             ///< What is cheapest below each?
+  std::function<void(std::int64_t, std::int64_t)> report_progress = {};  ///< See measure_costs; may be empty.
 };
 
-/// Adaptive methods fly the problems of free flight alone. SpeedError::paper is empty where the first problem
-/// is none of these. REQUIRES: a problem; the paper's step is the first method.
+/// Methods that know no walls play the problems of free flight only. SpeedError::paper is empty if the first
+/// problem is not free flight. REQUIRES: a problem; the paper's step is the first method.
 [[nodiscard]] SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
                                            const SpeedErrorOptions& options, const NanosecondClock& now_ns);
 
-/// Least-squares order of errors (> 0) against dt; needs two points.
+/// The rules that do not hold, each a sentence with method, problem and rate. Never about a time:
+/// 0. Every method plays every problem to its end, with finite errors.
+/// 1. In free flight every convergent method's order can be fitted over three rates or more, and is the
+///    analytic one, +- kOrderApart.
+/// 2. The exact methods' errors are rounding, at every rate.
+/// 3. The paper's step does not converge: its error at the highest rate is above that at 60 Hz.
+/// 4. Its distance from the fixed ODE, measured here, is that of sim/reference to 1e-6 of itself.
+/// 5. Its truncation against the matched ODE is of first order, and that of its velocity is its closed form.
+/// 6. The method of Prince and Dormand (rk8pd) at tolerances of 1e-10 or less is accurate to 1e-6 px.
+[[nodiscard]] std::vector<std::string> broken_rules(const SpeedError& study);
+
+/// An order is fitted over few points, the coarsest of which still feel the next term of the error.
+inline constexpr double kOrderApart = 0.1;
+
+/// The tables points, orders, cheapest, paper, clock.
+/// @param machine on which the costs were measured, as below.
+[[nodiscard]] std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine);
+
+/// The study's own members of the JSON document.
+[[nodiscard]] std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine);
+
+/// The work-precision diagram of a problem: error against cost with its quartiles and the Pareto front, and
+/// error against dt; a line a method, with its fitted order in the legend, and a gap where the method failed.
+[[nodiscard]] Figure speed_error_figure(const SpeedError& study, std::size_t problem,
+                                        const std::string& machine);
+
+/// How drag per frame keeps the paper's step from converging, with the values of this study; empty if
+/// SpeedError::paper has no 60 Hz.
+[[nodiscard]] std::vector<std::string> convergence_sentences(const SpeedError& study);
+
+/// Least-squares order of errors (> 0) against dt. REQUIRES: two points or more.
 [[nodiscard]] double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& errors);
 
 /// Errors below this are the rounding of the run: 40 units in the last place of the largest coordinate, for
 /// a random walk of so many frames.
 [[nodiscard]] double rounding_px(const MethodErrors& errors);
 
-/// Which points none of the others beats; lower is better in both. NaN never is among them.
+/// The points that no other beats in both cost and error; lower is better. Never a NaN.
+/// REQUIRES: as many errors as costs.
 [[nodiscard]] std::vector<bool> pareto_front(const std::vector<double>& costs,
                                              const std::vector<double>& errors);
 
