@@ -1,7 +1,6 @@
 // The scripts of the studies' pictures.
 #include <gtest/gtest.h>
 
-#include "tools/report/hard_cases_figure.h"
 #include "tools/report/needs_figure.h"
 #include "tools/report/rest_figures.h"
 #include "tools/report/speed_error_figure.h"
@@ -106,18 +105,6 @@ TEST(RestMap, StepsAtTheBoundaryBetweenTwoRates) {
   EXPECT_TRUE(has(rest_map_script({slow, fast}, {{"some", 144.0, std::nullopt}}),
                   "60 100 100 100\n144 100 100 100\n144 0 0 100\n240 0 0 100\n"));
   EXPECT_TRUE(has(rest_map_script({slow, fast}, {}), "\n120 100 100 100\n120 0 0 100\n"));
-}
-
-TEST(HardCasesFigure, AVerdictHasItsColourInACellOfSeveral) {
-  std::vector<PlayedCase> cases(2);
-  for (PlayedCase& played : cases) {
-    played.hard_case.made_from = "some-scene";
-    played.result.measures[0].is_asked = true;
-  }
-  cases[1].result.measures[0].holds = false;
-  const std::string script = hard_cases_figure_script(cases);
-  for (const char* fill : {"fc rgb '#cfe8df'", "fc rgb '#f1b594'"})
-    EXPECT_NE(script.find(fill), script.rfind(fill)) << fill << " is in the legend only";
 }
 
 SceneNeeds some_scene() {
