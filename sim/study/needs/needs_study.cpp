@@ -177,14 +177,15 @@ std::string cheapest_text(const SceneNeeds& scene, double within_px) {
     return scene.why_no_methods.empty() ? "" : "\nNo cheapest method: " + scene.why_no_methods + ".";
   const WorkPoint* const best = cheapest_of(scene);
   const WorkPoint* const paper = cheapest_of(scene, true);
-  std::string text = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
-  text += best == nullptr
-              ? "no method that was tried"
-              : fmt::format("{} at {:.0f} Hz, {:.0f} ns per simulated second",
-                            scene.methods->methods[best->method].words, best->rate_hz, best->cost.median_ns);
-  text += paper == nullptr ? "; the paper's step is that close at no rate."
-                           : fmt::format("; the paper's step takes {:.0f} ns, at {:.0f} Hz.",
-                                         paper->cost.median_ns, paper->rate_hz);
+  const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
+  if (best == nullptr) return head + "none of the methods gets that close.";
+  std::string text =
+      fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
+                  scene.methods->methods[best->method].words, best->rate_hz, best->cost.median_ns);
+  if (paper == nullptr) text += "\nThe paper's step does not get that close at any rate.";
+  if (paper != nullptr && paper != best)
+    text += fmt::format("\nThe paper's step gets that close at {:.0f} Hz, {:.0f} ns per simulated second.",
+                        paper->rate_hz, paper->cost.median_ns);
   return text;
 }
 
