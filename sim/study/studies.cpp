@@ -1,7 +1,13 @@
 #include "sim/study/study.h"
 
 // One line a study, in the order of the help: NAME stands for NAME_study(), defined in the folder NAME.
-#define HYRAX_STUDIES(ONE) ONE(speed_error) ONE(frame_rate)
+#define HYRAX_STUDIES(ONE) \
+  ONE(speed_error)         \
+  ONE(needs)               \
+  ONE(hard_cases)          \
+  ONE(frame_rate)          \
+  ONE(rest)                \
+  ONE(paper)
 
 namespace hyrax {
 

@@ -30,9 +30,9 @@ struct ExpectedVerdicts {
 
 /// What the user asked of a study, and what a study may not do itself.
 struct StudyRequest {
-  std::vector<NamedScenario> scenarios = {};
-  bool is_quick = false;                 ///< A smaller study, in seconds.
-  std::optional<double> within_px = {};  ///< A tolerance.
+  std::vector<NamedScenario> scenarios = {};  ///< Of different names.
+  bool is_quick = false;                      ///< A smaller study, in seconds.
+  std::optional<double> within_px = {};       ///< A tolerance.
   std::optional<ExpectedVerdicts> expected = {};
   std::string machine = {};            ///< Name of the processor, for results that depend on it.
   std::int64_t (*now_ns)() = nullptr;  ///< A clock that never goes back.

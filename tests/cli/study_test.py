@@ -211,7 +211,7 @@ class Usage(StudyTest):
                                                                                "as 1px, is '1 mm'"),
                                  (("needs", "fling.json", "--within=-1px"), "--within"),
                                  (("needs", "fling.json", "--within", "nan"), "--within"),
-                                 (("needs", "fling.json", "fling.json"), "another scenario is called fling")):
+                                 (("needs", "fling.json", "fling.json"), "fling.json: /name: duplicate scenario name (found fling)")):
             self.expect(BAD_INPUT, "study", *arguments, says=words)
         self.assertEqual(self.names(), ["fling.json"])
 

@@ -132,7 +132,7 @@ class PlotScript {
     std::string text = fmt::format(
         "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
         "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"
-        "set object 2 rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n"
+        "set object rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n"
         "set xtics out font ',12' offset 0,0.3\nset ytics out font ',12' offset 0.5,0\n"
         "set grid {}tics back lt 1 lw 1 lc rgb '{}'\n",
         box_.left / canvas_.width, box_.right / canvas_.width, 1 - kBodyTop / canvas_.height,

@@ -8,8 +8,8 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/study/methods/row_digest.h"
 #include "sim/study/hard_cases/step_watch.h"
+#include "sim/study/methods/row_digest.h"
 
 namespace hyrax {
 namespace {
@@ -27,19 +27,20 @@ class DigestSink : public RowSink {
   RowDigest digest_;
 };
 
-// Passes rows on and counts them.
-class TellingSink : public RowSink {
+// Passes rows on and reports how many have passed.
+class ProgressSink : public RowSink {
  public:
-  TellingSink(RowSink& sink, const std::function<void(std::int64_t)>& tell) : sink_(sink), tell_(tell) {}
+  ProgressSink(RowSink& sink, const std::function<void(std::int64_t)>& report_steps)
+      : sink_(sink), report_steps_(report_steps) {}
   [[nodiscard]] Wants wants() const override { return sink_.wants(); }
   void rows(const Columns& batch) override {
     sink_.rows(batch);
-    if (tell_ && batch.size() > 0) tell_(batch.row(batch.size() - 1).step);
+    if (report_steps_ && batch.size() > 0) report_steps_(batch.row(batch.size() - 1).step);
   }
 
  private:
   RowSink& sink_;
-  const std::function<void(std::int64_t)>& tell_;
+  const std::function<void(std::int64_t)>& report_steps_;
 };
 
 // At the first input past the start, if there is one, and at two thirds.
@@ -70,7 +71,7 @@ Digest resumed_digest(const Scenario& scenario) {
 
 double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
 
-// At rest by position, and both speeds 0.
+// Settled, and both speeds 0.
 double rest_margin(const RunSummary& summary, double speed_px_per_s) {
   return summary.at_rest_since_s ? -speed_px_per_s : -std::max(speed_px_per_s, 1.0);
 }
@@ -95,43 +96,78 @@ void judge_expectations(const HardCase& hard_case, const RunSummary& summary, Ha
   std::optional<RunErrors> errors;
   if (bounds_errors(*expect)) errors = errors_of(hard_case.scenario, summary.steps);
   for (const Expectation& expectation : judge(*expect, summary, errors)) {
-    result.measures[static_cast<std::size_t>(Invariant::expectations)].see(zero_or_less(expectation.holds),
+    result.measures[static_cast<std::size_t>(Invariant::expectations)].add(zero_or_less(expectation.holds),
                                                                            summary.steps);
-    if (!expectation.holds && result.expectation_broken.empty())
-      result.expectation_broken = expectation.rule + ": wanted " + expectation.wanted;
+    if (!expectation.holds && result.broken_expectation.empty())
+      result.broken_expectation = expectation.rule + ": wanted " + expectation.wanted;
   }
 }
 
 }  // namespace
 
-HardCaseResult play_hard_case(const HardCase& hard_case, const std::function<void(std::int64_t)>& tell) {
+HardCaseResult play_hard_case(const HardCase& hard_case,
+                              const std::function<void(std::int64_t)>& report_steps) {
   const Scenario& scenario = hard_case.scenario;
   StepWatch watch(scenario);
-  TellingSink told(watch, tell);
-  const RunSummary watched = replay(scenario, told, {.skips_repetition = false, .checks_bounds = true});
+  ProgressSink counted(watch, report_steps);
+  const RunSummary watched = replay(scenario, counted, {.skips_repetition = false, .checks_bounds = true});
   HardCaseResult result{.measures = watch.measures(),
                         .steps = watched.steps,
                         .knife_edges = watch.knife_edges(),
-                        .expectation_broken = {}};
-  const auto see = [&](Invariant invariant, double margin) {
-    result.measures[static_cast<std::size_t>(invariant)].see(margin, watched.steps);
+                        .broken_expectation = {}};
+  const auto record = [&](Invariant invariant, double margin) {
+    result.measures[static_cast<std::size_t>(invariant)].add(margin, watched.steps);
   };
   RowSink nobody;
-  see(Invariant::repeated, zero_or_less(replay(scenario, nobody).state_hash == watched.state_hash));
-  see(Invariant::resumed, zero_or_less(resumed_digest(scenario) == watched.state_hash));
-  if (hard_case.asks_rest) see(Invariant::comes_to_rest, rest_margin(watched, watch.last_speed_px_per_s()));
+  record(Invariant::repeated, zero_or_less(replay(scenario, nobody).state_hash == watched.state_hash));
+  record(Invariant::resumed, zero_or_less(resumed_digest(scenario) == watched.state_hash));
+  if (hard_case.must_come_to_rest)
+    record(Invariant::comes_to_rest, rest_margin(watched, watch.last_speed_px_per_s()));
   judge_expectations(hard_case, watched, result);
   return result;
 }
 
 CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invariant invariant) {
-  const bool is_known = std::any_of(hard_case.findings.begin(), hard_case.findings.end(),
-                                    [&](const Finding& finding) { return finding.invariant == invariant; });
+  const bool is_known =
+      std::any_of(hard_case.expected_failures.begin(), hard_case.expected_failures.end(),
+                  [&](const ExpectedFailure& failure) { return failure.invariant == invariant; });
   const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
-  // The listing itself takes its drag in a zero-length frame, in a scenario of the user's own as well.
+  // The listing itself applies drag in a zero-length frame, in the user's own scenarios as well.
   const bool is_expected_failure = is_known || invariant == Invariant::no_time;
-  if (holds) return is_known ? CaseVerdict::finding_gone : CaseVerdict::held;
-  return is_expected_failure ? CaseVerdict::finding : CaseVerdict::broken;
+  if (holds) return is_known ? CaseVerdict::expected_failure_gone : CaseVerdict::held;
+  return is_expected_failure ? CaseVerdict::expected_failure : CaseVerdict::broken;
+}
+
+std::vector<Judgement> judgements_of(std::span<const PlayedCase> cases) {
+  std::vector<Judgement> judgements;
+  for (const PlayedCase& played : cases)
+    for (std::size_t index = 0; index < kInvariantCount; ++index) {
+      const auto invariant = static_cast<Invariant>(index);
+      if (played.result.measures[index].is_checked)
+        judgements.push_back({&played, invariant, judge(played.hard_case, played.result, invariant)});
+    }
+  return judgements;
+}
+
+InvariantCount count(const std::vector<Judgement>& judgements, Invariant invariant,
+                     const std::string& made_from) {
+  InvariantCount count;
+  for (const Judgement& judgement : judgements) {
+    const HardCase& hard_case = judgement.played->hard_case;
+    if (judgement.invariant != invariant || (!made_from.empty() && hard_case.made_from != made_from))
+      continue;
+    ++count.cases;
+    const double margin = judgement.measure().margin;
+    if (judgement.verdict == CaseVerdict::expected_failure)
+      ++count.expected_failures;
+    else if (judgement.verdict != CaseVerdict::held)
+      ++count.broken;
+    else if (++count.held == 1 || margin < count.margin) {
+      count.margin = margin;
+      count.least_margin_case = hard_case.name;
+    }
+  }
+  return count;
 }
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-// Which cases a scenario stands for: itself, and the family that bears its name.
+// Which cases are made from a scenario: itself, and the family of its name.
 #include <string_view>
 
 #include "sim/study/hard_cases/hard_family.h"
@@ -27,23 +27,26 @@ constexpr NamedFamily kFamilies[] = {
     {"zeno", zeno_family},
 };
 
-// What is known not to hold in the scenarios themselves.
-struct KnownFinding {
+// Expected failures of the scenarios themselves.
+struct KnownFailure {
   std::string_view scenario;
   Invariant invariant;
   const char* what;
 };
 
-constexpr char kBothWalls[] = "two walls claim the sprite, and the left one always wins";
-constexpr char kNeverZero[] = "its horizontal speed goes subnormal and sticks at 1e-323 px/s, never 0";
-constexpr char kNeverStill[] = "it is thrown from bound to bound for ever, without an input";
+constexpr char kBothWalls[] =
+    "the sprite is wider than the window: both side walls clamp it, and the left one always wins";
+constexpr char kNeverZero[] =
+    "vx becomes subnormal and stays at 1e-323 px/s, never 0; the position stands still";
+constexpr char kNeverStill[] =
+    "the sprite is larger than the window: it jumps from wall to wall forever, without any input";
 
-const KnownFinding kKnown[] = {
-    {"clock-in-ticks", Invariant::no_time, kNoTimeDamps},
-    {"frames-of-no-time", Invariant::no_time, kNoTimeDamps},
+const KnownFailure kKnown[] = {
+    {"clock-in-ticks", Invariant::no_time, kDragWithoutTime},
+    {"frames-of-no-time", Invariant::no_time, kDragWithoutTime},
     {"subnormal-speed", Invariant::comes_to_rest, kNeverZero},
-    {"subnormal-speed-in-flight", Invariant::no_time, kNoTimeDamps},
-    {"trace-of-extremes", Invariant::no_time, kNoTimeDamps},
+    {"subnormal-speed-in-flight", Invariant::no_time, kDragWithoutTime},
+    {"trace-of-extremes", Invariant::no_time, kDragWithoutTime},
     {"sprite-far-larger-than-window", Invariant::comes_to_rest, kNeverStill},
     {"sprite-higher-than-window", Invariant::comes_to_rest, kNeverStill},
     {"sprite-wider-than-window", Invariant::comes_to_rest, kNeverStill},
@@ -52,7 +55,7 @@ const KnownFinding kKnown[] = {
     {"sprite-larger-than-window", Invariant::comes_to_rest, kNeverStill},
 };
 
-// A scenario of the user's own may bear a family's name and be of another form: then it is but itself.
+// A scenario of the user's own may have a family's name and another form: then it is a single case.
 bool has_form_of(const Scenario& scenario, std::string_view family) {
   for (const Event& event : scenario.events)
     if (!std::holds_alternative<std::int64_t>(event.when)) return false;
@@ -68,11 +71,11 @@ std::vector<HardCase> hard_cases_of(const Scenario& scenario) {
                   .made_from = scenario.name,
                   .why = scenario.description.value_or(""),
                   .scenario = scenario,
-                  .findings = {}};
-  for (const KnownFinding& known : kKnown)
+                  .expected_failures = {}};
+  for (const KnownFailure& known : kKnown)
     if (known.scenario == scenario.name) {
-      itself.findings.push_back({known.invariant, known.what});
-      itself.asks_rest |= known.invariant == Invariant::comes_to_rest;
+      itself.expected_failures.push_back({known.invariant, known.what});
+      itself.must_come_to_rest |= known.invariant == Invariant::comes_to_rest;
     }
   itself.is_long = std::holds_alternative<std::int64_t>(scenario.length) &&
                    std::get<std::int64_t>(scenario.length) > 1'000'000;

@@ -21,7 +21,7 @@ class Family {
                     .made_from = base_.name,
                     .why = why,
                     .scenario = scenario,
-                    .findings = {}};
+                    .expected_failures = {}};
     member.scenario.name = base_.name;
     cases_.push_back(std::move(member));
     return cases_.back();
@@ -40,8 +40,8 @@ class Family {
   return text;
 }
 
-/// What the core does in a zero-length frame; a finding.
-inline constexpr char kNoTimeDamps[] = "drag acts once a frame, even in a zero-length frame";
+/// What the core does in a zero-length frame: an expected failure.
+inline constexpr char kDragWithoutTime[] = "drag acts once a frame, even in a zero-length frame";
 
 /// The families, each made from the scenario that bears its name: what is varied in its clock and length ...
 [[nodiscard]] std::vector<HardCase> any_frame_family(const Scenario& base);

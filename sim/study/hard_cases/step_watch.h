@@ -1,11 +1,11 @@
-// Watches every step of a run, and holds it to the invariants that a step can break.
+// Checks every step of a run against the invariants that a step can break.
 #pragma once
 
 #include <algorithm>
 
 #include "sim/reference/input_playback.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/hard_cases/invariant.h"
+#include "sim/study/methods/core.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {
@@ -37,22 +37,22 @@ class StepWatch : public RowSink {
     Bounds bounds;
   };
 
-  void see(const Row& row);
+  void check(const Row& row);
   void start_from(const State& body, Bounds bounds);
-  void see_finite(const Row& row);
-  void see_bounds(const Step& step);
-  void see_step_energy(const Step& step);
-  void see_energy_ceiling(const Step& step);
-  void see_speed(const Step& step);
-  void see_velocity(const Step& step);
-  void see_position(const Step& step);
-  void see_clamp(const Step& step);
-  void see_bounce(const Step& step);
-  void see_mirror(const Step& step);
-  void see_y_alone(const Step& step);
-  void see_no_time(const Step& step);
-  void see(Invariant invariant, double margin, std::int64_t step) {
-    measures_[static_cast<std::size_t>(invariant)].see(margin, step);
+  void check_finite(const Row& row);
+  void check_bounds(const Step& step);
+  void check_step_energy(const Step& step);
+  void check_energy_ceiling(const Step& step);
+  void check_speed(const Step& step);
+  void check_velocity(const Step& step);
+  void check_position(const Step& step);
+  void check_clamp(const Step& step);
+  void check_bounce(const Step& step);
+  void check_mirror(const Step& step);
+  void check_y_alone(const Step& step);
+  void check_no_time(const Step& step);
+  void record(Invariant invariant, double margin, std::int64_t step) {
+    measures_[static_cast<std::size_t>(invariant)].add(margin, step);
   }
   void mirror(const State& body, Bounds bounds);
 

@@ -20,7 +20,7 @@ struct RunRow {
   std::uint8_t contact = 0;
 };
 
-// Rows as they come, and the contacts that they tell of.
+// The rows of a run, and its contacts.
 class Rows {
  public:
   void add(const State& motion, std::uint8_t contact) {
@@ -60,10 +60,10 @@ double distance_px(const State& a, const State& b) {
   return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
 }
 
-PathDifference difference_of(const Rows& whole, const Rows& without) {
+PathDifference difference_of(const Rows& complete, const Rows& without) {
   PathDifference difference;
-  for (std::size_t row = 0; row < whole.all().size(); ++row) {
-    const RunRow& a = whole.all()[row];
+  for (std::size_t row = 0; row < complete.all().size(); ++row) {
+    const RunRow& a = complete.all()[row];
     const RunRow& b = without.all()[row];
     if (same_row(a, b)) {
       difference.end_px = 0.0;
@@ -74,7 +74,7 @@ PathDifference difference_of(const Rows& whole, const Rows& without) {
     difference.end_px = distance_px(a.motion, b.motion);
     difference.path_px = std::max(difference.path_px, difference.end_px);
   }
-  const ContactChanges changes = contact_changes(whole.contacts(), without.contacts());
+  const ContactChanges changes = contact_changes(complete.contacts(), without.contacts());
   difference.contacts_moved =
       static_cast<std::int64_t>(changes.moved.size() + changes.only_a.size() + changes.only_b.size());
   return difference;
@@ -90,10 +90,10 @@ bool comes_to_rest(const Script& script, const Rows& rows) {
   return anchor.at_rest_since_s(t_s).has_value();
 }
 
-// What a step costs shows in so many frames.
+// Enough frames to measure a step's time.
 constexpr std::int64_t kFramesTimedMax = 10'000;
 
-// A run for the clock. Nobody looks at its rows, but the last one must be made.
+// A run to be timed. Its last row is stored, so that the compiler cannot leave the run out.
 template <class PartSet>
 std::function<void()> timed(const Script& script, const Omitted& omitted, const PartSet& parts) {
   return [&script, constants = core_constants(), omitted, parts] {
@@ -101,8 +101,8 @@ std::function<void()> timed(const Script& script, const Omitted& omitted, const 
     play(
         script, constants, omitted, parts, [&last](const State& motion, std::uint8_t) { last = motion; },
         kFramesTimedMax);
-    volatile double seen = last.x_px + last.y_px;
-    static_cast<void>(seen);
+    volatile double sink = last.x_px + last.y_px;
+    static_cast<void>(sink);
   };
 }
 
@@ -172,12 +172,8 @@ void take_times(SceneNeeds& needs, const Script& script, const std::vector<Omiss
     needs.parts[part].saved_ns_per_step = needs.step_ns - step_ns(part + 1);
 }
 
-bool is_unneeded(const PartNeed& part) {
-  return part.need == Need::below || part.need == Need::not_exercised;
-}
-
 // The run without the omissions of these indices.
-PathDifference difference_without_all(const Script& script, const Rows& whole,
+PathDifference difference_without_all(const Script& script, const Rows& complete,
                                       const std::vector<Omission>& omissions,
                                       const std::vector<std::size_t>& left_out) {
   Omitted omitted;
@@ -190,17 +186,18 @@ PathDifference difference_without_all(const Script& script, const Rows& whole,
     for (std::size_t input = 0; input < script.inputs.size(); ++input)
       if (omission.omitted.has_input(input)) omitted.inputs[input] = true;
   }
-  return difference_of(whole, play_rows(script, omitted, parts));
+  return difference_of(complete, play_rows(script, omitted, parts));
 }
 
-// Small differences add up, and one part may stand in for another. So where all that nobody missed alone is
-// missed together, they go one by one, the least first, and one that is missed stays.
-void leave_out_unneeded(SceneNeeds& needs, const Script& script, const Rows& whole,
+// Small differences add up, and one part may replace another. So if leaving out all unneeded parts moves the
+// path by more than the tolerance, they are left out one by one, the smallest difference first, and one that
+// moves the path too far is put back.
+void leave_out_unneeded(SceneNeeds& needs, const Script& script, const Rows& complete,
                         const std::vector<Omission>& omissions, double within_px) {
   std::vector<std::size_t> left_out;
   for (std::size_t index = 0; index < needs.parts.size(); ++index)
-    if (is_unneeded(needs.parts[index])) left_out.push_back(index);
-  needs.without_all_unneeded = difference_without_all(script, whole, omissions, left_out);
+    if (is_unneeded(needs.parts[index].need)) left_out.push_back(index);
+  needs.without_all_unneeded = difference_without_all(script, complete, omissions, left_out);
   if (needs.without_all_unneeded.path_px > within_px) {
     std::stable_sort(left_out.begin(), left_out.end(), [&](std::size_t a, std::size_t b) {
       return needs.parts[a].difference.path_px < needs.parts[b].difference.path_px;
@@ -208,50 +205,52 @@ void leave_out_unneeded(SceneNeeds& needs, const Script& script, const Rows& who
     std::vector<std::size_t> kept_out;
     for (const std::size_t index : left_out) {
       kept_out.push_back(index);
-      if (difference_without_all(script, whole, omissions, kept_out).path_px <= within_px) continue;
+      if (difference_without_all(script, complete, omissions, kept_out).path_px <= within_px) continue;
       kept_out.pop_back();
       needs.parts[index].need = Need::needed_jointly;
     }
-    needs.without_all_unneeded = difference_without_all(script, whole, omissions, kept_out);
+    needs.without_all_unneeded = difference_without_all(script, complete, omissions, kept_out);
   }
 }
 
-// The replay's run against the script's, and the walls that it met.
+// Compares the replay's rows with the script's, and gathers the walls that the replay touches.
 class ReplayedRows final : public RowSink {
  public:
-  explicit ReplayedRows(const Rows& whole) : whole_(whole) {}
+  explicit ReplayedRows(const Rows& complete) : complete_(complete) {}
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) see(batch.row(index));
+    for (std::size_t index = 0; index < batch.size(); ++index) compare(batch.row(index));
   }
   [[nodiscard]] std::int64_t first_difference() const { return first_difference_; }
-  [[nodiscard]] bool met(Wall wall) const { return touches(contacts_, wall); }
-  [[nodiscard]] bool met_any() const { return met(Wall::ground) || met(Wall::top) || met_side(); }
+  [[nodiscard]] bool touched(Wall wall) const { return touches(contacts_, wall); }
+  [[nodiscard]] bool touched_any() const {
+    return touched(Wall::ground) || touched(Wall::top) || touched_side();
+  }
 
  private:
-  [[nodiscard]] bool met_side() const { return met(Wall::left) || met(Wall::right); }
-  void see(const Row& row) {
+  [[nodiscard]] bool touched_side() const { return touched(Wall::left) || touched(Wall::right); }
+  void compare(const Row& row) {
     if (row.step == 0) return;
     contacts_ = static_cast<std::uint8_t>(contacts_ | row.contact);
-    const State& script = whole_.all()[static_cast<std::size_t>(row.step) - 1].motion;
+    const State& script = complete_.all()[static_cast<std::size_t>(row.step) - 1].motion;
     const bool is_same = same_bits(script.x_px, row.x_px) && same_bits(script.y_px, row.y_px) &&
                          same_bits(script.vx_px_per_s, row.vx_px_per_s) &&
                          same_bits(script.vy_px_per_s, row.vy_px_per_s);
     if (!is_same && first_difference_ < 0) first_difference_ = row.step;
   }
 
-  const Rows& whole_;
+  const Rows& complete_;
   std::uint8_t contacts_ = 0;
   std::int64_t first_difference_ = -1;
 };
 
-// Whether the replay's walls let this part matter; none: they say nothing of it.
-struct Meeting {
+// What the replay's contacts say about a part.
+struct Evidence {
   bool may_be_exercised = true;
   bool must_be_exercised = false;
 };
-Meeting meeting_of(Part part, const ReplayedRows& replayed) {
-  const auto wall = [&](Wall which) { return Meeting{replayed.met(which), replayed.met(which)}; };
+Evidence evidence_of(Part part, const ReplayedRows& replayed) {
+  const auto wall = [&](Wall which) { return Evidence{replayed.touched(which), replayed.touched(which)}; };
   switch (part) {
     case Part::left_wall:
       return wall(Wall::left);
@@ -263,9 +262,9 @@ Meeting meeting_of(Part part, const ReplayedRows& replayed) {
       return wall(Wall::ground);
     case Part::friction:
     case Part::rest_rule:
-      return {replayed.met(Wall::ground), false};
+      return {replayed.touched(Wall::ground), false};
     case Part::restitution:
-      return {replayed.met_any(), false};
+      return {replayed.touched_any(), false};
     case Part::gravity:
     case Part::drag:
       return {};
@@ -293,10 +292,10 @@ PathDifference difference_without(const Script& script, const Omitted& omitted, 
 
 std::vector<std::string> contradictions_of(const Scenario& scenario, const std::vector<PartNeed>& parts) {
   const Script script = script_of(scenario);
-  const Rows whole = play_rows(script, {}, AllParts());
-  ReplayedRows replayed(whole);
+  const Rows complete = play_rows(script, {}, AllParts());
+  ReplayedRows replayed(complete);
   Replay run(scenario, replayed);
-  run.play_to(static_cast<std::int64_t>(whole.all().size()));
+  run.play_to(static_cast<std::int64_t>(complete.all().size()));
   run.finish();
   std::vector<std::string> broken;
   if (replayed.first_difference() >= 0)
@@ -304,14 +303,20 @@ std::vector<std::string> contradictions_of(const Scenario& scenario, const std::
                      " is not the replay's, bit for bit");
   for (const PartNeed& part : parts) {
     if (!part.model_part) continue;
-    const Meeting meeting = meeting_of(*part.model_part, replayed);
+    const Evidence evidence = evidence_of(*part.model_part, replayed);
     const bool is_exercised = part.need != Need::not_exercised;
-    if (is_exercised && !meeting.may_be_exercised)
-      broken.push_back(part.part + " is exercised, where the replay meets no wall that it acts at");
-    if (!is_exercised && meeting.must_be_exercised)
-      broken.push_back(part.part + " is not exercised, where the replay meets it");
+    if (is_exercised && !evidence.may_be_exercised)
+      broken.push_back(part.part + " is exercised, but the replay touches no wall at which it acts");
+    if (!is_exercised && evidence.must_be_exercised)
+      broken.push_back(part.part + " is not exercised, but the replay touches it");
   }
   return broken;
+}
+
+std::string_view name_of(Need need) {
+  constexpr std::array<std::string_view, 4> kNames = {"needed", "needed with others left out",
+                                                      "below the tolerance", "not exercised"};
+  return kNames[static_cast<std::size_t>(need)];
 }
 
 Need need_of(const PathDifference& difference, double within_px) {
@@ -322,20 +327,20 @@ Need need_of(const PathDifference& difference, double within_px) {
 SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options, const NanosecondClock& now_ns) {
   const Script script = script_of(scenario);
   const std::vector<Omission> omissions = omissions_of(script);
-  const Rows whole = play_rows(script, {}, AllParts());
+  const Rows complete = play_rows(script, {}, AllParts());
   SceneNeeds needs;
   needs.scenario = scenario.name;
   needs.steps = static_cast<std::int64_t>(script.frames_s.size());
   needs.is_cut = script.is_cut;
-  needs.comes_to_rest = comes_to_rest(script, whole);
+  needs.comes_to_rest = comes_to_rest(script, complete);
   for (const Omission& omission : omissions) {
     const PathDifference difference =
-        difference_of(whole, play_rows(script, omission.omitted, parts_without(omission.part)));
+        difference_of(complete, play_rows(script, omission.omitted, parts_without(omission.part)));
     needs.parts.push_back(
         {omission.name, omission.part, difference, need_of(difference, options.within_px), 0.0});
   }
   needs.broken = contradictions_of(scenario, needs.parts);
-  leave_out_unneeded(needs, script, whole, omissions, options.within_px);
+  leave_out_unneeded(needs, script, complete, omissions, options.within_px);
   take_times(needs, script, omissions, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);
   return needs;

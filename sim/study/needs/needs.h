@@ -1,4 +1,4 @@
-// What of the model and of the scene a scenario needs: every part left out in turn, then all that are not
+// Which parts of model and scene a scenario needs: each is left out in turn (ablation), then all that are not
 // needed at once.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/study/methods/cost.h"
@@ -16,16 +17,16 @@ namespace hyrax {
 
 enum class Need {
   needed,          ///< Some row moves by more than the tolerance.
-  needed_jointly,  ///< Alone it would not be; with all else that is not needed left out as well, it is.
+  needed_jointly,  ///< Not needed alone, but needed as soon as others that are not needed are left out, too.
   below,           ///< Rows change, none by more than the tolerance.
   not_exercised,   ///< Not one bit of any row changes.
 };
 
-/// The run with a part left out against the whole run, row by row.
+/// The run with a part left out against the complete run, row by row.
 struct PathDifference {
   bool is_same_bits = true;
-  double path_px = 0.0;  ///< Largest distance; infinite where one run leaves the numbers.
-  double end_px = 0.0;   ///< Distance of the last rows: the shift of the resting place, of a run that rests.
+  double path_px = 0.0;             ///< Largest distance; infinite if a position is not finite.
+  double end_px = 0.0;              ///< Distance of the last rows.
   std::int64_t first_step = -1;     ///< The first row that differs; -1: none.
   std::int64_t contacts_moved = 0;  ///< Contacts that moved, appeared or vanished.
 };
@@ -41,41 +42,48 @@ struct PartNeed {
 struct SceneNeeds {
   std::string scenario;
   std::int64_t steps = 0;
-  bool is_cut = false;  ///< Only the first kScriptFramesMax frames were played.
-  bool comes_to_rest =
-      false;             ///< No contact byte but the ground's, and less than 0.5 px, in the last second.
-  double step_ns = 0.0;  ///< Of the variant kernel with all parts.
+  bool is_cut = false;         ///< Only the first kScriptFramesMax frames were played.
+  bool comes_to_rest = false;  ///< Its position is settled at the end.
+  double step_ns = 0.0;        ///< Of the variant kernel with all parts.
   std::vector<PartNeed> parts;
-  PathDifference without_all_unneeded;  ///< All that is `below` or `not_exercised`, at once.
-  /// Where the study contradicts the replay, one sentence each without its full stop; see contradictions_of.
+  PathDifference without_all_unneeded;  ///< All that are not needed, at once.
+  /// contradictions_of(scenario, parts).
   std::vector<std::string> broken;
-  /// The cheapest method and rate within the tolerance of the fixed laws; where it was asked for and can be.
+  /// The cheapest method and rate within the tolerance of the exact motion, if NeedsOptions::rates_hz has
+  /// any.
   std::optional<SpeedError> methods;
-  std::string why_no_methods;
+  std::string why_no_methods;  ///< Why the scenario has no exact motion; empty: it has one.
 };
 
 struct NeedsOptions {
   double within_px = 1.0;
   CostOptions cost;
-  std::vector<double> rates_hz;  ///< For the cheapest method; empty: not asked for.
+  std::vector<double> rates_hz;  ///< For the cheapest method; empty: it is not searched for.
 };
 
-/// Plays the scenario with every part left out in turn, and times it.
+/// Plays the scenario with each part left out in turn, and times it.
 [[nodiscard]] SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
                                      const NanosecondClock& now_ns);
 
-/// What the study has of a scenario against the replay, which knows nothing of parts:
-/// 1. with all parts the script is the replay's run, bit for bit;
-/// 2. a wall is exercised where the replay met it, and nowhere else;
-/// 3. friction and the rest rule are exercised only where it met the ground, restitution where it met any
-/// wall.
+/// Checks the result of a scenario against the replay, which knows nothing of parts:
+/// 1. with all parts the script's run has the same bits as the replay's;
+/// 2. a wall is exercised if and only if the replay has a contact with it;
+/// 3. friction and the rest rule are exercised only with a ground contact, restitution only with a contact.
+/// What does not agree, one sentence each without its full stop.
 [[nodiscard]] std::vector<std::string> contradictions_of(const Scenario& scenario,
                                                          const std::vector<PartNeed>& parts);
 
-/// The difference that leaving these out makes.
+/// The complete run against the run without these.
 [[nodiscard]] PathDifference difference_without(const Script& script, const Omitted& omitted,
                                                 const Parts& parts);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
+
+/// "needed", "needed with others left out", "below the tolerance", "not exercised".
+[[nodiscard]] std::string_view name_of(Need need);
+
+[[nodiscard]] inline bool is_unneeded(Need need) {
+  return need == Need::below || need == Need::not_exercised;
+}
 
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -96,8 +97,15 @@ std::vector<std::string> scenario_files(const Study& study, const StudyArguments
 
 StudyRequest request_of(const Study& study, const StudyArguments& arguments,
                         const std::vector<std::string>& scenarios) {
+  std::set<std::string> names;
   StudyRequest request{.is_quick = arguments.is_quick, .machine = machine_name(), .now_ns = steady_clock_ns};
-  for (const std::string& path : scenarios) request.scenarios.push_back({path, load_scenario(path)});
+  for (const std::string& path : scenarios) {
+    request.scenarios.push_back({path, load_scenario(path)});
+    const std::string& name = request.scenarios.back().scenario.name;
+    if (!names.insert(name).second)
+      throw Failure(ExitCode::bad_input, path + ": /name: duplicate scenario name (found " + name +
+                                             "); scenarios of one study need different names");
+  }
   if (!arguments.within.empty())
     request.within_px = parse_length_px(arguments.within, "hyrax-sim study " + study.name + ": --within");
   if (!arguments.expect_file.empty()) request.expected = read_expected_verdicts(arguments.expect_file);
