@@ -96,6 +96,7 @@ std::string axis_script(char name, const Axis& axis, const Range& ends) {
   std::string script = axis.is_logarithmic ? fmt::format("set logscale {}\n", name) : std::string();
   script += fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, is_downwards ? ends.high : ends.low,
                         is_downwards ? ends.low : ends.high);
+  if (axis.decimals >= 0) script += fmt::format("set format {} '%.{}f'\n", name, axis.decimals);
   const std::string tics = tics_of(axis, ends);
   if (tics.empty())
     script += fmt::format("set {}tics autofreq\n", name);
@@ -129,7 +130,7 @@ class PlotScript {
     std::string text = fmt::format(
         "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
         "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"
-        "set object 2 rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n"
+        "set object rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n"
         "set xtics out font ',12' offset 0,0.3\nset ytics out font ',12' offset 0.5,0\n"
         "set grid {}tics back lt 1 lw 1 lc rgb '{}'\n",
         box_.left / canvas_.width, box_.right / canvas_.width, 1 - kBodyTop / canvas_.height,
@@ -314,7 +315,8 @@ std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
     data += plot.data();
     script += plot.script();
     // What is drawn with one plot is not drawn again with the next.
-    if (index + 1 < plots.size()) script += "unset label\nunset object\nunset arrow\nunset logscale\n";
+    if (index + 1 < plots.size())
+      script += "unset label\nunset object\nunset arrow\nunset logscale\nset format\n";
   }
   return data + script + (plots.size() > 1 ? "unset multiplot\n" : "");
 }

@@ -3,7 +3,6 @@
 
 #include "tools/report/hard_cases_figure.h"
 #include "tools/report/needs_figure.h"
-#include "tools/report/rest_figures.h"
 #include "tools/report/speed_error_figure.h"
 
 namespace hyrax {
@@ -94,18 +93,6 @@ TEST(SpeedErrorFigure, NamesEveryStepper) {
 TEST(ConvergenceSentence, HasTheFiguresOfTheStudy) {
   EXPECT_TRUE(has(convergence_sentence(some_study()), "9.8 px of error at 60 Hz become 42 px at 240 Hz"));
   EXPECT_EQ(convergence_sentence({}), "");
-}
-
-// From all in residual speed to all at zero speed, at the boundary between the two rates.
-TEST(RestMap, StepsAtTheBoundaryBetweenTwoRates) {
-  RateEnds slow, fast;
-  slow.rate_hz = 60.0;
-  slow.flings[static_cast<std::size_t>(FinalState::buzz)] = 5;
-  fast.rate_hz = 240.0;
-  fast.flings[static_cast<std::size_t>(FinalState::rest)] = 5;
-  EXPECT_TRUE(has(rest_map_script({slow, fast}, {{"some", 144.0, std::nullopt}}),
-                  "60 100 100 100\n144 100 100 100\n144 0 0 100\n240 0 0 100\n"));
-  EXPECT_TRUE(has(rest_map_script({slow, fast}, {}), "\n120 100 100 100\n120 0 0 100\n"));
 }
 
 TEST(HardCasesFigure, AVerdictHasItsColourInACellOfSeveral) {
