@@ -1,7 +1,7 @@
 #include "sim/study/study.h"
 
 // One line a study, in the order of the help: NAME stands for NAME_study(), defined in the folder NAME.
-#define HYRAX_STUDIES(ONE) ONE(frame_rate) ONE(rest)
+#define HYRAX_STUDIES(ONE) ONE(frame_rate) ONE(rest) ONE(paper)
 
 namespace hyrax {
 
