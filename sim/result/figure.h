@@ -44,6 +44,7 @@ struct Axis {
   double low = kNotGiven;  ///< Ends of the axis; not given: from the data.
   double high = kNotGiven;
   std::vector<Tick> ticks = {};  ///< Empty: chosen by whoever draws; powers of ten if logarithmic.
+  int decimals = -1;             ///< Of the numbers at its ticks; -1: as many as each needs.
   std::vector<std::string> categories =
       {};  ///< If there are any: names of 0, 1, 2, ..., from the top of a y axis.
   /// Of a logarithmic axis: data at most this large are drawn here, with the tick "0".

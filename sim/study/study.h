@@ -47,7 +47,7 @@ struct StudyResult {
   std::vector<Table> summary = {};  ///< The study's own members of the JSON document.
 };
 
-/// The request does not suit the study: one sentence, beginning with the place.
+/// The request does not suit the study: a line for each fault, beginning with its place.
 struct RequestRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

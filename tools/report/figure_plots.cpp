@@ -99,6 +99,7 @@ std::string axis_script(char name, const Axis& axis, const Range& ends) {
   std::string script = axis.is_logarithmic ? fmt::format("set logscale {}\n", name) : std::string();
   script += fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, is_downwards ? ends.high : ends.low,
                         is_downwards ? ends.low : ends.high);
+  if (axis.decimals >= 0) script += fmt::format("set format {} '%.{}f'\n", name, axis.decimals);
   const std::string tics = tics_of(axis, ends);
   if (tics.empty())
     script += fmt::format("set {}tics autofreq\n", name);
@@ -333,7 +334,8 @@ std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
     data += plot.data();
     script += plot.script();
     // What is drawn with one plot is not drawn again with the next.
-    if (index + 1 < plots.size()) script += "unset label\nunset object\nunset arrow\nunset logscale\n";
+    if (index + 1 < plots.size())
+      script += "unset label\nunset object\nunset arrow\nunset logscale\nset format\n";
   }
   return data + script + (plots.size() > 1 ? "unset multiplot\n" : "");
 }

@@ -1,10 +1,11 @@
-// What measuring a claim takes again and again.
+// What several measurements of claims share.
 #pragma once
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "sim/scenario/split_mix64.h"
 #include "sim/study/methods/core.h"
@@ -15,7 +16,7 @@ namespace hyrax {
 /// The paper's desktop: bounds of 1920 x 1080 with a sprite of 128.
 inline constexpr Bounds kDesktop{1792, 952};
 inline constexpr double kSpriteSide_px = 128.0;
-/// Far from all walls, so that only flight is seen.
+/// Far from all walls: flight alone.
 inline constexpr Bounds kOpen{2'000'000'000, 2'000'000'000};
 inline constexpr double kSixtieth_s = 1.0 / 60.0;
 
@@ -23,36 +24,37 @@ inline constexpr double kSixtieth_s = 1.0 / 60.0;
   return holds ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
 }
 
-/// Equal but for a few roundings.
+/// Equal except for rounding.
 [[nodiscard]] inline bool is_close(double a, double b, double relative = 1e-12) {
   return std::fabs(a - b) <= relative * std::fmax(std::fabs(a), std::fabs(b));
 }
 
-/// A number as words carry it, four digits.
-[[nodiscard]] inline std::string digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+/// A number with four digits.
+[[nodiscard]] inline std::string digits(double value) { return fmt::format("{:.4g}", value); }
 
-/// The shortest text that reads back as the same number.
-[[nodiscard]] inline std::string exact_digits(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+/// Smallest and largest of the values included.
+struct Extremes {
+  double least = 1e300;
+  double most = -1e300;
+  void include(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
 
-/// Draw `index` of `seed`, in low .. high.
-[[nodiscard]] inline double drawn(std::uint64_t seed, std::uint64_t index, double low, double high) {
+/// Random number `index` of `seed`, in low .. high.
+[[nodiscard]] inline double random_between(std::uint64_t seed, std::uint64_t index, double low, double high) {
   return low + (high - low) * split_mix64_unit(seed, index);
 }
 
-/// Where a throw comes to lie: x after so long that nothing moves any more.
-[[nodiscard]] inline State thrown(State body, double rate_hz, double duration_s, Bounds bounds = kDesktop) {
+/// The state at a time after the start, or up to a frame later.
+[[nodiscard]] inline State state_after(State body, double rate_hz, double duration_s,
+                                       Bounds bounds = kDesktop) {
   return core_steps(body, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
 }
 
-/// Steps of random flings, contacts among them, in which the core is not the listing's step with the core's
-/// own constants, in the paper's order, bit for bit.
-[[nodiscard]] std::int64_t steps_unlike_listing(std::int64_t steps);
+/// Steps of random flings, some of them contacts, in which the core differs in a bit from the listing's step
+/// with the core's constants.
+[[nodiscard]] std::int64_t steps_that_differ_from_listing(std::int64_t steps);
 
 }  // namespace hyrax

@@ -10,14 +10,14 @@ namespace hyrax {
 namespace {
 
 constexpr Bounds kBounds{1792, 952};
-constexpr double kUntil_s = 15.0;  // Longer than any fling of the map takes to lie.
+constexpr double kUntil_s = 15.0;  // Longer than any fling of the map takes to settle.
 
 double gain_px_per_s(double rate_hz) {
   const Constants core = core_constants();
   return core.air_drag * core.gravity_px_per_s2 / rate_hz;
 }
 
-double buzz_px_per_s(double rate_hz) {
+double residual_px_per_s(double rate_hz) {
   const Constants core = core_constants();
   return -core.restitution * gain_px_per_s(rate_hz) / (1.0 + core.air_drag * core.restitution);
 }
@@ -32,15 +32,15 @@ std::array<double, 2> speeds_after(double vy_px_per_s, double rate_hz, std::int6
   return {row.vy_px_per_s, core_step(row, dt_s, kBounds).vy_px_per_s};
 }
 
-bool stays_at_rest(double rate_hz) {
+bool stays_at_zero(double rate_hz) {
   const auto [first, second] = speeds_after(0.0, rate_hz, 2);
   return first == 0.0 && second == 0.0;
 }
-bool buzzes_on(double rate_hz) {
-  const auto [first, second] = speeds_after(buzz_px_per_s(rate_hz), rate_hz, 1000);
+bool keeps_residual_speed(double rate_hz) {
+  const auto [first, second] = speeds_after(residual_px_per_s(rate_hz), rate_hz, 1000);
   return first != 0.0 && second != 0.0;
 }
-bool comes_back_to_rest(double rate_hz) {
+bool returns_to_zero(double rate_hz) {
   const auto [first, second] = speeds_after(0.0, rate_hz, 1000);
   return first == 0.0 || second == 0.0;
 }
@@ -58,14 +58,16 @@ std::optional<double> changes_at(const Holds& holds) {
   return high_hz;
 }
 
-// Whether the boundaries allow this end at this rate; next to a boundary rounding decides, and all do.
-bool is_foreseen(FinalState state, double rate_hz, const std::vector<RestBoundary>& boundaries) {
+// Whether the boundaries allow this state at this rate; next to a boundary rounding decides, and any is
+// allowed.
+bool is_allowed(FinalState state, double rate_hz, const std::vector<RestBoundary>& boundaries) {
   for (const RestBoundary& boundary : boundaries)
     if (std::fabs(rate_hz / boundary.analytic_hz - 1.0) < 1e-6) return state != FinalState::moving;
-  if (rate_hz > boundaries[0].analytic_hz) return state == FinalState::rest;
-  if (rate_hz > boundaries[1].analytic_hz) return state == FinalState::cycle;
-  if (rate_hz > boundaries[2].analytic_hz) return state == FinalState::cycle || state == FinalState::buzz;
-  return state == FinalState::buzz;
+  if (rate_hz > boundaries[0].analytic_hz) return state == FinalState::zero_speed;
+  if (rate_hz > boundaries[1].analytic_hz) return state == FinalState::two_cycle;
+  if (rate_hz > boundaries[2].analytic_hz)
+    return state == FinalState::two_cycle || state == FinalState::residual_speed;
+  return state == FinalState::residual_speed;
 }
 
 struct End {
@@ -73,7 +75,7 @@ struct End {
   double time_s = 0.0;
 };
 
-// In y alone; x has no part in it.
+// x does not affect it.
 End end_of_fling(double y_px, double vy_px_per_s, double rate_hz) {
   constexpr double kStill_px = 0.5;
   const double dt_s = 1.0 / rate_hz;
@@ -97,7 +99,7 @@ RateEnds ends_at(double rate_hz, std::int64_t flings, const std::vector<RestBoun
     const double vy_px_per_s = 4000.0 * split_mix64_unit(kSeed, 2 * fling + 1) - 2000.0;
     const End end = end_of_fling(y_px, vy_px_per_s, rate_hz);
     ++ends.flings[static_cast<std::size_t>(end.state)];
-    if (!is_foreseen(end.state, rate_hz, boundaries)) ++ends.unforeseen;
+    if (!is_allowed(end.state, rate_hz, boundaries)) ++ends.unforeseen;
     times_s.push_back(end.time_s);
   }
   std::sort(times_s.begin(), times_s.end());
@@ -116,23 +118,26 @@ bool RestBoundary::agrees() const {
 std::vector<RestBoundary> rest_boundaries() {
   const Constants core = core_constants();
   const double kept = core.air_drag * core.restitution;
-  // The rate at which gravity's gain of a step is `gain`.
+  // The rate at which one step of gravity adds `gain`.
   const auto rate_of = [&core](double gain) { return core.air_drag * core.gravity_px_per_s2 / gain; };
   const double threshold = core.rest_threshold_px_per_s / core.restitution;
-  return {{"rest above, cycle below", rate_of(threshold), changes_at(stays_at_rest)},
-          {"buzz possible below", rate_of(threshold * (1.0 + kept)), changes_at(buzzes_on)},
-          {"cycle possible above", rate_of(threshold / (1.0 - kept)), changes_at(comes_back_to_rest)}};
+  return {{"rest above, cycle below", "zero speed above, two-cycle below", rate_of(threshold),
+           changes_at(stays_at_zero)},
+          {"buzz possible below", "residual speed possible below", rate_of(threshold * (1.0 + kept)),
+           changes_at(keeps_residual_speed)},
+          {"cycle possible above", "two-cycle possible above", rate_of(threshold / (1.0 - kept)),
+           changes_at(returns_to_zero)}};
 }
 
 FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px) {
   if (row.y_px != bottom_px || next.y_px != bottom_px) return FinalState::moving;
   const double a = row.vy_px_per_s, b = next.vy_px_per_s;
-  if (a == 0.0 && b == 0.0) return FinalState::rest;
+  if (a == 0.0 && b == 0.0) return FinalState::zero_speed;
   const double thrown_px_per_s = -core_constants().restitution * gain_px_per_s(rate_hz);
   if ((a == 0.0 && is_near(b, thrown_px_per_s)) || (b == 0.0 && is_near(a, thrown_px_per_s)))
-    return FinalState::cycle;
-  const double buzz = buzz_px_per_s(rate_hz);
-  return is_near(a, buzz) && is_near(b, buzz) ? FinalState::buzz : FinalState::moving;
+    return FinalState::two_cycle;
+  const double residual = residual_px_per_s(rate_hz);
+  return is_near(a, residual) && is_near(b, residual) ? FinalState::residual_speed : FinalState::moving;
 }
 
 std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t flings) {
@@ -143,12 +148,12 @@ std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t
   return map;
 }
 
-std::vector<BounceSeen> bounces_at(double rate_hz, std::int64_t phases) {
+std::vector<DropBounce> bounces_at(double rate_hz, std::int64_t phases) {
   constexpr double kHeight_px = 600.0;
   const Constants core = core_constants();
   const double dt_s = 1.0 / rate_hz;
   const double last_way_px = std::sqrt(2.0 * core.gravity_px_per_s2 * kHeight_px) * dt_s;
-  std::vector<BounceSeen> bounces;
+  std::vector<DropBounce> bounces;
   for (std::int64_t phase = 0; phase < phases; ++phase) {
     const double height_px =
         kHeight_px + last_way_px * static_cast<double>(phase) / static_cast<double>(phases);

@@ -17,29 +17,28 @@ Claim axes() {
           ""};
 }
 
-// A step leaves a (v + G dt) if drag follows gravity, so G is what is left when drag is divided out; drag
-// first would leave G / a.
+// A step gives a (v + G dt) if drag follows gravity, so dividing by a leaves v + G dt; with drag first the
+// result would be G / a.
 Claim gravity() {
-  const double said = core_constants().gravity_px_per_s2;
+  const double constant = core_constants().gravity_px_per_s2;
   const double drag = core_flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s).vx_px_per_s;
-  double least = 1e300, most = -1e300;
+  Extremes gained;
   for (const double vy_px_per_s : {-900.0, 0.0, 900.0})
     for (const double dt_s : {1e-3, kSixtieth_s, 0.1}) {
       const State after = core_flight({0.0, 0.0, 0.0, vy_px_per_s}, dt_s);
-      const double gained = (after.vy_px_per_s / drag - vy_px_per_s) / dt_s;
-      least = std::min(least, gained);
-      most = std::max(most, gained);
+      gained.include((after.vy_px_per_s / drag - vy_px_per_s) / dt_s);
     }
   return {"2.1-gravity",
           "a constant downward acceleration is applied at the beginning of each step",
           "speed gained in a step, before drag, at three speeds and three dt",
-          least,
+          gained.least,
           "px/s2",
-          holds_if(least > 0.0 && is_close(least, said, 1e-6) && is_close(most, said, 1e-6)),
-          is_close(least, most, 1e-6) ? "" : "up to " + digits(most) + " px/s2"};
+          holds_if(gained.least > 0.0 && is_close(gained.least, constant, 1e-6) &&
+                   is_close(gained.most, constant, 1e-6)),
+          is_close(gained.least, gained.most, 1e-6) ? "" : "up to " + digits(gained.most) + " px/s2"};
 }
 
-// The same gravity acts on every speed, so a difference of speeds knows drag alone.
+// Gravity adds the same to every speed, so a difference of speeds changes by drag alone.
 Claim drag_factor() {
   const State fast = core_flight({0.0, 0.0, 1000.0, 1000.0}, kSixtieth_s);
   const State slow = core_flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
@@ -56,11 +55,11 @@ Claim drag_factor() {
 
 // Rate of decay over a second of flight.
 double decay_per_s(double speed_px_per_s, double rate_hz) {
-  const State body = thrown({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
+  const State body = state_after({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
   return -std::log(body.vx_px_per_s / speed_px_per_s);
 }
 
-// Stokes' law is v' = -k v with a k of the medium: the same for every speed, and whatever the display.
+// Stokes' law is v' = -k v with a constant k of the medium: the same for every speed and display.
 Claim stokes() {
   const bool is_linear = is_close(decay_per_s(1.0, 60.0), decay_per_s(5000.0, 60.0), 1e-9);
   const double slow = decay_per_s(900.0, 30.0), fast = decay_per_s(900.0, 240.0);
@@ -120,8 +119,8 @@ Claim terminal_speed() {
 Claim new_velocity() {
   double worst_px = 0.0;
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
-    const double dt_s = drawn(1, 2 * draw, 0.0, 0.1);
-    const State before{0.0, 0.0, 700.0, drawn(1, 2 * draw + 1, -2000.0, 2000.0)};
+    const double dt_s = random_between(1, 2 * draw, 0.0, 0.1);
+    const State before{0.0, 0.0, 700.0, random_between(1, 2 * draw + 1, -2000.0, 2000.0)};
     const State after = core_flight(before, dt_s);
     worst_px = std::max({worst_px, std::fabs(after.y_px - after.vy_px_per_s * dt_s),
                          std::fabs(after.x_px - after.vx_px_per_s * dt_s)});
@@ -137,7 +136,7 @@ Claim new_velocity() {
 
 }  // namespace
 
-std::vector<Claim> claims_on_flight() {
+std::vector<Claim> flight_claims() {
   return {axes(), gravity(), drag_factor(), stokes(), exponential(), terminal_speed(), new_velocity()};
 }
 

@@ -1,29 +1,36 @@
-// Section 6: frame-rate independence, sizes, stopping, drawing.
-#include <algorithm>
-
+// Sections 5 to 7: the constants of table 1; frame-rate independence, sizes, stopping, drawing; speed.
+#include "sim/reference/model.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
 namespace {
 
-// Where one fling comes to lie at displays of 24 to 240 Hz.
+Claim constant(const char* id, const char* sentence, double core, double paper, const char* unit) {
+  return {id,
+          sentence,
+          "the core's value",
+          core,
+          unit,
+          holds_if(core == paper),
+          core == paper ? "" : fmt::format("the paper has {}", paper),
+          true};
+}
+
+// Where one fling settles at displays of 24 to 240 Hz.
 Claim frame_rate() {
   constexpr State kFling{100.0, 100.0, 900.0, -1200.0};
   constexpr double kApproximately = 0.05;
-  double least_px = 1e300, most_px = -1e300;
-  for (const double rate_hz : {24.0, 30.0, 60.0, 75.0, 120.0, 144.0, 165.0, 240.0}) {
-    const double x_px = thrown(kFling, rate_hz, 20.0).x_px;
-    least_px = std::min(least_px, x_px);
-    most_px = std::max(most_px, x_px);
-  }
-  const double spread_px = most_px - least_px;
+  Extremes x_px;
+  for (const double rate_hz : {24.0, 30.0, 60.0, 75.0, 120.0, 144.0, 165.0, 240.0})
+    x_px.include(state_after(kFling, rate_hz, 20.0).x_px);
+  const double spread_px = x_px.most - x_px.least;
   return {"6.1-frame-rate",
           "real elapsed time ensures that the simulation remains approximately frame-rate independent",
           "spread of the resting places of one fling, 24 to 240 Hz",
           spread_px,
           "px",
           holds_if(spread_px <= kApproximately * kDesktop.right_px),
-          "from " + digits(least_px) + " to " + digits(most_px) +
+          "from " + digits(x_px.least) + " to " + digits(x_px.most) +
               " px; a twentieth of the window would be approximate"};
 }
 
@@ -47,7 +54,7 @@ Claim sizes() {
       jump_px <= 30.0 ? "" : "when the sprite fits the window; a larger one is thrown from bound to bound"};
 }
 
-// What resetVelocity does, and what gravity makes of it in the second after.
+// What resetVelocity does, and how gravity moves the sprite in the second after.
 Claim stopping() {
   const State stopped = core_stopped({900.0, 100.0, 700.0, -300.0});
   const bool is_stopped = stopped.vx_px_per_s == 0.0 && stopped.vy_px_per_s == 0.0;
@@ -85,6 +92,28 @@ Claim drawing() {
 
 }  // namespace
 
-std::vector<Claim> claims_on_use() { return {frame_rate(), sizes(), stopping(), drawing()}; }
+std::vector<Claim> constant_claims() {
+  const Constants core = core_constants();
+  const Model paper;  // The reference has its own copy of the table.
+  return {
+      constant("5-gravity", "GRAVITY 1200.0", core.gravity_px_per_s2, paper.gravity_px_per_s2, "px/s2"),
+      constant("5-restitution", "RESTITUTION 0.6", core.restitution, paper.restitution, "1"),
+      constant("5-air-drag", "AIR_DRAG 0.999, velocity multiplier per frame", core.air_drag, paper.air_drag,
+               "1"),
+      constant("5-ground-friction", "GROUND_FRICTION 0.8", core.ground_friction, paper.ground_friction, "1"),
+      constant("5-rest-threshold", "REST_THRESHOLD 5.0, minimum |vy| to consider at rest",
+               core.rest_threshold_px_per_s, paper.rest_threshold_px_per_s, "px/s"),
+  };
+}
+
+std::vector<Claim> use_claims() { return {frame_rate(), sizes(), stopping(), drawing()}; }
+
+std::vector<Claim> speed_claims(double step_s) {
+  constexpr double kFast = 1e-3;  // A thousandth of a frame: nobody notices it.
+  const double share = step_s / kSixtieth_s;
+  return {{"7-fast", "Using C++ makes it fast",
+           "time of a step, as a part of a frame of a sixtieth of a second", share, "1",
+           holds_if(share < kFast), ""}};
+}
 
 }  // namespace hyrax

@@ -10,7 +10,7 @@
 namespace hyrax {
 namespace {
 
-constexpr char kUnlikeListing[] =
+constexpr char kDiffersFromListing[] =
     "this core's step is not the listing's, so nothing can be asked of it without drag";
 
 // The core's laws without loss.
@@ -28,7 +28,7 @@ double energy(const State& body, Bounds bounds) {
          core_constants().gravity_px_per_s2 * (bounds.bottom_px - body.y_px);
 }
 
-// Relative change of energy in lossless motion, largest over the run.
+// Largest relative change of energy in lossless motion.
 double lossless_drift(StepOrder order, State body, double duration_s, Bounds bounds) {
   const double first = energy(body, bounds);
   double worst = 0.0;
@@ -62,7 +62,7 @@ Claim conservation(bool is_listing) {
               "1",
               holds_if(drift < 1e-9),
               "a step of flight loses " + digits(lost) + " px2/s2; (G dt)^2/2 is " + digits(gain * gain / 2)};
-  if (!is_listing) claim.verdict = ClaimVerdict::not_measured, claim.remark = kUnlikeListing;
+  if (!is_listing) claim.verdict = ClaimVerdict::not_measured, claim.remark = kDiffersFromListing;
   return claim;
 }
 
@@ -83,11 +83,11 @@ Claim against_explicit(bool is_listing) {
                           : is_better_in_flight ? "when it flies"
                                                 : "neither in flight nor in bounces") +
                   "; in one flight the ratio is " + digits(in_flight)};
-  if (!is_listing) claim.verdict = ClaimVerdict::not_measured, claim.remark = kUnlikeListing;
+  if (!is_listing) claim.verdict = ClaimVerdict::not_measured, claim.remark = kDiffersFromListing;
   return claim;
 }
 
-// x'' = -w^2 x with w dt = 0.1: amplitude after 1000 steps, by the two ways to take the velocity.
+// x'' = -w^2 x with w dt = 0.1: amplitude after 1000 steps, with the new and with the old velocity.
 Claim oscillators() {
   const auto amplitude = [](bool is_new_velocity) {
     double x = 1.0, v = 0.0, most = 0.0;
@@ -101,14 +101,14 @@ Claim oscillators() {
   };
   const State stepped = core_flight({0.0, 0.0, 0.0, 0.0}, kSixtieth_s);
   const bool is_by_new_velocity = stepped.y_px == stepped.vy_px_per_s * kSixtieth_s;
-  const double ours = amplitude(is_by_new_velocity);
+  const double core = amplitude(is_by_new_velocity);
   const double explicit_euler = amplitude(false);
   return {"2.3-oscillators",
           "more stable than the explicit Euler method for oscillatory systems",
           "amplitude of an oscillator of 1 after 1000 steps of 0.1 rad, the core's way",
-          ours,
+          core,
           "1",
-          is_by_new_velocity || stepped.y_px == 0.0 ? holds_if(ours < 1.1 && ours < explicit_euler)
+          is_by_new_velocity || stepped.y_px == 0.0 ? holds_if(core < 1.1 && core < explicit_euler)
                                                     : ClaimVerdict::not_measured,
           "by explicit Euler " + digits(explicit_euler)};
 }
@@ -179,8 +179,8 @@ Claim first_order() {
 
 }  // namespace
 
-std::vector<Claim> claims_on_energy() {
-  const bool is_listing = steps_unlike_listing(5000) == 0;
+std::vector<Claim> energy_claims() {
+  const bool is_listing = steps_that_differ_from_listing(5000) == 0;
   return {oscillators(), conservation(is_listing), first_order(), against_explicit(is_listing)};
 }
 

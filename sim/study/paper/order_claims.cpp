@@ -9,13 +9,13 @@ namespace {
 
 Claim sequence() {
   constexpr std::int64_t kSteps = 20'000;
-  const std::int64_t unlike = steps_unlike_listing(kSteps);
+  const std::int64_t differing = steps_that_differ_from_listing(kSteps);
   return {"6-exactly",
           "the update method implements exactly the steps described: gravity, drag, position, collisions",
           "steps of 40 random flings that differ in a bit from the listing's with the core's constants",
-          static_cast<double>(unlike),
+          static_cast<double>(differing),
           "1",
-          holds_if(unlike == 0),
+          holds_if(differing == 0),
           ""};
 }
 
@@ -33,9 +33,9 @@ Claim drag_damps_gain() {
           ""};
 }
 
-// How far a throw of a second, off a wall, is from where the paper's order has it: the largest of its frames,
-// since walls first is the same round of operations, begun elsewhere, and differs only where a wall is met.
-double apart_px(StepOrder order) {
+// The largest distance, over the frames of a second, between a throw at a wall in the paper's order and in
+// another. Walls first is the same cycle of operations from another start: it differs only at a wall.
+double largest_distance_px(StepOrder order) {
   const Constants core = core_constants();
   double worst_px = 0.0;
   State paper{100.0, 500.0, 2400.0, -700.0}, other = paper;
@@ -48,10 +48,10 @@ double apart_px(StepOrder order) {
 }
 
 Claim order_alters() {
-  const bool is_listing = steps_unlike_listing(5000) == 0;
-  const double drag_first = apart_px(StepOrder::drag_first),
-               position_first = apart_px(StepOrder::position_first),
-               walls_first = apart_px(StepOrder::walls_first);
+  const bool is_listing = steps_that_differ_from_listing(5000) == 0;
+  const double drag_first = largest_distance_px(StepOrder::drag_first),
+               position_first = largest_distance_px(StepOrder::position_first),
+               walls_first = largest_distance_px(StepOrder::walls_first);
   const double least = std::min({drag_first, position_first, walls_first});
   return {"4.3-order-alters",
           "changing the order would alter the effective dynamics",
@@ -64,7 +64,7 @@ Claim order_alters() {
                             ", walls first " + digits(walls_first) + " px"};
 }
 
-// Rows in which a fling is outside the window, collisions being resolved last, as the core does, or first.
+// Rows in which a fling is outside the window, with collisions resolved last, as in the core, or first.
 Claim after_position() {
   const Constants core = core_constants();
   std::int64_t outside = 0, outside_walls_first = 0;
@@ -72,11 +72,11 @@ Claim after_position() {
     return body.x_px < 0.0 || body.x_px > kDesktop.right_px || body.y_px < 0.0 ||
            body.y_px > kDesktop.bottom_px;
   };
-  State ours{300.0, 500.0, 3000.0, -2000.0}, other = ours;
+  State core_body{300.0, 500.0, 3000.0, -2000.0}, other = core_body;
   for (int step = 0; step < 2000; ++step) {
-    ours = core_step(ours, kSixtieth_s, kDesktop);
+    core_body = core_step(core_body, kSixtieth_s, kDesktop);
     other = stepped(core, StepOrder::walls_first, other, kSixtieth_s, kDesktop);
-    outside += is_outside(ours) ? 1 : 0;
+    outside += is_outside(core_body) ? 1 : 0;
     outside_walls_first += is_outside(other) ? 1 : 0;
   }
   return {"4.3-not-stuck",
@@ -91,7 +91,7 @@ Claim after_position() {
 
 }  // namespace
 
-std::vector<Claim> claims_on_order() {
+std::vector<Claim> order_claims() {
   return {drag_damps_gain(), after_position(), order_alters(), sequence()};
 }
 
