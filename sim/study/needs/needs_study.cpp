@@ -181,7 +181,7 @@ std::string cheapest_text(const SceneNeeds& scene, double within_px) {
   if (best == nullptr) return head + "none of the methods gets that close.";
   std::string text =
       fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
-                  scene.methods->methods[best->method].words, best->rate_hz, best->cost.median_ns);
+                  scene.methods->methods[best->method].label, best->rate_hz, best->cost.median_ns);
   if (paper == nullptr) text += "\nThe paper's step does not get that close at any rate.";
   if (paper != nullptr && paper != best)
     text += fmt::format("\nThe paper's step gets that close at {:.0f} Hz, {:.0f} ns per simulated second.",
