@@ -4,9 +4,9 @@
 `study hard-cases --gate` is red on every one that changes results, except those that are named here with the reason.
 """
 
-import subprocess
 
 from altered import ALTERED, StudyControl, altered_cores, run_altered
+from process import succeed
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
 
 # The same arithmetic in another order: no bit of any run changes.
@@ -79,8 +79,8 @@ class EveryCore(StudyControl):
 
     def test_none_is_the_shipped_core(self):
         for program, core in ((PROGRAM, "none"), (ALTERED, "none")):
-            subprocess.run([str(program), "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/"],
-                           cwd=SOURCE, check=True, capture_output=True, env={"HYRAX_ALTERED_CORE": core})
+            succeed(program, "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/", cwd=SOURCE,
+                    env={"HYRAX_ALTERED_CORE": core})
         runs = [sorted((self.folder / program.name).rglob("*.h5")) for program in (PROGRAM, ALTERED)]
         self.assertGreater(len(runs[0]), 10)
         self.assertEqual([path.read_bytes() for path in runs[0]], [path.read_bytes() for path in runs[1]])

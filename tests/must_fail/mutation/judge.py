@@ -1,18 +1,16 @@
 """Builds a mutant and asks `hyrax-sim check` whether it is the program that the golden files were made with."""
 
 import dataclasses
-import json
 import pathlib
 import shutil
-import subprocess
 
+from process import TimedOut, run
 from workshop import CannotBuild
 
 # A check of all scenarios takes some hundredths of a second; with sanitizers, some tenths.
 _SECONDS_MAX = 1
 _SECONDS_MAX_SANITIZED = 5
 _MEMORY_MAX_KIB = 4 << 20
-_PATIENCE_S = 120
 
 
 @dataclasses.dataclass(frozen=True)
@@ -73,7 +71,7 @@ class Judge:
             objects = {unit: self.workshop.compile(unit, place, mutant) for unit in subject.test_units}
             self.workshop.link(subject.test, objects, place / subject.test)
             done = self._limited([place / subject.test, "--gtest_brief=1", "--gtest_fail_fast"])
-            return done is None or done.returncode != 0
+            return done is None or done.exit_code != 0
         finally:
             shutil.rmtree(place, ignore_errors=True)
 
@@ -91,13 +89,13 @@ class Judge:
     def _check(self, program, paths):
         """How a check of these scenarios goes red; None where it does not."""
         done = self._limited([program, "check", "--json", "--jobs", "1", *paths])
-        if done is None or done.returncode < 0 or done.returncode > 128:
+        if done is None or done.exit_code < 0 or done.exit_code > 128:
             return Verdict("caught", difference="hangs" if done is None or self._is_late(done) else "crashes")
-        if done.returncode == 0:
+        if done.exit_code == 0:
             return None
-        if not done.stdout:
+        if not done.out:
             return Verdict("caught", difference="fails")
-        entries = json.loads(done.stdout)["results"]
+        entries = done.json["results"]
         by_path = {entry["scenario"]: entry for entry in entries}
         order = [str(path) for path in paths if str(path) in by_path] or list(by_path)
         entry = by_path[next(path for path in order if by_path[path]["status"] != "agreed")]
@@ -112,11 +110,10 @@ class Judge:
         seconds = _SECONDS_MAX_SANITIZED if self.workshop.is_sanitized else _SECONDS_MAX
         script = f'ulimit -c 0; ulimit -t {seconds}; {memory}exec "$@"'
         try:
-            return subprocess.run(["sh", "-c", script, "sh", *map(str, command)], cwd=self.workshop.source,
-                                  capture_output=True, text=True, check=False, timeout=_PATIENCE_S)
-        except subprocess.TimeoutExpired:
+            return run("sh", "-c", script, "sh", *command, cwd=self.workshop.source)
+        except TimedOut:
             return None
 
     @staticmethod
     def _is_late(done):
-        return done.returncode in (-24, -9, 128 + 24, 128 + 9)  # SIGXCPU, then SIGKILL.
+        return done.exit_code in (-24, -9, 128 + 24, 128 + 9)  # SIGXCPU, then SIGKILL.

@@ -9,7 +9,8 @@ import pathlib
 import re
 import shlex
 import shutil
-import subprocess
+
+from process import Failed, succeed
 
 _INCLUDE = re.compile(r'^#include (<[\w/.]+>|"[\w/.]+")', re.MULTILINE)
 _LEFT_OUT = re.compile(r"-O.|-O|-g\d?|-W.*|-M[MDP]*|-flto.*")
@@ -20,9 +21,10 @@ class CannotBuild(Exception):
 
 
 def _run(command, folder):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise CannotBuild(f"{shlex.join(command)}\n{done.stderr}")
+    try:
+        succeed(*command, cwd=folder)
+    except Failed as failure:
+        raise CannotBuild(str(failure)) from failure
 
 
 class Workshop:
@@ -124,9 +126,8 @@ class Workshop:
         return self._links[target]
 
     def _ninja_link(self, target):
-        done = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", target], capture_output=True,
-                              text=True, check=True)
-        command = [word for word in shlex.split(done.stdout.splitlines()[-1]) if word not in (":", "&&")]
+        commands = succeed("ninja", "-C", self.build, "-t", "commands", target).out
+        command = [word for word in shlex.split(commands.splitlines()[-1]) if word not in (":", "&&")]
         return command, self.build
 
     def _make_link(self, target):
