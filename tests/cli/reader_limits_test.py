@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """No scenario keeps its reader busy, or takes memory out of proportion to the file."""
 
-
 from program import AGREED, BAD_INPUT, ProgramTest, fling, main
 
 MEBIBYTE = 2**20

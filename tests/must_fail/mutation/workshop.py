@@ -13,6 +13,7 @@ import shutil
 from process import Failed, succeed
 
 _INCLUDE = re.compile(r'^#include (<[\w/.]+>|"[\w/.]+")', re.MULTILINE)
+_CORE = '"sim/physics/physics.h"'
 _LEFT_OUT = re.compile(r"-O.|-O|-g\d?|-W.*|-M[MDP]*|-flto.*")
 
 
@@ -117,7 +118,9 @@ class Workshop:
         for option in ("-o", "-c", "-MF", "-MT"):
             if option in command:
                 del command[command.index(option):command.index(option) + 2]
-        return [word for word in command if not _LEFT_OUT.fullmatch(word)] + ["-O1", "-w"]
+        command = [word for word in command if not _LEFT_OUT.fullmatch(word)] + ["-O1", "-w"]
+        # The other objects of the program keep the shipped class; under its name no second one may be defined.
+        return [*command, "-Dphysics=mutated_physics"] if _CORE in self._reach(f'"{unit}"') else command
 
     def _link_command(self, target):
         if target not in self._links:
