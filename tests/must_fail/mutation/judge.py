@@ -1,5 +1,6 @@
 """Builds a mutant and asks `hyrax-sim check` whether it is the program that the golden files were made with."""
 
+import concurrent.futures
 import dataclasses
 import pathlib
 import shutil
@@ -7,6 +8,7 @@ import shutil
 from process import TimedOut, run
 from workshop import CannotBuild
 
+_JOBS = 2
 # A check of all scenarios takes some hundredths of a second; with sanitizers, some tenths.
 _SECONDS_MAX = 1
 _SECONDS_MAX_SANITIZED = 5
@@ -35,9 +37,11 @@ class Judge:
 
     def prepare(self):
         """Builds the unchanged units; the program made of them must be green, or mutants would be red for no reason."""
-        self.workshop.prepare(self._units, self.subject_of)
         place = self.workshop.folder / "unchanged"
-        self._original = {unit: self.workshop.compile(unit, place) for unit in self._units}
+        with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:
+            self.workshop.prepare(self._units, self.subject_of, pool)
+            objects = pool.map(lambda unit: self.workshop.compile(unit, place), self._units)
+            self._original = dict(zip(self._units, objects))
         self.workshop.link("hyrax-sim", self._original, place / "hyrax-sim")
         verdict = self._check(place / "hyrax-sim", [self.scenarios])
         if verdict is not None:
@@ -57,7 +61,9 @@ class Judge:
     def prepare_unit_tests(self, mutants):
         """Makes ready to ask unit tests about these mutants; unchanged, each must pass within the time of a mutant."""
         subjects = {self.subject_of[mutant.path] for mutant in mutants}
-        self.workshop.prepare(sorted({unit for subject in subjects for unit in subject.test_units}), self.subject_of)
+        units = sorted({unit for subject in subjects for unit in subject.test_units})
+        with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:
+            self.workshop.prepare(units, self.subject_of, pool)
         for subject in subjects:
             if self._fails(subject, self.workshop.folder / f"unchanged-{subject.test}"):
                 raise CannotBuild(f"{subject.test} fails, or takes too long, without any change")

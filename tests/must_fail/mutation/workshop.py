@@ -42,9 +42,10 @@ class Workshop:
         quick = [name for name in ("lld", "gold") if shutil.which(f"ld.{name}")]
         self._linker = [f"-fuse-ld={name}" for name in quick[:1]]
 
-    def prepare(self, units, changed):
-        """Precompiles the headers of the units, which is most of the work; but for those that hold what is changed."""
+    def prepare(self, units, changed, pool):
+        """Precompiles the headers of the units, which is most of the work, except those that include what is changed."""
         changed = {f'"{path}"' for path in changed}
+        commands = []
         for flags in {tuple(self._flags(unit)) for unit in units} - set(self._prepared):
             header = self.folder / f"prepared-{len(self._prepared)}" / "prepared.h"
             header.parent.mkdir(parents=True)
@@ -52,8 +53,9 @@ class Workshop:
             included = set().union(*map(self._reach, own)) - own
             names = sorted(name for name in included if changed.isdisjoint(self._reach(name)))
             header.write_text("".join(f"#include {name}\n" for name in names), encoding="utf-8")
-            _run([*flags, "-x", "c++-header", str(header), "-o", f"{header}.gch"], self.build)
+            commands.append([*flags, "-x", "c++-header", str(header), "-o", f"{header}.gch"])
             self._prepared[flags] = header
+        list(pool.map(lambda command: _run(command, self.build), commands))
 
     def compile(self, unit, place, mutant=None):
         """The unit's object file in the folder `place`, with the mutant's file in the original's stead."""
