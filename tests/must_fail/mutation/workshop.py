@@ -43,7 +43,7 @@ class Workshop:
         self._linker = [f"-fuse-ld={name}" for name in quick[:1]]
 
     def prepare(self, units, changed, pool):
-        """Precompiles the headers of the units, which is most of the work, except those that include what is changed."""
+        """Precompiles the headers of the units, most of the work, except those that include what is changed."""
         changed = {f'"{path}"' for path in changed}
         commands = []
         for flags in {tuple(self._flags(unit)) for unit in units} - set(self._prepared):
