@@ -4,13 +4,13 @@
 import os
 import re
 import shutil
-import subprocess
 import xml.etree.ElementTree
 
 import h5py
 import numpy
 import xxhash
 
+from process import run
 from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, Maybe, ProgramTest,
                      PROGRAM, fling, main)
 
@@ -438,9 +438,8 @@ class Suggested(CheckTest):
         binaries.mkdir(exist_ok=True)
         if not (binaries / "hyrax-sim").exists():
             (binaries / "hyrax-sim").symlink_to(PROGRAM)
-        done = subprocess.run(["bash", "-c", command], cwd=self.folder, check=False, capture_output=True, timeout=60,
-                              env={**os.environ, "PATH": f"{binaries}:{os.environ['PATH']}"}, **options)
-        return done.returncode
+        return run("bash", "-c", command, cwd=self.folder,
+                   env={**os.environ, "PATH": f"{binaries}:{os.environ['PATH']}"}, **options).exit_code
 
     def suggestions(self, out):
         """The command lines in a text."""

@@ -33,6 +33,7 @@ import sys
 import tempfile
 import unittest
 
+from process import run
 from program import PROGRAM, SOURCE
 
 README_WORDS_MAX = 1500
@@ -104,9 +105,8 @@ class Scratch:
 
     def run(self, command, environment):
         """Runs a command by bash; returns its exit code and its output."""
-        done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment, check=False, timeout=250,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        return done.returncode, done.stdout.decode()
+        done = run("bash", "-c", command, cwd=self.folder, env=environment, stderr=subprocess.STDOUT, timeout=250)
+        return done.exit_code, done.out
 
     def print_of(self, block):
         """What the block should print, and its exit code."""

@@ -3,11 +3,10 @@
 
 import json
 import re
-import subprocess
 
 import jsonschema
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
 
 
 class CommandTest(ProgramTest):
@@ -160,10 +159,8 @@ class Validate(ProgramTest):
         for document, exit_code in ((fling(), AGREED), (fling(steps=-1), BAD_INPUT)):
             source = self.write("fling.json", document)
             with open(self.folder / source, "rb") as stream:
-                done = subprocess.run([str(PROGRAM), "validate", "-"], stdin=stream, capture_output=True, text=True,
-                                      check=False, cwd=self.folder)
-            self.assertEqual(done.returncode, exit_code, done.stderr)
-            self.assertTrue((done.stdout + done.stderr).startswith("-: "), done)
+                outcome = self.expect(exit_code, "validate", "-", stdin=stream)
+            self.assertTrue((outcome.out + outcome.err).startswith("-: "), outcome)
 
     def test_a_missing_file_cannot_be_read(self):
         self.expect(CANNOT_ACCESS, "validate", "none.json", says="none.json: cannot be read")

@@ -4,9 +4,9 @@
 import os
 import pathlib
 import re
-import subprocess
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, Outcome, ProgramTest, fling, main
+from process import run
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, ProgramTest, fling, main
 
 REPLAY = os.environ["HYRAX_REPLAY"]
 DISTURBED_ARITHMETIC = os.environ["HYRAX_DISTURBED_ARITHMETIC"]
@@ -17,8 +17,7 @@ class HyraxReplay(ProgramTest):
 
     def replay(self, exit_code, *arguments, says="", **options):
         """Runs hyrax-replay in the folder; holds its exit code, and what it must say on stderr."""
-        outcome = Outcome(subprocess.run([REPLAY, *map(str, arguments)], cwd=self.folder, capture_output=True,
-                                         timeout=120, check=False, **options))
+        outcome = run(REPLAY, *arguments, cwd=self.folder, **options)
         self.assertEqual(outcome.exit_code, exit_code, str(outcome))
         self.assertIn(says, outcome.err)
         return outcome

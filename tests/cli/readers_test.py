@@ -2,12 +2,12 @@
 """Other people's readers open a run file and find axes, units and names: h5py, xarray, h5dump, h5diff."""
 
 import shutil
-import subprocess
 
 import h5py
 import numpy
 import xarray
 
+from process import succeed
 from program import AGREED, ProgramTest, fling, main
 
 UNITS = {"t": "s", "dt": "s", "x": "px", "y": "px", "vx": "px/s", "vy": "px/s"}
@@ -33,9 +33,7 @@ class Reader(ProgramTest):
         """What a command-line tool prints; its exit code is checked."""
         if shutil.which(command[0]) is None:
             self.skipTest(f"{command[0]} is not installed (package hdf5-tools)")
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 0, f"{command}: {done.stdout}{done.stderr}")
-        return done.stdout
+        return succeed(*command, cwd=self.folder).out
 
 
 class H5py(Reader):

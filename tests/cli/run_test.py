@@ -2,16 +2,11 @@
 """`run`: what it writes, where it writes it, and what it says."""
 
 import os
-import pathlib
 import pty
-import re
-import subprocess
-import time
 
 import h5py
 
-from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, PROGRAM, Maybe, ProgramTest,
-                     fling, main)
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
 
 COUNTS = {"left": int, "right": int, "top": int, "ground": int}
 RUN = {
@@ -116,12 +111,12 @@ class Summary(ProgramTest):
     def test_a_short_run_shows_neither_colour_nor_progress_on_a_terminal(self):
         self.write("fling.json", fling())
         terminal, far_end = pty.openpty()
-        done = subprocess.run([str(PROGRAM), "run", "fling.json"], cwd=self.folder, stdout=far_end, stderr=far_end,
-                              env={**os.environ, "NO_COLOR": "1"}, check=False)
+        outcome = self.hyrax_sim("run", "fling.json", stdout=far_end, stderr=far_end,
+                                 env={**os.environ, "NO_COLOR": "1"})
         os.close(far_end)
         shown = os.read(terminal, 100_000).decode()
         os.close(terminal)
-        self.assertEqual(done.returncode, AGREED)
+        self.assertEqual(outcome.exit_code, AGREED)
         self.assertIn("fling: 300 steps", shown)
         self.assertNotIn("\x1b", shown)
 
@@ -139,19 +134,11 @@ class Memory(ProgramTest):
         # Wider than its window, the sprite is clamped by a side wall in every step.
         self.write("tight.json", fling(name="tight", window={"width_px": 100, "height_px": 1080}, steps=1_000_000_000,
                                        record={"every": 1_000_000}))
-        peak_kb = 0
-        with subprocess.Popen([PROGRAM, "run", "tight.json", "-o", "tight.h5"], cwd=self.folder,
-                              stdout=subprocess.DEVNULL) as process:
-            while process.poll() is None:
-                status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
-                peak_kb = max([peak_kb, *map(int, re.findall(r"VmHWM:\s*(\d+) kB", status))])
-                time.sleep(0.005)
-        self.assertEqual(process.returncode, AGREED)
+        peak_bytes = self.peak_bytes(AGREED, "run", "tight.json", "-o", "tight.h5")
         with h5py.File(self.folder / "tight.h5") as file:
             self.assertEqual(len(file["contacts/step"]), 1_000_000)
         if "-fsanitize" not in self.expect(AGREED, "info").out:
-            self.assertGreater(peak_kb, 1000)
-            self.assertLess(peak_kb, 50_000)
+            self.assertLess(peak_bytes, 50e6)
 
 
 class Output(ProgramTest):

@@ -14,7 +14,6 @@ import concurrent.futures
 import json
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -22,17 +21,19 @@ import h5py
 import numpy
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "tests/cli"))
+import process  # noqa: E402  # Found by the line above.
+
 LEFT_OUT = {"output", "step_ns", "files"}  # Measured, or named after the output; --without adds to it.
 
 
 def call(program, *arguments):
     """Exit code, and the JSON document on standard output, or what was printed instead."""
-    done = subprocess.run([program, *map(str, arguments)], cwd=SOURCE, capture_output=True, text=True, check=False,
-                          stdin=subprocess.DEVNULL, timeout=600)
+    outcome = process.run(program, *arguments, cwd=SOURCE, timeout=600)
     try:
-        return done.returncode, json.loads(done.stdout)
+        return outcome.exit_code, outcome.json
     except json.JSONDecodeError:
-        return done.returncode, done.stdout + done.stderr
+        return outcome.exit_code, outcome.out + outcome.err
 
 
 def json_differences(old, new, place):

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
 """The command line of hyrax.exe: what it says, and the exit codes that a script can rely on."""
 
-import sys
 import unittest
 
-from hyrax_program import HyraxTest
+from hyrax_program import HYRAX, HyraxTest
+from process import skip_without
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, fling
-from wine import HYRAX, skip_without
 
 HASH_OF_FLING = "0" * 32  # Of another run.
 
@@ -63,6 +62,5 @@ class CommandLine(HyraxTest):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without("wine")
     unittest.main()

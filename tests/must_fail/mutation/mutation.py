@@ -17,6 +17,8 @@ import re
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cli"))
+# pylint: disable=wrong-import-position
 from judge import Judge
 from reasons import faults_of, read_reasons
 from subjects import SUBJECTS

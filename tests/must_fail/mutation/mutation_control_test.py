@@ -6,7 +6,6 @@ HYRAX_BUILD is a build of the project.
 
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -14,6 +13,7 @@ from unittest import mock
 
 from judge import Judge, Verdict
 from mutators import Mutant, mutants_of, numbers_near
+from process import run
 from program import SOURCE
 from reasons import Reason, faults_of
 from subjects import SUBJECTS
@@ -84,9 +84,8 @@ class Tool(unittest.TestCase):
 
     def run_tool(self, *options):
         """Exit code and standard output."""
-        done = subprocess.run([sys.executable, TOOL, "--build", BUILD, "--source", SOURCE, *options],
-                              capture_output=True, text=True, check=False)
-        return done.returncode, done.stdout
+        outcome = run(sys.executable, TOOL, "--build", BUILD, "--source", SOURCE, *options)
+        return outcome.exit_code, outcome.out
 
     def test_a_survivor_fails_the_run(self):
         exit_code, said = self.run_tool("--scenarios", "tests/must_fail/mutation/scenarios", "--only",
