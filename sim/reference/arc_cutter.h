@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/reference/input_playback.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/input.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/reference/largest.h"
 #include "sim/trajectory/row.h"
 

@@ -1,6 +1,10 @@
 #include "sim/study/core.h"
 
+#include <limits>
+
+#include "sim/motion/step.h"
 #include "sim/physics/physics.h"
+#include "sim/replay/kernel.h"
 
 namespace hyrax {
 namespace {
@@ -10,13 +14,7 @@ State out(const physics& body) { return {body.x(), body.y(), body.vx(), body.vy(
 
 }  // namespace
 
-Constants core_constants() {
-  return {.gravity_px_per_s2 = physics::GRAVITY,
-          .restitution = physics::RESTITUTION,
-          .air_drag = physics::AIR_DRAG,
-          .ground_friction = physics::GROUND_FRICTION,
-          .rest_threshold_px_per_s = physics::REST_THRESHOLD};
-}
+Constants core_constants() { return shipped_kernel().constants(); }
 
 State core_step(const State& body, double dt_s, const Bounds& bounds) {
   return core_steps(body, dt_s, bounds, 1);
@@ -36,10 +34,25 @@ State core_stopped(const State& body) {
   return out(moving);
 }
 
+// In the largest window there is, most flights meet no wall. One that does flies again at the same velocity,
+// from where it ends amid the window: its speeds are those of the flight, and its position follows from them.
 State core_flight(const State& body, double dt_s) {
-  physics moving = in(body);
-  moving.fly(dt_s);
-  return out(moving);
+  constexpr int kSide_px = std::numeric_limits<int>::max();
+  const auto flown = [dt_s](const State& from) {
+    physics moving = in(from);
+    moving.update(dt_s, kSide_px, kSide_px, 0, 0);
+    return out(moving);
+  };
+  const auto is_inside = [](double at_px) { return at_px > 0.0 && at_px < kSide_px; };
+  State end = flown(body);
+  if (is_inside(end.x_px) && is_inside(end.y_px)) return end;
+  State way{0.0, 0.0, body.vx_px_per_s, body.vy_px_per_s};
+  ListingStep(core_constants(), AllParts{}, Bounds{}).fly(way, dt_s);
+  const State amid =
+      flown({0.5 * kSide_px - way.x_px, 0.5 * kSide_px - way.y_px, body.vx_px_per_s, body.vy_px_per_s});
+  if (!is_inside(end.x_px)) end.x_px = body.x_px + amid.vx_px_per_s * dt_s;
+  if (!is_inside(end.y_px)) end.y_px = body.y_px + amid.vy_px_per_s * dt_s;
+  return {end.x_px, end.y_px, amid.vx_px_per_s, amid.vy_px_per_s};
 }
 
 }  // namespace hyrax

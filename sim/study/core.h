@@ -1,7 +1,4 @@
-// The shipped core as the studies of its behaviour ask it.
-//
-// Its source is the one of them that sees class physics, so that a control, or an author who tries other
-// laws, exchanges that and the replay's kernel, and every study tells what became of them.
+// The shipped core as the studies call it.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +20,7 @@ namespace hyrax {
 /// physics::resetVelocity.
 [[nodiscard]] State core_stopped(const State& body);
 
-/// physics::fly, its first half: the step without walls.
+/// One call of physics::update without walls.
 [[nodiscard]] State core_flight(const State& body, double dt_s);
 
 }  // namespace hyrax

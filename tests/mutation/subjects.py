@@ -35,7 +35,7 @@ class Subject:
 
 
 _KERNEL = "sim/replay/kernel.cpp"
-_ACTION_EFFECT = "sim/replay/action_effect.cpp"
+_KERNEL_OF = "sim/replay/kernel_of.h"
 _PLAYER = "sim/replay/player.cpp"
 _REPETITION = "sim/replay/repetition.cpp"
 _FRAME_CLOCK = "sim/scenario/frame_clock.cpp"
@@ -60,6 +60,7 @@ SUBJECTS = (
                              "tools/store/golden_seal.cpp")),
     Subject(_PLAYER, (_PLAYER,), likely=_EVENTS,
             functions=("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
-    Subject(_ACTION_EFFECT, (_ACTION_EFFECT,), likely=_EVENTS),
-    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("core_of", "state_of", "fling", "place", "stop")),
+    Subject("sim/scenario/apply.h", (_KERNEL,), likely=_EVENTS),
+    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("make",)),
+    Subject(_KERNEL_OF, (_KERNEL,), likely=_EVENTS, functions=("apply", "state_of")),
 )

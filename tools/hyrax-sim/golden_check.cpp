@@ -114,7 +114,7 @@ FreshRun play_for_golden(const Scenario& scenario) {
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;
-  for (const std::int64_t count : summary.contacts) run.contacts_total += count;
+  run.contacts_total = summary.contacts.total();
   run.inputs = inputs_taken(scenario, summary.steps);
   return {std::move(run), summary};
 }

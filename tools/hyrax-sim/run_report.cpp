@@ -17,8 +17,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 Json counts_json(const WallCounts& counts) {
   Json::Object object;
-  for (std::size_t wall = 0; wall < counts.size(); ++wall)
-    object.emplace_back(kWallNames[wall], counts[wall]);
+  for (const Wall wall : kWalls) object.emplace_back(kWallNames[wall_index(wall)], counts[wall]);
   return object;
 }
 
@@ -29,8 +28,8 @@ Json or_null(const std::optional<Value>& value) {
 
 std::string contacts_text(const WallCounts& counts) {
   std::vector<std::string> words;
-  for (std::size_t wall = 0; wall < counts.size(); ++wall)
-    if (counts[wall] > 0) words.push_back(fmt::format("{} {}", kWallNames[wall], counts[wall]));
+  for (const Wall wall : kWalls)
+    if (counts[wall] > 0) words.push_back(fmt::format("{} {}", kWallNames[wall_index(wall)], counts[wall]));
   return words.empty() ? "none" : joined(words);
 }
 
@@ -100,10 +99,10 @@ Coverage coverage_of(const ScenarioRun& run) {
   };
   part(summary.had_gravity, "gravity");
   part(summary.had_drag, "drag");
-  part(summary.clamped_steps[0] > 0, "left wall");
-  part(summary.clamped_steps[1] > 0, "right wall");
-  part(summary.clamped_steps[2] > 0, "top");
-  part(summary.clamped_steps[3] > 0, "ground");
+  part(summary.clamped_steps.left > 0, "left wall");
+  part(summary.clamped_steps.right > 0, "right wall");
+  part(summary.clamped_steps.top > 0, "top");
+  part(summary.clamped_steps.ground > 0, "ground");
   part(summary.had_friction, "friction");
   part(summary.rest_steps > 0, "rest rule");
   const std::int64_t skipped = summary.steps - summary.steps_computed;

@@ -14,12 +14,6 @@
 
 namespace hyrax {
 
-/// A stretch at the end of a run in which the whole state comes again every `period_steps`.
-struct Repetition {
-  std::int64_t from_step = 0;
-  std::int64_t period_steps = 0;
-};
-
 struct RunRows {
   Scenario scenario;
   std::vector<Input> inputs;

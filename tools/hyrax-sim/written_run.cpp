@@ -49,15 +49,13 @@ WrittenRun play_into(const std::string& output, const Scenario& scenario, std::i
   run.summary = play_with_progress(scenario, writer, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   if (run.summary.steps != steps) return run;
-  std::int64_t contacts = 0;
-  for (const std::int64_t count : run.summary.contacts) contacts += count;
   std::function<bool(hid_t)> write_more;
   if (options.drift)
     write_more = [&](hid_t file) {
       return write_drift(file, rows_of(scenario, run.summary), *options.drift, run.drift.emplace());
     };
   writer.finish({scenario, steps, std::string(kPhysicsModel), hex(run.summary.state_hash)},
-                inputs_taken(scenario, steps), contacts, write_more);
+                inputs_taken(scenario, steps), run.summary.contacts.total(), write_more);
   return run;
 }
 

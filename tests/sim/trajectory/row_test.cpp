@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/input.h"
 #include "sim/trajectory/row_block.h"

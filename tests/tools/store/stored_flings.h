@@ -27,10 +27,8 @@ inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   const std::int64_t steps = step_count(scenario);
   TrajectoryWriter writer(path, scenario, steps);
   const RunSummary summary = replay(scenario, writer);
-  std::int64_t contacts = 0;
-  for (const std::int64_t count : summary.contacts) contacts += count;
   writer.finish({scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash)},
-                inputs_taken(scenario), contacts);
+                inputs_taken(scenario), summary.contacts.total());
   return summary;
 }
 
