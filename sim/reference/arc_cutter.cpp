@@ -81,7 +81,7 @@ void ArcCutter::fly(const Row& row) {
 }
 
 void ArcCutter::open(const Row& start) {
-  start_ = {start, playback_.right_px(), playback_.bottom_px()};
+  start_ = {start, playback_.bounds()};
   steps_ = 0;
   is_open_ = true;
 }

@@ -10,7 +10,6 @@
 #include "sim/motion/state.h"
 #include "sim/reference/input_playback.h"
 #include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {
@@ -27,8 +26,7 @@ inline constexpr std::array<std::string_view, 7> kArcEndNames = {"left",  "right
 /// The state an arc begins with: a row's, after the inputs of the next frame.
 struct ArcStart {
   Row row;
-  double right_px = 0.0;  ///< Bounds in force beside 0.
-  double bottom_px = 0.0;
+  Bounds bounds;  ///< In force.
 };
 
 /// Receives arcs of two steps and more, one after the other, and bounces between them.

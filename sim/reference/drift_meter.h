@@ -1,6 +1,7 @@
 // A run in, its errors out.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sim/reference/arc_cutter.h"
@@ -18,12 +19,23 @@ class DriftMeter final : public RowSink {
   /// @param solver a second solution beside the closed form; null: closed form alone.
   /// Refers to sink and solver.
   DriftMeter(const Scenario& scenario, std::vector<Input> inputs, DriftSink& sink,
-             FlightSolver* solver = nullptr, const Model& model = {});
+             FlightSolver* solver = nullptr, const Model& model = {})
+      : meter_(model, sink, solver), cutter_(scenario, std::move(inputs), meter_) {}
 
   [[nodiscard]] Wants wants() const override { return cutter_.wants(); }
   void rows(const Columns& batch) override { cutter_.rows(batch); }
+  /// Of the rows so far, without the arc that is not over yet.
+  [[nodiscard]] DriftSummary summary() const {
+    DriftSummary summary = meter_.summary();
+    summary.skipped_arcs = cutter_.skipped_arcs();
+    summary.non_finite_step = cutter_.non_finite_step();
+    return summary;
+  }
   /// Ends the run after its last row, and sums up.
-  DriftSummary finish();
+  DriftSummary finish() {
+    cutter_.finish();
+    return summary();
+  }
 
  private:
   ArcMeter meter_;

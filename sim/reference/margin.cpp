@@ -78,7 +78,7 @@ void MarginMeter::decide_walls(const Row& row, bool is_x, const Axis& axis, cons
   if (touches(row.contact, is_x ? Wall::left : Wall::top))
     return see(near, row, true, is_x, -inside_near_px, -1.0, axis.position);
   see(near, row, false, is_x, inside_near_px, 1.0, axis.position);
-  const double far_px = is_x ? playback_.right_px() : playback_.bottom_px();
+  const double far_px = is_x ? playback_.bounds().right_px : playback_.bounds().bottom_px;
   const double inside_far_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
   if (touches(row.contact, is_x ? Wall::right : Wall::ground))
     see(far, row, true, is_x, -inside_far_px, 1.0, axis.position);

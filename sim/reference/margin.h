@@ -9,8 +9,6 @@
 
 #include "sim/reference/input_playback.h"
 #include "sim/reference/model.h"
-#include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {

@@ -8,7 +8,6 @@
 #include "sim/motion/state.h"
 #include "sim/reference/arc_cutter.h"
 #include "sim/reference/flight.h"
-#include "sim/reference/impact.h"
 
 namespace hyrax {
 

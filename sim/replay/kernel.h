@@ -9,8 +9,8 @@
 
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/keyframe.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/state_hash.h"
 #include "sim/trajectory/run_summary.h"
 
 namespace hyrax {

@@ -2,7 +2,7 @@
 
 #include "sim/physics/physics.h"
 #include "sim/reference/flight.h"
-#include "sim/scenario/timeline.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/study/method.h"
 
 namespace hyrax {
@@ -244,15 +244,15 @@ std::function<std::unique_ptr<Method>()> maker() {
 
 std::vector<MethodKind> frame_methods() {
   return {
-      {"paper", "the paper's step", "", 0, true, 0.0, maker<PaperStep<1>>()},
-      {"paper-4-substeps", "the paper's step, 4 to a frame", "", 0, true, 0.0, maker<PaperStep<4>>()},
-      {"normalised-drag", "the paper's step, drag by time", "", 1, true, 0.0,
+      {"paper", "the paper's step", "", kNoConvergence, true, 0.0, maker<PaperStep<1>>()},
+      {"paper-4-substeps", "the paper's step, 4 to a frame", "", kNoConvergence, true, 0.0, maker<PaperStep<4>>()},
+      {"normalised-drag", "the paper's step, drag by time", "", of_order(1), true, 0.0,
        maker<FrameMethod<NormalisedFlight>>()},
-      {"euler", "explicit Euler", "", 1, true, 0.0, maker<FrameMethod<EulerFlight>>()},
-      {"verlet", "velocity Verlet", "", 2, true, 0.0, maker<FrameMethod<VerletFlight>>()},
-      {"rk4", "Runge-Kutta 4", "", 4, true, 0.0, maker<FrameMethod<Rk4Flight>>()},
-      {"exact-flight", "exact flight step", "", kExactOrder, true, 0.0, maker<FrameMethod<ExactFlight>>()},
-      {"event-driven", "event-driven", "", kExactOrder, true, 0.0, maker<EventDriven>()}};
+      {"euler", "explicit Euler", "", of_order(1), true, 0.0, maker<FrameMethod<EulerFlight>>()},
+      {"verlet", "velocity Verlet", "", of_order(2), true, 0.0, maker<FrameMethod<VerletFlight>>()},
+      {"rk4", "Runge-Kutta 4", "", of_order(4), true, 0.0, maker<FrameMethod<Rk4Flight>>()},
+      {"exact-flight", "exact flight step", "", kExact, true, 0.0, maker<FrameMethod<ExactFlight>>()},
+      {"event-driven", "event-driven", "", kExact, true, 0.0, maker<EventDriven>()}};
 }
 
 }  // namespace hyrax

@@ -5,7 +5,6 @@
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/split_mix64.h"
-#include "sim/scenario/timeline.h"
 #include "sim/study/core.h"
 #include "sim/study/method.h"
 #include "sim/trajectory/row.h"

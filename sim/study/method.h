@@ -1,6 +1,7 @@
 // One contract for every way to move the sprite; the shipped core is one of them, behind it.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -28,22 +29,35 @@ class Method {
   [[nodiscard]] virtual const std::vector<ExactImpact>* impacts() const { return nullptr; }
 };
 
+/// How a method approaches the fixed laws in free flight as its frames grow short.
+struct Convergence {
+  enum class Kind : std::uint8_t { none, with_order, exact, to_tolerance };
+  Kind kind = Kind::none;
+  int order = 0;  ///< Of with_order: error ~ dt^order.
+
+  bool operator==(const Convergence&) const = default;
+  /// As tables and JSON have it: the order, 0 where it does not converge, -1 exact but for rounding, -2 as good as
+  /// its tolerance.
+  [[nodiscard]] constexpr int code() const {
+    return kind == Kind::exact ? -1 : kind == Kind::to_tolerance ? -2 : order;
+  }
+};
+inline constexpr Convergence kNoConvergence{};
+inline constexpr Convergence kExact{Convergence::Kind::exact};
+inline constexpr Convergence kToTolerance{Convergence::Kind::to_tolerance};
+[[nodiscard]] constexpr Convergence of_order(int order) { return {Convergence::Kind::with_order, order}; }
+
 /// What a method is called and how it is made.
 struct MethodKind {
   std::string name;   ///< As a key: "paper".
   std::string words;  ///< As people read it: "the paper's step".
   /// Of an adaptive method at several tolerances: what these have in common, as "GSL rk4"; else empty.
   std::string family = {};
-  /// Order of convergence to the fixed laws in free flight; 0: does not converge, -1: exact but for rounding,
-  /// -2: as good as its tolerance.
-  int order = 0;
+  Convergence convergence = {};
   bool meets_walls = true;
   double tolerance = 0.0;  ///< Of an adaptive method, which needs no frames; 0: error follows the frame.
   std::function<std::unique_ptr<Method>()> make = {};
 };
-
-inline constexpr int kExactOrder = -1;
-inline constexpr int kAdaptiveOrder = -2;
 
 /// The paper's step, its rate-normalised variant, classical steps, sub-steps and the two exact ones. All
 /// but the paper's solve the fixed laws; those that go by frames meet walls as the paper's step does, with

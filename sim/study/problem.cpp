@@ -6,7 +6,6 @@
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/scenario/timeline.h"
 
 namespace hyrax {
 namespace {

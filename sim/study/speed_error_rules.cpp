@@ -26,7 +26,7 @@ class Rules {
   void orders() {
     for (std::size_t problem = 0; problem < study_.problems.size(); ++problem)
       for (std::size_t method = 0; method < study_.methods.size(); ++method)
-        if (study_.methods[method].order > 0 && study_.problems[problem].is_free_flight)
+        if (study_.methods[method].convergence.kind == Convergence::Kind::with_order && study_.problems[problem].is_free_flight)
           order(problem, method);
   }
   void order(std::size_t problem, std::size_t method) {
@@ -36,7 +36,7 @@ class Rules {
     const bool is_fitted = fit != study_.orders.end();
     hold("an order is fitted over three rates or more", where(problem, method),
          is_fitted ? static_cast<double>(fit->points) : 0.0, 3.0, std::numeric_limits<double>::infinity());
-    const double analytic = study_.methods[method].order;
+    const double analytic = study_.methods[method].convergence.order;
     if (is_fitted)
       hold("the fitted order is the analytic one", where(problem, method), fit->order, analytic - kOrderApart,
            analytic + kOrderApart);
@@ -44,7 +44,7 @@ class Rules {
   void exact_methods() {
     for (const WorkPoint& point : study_.points) {
       const MethodKind& kind = study_.methods[point.method];
-      if (kind.order != kExactOrder || !study_.problems[point.problem].is_free_flight) continue;
+      if (kind.convergence != kExact || !study_.problems[point.problem].is_free_flight) continue;
       hold("an exact method is there within rounding, px", where(point), point.errors.position_px, 0.0,
            rounding_px(point.errors));
     }

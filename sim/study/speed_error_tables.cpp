@@ -64,7 +64,7 @@ StudyTable orders_table(const SpeedError& study) {
        column_of<double>("order", "1", "slope of log error against log dt", orders,
                          [](F f) { return f.order; }),
        column_of<std::int64_t>("analytic_order", "1", "in free flight; 0 does not converge, -1 exact", orders,
-                               [&](F f) { return std::int64_t{study.methods[f.method].order}; }),
+                               [&](F f) { return std::int64_t{study.methods[f.method].convergence.code()}; }),
        column_of<std::int64_t>("points", "1", "rates that it is fitted to", orders,
                                [](F f) { return static_cast<std::int64_t>(f.points); })}};
 }

@@ -5,7 +5,7 @@
 
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/keyframe.h"
+#include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 
 namespace hyrax {

@@ -82,7 +82,7 @@ RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
 }  // namespace
 
 std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps) {
-  return inputs_of(scenario, schedule_events(scenario, step_count(scenario)).frames, steps);
+  return inputs_of(scenario, steps);
 }
 
 ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/run_summary.h"
 

@@ -39,7 +39,7 @@ void add_gsl_methods(std::vector<MethodKind>& methods, bool is_quick) {
       methods.push_back({.name = fmt::format("gsl-{}-{:g}", name, tolerance),
                          .words = fmt::format("GSL {} at {:g}", name, tolerance),
                          .family = "GSL " + name,
-                         .order = kAdaptiveOrder,
+                         .convergence = kToTolerance,
                          .meets_walls = false,
                          .tolerance = tolerance,
                          .make = [make_solver] { return method_of(make_solver); }});
@@ -82,7 +82,7 @@ const WorkPoint* find_point(const SpeedError& study, std::size_t problem, std::s
 std::string order_text(const SpeedError& study, std::size_t problem, std::size_t method) {
   for (const OrderFit& fit : study.orders)
     if (fit.problem == problem && fit.method == method) return fmt::format("{:.2f}", fit.order);
-  return study.methods[method].order == kExactOrder ? "exact" : "-";
+  return study.methods[method].convergence == kExact ? "exact" : "-";
 }
 
 std::string methods_text(const SpeedError& study, std::size_t problem) {
@@ -170,7 +170,7 @@ Json::Object json_of(const SpeedError& study, const std::string& machine) {
     orders.push_back(Json::Object{{"problem", study.problems[fit.problem].name},
                                   {"method", study.methods[fit.method].name},
                                   {"order", fit.order},
-                                  {"analytic_order", study.methods[fit.method].order},
+                                  {"analytic_order", study.methods[fit.method].convergence.code()},
                                   {"points", static_cast<std::int64_t>(fit.points)}});
   for (const CheapestBelow& answer : study.cheapest)
     cheapest.push_back(Json::Object{{"problem", study.problems[answer.problem].name},

@@ -82,7 +82,7 @@ class FaultySink : public RowSink {
 };
 
 inline std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps) {
-  return inputs_of(scenario, schedule_events(scenario, step_count(scenario)).frames, steps);
+  return inputs_of(scenario, steps);
 }
 
 /// The run as a golden file keeps it.

@@ -97,7 +97,7 @@ TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
     bool play(std::span<const double>) override { return true; }
     [[nodiscard]] State motion() const override { return {std::nan(""), 0.0, 0.0, 0.0}; }
   };
-  MethodKind kind{.name = "lost", .words = "", .order = 1, .make = [] { return std::make_unique<Lost>(); }};
+  MethodKind kind{.name = "lost", .words = "", .convergence = of_order(1), .make = [] { return std::make_unique<Lost>(); }};
   const Problem arc = problem_named("long-arc");
   EXPECT_TRUE(measure_errors(arc, kind, stage_frames_s(arc, 60.0), 60.0).is_failed);
 }

@@ -50,7 +50,7 @@ TEST(SpeedErrorRules, HoldOfTheRealMethods) {
 
 TEST(SpeedErrorRules, FindAMethodOfAnotherOrder) {
   SpeedError study = some_study();
-  study.methods[3].order = 2;  // Explicit Euler.
+  study.methods[3].convergence = of_order(2);  // Explicit Euler.
   EXPECT_TRUE(is_broken(study, "order is the analytic one"));
 }
 
@@ -110,7 +110,7 @@ TEST(SpeedErrorRules, FindAPapersStepThatIsNotWhereTheReferenceSeesIt) {
 TEST(SpeedErrorRules, FindAnAdaptiveMethodThatMissesItsTolerance) {
   SpeedError study = some_study();
   study.methods.push_back(
-      {.name = "gsl-rk8pd-1e-12", .words = "", .order = kAdaptiveOrder, .tolerance = 1e-12});
+      {.name = "gsl-rk8pd-1e-12", .words = "", .convergence = kToTolerance, .tolerance = 1e-12});
   study.points.push_back({0, study.methods.size() - 1, 15.0, {}, {}});
   EXPECT_FALSE(is_broken(study, "as near as it is asked"));
   study.points.back().errors.position_px = 1e-3;

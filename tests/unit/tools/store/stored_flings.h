@@ -18,8 +18,7 @@
 namespace hyrax {
 
 inline std::vector<Input> inputs_taken(const Scenario& scenario) {
-  const std::int64_t steps = step_count(scenario);
-  return inputs_of(scenario, schedule_events(scenario, steps).frames, steps);
+  return inputs_of(scenario, step_count(scenario));
 }
 
 /// Plays the scenario into a file, as `run` does.

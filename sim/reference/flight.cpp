@@ -1,10 +1,10 @@
-#include "sim/reference/impact.h"
+#include "sim/reference/flight.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
-#include "sim/reference/flight.h"
 #include "sim/reference/largest.h"
 
 namespace hyrax {
@@ -22,6 +22,7 @@ AxisMotion motion(const Approach& approach, double t_s) {
 
 // Where v' = a - k v has turned the speed to 0: t = ln(1 - k v / a) / k. REQUIRES: v / a < 0.
 double turning_time_s(const Approach& approach) {
+  assert(approach.speed_px_per_s / approach.acceleration_px_per_s2 < 0.0);
   const double undamped_s = -approach.speed_px_per_s / approach.acceleration_px_per_s2;
   const double damping = approach.drag_rate_per_s * undamped_s;
   return damping > 0.0 ? undamped_s * (std::log1p(damping) / damping) : undamped_s;
