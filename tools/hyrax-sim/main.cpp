@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "tools/files/standard_streams.h"
-#include "tools/hyrax-sim/commands.h"
+#include "tools/hyrax-sim/commands/commands.h"
 
 namespace {
 
