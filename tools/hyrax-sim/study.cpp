@@ -9,7 +9,7 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
+#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/study_frame_rate.h"
 #include "tools/hyrax-sim/study_hard_cases.h"
 #include "tools/hyrax-sim/study_needs.h"

@@ -15,7 +15,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw Failure(ExitCode::bad_input, what); }
 
-// The whole text as a number, whatever the locale; nothing where it is none or out of its type's range.
+// The text as a number, whatever the locale; nothing if it is no number, or out of range.
 template <class Number>
 std::optional<Number> parse_number(const std::string& text) {
   Number number{};
@@ -24,7 +24,7 @@ std::optional<Number> parse_number(const std::string& text) {
   return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
-// Two columns; what is too wide for the first one has a line of its own.
+// Two columns; names too wide for the first one get a line of their own.
 std::string help_line(const std::string& names, const std::string& help) {
   constexpr std::size_t kColumn = 30;
   const std::string gap(kColumn, ' ');
@@ -44,8 +44,8 @@ bool Options::Option::is_named(std::string_view name) const {
   return fmt::format(",{},", text.names).find(fmt::format(",{},", name)) != std::string::npos;
 }
 
-void Options::add(const OptionText& text, Kind kind, std::function<void(const std::string& value)> take) {
-  options_.push_back({text, kind, std::move(take)});
+void Options::add(const OptionText& text, Kind kind, std::function<void(const std::string& value)> set) {
+  options_.push_back({text, kind, std::move(set)});
 }
 
 void Options::files(std::vector<std::string>& into, const OptionText& text, int least, int most) {
@@ -75,7 +75,7 @@ void Options::number(std::optional<double>& into, const OptionText& text, double
   });
 }
 
-void Options::whole(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low) {
+void Options::integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low) {
   add(text, Kind::once, [&into, names = text.names, low](const std::string& value) {
     into = parse_number<std::int64_t>(value);
     if (!into || *into < low)
@@ -84,14 +84,23 @@ void Options::whole(std::optional<std::int64_t>& into, const OptionText& text, s
   });
 }
 
-void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& words) {
+void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed) {
   OptionText shown = text;
-  if (text.value.find('|') == std::string::npos) shown.help += fmt::format(":\n{}", fmt::join(words, ", "));
-  add(shown, Kind::once, [&into, names = text.names, words](const std::string& value) {
-    if (std::find(words.begin(), words.end(), value) == words.end())
-      refuse(names + ": " + unknown_word("value", value, {words.begin(), words.end()}));
+  if (text.value.find('|') == std::string::npos) shown.help += fmt::format(":\n{}", fmt::join(allowed, ", "));
+  add(shown, Kind::once, [&into, names = text.names, allowed](const std::string& value) {
+    if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+      refuse(names + ": " + unknown_word("value", value, {allowed.begin(), allowed.end()}));
     into = value;
   });
+}
+
+void Options::printing(Printing& into, const std::string& json_help) {
+  flag(into.is_json, {"--json", "", json_help});
+  const auto detail = [&](const OptionText& text, Printing::Detail value) {
+    add(text, Kind::flag, [&into, value](const std::string&) { into.detail = value; });
+  };
+  detail({"-q,--quiet", "", "print errors and verdicts only"}, Printing::Detail::verdict);
+  detail({"-v,--verbose", "", "print more"}, Printing::Detail::all);
 }
 
 std::vector<std::string_view> Options::names() const {
@@ -122,13 +131,13 @@ bool Options::parse(const std::vector<std::string>& arguments) {
     if (argument->size() < 2 || argument->front() != '-')
       files.push_back(*argument);
     else
-      argument = take_option(argument, arguments.end() - 1);
+      argument = read_option(argument, arguments.end() - 1);
   }
-  take_files(std::move(files));
+  set_files(std::move(files));
   return true;
 }
 
-Options::Argument Options::take_option(Argument argument, Argument last) {
+Options::Argument Options::read_option(Argument argument, Argument last) {
   const bool is_long = argument->starts_with("--");
   const std::size_t name_end = is_long ? std::min(argument->find('='), argument->size()) : 2;
   const std::string name = argument->substr(0, name_end);
@@ -136,18 +145,18 @@ Options::Argument Options::take_option(Argument argument, Argument last) {
   const bool has_value = name_end < argument->size();
   if (option.kind == Kind::flag) {
     if (has_value) refuse(name + ": takes no value (found " + *argument + ")");
-    option.take("");
+    option.set("");
     return argument;
   }
   if (!has_value && argument == last) refuse(name + ": value is missing: " + option.text.value);
   if (option.kind == Kind::once && std::exchange(option.is_given, true)) refuse(name + ": given twice");
   const std::string value = has_value ? argument->substr(name_end + (is_long ? 1 : 0)) : *++argument;
   if (value.empty()) refuse(name + ": must not be empty: " + option.text.value);
-  option.take(value);
+  option.set(value);
   return argument;
 }
 
-void Options::take_files(std::vector<std::string> files) const {
+void Options::set_files(std::vector<std::string> files) const {
   const auto count = static_cast<std::int64_t>(files.size());
   if (files_ == nullptr && count > 0) refuse(files.front() + ": this command takes no files");
   if (count < least_)

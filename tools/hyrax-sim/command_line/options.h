@@ -1,6 +1,6 @@
-// How a command declares its arguments, and how they are read from the command line.
+// Commands, how they declare their arguments, and how arguments are read from the command line.
 //
-// Libraries were tried: CLI11 splits a file named `[a,b]` into two and lets an option with several values
+// Why no library: CLI11 splits a file named `[a,b]` into two and lets an option with several values
 // take the files after it; getopt_long accepts abbreviations, which a later option makes ambiguous.
 #pragma once
 
@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "tools/files/failure.h"
+#include "tools/hyrax-sim/command_line/print.h"
 
 namespace hyrax {
 
-/// An option's names, as "-o,--output", what its value is called, and what it does.
 struct OptionText {
-  std::string names;
-  std::string value;
-  std::string help;
+  std::string names;  ///< As "-o,--output".
+  std::string value;  ///< The name of its value; empty for a flag.
+  std::string help;   ///< What it does.
 };
 
 /// Every argument is taken literally: nothing is split, unquoted or expanded. An option takes its value from
@@ -36,15 +36,17 @@ class Options {
   /// A finite number, at least `low`.
   void number(std::optional<double>& into, const OptionText& text, double low);
   /// A whole number, at least `low`.
-  void whole(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low);
-  /// One of `words`.
-  void choice(std::string& into, const OptionText& text, const std::vector<std::string>& words);
+  void integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low);
+  /// One of `allowed`.
+  void choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed);
+  /// What every command has: --json, --quiet and --verbose.
+  void printing(Printing& into, const std::string& json_help = "one JSON document instead of the text");
 
-  /// Fills what was declared. Returns false where help is asked for: then nothing is complete.
+  /// Sets what was declared. Returns false if help is requested; not everything is set then.
   /// ERRORS: Failure(bad_input) "OPTION: what is wrong (found X); what is allowed".
   [[nodiscard]] bool parse(const std::vector<std::string>& arguments);
 
-  /// What was declared, in its order, for the help screen of `command`.
+  /// The usage of `command`, its arguments and options in the order of their declaration.
   [[nodiscard]] std::string help(const std::string& command) const;
 
  private:
@@ -52,20 +54,20 @@ class Options {
   struct Option {
     OptionText text;
     Kind kind = Kind::flag;
-    std::function<void(const std::string& value)> take;
+    std::function<void(const std::string& value)> set;
     bool is_given = false;
 
     [[nodiscard]] bool is_named(std::string_view name) const;
   };
 
-  void add(const OptionText& text, Kind kind, std::function<void(const std::string& value)> take);
+  void add(const OptionText& text, Kind kind, std::function<void(const std::string& value)> set);
   using Argument = std::vector<std::string>::const_iterator;
-  /// Takes the option at `argument`; returns the last argument that it used.
-  [[nodiscard]] Argument take_option(Argument argument, Argument last);
+  /// Reads the option at `argument`; returns the last argument that it used.
+  [[nodiscard]] Argument read_option(Argument argument, Argument last);
   /// The long names of all options.
   [[nodiscard]] std::vector<std::string_view> names() const;
   [[nodiscard]] Option& find(const std::string& name);
-  void take_files(std::vector<std::string> files) const;
+  void set_files(std::vector<std::string> files) const;
 
   std::vector<Option> options_;
   std::vector<std::string>* files_ = nullptr;
@@ -74,8 +76,8 @@ class Options {
   int most_ = 0;
 };
 
-/// One command: its words on the help screens, and how it is declared. `declare` binds options and
-/// returns what is done with them.
+/// One command: its help, and its options. `declare` binds the options and returns the function that runs the
+/// command with them.
 struct Command {
   std::string name;
   std::string summary;
@@ -84,10 +86,5 @@ struct Command {
   bool needs_strict_ieee = true;  ///< Runs only on a machine that passes the self-test.
   std::function<std::function<ExitCode()>(Options&)> declare;
 };
-
-/// Parses the command line and does what it says. Help and version go to stdout.
-/// ERRORS: Failure(bad_input) for what cannot be understood.
-[[nodiscard]] ExitCode run_command_line(const std::vector<std::string>& arguments,
-                                        const std::vector<Command>& commands);
 
 }  // namespace hyrax

@@ -31,7 +31,7 @@ void Progress::show(std::int64_t done) {
   if (!is_terminal_ || elapsed_s < 0.5 || duration<double>(now - last_shown_).count() < 0.1) return;
   last_shown_ = now;
   has_line_ = true;
-  // Unlike fmt::print, this ends nothing where the terminal is gone.
+  // Unlike fmt::print, this throws nothing if the terminal was closed.
   std::fputs(("\r\x1b[K" + progress_text(done, total_, unit_, elapsed_s)).c_str(), stderr);
   std::fflush(stderr);
 }

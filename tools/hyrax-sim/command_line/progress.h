@@ -1,4 +1,4 @@
-// A line on a terminal that tells how far long work has come.
+// Progress of long work, on a terminal.
 #pragma once
 
 #include <chrono>
@@ -7,12 +7,12 @@
 
 namespace hyrax {
 
-/// "3 of 12 steps, 1.5 per second, 6 s left"; without rate and time left before anything is done.
+/// "3 of 12 steps, 1.5 per second, 6 s left"; rate and time left only once something is done.
 [[nodiscard]] std::string progress_text(std::int64_t done, std::int64_t total, const std::string& unit,
                                         double elapsed_s);
 
-/// Shown on stderr where that is a terminal, after half a second, with rate and time left; wiped
-/// away at the end. The time left is right where each unit takes about as long: count what costs, as steps.
+/// A line on stderr if that is a terminal, after half a second, with rate and time left; erased at the end.
+/// The time left is right if all units take about the same time.
 class Progress {
  public:
   Progress(std::string unit, std::int64_t total);

@@ -16,16 +16,16 @@ bool is_plain(char c) {
          kPlain.find(c) != std::string_view::npos;
 }
 
-// Escapes are octal of three digits, which no digit that follows can lengthen.
-std::string quoted(std::string_view word) {
+// Escapes have three octal digits, so that a digit that follows is not part of them.
+std::string quoted(std::string_view argument) {
   std::string in_quotes;
   std::string escaped;
-  bool is_all_plain = !word.empty();
+  bool is_all_plain = !argument.empty();
   bool needs_escapes = false;
-  for (std::size_t at = 0, bytes = 0; at < word.size(); at += bytes) {
-    const Utf8Character character = utf8_character(word, at);
+  for (std::size_t at = 0, bytes = 0; at < argument.size(); at += bytes) {
+    const Utf8Character character = utf8_character(argument, at);
     bytes = character.bytes;
-    const std::string_view text = word.substr(at, bytes);
+    const std::string_view text = argument.substr(at, bytes);
     is_all_plain = is_all_plain && bytes == 1 && is_plain(text[0]);
     in_quotes += text == "'" ? "'\\''" : text;
     if (is_control(character.code)) {
@@ -35,15 +35,15 @@ std::string quoted(std::string_view word) {
       escaped.append(text == "'" || text == "\\" ? "\\" : "").append(text);
     }
   }
-  if (is_all_plain) return std::string(word);
+  if (is_all_plain) return std::string(argument);
   return needs_escapes ? "$'" + escaped + "'" : "'" + in_quotes + "'";
 }
 
 }  // namespace
 
-std::string shell_command(const std::vector<std::string>& words) {
+std::string shell_command(const std::vector<std::string>& arguments) {
   std::string line;
-  for (const std::string& word : words) line.append(line.empty() ? "" : " ").append(quoted(word));
+  for (const std::string& argument : arguments) line.append(line.empty() ? "" : " ").append(quoted(argument));
   return line;
 }
 

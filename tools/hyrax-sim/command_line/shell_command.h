@@ -6,17 +6,17 @@
 
 namespace hyrax {
 
-/// A command line that can be pasted into a POSIX shell: the words, quoted where they have to be. A word
-/// with control characters or bytes outside of ASCII that are no UTF-8 takes the form $'...', which bash, zsh
-/// and POSIX 2024 read; nothing of it reaches a terminal raw.
-[[nodiscard]] std::string shell_command(const std::vector<std::string>& words);
+/// A command line that can be pasted into a POSIX shell: the arguments, quoted where necessary. An argument
+/// with control characters or invalid UTF-8 takes the form $'...', which bash, zsh and POSIX 2024 read; no
+/// control character of it is printed as such.
+[[nodiscard]] std::string shell_command(const std::vector<std::string>& arguments);
 
-/// The same path, written so that no command takes it for an option.
+/// The same path in a form that is not parsed as an option.
 [[nodiscard]] std::string as_argument(const std::string& path);
 
-/// The command that blesses a scenario: with the --golden it was looked for in, where its own path does not
-/// lead there, or with `--golden golden` where nothing leads to a place.
-/// @param golden_folder as given; empty where it was not.
+/// The command that blesses a scenario, with --golden if its path alone does not lead to the golden file:
+/// the folder that was given, or `golden`.
+/// @param golden_folder as given; empty if it was not.
 [[nodiscard]] std::string bless_command_for(const std::string& scenario_path,
                                             const std::string& golden_folder);
 

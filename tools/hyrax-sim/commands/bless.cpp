@@ -13,12 +13,10 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
+#include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
-#include "tools/hyrax-sim/runs/run_expectations.h"
-#include "tools/hyrax-sim/runs/run_report.h"
-#include "tools/hyrax-sim/text/difference_text.h"
+#include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_seal.h"
@@ -33,17 +31,17 @@ struct BlessRequest {
   std::vector<std::string> files;
   std::string reason;
   std::string golden_folder;
-  bool is_json = false;
+  Printing printing;
 };
 
-// One scenario on its way to a golden file: first every one is checked, then those that change are written.
+// The plan for one scenario. All are planned before the first is written.
 struct Blessing {
   enum class Status { fresh, changed, unchanged, failed };
   std::string path;
   GoldenPlace place;
   Status status = Status::unchanged;
   bool keeps_h5 = false;   // Only the summary is written.
-  Comparison comparison;   // With the golden file that is there.
+  Comparison comparison;   // With the present golden file.
   std::string unreadable;  // Why that one cannot be read; else empty.
   std::string error;       // Of a failed one.
   ExitCode exit_code = ExitCode::agreed;
@@ -59,14 +57,13 @@ std::string_view name_of(Status status) {
 GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
   const auto place = golden_place(path, golden_folder);
   if (!place)
-    throw Failure(ExitCode::bad_input,
-                  path +
-                      ": no folder named scenarios above it; name the folder of its golden file "
-                      "with --golden DIR");
+    throw Failure(
+        ExitCode::bad_input,
+        path + ": no folder `scenarios` above it; name the folder of its golden file with --golden DIR");
   return *place;
 }
 
-// As far as it can be known without writing.
+// As far as possible without writing.
 void require_writable(const GoldenPlace& place) {
   for (const std::string& path : {place.h5_path, place.txt_path}) {
     fs::path folder = fs::absolute(path).parent_path();
@@ -93,7 +90,7 @@ void require_expected(const std::string& path, const Scenario& scenario, const R
     throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
 }
 
-// What there is to bless; returns the summary of the run.
+// Sets what has to be blessed; returns the summary of the run.
 RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   const auto replace_unreadable = [&](const std::string& why) {
     blessing.status = Status::changed;
@@ -122,6 +119,8 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
 }
 
 void plan(Blessing& blessing, const BlessRequest& request, const OutputGuard& guard) {
+  if (blessing.path == "-")
+    throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
   const Scenario scenario = load_scenario(blessing.path);
   blessing.place = place_of(blessing.path, request.golden_folder);
   require_usable(blessing.place, guard);
@@ -146,7 +145,7 @@ void write(const Blessing& blessing, const std::string& reason) {
   rows.commit();
 }
 
-// What goes wrong with one scenario is its own failure.
+// A failure of one scenario does not end the others.
 template <class Step>
 void attempt(Blessing& blessing, const Step& step) {
   if (blessing.status == Status::failed) return;
@@ -163,8 +162,8 @@ void attempt(Blessing& blessing, const Step& step) {
   print_error(blessing.error);
 }
 
-// Blessing one of two scenarios that share a golden file would overwrite the other's. A scenario that is
-// given twice is blessed once.
+// Refuses scenarios that share a golden file: each would overwrite the other's. A scenario that is given
+// twice is blessed once.
 std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
   std::map<std::string, std::string> owners;
   std::vector<Blessing> kept;
@@ -186,29 +185,30 @@ std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
   return kept;
 }
 
-std::string plan_text(const Blessing& blessing) {
+void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
   const std::string h5_path = printable(blessing.place.h5_path);
-  if (blessing.status == Status::failed) return "";
   if (blessing.status == Status::unchanged)
-    return fmt::format("{}: agrees with {} already; nothing written\n", path, h5_path);
-  if (blessing.status == Status::fresh) return fmt::format("{}: new golden file\n", path);
+    print_text("{}: {} with {} already; nothing written\n", path, VerdictWord{"agrees", true}, h5_path);
+  if (printing.is_quiet()) return;
+  if (blessing.status == Status::fresh) print_text("{}: new golden file\n", path);
+  if (blessing.status != Status::changed) return;
   if (!blessing.unreadable.empty())
-    return fmt::format("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
-  return fmt::format("{}: changes {}\n{}", path,
-                     blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
-                     difference_text(blessing.comparison));
+    return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
+  print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
+             difference_text(blessing.comparison, printing.is_verbose()));
 }
 
-std::string done_text(const Blessing& blessing) {
-  if (blessing.status == Status::failed || blessing.status == Status::unchanged) return "";
+void print_done(const Blessing& blessing) {
+  if (blessing.status == Status::failed || blessing.status == Status::unchanged) return;
   const std::string path = printable(blessing.path);
-  if (!blessing.keeps_h5) return fmt::format("{}: blessed, {}\n", path, printable(blessing.place.h5_path));
-  return fmt::format("{}: agrees with {} already; its summary, {}, is written again\n", path,
-                     printable(blessing.place.h5_path), printable(blessing.place.txt_path));
+  if (!blessing.keeps_h5)
+    return print_text("{}: {}, {}\n", path, VerdictWord{"blessed", true}, printable(blessing.place.h5_path));
+  print_text("{}: agrees with {} already; its summary, {}, is written again\n", path,
+             printable(blessing.place.h5_path), printable(blessing.place.txt_path));
 }
 
-// None is known of a scenario that cannot be read.
+// null for a scenario that cannot be read.
 Json path_json(const std::string& path) { return path.empty() ? Json() : Json(path); }
 
 Json result_json(const Blessing& blessing) {
@@ -248,7 +248,7 @@ std::vector<Blessing> plan_all(const BlessRequest& request) {
 
 bool has_failed(const Blessing& blessing) { return blessing.status == Status::failed; }
 
-// All checks come before the first write: one that fails keeps all golden files as they are.
+// All checks come before the first write: if one fails, no golden file is changed.
 ExitCode bless(const BlessRequest& request) {
   if (request.reason.find_first_not_of(" \t\n") == std::string::npos)
     throw Failure(
@@ -257,15 +257,16 @@ ExitCode bless(const BlessRequest& request) {
   std::vector<Blessing> blessings = plan_all(request);
   const auto failed = std::ranges::count_if(blessings, has_failed);
   for (Blessing& blessing : blessings) {
-    if (!request.is_json) print_text("{}", plan_text(blessing));
+    if (!request.printing.is_json) print_plan(blessing, request.printing);
     if (failed > 0 || blessing.status == Status::unchanged) continue;
     attempt(blessing, [&] { write(blessing, request.reason); });
-    if (!request.is_json) print_text("{}", done_text(blessing));
+    if (!request.printing.is_json) print_done(blessing);
   }
   if (failed > 0)
     print_error(
         fmt::format("hyrax-sim bless: nothing written: {} of {} scenarios failed", failed, blessings.size()));
-  if (request.is_json) print_text("{}\n", to_text(bless_json(blessings, failed == 0), {.depth_indented = 2}));
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(bless_json(blessings, failed == 0), {.depth_indented = 2}));
   ExitCode exit_code = ExitCode::agreed;
   for (const Blessing& blessing : blessings) exit_code = more_serious(exit_code, blessing.exit_code);
   return exit_code;
@@ -281,10 +282,12 @@ Command bless_command() {
           .declare = [](Options& options) {
             const auto request = std::make_shared<BlessRequest>();
             options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
-            options.text(request->reason, {"--reason", "TEXT", "why; part of the summary (required)"});
-            options.text(request->golden_folder,
-                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
-            options.flag(request->is_json, {"--json", "", "one JSON document instead of the text"});
+            options.text(request->reason,
+                         {"--reason", "TEXT", "why they change; recorded in the summary (required)"});
+            options.text(
+                request->golden_folder,
+                {"--golden", "DIR", "folder of golden files (default: the `golden` beside\n`scenarios`)"});
+            options.printing(request->printing);
             return [request] { return bless(*request); };
           }};
 }

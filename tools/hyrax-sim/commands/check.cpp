@@ -8,9 +8,8 @@
 #include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
-#include "tools/hyrax-sim/command_line/print.h"
+#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/progress.h"
-#include "tools/hyrax-sim/commands/commands.h"
 #include "tools/hyrax-sim/golden/check_verdict.h"
 #include "tools/store/output_guard.h"
 
@@ -22,22 +21,22 @@ struct CheckRequest {
   std::string golden_folder;
   std::optional<std::int64_t> jobs;
   std::string junit;
-  bool is_quick = false;  // No verdict depends on it, and `check` leaves out no less work without it.
-  bool is_json = false;
+  bool is_quick = false;  // No effect: `check` always skips work that cannot change a verdict.
+  Printing printing;
 };
 
 std::vector<std::string> paths_of(CheckRequest& request) {
   if (request.files.empty()) {
     if (!is_folder("scenarios"))
       throw Failure(ExitCode::bad_input,
-                    "scenarios: there is no such folder here; name the scenarios or folders to check");
+                    "scenarios: no such folder in the current one; name the scenarios or folders to check");
     request.files = {"scenarios"};
     if (request.golden_folder.empty()) request.golden_folder = "golden";
   }
   return list_scenarios(request.files);
 }
 
-// As many as asked for, or as the system allows: those that exist do the work of all.
+// As many threads as requested, or fewer if the system allows no more.
 std::vector<std::jthread> start_workers(std::int64_t count, const std::function<void()>& work) {
   std::vector<std::jthread> workers;
   try {
@@ -47,8 +46,8 @@ std::vector<std::jthread> start_workers(std::int64_t count, const std::function<
   return workers;
 }
 
-// Each worker takes the next scenario until none is left; verdicts are in the order of the paths. A golden
-// file is read, in a child process first, only after the workers have ended.
+// Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
+// files are read, in a child process first, only after the workers have ended.
 std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
                                     std::int64_t jobs) {
   std::vector<CheckVerdict> verdicts(paths.size());
@@ -78,7 +77,7 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, Check
   return verdicts;
 }
 
-// Comes after the verdicts are printed, which nobody is to lose with the file.
+// After the verdicts are printed, so that they are not lost if the file cannot be written.
 ExitCode write_junit(const std::string& path, const std::vector<CheckVerdict>& verdicts) {
   if (path.empty()) return ExitCode::agreed;
   try {
@@ -97,10 +96,10 @@ ExitCode check(CheckRequest& request) {
   const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
   std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
   std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
-  if (request.is_json)
+  if (request.printing.is_json)
     print_text("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
   else
-    print_text("{}", check_text(verdicts));
+    print_check(verdicts, request.printing);
   for (const CheckVerdict& verdict : verdicts)
     if (!verdict.note.empty()) print_error(verdict.note);
   ExitCode exit_code = ExitCode::agreed;
@@ -111,28 +110,28 @@ ExitCode check(CheckRequest& request) {
 }  // namespace
 
 Command check_command() {
-  return {.name = "check",
-          .summary = "replay scenarios and compare every bit with their golden files",
-          .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
-          .is_common = true,
-          .declare = [](Options& options) {
-            const auto request = std::make_shared<CheckRequest>();
-            options.files(request->files,
-                          {"SCENARIO or DIR", "",
-                           "scenario files, or folders of them; scenarios/ if left out. For a folder, golden "
-                           "files that no scenario "
-                           "refers to are reported as unreferenced (exit code 1)"},
-                          0, -1);
-            options.text(request->golden_folder,
-                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
-            options.whole(request->jobs, {"--jobs", "N", "scenarios at a time; one a core if left out"}, 1);
-            options.text(request->junit, {"--junit", "FILE", "writes the verdicts as JUnit XML, too"});
-            options.flag(
-                request->is_quick,
-                {"--quick", "", "same verdicts: `check` already skips all work that cannot change one"});
-            options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
-            return [request] { return check(*request); };
-          }};
+  return {
+      .name = "check",
+      .summary = "replay scenarios and compare every bit with their golden files",
+      .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+      .is_common = true,
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<CheckRequest>();
+        options.files(request->files,
+                      {"SCENARIO or DIR", "",
+                       "scenario files, or folders of them (default: scenarios). In the golden folder of a "
+                       "folder, golden\nfiles without a scenario are reported as unreferenced (exit code 1)"},
+                      0, -1);
+        options.text(
+            request->golden_folder,
+            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+        options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
+        options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
+        options.flag(request->is_quick,
+                     {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+        options.printing(request->printing);
+        return [request] { return check(*request); };
+      }};
 }
 
 }  // namespace hyrax

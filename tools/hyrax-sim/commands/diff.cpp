@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "sim/compare/trajectory_comparer.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
-#include "tools/hyrax-sim/text/contract_text.h"
-#include "tools/hyrax-sim/text/difference_text.h"
+#include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -16,7 +14,7 @@ namespace {
 struct DiffRequest {
   std::vector<std::string> files;
   Tolerance tolerance;
-  bool is_json = false;
+  Printing printing;
 };
 
 // The rows of a file, one after another, in batches.
@@ -50,7 +48,7 @@ struct Difference {
   std::optional<std::int64_t> lone_step;  // Of the first row that only one of the files holds.
 };
 
-// Compares rows of the same number; those that one file left out are passed over.
+// Compares rows of the same step; a step that one file does not record is skipped.
 void compare_rows(const TrajectoryFile& a, const TrajectoryFile& b, Difference& difference) {
   RowCursor left(a);
   RowCursor right(b);
@@ -71,15 +69,15 @@ void compare_rows(const TrajectoryFile& a, const TrajectoryFile& b, Difference& 
   if (!right.is_done()) difference.lone_step = right.row().step;
 }
 
-// Golden files of long runs hold the rows at which blocks begin, other files those that the scenario records.
+// Golden files of long runs hold the first row of each block, other files the rows that the scenario records.
 bool hold_recorded_rows(const TrajectoryFile& a, const TrajectoryFile& b) {
   return !a.has("blocks") && !b.has("blocks");
 }
 
 std::string shape_of(const FileHead& a, const FileHead& b) {
-  if (a.physics != b.physics) return "physics models differ: '" + a.physics + "' and '" + b.physics + "'";
-  if (a.steps != b.steps) return fmt::format("one has {} steps, the other {}", a.steps, b.steps);
-  if (!plays_the_same(a.scenario, b.scenario)) return "they are of different scenarios";
+  if (a.physics != b.physics) return "physics models differ: " + a.physics + " and " + b.physics;
+  if (a.steps != b.steps) return fmt::format("the numbers of steps differ: {} and {}", a.steps, b.steps);
+  if (!plays_the_same(a.scenario, b.scenario)) return "the scenarios differ";
   return "";
 }
 
@@ -92,7 +90,7 @@ Difference compare(const TrajectoryFile& a, const TrajectoryFile& b, const Toler
   comparison.contacts = difference.values.contacts();
   comparison.shape = shape_of(a.head(), b.head());
   if (comparison.shape.empty() && difference.lone_step && hold_recorded_rows(a, b))
-    comparison.shape = fmt::format("only one of them holds row {}", *difference.lone_step);
+    comparison.shape = fmt::format("only one of the files holds row {}", *difference.lone_step);
   if (!comparison.shape.empty())
     comparison.difference = DifferenceClass::shape;
   else if (!comparison.contacts.is_none() || a.contacts_total() != b.contacts_total())
@@ -113,16 +111,21 @@ std::string worst_text(std::string_view field, const WorstDifference& worst) {
                      ulps ? fmt::format(", {} ulp{}", *ulps, *ulps == 1 ? "" : "s") : "");
 }
 
-std::string text_of(const Difference& difference, const DiffRequest& request) {
-  std::string text = fmt::format("{} and {}: {}, {} rows compared\n", request.files[0], request.files[1],
-                                 difference.comparison.agrees ? "agree" : "DIFFER", difference.rows_compared);
-  text += difference_text(difference.comparison);
-  if (difference.comparison.difference == DifferenceClass::bits && !difference.comparison.first)
-    text += "  hash       the state hashes differ: in rows that are not recorded in both\n";
+void print_difference(const Difference& difference, const TrajectoryFile& a, const TrajectoryFile& b,
+                      const DiffRequest& request) {
+  const Comparison& comparison = difference.comparison;
+  const VerdictWord verdict{comparison.agrees ? "agree" : "DIFFER", comparison.agrees};
+  print_text("{} and {}: {}, {} rows compared\n", request.files[0], request.files[1], verdict,
+             difference.rows_compared);
+  if (request.printing.is_quiet()) return;
+  print_text("{}", difference_text(comparison, request.printing.is_verbose()));
+  if (comparison.difference == DifferenceClass::bits && !comparison.first)
+    print_text("  hash       the state hashes differ: in rows that are not recorded in both\n");
   for (std::size_t field = 0; field < kRowFields.size(); ++field)
     if (const auto& worst = difference.values.worst()[field])
-      text += worst_text(kRowFields[field].name, *worst);
-  return text;
+      print_text("{}", worst_text(kRowFields[field].name, *worst));
+  if (!comparison.agrees || request.printing.is_verbose())
+    print_text("{}", build_text(a.provenance(), b.provenance(), comparison.difference));
 }
 
 Json json_of(const Difference& difference) {
@@ -149,13 +152,10 @@ ExitCode diff(const DiffRequest& request) {
   const TrajectoryFile a = TrajectoryFile::open(request.files[0]);
   const TrajectoryFile b = TrajectoryFile::open(request.files[1]);
   const Difference difference = compare(a, b, request.tolerance);
-  if (request.is_json)
+  if (request.printing.is_json)
     print_text("{}\n", to_text(json_of(difference), {.depth_indented = 2}));
   else
-    print_text("{}{}", text_of(difference, request),
-               difference.comparison.agrees
-                   ? ""
-                   : contract_text(a.provenance(), b.provenance(), *difference.comparison.difference));
+    print_difference(difference, a, b, request);
   return difference.comparison.agrees ? ExitCode::agreed : ExitCode::disagreed;
 }
 
@@ -164,7 +164,7 @@ ExitCode diff(const DiffRequest& request) {
 Command diff_command() {
   return {
       .name = "diff",
-      .summary = "compare two trajectories: where they part, and by how much",
+      .summary = "compare two trajectories: where they first differ, and by how much",
       .example =
           "hyrax-sim diff golden/flings/first-fling.h5 first-fling.h5\n"
           "  hyrax-sim diff a.h5 b.h5 --abs 1e-9",
@@ -172,12 +172,10 @@ Command diff_command() {
       .declare = [](Options& options) {
         const auto request = std::make_shared<DiffRequest>();
         options.files(request->files, {"A.h5 B.h5", "", "two trajectory files"}, 2, 2);
-        options.number(request->tolerance.abs, {"--abs", "X", "values this near agree (px, px/s or s)"}, 0.0);
-        options.number(request->tolerance.rel,
-                       {"--rel", "X", "values this near agree, as a part of the larger"}, 0.0);
-        options.whole(request->tolerance.ulps,
-                      {"--ulps", "N", "values this near agree, in units in the last place"}, 0);
-        options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
+        options.number(request->tolerance.abs, {"--abs", "X", "absolute tolerance (px, px/s or s)"}, 0.0);
+        options.number(request->tolerance.rel, {"--rel", "X", "tolerance relative to the larger value"}, 0.0);
+        options.integer(request->tolerance.ulps, {"--ulps", "N", "tolerance in units in the last place"}, 0);
+        options.printing(request->printing);
         return [request] { return diff(*request); };
       }};
 }

@@ -5,14 +5,13 @@
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
 #include "tools/files/json.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
+#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
 
-// What this machine has.
+// With the instruction sets of this machine.
 std::string processor() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
@@ -51,12 +50,14 @@ Json::Object facts() {
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
 }
 
-ExitCode info(bool is_json) {
+ExitCode info(const Printing& printing) {
   const Json::Object all = facts();
-  if (is_json)
+  if (printing.is_json)
     print_text("{}\n", to_text(all, {.depth_indented = 1}));
   else
-    for (const auto& [name, value] : all) print_text("{:<16} {}\n", name, *value.get<std::string>());
+    for (const auto& [name, value] : all)
+      if (!printing.is_quiet() || name == "self_test")
+        print_text("{:<16} {}\n", name, *value.get<std::string>());
   return ExitCode::agreed;
 }
 
@@ -68,9 +69,9 @@ Command info_command() {
           .example = "hyrax-sim info",
           .needs_strict_ieee = false,
           .declare = [](Options& options) {
-            const auto is_json = std::make_shared<bool>(false);
-            options.flag(*is_json, {"--json", "", "one JSON document instead of the table"});
-            return [is_json] { return info(*is_json); };
+            const auto printing = std::make_shared<Printing>();
+            options.printing(*printing);
+            return [printing] { return info(*printing); };
           }};
 }
 

@@ -9,8 +9,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
+#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -39,7 +38,7 @@ struct NewRequest {
   std::string column;
   std::string unit;
   bool is_forced = false;
-  bool is_json = false;
+  Printing printing;
 };
 
 // The records of a CSV file by RFC 4180; line ends are LF or CRLF, a byte-order mark is skipped.
@@ -49,7 +48,8 @@ class CsvReader {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
   }
 
-  // The next record's fields; nothing at the end of the file. ERRORS: Failure(bad_input) for a bad quote.
+  // The next record's fields; nothing at the end of the file. ERRORS: Failure(bad_input) for a misplaced
+  // quote.
   std::optional<std::vector<std::string>> next() {
     if (rest_.empty()) return std::nullopt;
     line_ = next_line_++;
@@ -174,35 +174,38 @@ ExitCode write_new(const NewRequest& request) {
   AtomicFile file(path);
   file.write(to_text(document, {.depth_indented = 1}) + "\n");
   request.is_forced ? file.commit() : file.commit_as_new();
-  if (request.is_json)
+  if (request.printing.is_json) {
     print_text("{}\n", to_text(Json::Object{{"scenario", path}, {"steps", steps}}, {.depth_indented = 2}));
-  else
-    print_text("written {} ({} steps); its $schema, for editors: hyrax-sim schema > scenario.schema.json\n",
-               path, steps);
+    return ExitCode::agreed;
+  }
+  print_text("written: {} ({} steps)\n", path, steps);
+  if (!request.printing.is_quiet())
+    print_text("its $schema, for editors: hyrax-sim schema > scenario.schema.json\n");
   return ExitCode::agreed;
 }
 
 }  // namespace
 
 Command new_command() {
-  return {
-      .name = "new",
-      .summary = "write a scenario file to start from, with every common key",
-      .example = "hyrax-sim new my-fling --clock-from presentmon.csv",
-      .needs_strict_ieee = false,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<NewRequest>();
-        options.files(request->names, {"NAME", "", "its name; NAME.json is written to the current folder"}, 1,
-                      1);
-        options.text(request->frames_path,
-                     {"--clock-from", "FRAMES.csv", "recorded frame times, as from PresentMon, one a frame"});
-        options.text(request->column, {"--column", "NAME", "their column; MsBetweenPresents if left out"});
-        options.choice(request->unit, {"--unit", "s|ms", "their unit; ms for MsBetweenPresents"},
-                       {"s", "ms"});
-        options.flag(request->is_forced, {"--force", "", "replace an existing NAME.json"});
-        options.flag(request->is_json, {"--json", "", "one JSON document instead of the text"});
-        return [request] { return write_new(*request); };
-      }};
+  return {.name = "new",
+          .summary = "write a scenario file to start from, with every common key",
+          .example = "hyrax-sim new my-fling --clock-from presentmon.csv",
+          .needs_strict_ieee = false,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<NewRequest>();
+            options.files(request->names,
+                          {"NAME", "", "the scenario's name; writes NAME.json in the current folder"}, 1, 1);
+            options.text(request->frames_path, {"--clock-from", "FRAMES.csv",
+                                                "a CSV file of recorded frame times, as from PresentMon"});
+            options.text(request->column,
+                         {"--column", "NAME", "the column of frame times (default: MsBetweenPresents)"});
+            options.choice(request->unit,
+                           {"--unit", "s|ms", "the unit of frame times (default for MsBetweenPresents: ms)"},
+                           {"s", "ms"});
+            options.flag(request->is_forced, {"--force", "", "replace an existing NAME.json"});
+            options.printing(request->printing);
+            return [request] { return write_new(*request); };
+          }};
 }
 
 }  // namespace hyrax

@@ -7,12 +7,9 @@
 #include "tools/files/presence.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
-#include "tools/hyrax-sim/drift/drift_options.h"
-#include "tools/hyrax-sim/drift/drift_report.h"
-#include "tools/hyrax-sim/runs/run_picture.h"
-#include "tools/hyrax-sim/runs/run_report.h"
+#include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/drift/drift.h"
+#include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -30,7 +27,7 @@ struct RunRequest {
   bool measures_drift = false;
   bool stores_rows = false;
   bool computes_all = false;
-  bool is_json = false;
+  Printing printing;
 };
 
 // A scenario that was read, or why it was not.
@@ -68,7 +65,7 @@ bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
   return scenarios > 1 || request.output.ends_with('/') || is_folder(request.output);
 }
 
-// Where each run is to be written.
+// Sets the output of each run.
 void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
   for (Candidate& candidate : candidates) {
     if (!candidate.scenario) continue;
@@ -98,9 +95,8 @@ std::optional<StoredDrift> stored_drift(const RunRequest& request) {
   if (request.measures_drift)
     return StoredDrift{{.gsl = gsl_options(request.reference, "hyrax-sim run")}, request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
-    throw Failure(
-        ExitCode::bad_input,
-        "hyrax-sim run: --rows, --reference, --stepper and --tolerance say how to measure; add --drift");
+    throw Failure(ExitCode::bad_input,
+                  "hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
   return std::nullopt;
 }
 
@@ -117,7 +113,7 @@ class Runner {
         report_failure(candidate.path, failure);
       }
     }
-    if (request_.is_json)
+    if (request_.printing.is_json)
       print_text("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 3}));
     return exit_code_;
   }
@@ -135,14 +131,15 @@ class Runner {
     if (!request_.figure.empty()) draw(*candidate.scenario);
   }
 
-  // The run is written and reported; that its figure is missing is added to its entry.
+  // A failure is added to the entry of the run, which is written and reported already.
   void draw(const Scenario& scenario) try {
     draw_run(request_.figure, scenario);
-    if (!request_.is_json) print_text("  drawn          {}\n", request_.figure);
+    if (request_.printing.is_json) return;
+    print_text("{}{}\n", request_.printing.is_quiet() ? "written: " : "  written        ", request_.figure);
   } catch (const Failure& failure) {
     exit_code_ = more_serious(exit_code_, failure.exit_code());
     print_error(failure.what());
-    if (!request_.is_json) return;
+    if (!request_.printing.is_json) return;
     Json::Object& entry = *entries_.back().get<Json::Object>();
     for (auto& [key, value] : entry)
       if (key == "status") value = "failed";
@@ -152,8 +149,9 @@ class Runner {
   void report(const ScenarioRun& run) {
     DriftReport drift;
     if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request_.stores_rows};
-    if (!request_.is_json) {
-      print_text("{}{}", run_text(run), run.drift ? drift_text(drift) : "");
+    if (!request_.printing.is_json) {
+      print_run(run, request_.printing);
+      if (run.drift) print_drift(drift, request_.printing);
       return;
     }
     Json entry = run_json(run);
@@ -177,8 +175,9 @@ ExitCode run(const RunRequest& request) {
   const std::vector<Override> overrides = overrides_of(request.overrides);
   const std::vector<std::string> paths = list_scenarios(request.files);
   if (!request.figure.empty() && paths.size() > 1)
-    throw Failure(ExitCode::bad_input, "hyrax-sim run: --figure draws one scenario, " +
-                                           std::to_string(paths.size()) + " are given");
+    throw Failure(
+        ExitCode::bad_input,
+        fmt::format("hyrax-sim run: --figure: allowed for one scenario only (found {})", paths.size()));
   std::vector<Candidate> candidates;
   for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
   OutputGuard guard(paths, request.golden_folder);
@@ -193,32 +192,35 @@ ExitCode run(const RunRequest& request) {
 }  // namespace
 
 Command run_command() {
-  return {.name = "run",
-          .summary = "replay scenarios, write their trajectories and compare them with golden files",
-          .example =
-              "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
-              "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 -o at-144-hz.h5",
-          .is_common = true,
-          .declare = [](Options& options) {
-            const auto request = std::make_shared<RunRequest>();
-            options.files(request->files, {"SCENARIO", "", "scenario files, or folders of them"}, 1, -1);
-            options.text(request->output, {"-o,--output", "FILE or DIR",
-                                           "FILE.h5, FILE.csv or a folder; NAME.h5 "
-                                           "in this folder if left out"});
-            options.texts(request->overrides,
-                          {"--set", "POINTER=VALUE", "replaces a value of the file, by JSON Pointer"});
-            options.text(request->figure, {"--figure", "FILE.svg",
-                                           "draws window, path and contacts to scale (needs gnuplot)"});
-            options.text(request->golden_folder,
-                         {"--golden", "DIR", "golden files; the `golden` beside `scenarios` if left out"});
-            options.flag(request->measures_drift,
-                         {"--drift", "", "measure it against the reference, as the command `drift` does"});
-            options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
-            declare_reference(options, request->reference);
-            options.flag(request->computes_all, {"--no-skip", "", "compute steps that repeat exactly, too"});
-            options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
-            return [request] { return run(*request); };
-          }};
+  return {
+      .name = "run",
+      .summary = "replay scenarios, write their trajectories and compare them with golden files",
+      .example =
+          "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
+          "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 -o at-144-hz.h5",
+      .is_common = true,
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<RunRequest>();
+        options.files(request->files,
+                      {"SCENARIO", "", "scenario files, or folders of them; - for standard input"}, 1, -1);
+        options.text(request->output,
+                     {"-o,--output", "FILE or DIR",
+                      "FILE.h5, FILE.csv or a folder (default: NAME.h5 in the\ncurrent folder)"});
+        options.texts(request->overrides,
+                      {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
+        options.text(request->figure,
+                     {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
+        options.text(
+            request->golden_folder,
+            {"--golden", "DIR", "folder of golden files (default: the `golden` beside\n`scenarios`)"});
+        options.flag(request->measures_drift,
+                     {"--drift", "", "measure against the reference, as the command `drift` does"});
+        options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
+        declare_reference(options, request->reference);
+        options.flag(request->computes_all, {"--no-skip", "", "compute also the steps that repeat exactly"});
+        options.printing(request->printing);
+        return [request] { return run(*request); };
+      }};
 }
 
 }  // namespace hyrax

@@ -1,8 +1,7 @@
 #include <memory>
 
 #include "scenario_schema.h"
-#include "tools/files/standard_streams.h"
-#include "tools/hyrax-sim/commands/commands.h"
+#include "tools/hyrax-sim/command_line/options.h"
 
 namespace hyrax {
 
@@ -11,9 +10,9 @@ Command schema_command() {
           .summary = "print the JSON Schema of scenario files, for editors",
           .example = "hyrax-sim schema > scenario.schema.json",
           .declare = [](Options& options) {
-            const auto is_json = std::make_shared<bool>(false);
-            options.flag(*is_json, {"--json", "", "changes nothing: the schema is one JSON document"});
-            return [is_json] {
+            const auto printing = std::make_shared<Printing>();
+            options.printing(*printing, "no effect: the schema is one JSON document");
+            return [printing] {
               print_text(kScenarioSchema);
               return ExitCode::agreed;
             };

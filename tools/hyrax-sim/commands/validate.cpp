@@ -1,34 +1,42 @@
 #include "sim/scenario/frame_clock.h"
+#include "tools/files/json.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/files/text_file.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/commands/commands.h"
+#include "tools/hyrax-sim/command_line/options.h"
 
 namespace hyrax {
 namespace {
 
 struct ValidateRequest {
   std::vector<std::string> files;
-  bool is_json = false;
+  Printing printing;
 };
+
+void print_good(const std::string& path, const Scenario& scenario, const Printing& printing) {
+  if (printing.is_json || printing.is_quiet()) return;
+  print_text("{}: {}, {} steps", path, VerdictWord{"good", true}, step_count(scenario));
+  if (printing.is_verbose()) print_text(", {} events, name {}", scenario.events.size(), scenario.name);
+  print_text("\n");
+}
 
 ExitCode validate(const ValidateRequest& request) {
   ExitCode exit_code = ExitCode::agreed;
   Json::Array results;
+  std::size_t good = 0;
   for (const std::string& path : list_scenarios(request.files)) {
     try {
-      const Scenario scenario =
-          path == "-" ? parse_scenario(read_text_file("/dev/stdin"), path) : load_scenario(path);
-      if (!request.is_json) print_text("{}: good, {} steps\n", path, step_count(scenario));
+      print_good(path, load_scenario(path), request.printing);
       results.push_back(Json::Object{{"scenario", path}, {"status", "good"}});
+      ++good;
     } catch (const Failure& failure) {
       print_error(failure.what());
       exit_code = more_serious(exit_code, failure.exit_code());
       results.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
     }
   }
-  if (request.is_json)
+  if (request.printing.is_quiet() && !request.printing.is_json)
+    print_text("{} of {} good\n", good, results.size());
+  if (request.printing.is_json)
     print_text("{}\n", to_text(Json::Object{{"results", std::move(results)}}, {.depth_indented = 2}));
   return exit_code;
 }
@@ -42,8 +50,9 @@ Command validate_command() {
           .declare = [](Options& options) {
             const auto request = std::make_shared<ValidateRequest>();
             options.files(request->files,
-                          {"SCENARIO", "", "scenario files, or folders of them; - is standard input"}, 1, -1);
-            options.flag(request->is_json, {"--json", "", "one JSON document instead of the table"});
+                          {"SCENARIO", "", "scenario files, or folders of them; - for standard input"}, 1,
+                          -1);
+            options.printing(request->printing);
             return [request] { return validate(*request); };
           }};
 }

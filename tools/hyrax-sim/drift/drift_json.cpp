@@ -1,4 +1,4 @@
-#include "tools/hyrax-sim/drift/drift_report.h"
+#include "tools/hyrax-sim/drift/drift.h"
 
 namespace hyrax {
 namespace {
@@ -55,21 +55,12 @@ constexpr WorstKey kWorstKeys[] = {{"implementation_px", &DriftSummary::implemen
                                    {"overshoot_px", &DriftSummary::overshoot_px},
                                    {"energy_jump_rel", &DriftSummary::energy_jump_rel}};
 
-Json worst_json(const DriftSummary& summary) {
+// The value of each worst error, or its step: an arc's first_step, a contact's step.
+Json worst_json(const DriftSummary& summary, const auto Worst::*member) {
   Json::Object object;
-  for (const auto& [key, member] : kWorstKeys) {
-    const std::optional<Worst>& worst = summary.*member;
-    object.emplace_back(key, worst ? Json(worst->value) : Json());
-  }
-  return object;
-}
-
-// Of an arc's error its first_step, of a contact's its step.
-Json worst_step_json(const DriftSummary& summary) {
-  Json::Object object;
-  for (const auto& [key, member] : kWorstKeys) {
-    const std::optional<Worst>& worst = summary.*member;
-    object.emplace_back(key, worst ? Json(worst->step) : Json());
+  for (const auto& [key, error] : kWorstKeys) {
+    const std::optional<Worst>& worst = summary.*error;
+    object.emplace_back(key, worst ? Json((*worst).*member) : Json());
   }
   return object;
 }
@@ -102,20 +93,20 @@ Json half_dt_json(const HalfDtOutcome& outcome) {
   if (!outcome.half) return nullptr;
   return Json::Object{{"steps", outcome.half->steps},
                       {"step_ns", outcome.half->step_ns},
-                      {"worst", worst_json(outcome.half->summary)}};
+                      {"worst", worst_json(outcome.half->summary, &Worst::value)}};
 }
 
 }  // namespace
 
 Json::Object drift_json(const DriftReport& report) {
   const DriftSummary& summary = report.run.summary;
-  const std::vector<std::string> omitted = left_out(report);
+  const std::vector<std::string> omitted = not_computed(report);
   return {
       {"skipped_arcs", summary.skipped_arcs},
       {"arcs", list_of(report.run.arcs, arc_json)},
       {"contacts", list_of(report.run.contacts, contact_json)},
-      {"worst", worst_json(summary)},
-      {"worst_step", worst_step_json(summary)},
+      {"worst", worst_json(summary, &Worst::value)},
+      {"worst_step", worst_json(summary, &Worst::step)},
       {"arcs_measured", summary.arcs},
       {"contacts_measured", summary.contacts},
       {"effective_restitution", restitution_json(summary.effective_restitution)},

@@ -1,4 +1,6 @@
-#include "tools/hyrax-sim/drift/drift_run.h"
+#include "tools/hyrax-sim/drift/drift.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
@@ -32,7 +34,7 @@ class Recorder final : public DriftSink {
   }
 
  private:
-  // Where it becomes too much, every other row goes, and from then on so many fewer come.
+  // At the limit, every other row is dropped, and from then on half as many are added.
   void keep(const RowErrors& row) {
     std::vector<DrawnRow>& rows = run_.rows;
     rows.push_back({arcs_seen_, row});
@@ -53,11 +55,11 @@ class Recorder final : public DriftSink {
 
 DriftSummary measure_to(const RunRows& rows, std::int64_t last_step, DriftSink& sink, FlightSolver* solver) {
   DriftMeter meter(rows.scenario, rows.inputs, sink, solver);
-  rows.hand_to(meter, last_step);
+  rows.send_to(meter, last_step);
   return meter.finish();
 }
 
-// A row from which the run goes through whole periods only; none where that saves nothing.
+// A row from which the run consists of complete periods; nothing if skipping them saves no time.
 std::optional<std::int64_t> start_of_whole_periods(const RunRows& rows) {
   if (!rows.repetition) return std::nullopt;
   const auto [from_step, period_steps] = *rows.repetition;
@@ -68,15 +70,15 @@ std::optional<std::int64_t> start_of_whole_periods(const RunRows& rows) {
   return start;
 }
 
-// Where a period has no arc and no contact, but ends what might become an arc, the periods to come are
-// like it.
+// If a period has no arc and no contact, but ends an arc that was too short to count, all later periods are
+// the same.
 DriftSummary measure(const RunRows& rows, DriftSink& sink, FlightSolver* solver) {
   const std::optional<std::int64_t> start = start_of_whole_periods(rows);
   if (!start) return measure_to(rows, rows.steps, sink, solver);
   const std::int64_t period_steps = rows.repetition->period_steps;
-  DriftSink nothing;
-  const DriftSummary before = measure_to(rows, *start, nothing, nullptr);
-  const DriftSummary after = measure_to(rows, *start + period_steps, nothing, nullptr);
+  DriftSink ignored;
+  const DriftSummary before = measure_to(rows, *start, ignored, nullptr);
+  const DriftSummary after = measure_to(rows, *start + period_steps, ignored, nullptr);
   const std::int64_t skipped = after.skipped_arcs - before.skipped_arcs;
   if (after.arcs != before.arcs || after.contacts != before.contacts || skipped == 0)
     return measure_to(rows, rows.steps, sink, solver);
@@ -85,14 +87,18 @@ DriftSummary measure(const RunRows& rows, DriftSink& sink, FlightSolver* solver)
   return summary;
 }
 
-// In a state that repeats no decision comes nearer, but for what a start still moves; air drag alone
-// brings that to 2e-9 of itself in so many steps.
+// In a state that repeats, no decision comes nearer except by what a change of the start still moves; in so
+// many steps air drag alone reduces that to 2e-9.
 constexpr std::int64_t kStepsUntilStartIsForgotten = 20'000;
 
-std::int64_t last_decisive_step(const RunRows& rows) {
-  if (!rows.repetition) return rows.steps;
-  return std::min(rows.steps, rows.repetition->from_step + 2 * rows.repetition->period_steps +
-                                  kStepsUntilStartIsForgotten);
+Margin margin_of(const RunRows& rows) {
+  std::int64_t last_step = rows.steps;
+  if (rows.repetition)
+    last_step = std::min(last_step, rows.repetition->from_step + 2 * rows.repetition->period_steps +
+                                        kStepsUntilStartIsForgotten);
+  MarginMeter meter(rows.scenario, rows.inputs);
+  rows.send_to(meter, last_step);
+  return meter.margin();
 }
 
 }  // namespace
@@ -113,14 +119,43 @@ DriftRun measure_drift(const RunRows& rows, const DriftOptions& options) {
 }
 
 DriftSummary summarize_drift(const RunRows& rows) {
-  DriftSink nothing;
-  return measure(rows, nothing, nullptr);
+  DriftSink ignored;
+  return measure(rows, ignored, nullptr);
 }
 
-Margin margin_of(const RunRows& rows) {
-  MarginMeter meter(rows.scenario, rows.inputs);
-  rows.hand_to(meter, last_decisive_step(rows));
-  return meter.margin();
+void declare_reference(Options& options, ReferenceRequest& request) {
+  options.choice(request.name,
+                 {"--reference", "closed|gsl",
+                  "the closed form alone, or checked by GSL; " + request.name + " if left out"},
+                 {"closed", "gsl"});
+  options.choice(request.stepper, {"--stepper", "NAME", "of GSL; rk8pd if left out"},
+                 {kGslStepperNames.begin(), kGslStepperNames.end()});
+  options.number(request.tolerance,
+                 {"--tolerance", "X", "of GSL's steps, absolute and relative; 1e-12 if left out"},
+                 kGslToleranceMin);
+}
+
+std::optional<GslOptions> gsl_options(const ReferenceRequest& request, const std::string& command) {
+  if (request.name != "gsl") {
+    if (!request.stepper.empty() || request.tolerance)
+      throw Failure(ExitCode::bad_input, command + ": --stepper and --tolerance need --reference gsl");
+    return std::nullopt;
+  }
+  GslOptions options;
+  if (!request.stepper.empty()) {
+    const auto name = std::find(kGslStepperNames.begin(), kGslStepperNames.end(), request.stepper);
+    options.stepper = static_cast<GslStepper>(name - kGslStepperNames.begin());
+  }
+  options.tolerance = request.tolerance.value_or(options.tolerance);
+  if (options.tolerance > kGslToleranceMax)
+    throw Failure(ExitCode::bad_input, fmt::format("{}: --tolerance: must be at most {:g} (found {:g})",
+                                                   command, kGslToleranceMax, options.tolerance));
+  return options;
+}
+
+ExitCode drift_exit_code(const DriftSummary& summary) {
+  if (summary.reference_faults > 0) return ExitCode::program_fault;
+  return summary.non_finite_step ? ExitCode::disagreed : ExitCode::agreed;
 }
 
 }  // namespace hyrax

@@ -1,5 +1,3 @@
-#include "tools/hyrax-sim/drift/drift_speed.h"
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -8,13 +6,13 @@
 #include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "tools/hyrax-sim/drift/drift_run.h"
+#include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
 
 namespace hyrax {
 namespace {
 
-// The compiler cannot leave out work whose result might be read.
+// Prevents the compiler from removing the work that made `body`.
 void keep(const physics& body) { asm volatile("" : : "r"(&body) : "memory"); }
 
 std::vector<double> first_frames_s(const Scenario& scenario) {
@@ -37,7 +35,7 @@ void play(const Scenario& scenario, const std::vector<double>& frames_s, int tim
   }
 }
 
-// Frames and the frames of events double; a hitch is the frame it was.
+// Twice the frames, and twice the frame numbers of events; a hitch keeps its dt.
 std::optional<Scenario> at_half_dt(Scenario scenario) {
   const std::int64_t steps = step_count(scenario);
   const std::vector<std::int64_t> frames = schedule_events(scenario, steps).frames;

@@ -7,8 +7,8 @@
 #include "tools/files/utf8.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/golden/check_verdict.h"
-#include "tools/hyrax-sim/runs/run_report.h"
-#include "tools/hyrax-sim/text/difference_text.h"
+#include "tools/hyrax-sim/golden/difference_text.h"
+#include "tools/hyrax-sim/runs/scenario_run.h"
 
 namespace hyrax {
 namespace {
@@ -29,33 +29,34 @@ std::string missing_text(const CheckVerdict& verdict) {
   const auto& [h5_path, txt_path] = *verdict.golden;
   std::string text = fmt::format("  no golden file at {}\n", printable(h5_path));
   if (is_there(h5_path) || is_there(txt_path))
-    text += fmt::format("  {} is there, but not {}\n", printable(is_there(h5_path) ? h5_path : txt_path),
+    text += fmt::format("  {} exists, but {} is missing\n", printable(is_there(h5_path) ? h5_path : txt_path),
                         printable(is_there(h5_path) ? txt_path : h5_path));
   return text;
 }
 
-// What is wrong, and which command lines show more.
-std::string details(const CheckVerdict& verdict) {
+// What is wrong, and the commands that show more.
+std::string details(const CheckVerdict& verdict, bool lists_all = false) {
   if (verdict.status == Status::failed) return "  " + verdict.error + "\n";
   if (verdict.status == Status::unreferenced)
-    return "  no scenario refers to this golden file: it was deleted, moved or renamed\n";
+    return "  no scenario for this golden file: the scenario was deleted, moved or renamed\n";
+  if (verdict.status == Status::agreed) return "";
   std::string text;
   for (const Expectation& broken : verdict.broken)
     text += fmt::format("  expect     {}\n", expectation_text(broken));
   const std::string bless = bless_command_for(verdict.path, verdict.golden_folder);
   if (verdict.status == Status::missing)
-    return text + missing_text(verdict) + fmt::format("  to make one: {}\n", bless);
+    return text + missing_text(verdict) + fmt::format("  to create it: {}\n", bless);
   if (verdict.comparison.agrees) return text;
-  return text + difference_text(verdict.comparison) +
+  return text + difference_text(verdict.comparison, lists_all) +
          fmt::format(
              "  to see more     {}; {}\n"
-             "  if it is meant  {}\n",
+             "  to accept it    {}\n",
              shell_command({"hyrax-sim", "run", as_argument(verdict.path), "-o", "now.h5"}),
              shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}), bless);
 }
 
-// XML 1.0 can hold neither control characters, except some of white space, nor U+FFFE and U+FFFF, nor bytes
-// that are no UTF-8, in any form: they become text.
+// XML 1.0 allows neither control characters, except some white space, nor U+FFFE, U+FFFF and invalid UTF-8,
+// not even escaped: they become text.
 std::string escaped(std::string_view text) {
   std::string xml;
   for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes) {
@@ -64,7 +65,7 @@ std::string escaped(std::string_view text) {
     if (code < 0)
       xml += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
     else if (code == '\n' || code == '\t')
-      xml += fmt::format("&#{};", code);  // As such, an attribute would turn it into a space.
+      xml += fmt::format("&#{};", code);  // Unescaped, an attribute turns it into a space.
     else if (code < 0x20 || code == 0x7f || code == 0xFFFE || code == 0xFFFF)
       xml += fmt::format("\\u{:04x}", code);
     else if (code == '&' || code == '<' || code == '>' || code == '"')
@@ -88,18 +89,19 @@ std::string test_case(const CheckVerdict& verdict) {
 
 }  // namespace
 
-std::string check_text(const std::vector<CheckVerdict>& verdicts) {
-  std::string text;
-  for (const CheckVerdict& verdict : verdicts)
-    if (verdict.status != Status::agreed)
-      text += fmt::format("{}: {}\n{}", printable(verdict.path), name_of(verdict.status), details(verdict));
+void print_check(const std::vector<CheckVerdict>& verdicts, const Printing& printing) {
+  for (const CheckVerdict& verdict : verdicts) {
+    const bool is_good = verdict.status == Status::agreed;
+    if (is_good ? printing.is_verbose() : !printing.is_quiet())
+      print_text("{}: {}\n{}", printable(verdict.path), VerdictWord{name_of(verdict.status), is_good},
+                 details(verdict, printing.is_verbose()));
+    if (verdict.status == Status::failed && printing.is_quiet()) print_error(verdict.error);
+  }
+  print_text("{} checked: {} agreed, {} disagreed, {} without golden file, {} failed",
+             scenario_count(verdicts), count(verdicts, Status::agreed), count(verdicts, Status::disagreed),
+             count(verdicts, Status::missing), count(verdicts, Status::failed));
   const std::int64_t unreferenced = count(verdicts, Status::unreferenced);
-  text += fmt::format("{} checked: {} agreed, {} disagreed, {} without golden file, {} failed",
-                      scenario_count(verdicts), count(verdicts, Status::agreed),
-                      count(verdicts, Status::disagreed), count(verdicts, Status::missing),
-                      count(verdicts, Status::failed));
-  if (unreferenced > 0) text += fmt::format("; {} unreferenced", unreferenced);
-  return text + "\n";
+  print_text("{}\n", unreferenced > 0 ? fmt::format("; {} unreferenced", unreferenced) : "");
 }
 
 Json check_json(const std::vector<CheckVerdict>& verdicts) {

@@ -1,111 +1,38 @@
-#include "tools/hyrax-sim/runs/run_report.h"
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "tools/files/file_name.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/text/difference_text.h"
+#include "tools/hyrax-sim/golden/difference_text.h"
+#include "tools/hyrax-sim/runs/run_rows.h"
+#include "tools/hyrax-sim/runs/scenario_run.h"
 
 namespace hyrax {
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text.empty() ? "nothing" : text;
-}
-
-Json counts_json(const WallCounts& counts) {
-  Json::Object object;
-  for (std::size_t wall = 0; wall < counts.size(); ++wall)
-    object.emplace_back(kWallNames[wall], counts[wall]);
-  return object;
-}
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
-std::string contacts_text(const WallCounts& counts) {
-  std::vector<std::string> words;
-  for (std::size_t wall = 0; wall < counts.size(); ++wall)
-    if (counts[wall] > 0) words.push_back(fmt::format("{} {}", kWallNames[wall], counts[wall]));
-  return words.empty() ? "none" : joined(words);
-}
-
-std::string clock_text(const Clock& clock) {
-  std::string text;
-  if (const auto* rate = std::get_if<FixedRate>(&clock.base)) text = fmt::format("at {} Hz", rate->rate_hz);
-  if (const auto* step = std::get_if<FixedStep>(&clock.base)) text = fmt::format("at dt {} s", step->dt_s);
-  if (std::holds_alternative<RecordedSteps>(clock.base)) text = "at recorded dt";
-  return clock.jitter ? text + ", jittered" : text;
-}
-
-std::string rest_text(const RunSummary& summary) {
-  return summary.at_rest_since_s ? fmt::format("  settled        since {:.6g} s\n", *summary.at_rest_since_s)
-                                 : std::string("  not settled    moved within the last 1 s\n");
-}
-
-std::string expectations_text(const ScenarioRun& run) {
-  std::size_t holding = 0;
-  std::string broken;
-  for (const Expectation& expectation : run.expectations) {
-    holding += expectation.holds ? 1 : 0;
-    if (!expectation.holds) broken += "    does not hold: " + expectation_text(expectation) + "\n";
-  }
-  return fmt::format("  expect         {} of {} hold\n", holding, run.expectations.size()) + broken;
-}
-
-// Only a trajectory file can be compared.
-std::string diff_command_for(const ScenarioRun& run) {
-  const auto diff = [&](const std::string& output) {
-    return shell_command({"hyrax-sim", "diff", as_argument(run.golden_path), as_argument(output)});
-  };
-  if (file_name(run.output).extension != ".csv") return diff(run.output);
-  return shell_command({"hyrax-sim", "run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
-}
-
-std::string golden_text(const ScenarioRun& run) {
-  if (run.golden_path.empty()) return "";
-  if (!run.comparison)
-    return fmt::format("  golden         none at {}; to make one: {}\n", run.golden_path,
-                       bless_command_for(run.path, run.golden_folder));
-  if (run.comparison->agrees)
-    return fmt::format("  golden         agrees bit for bit with {}\n", run.golden_path);
-  return fmt::format("  golden         DIFFERS from {}\n", run.golden_path) +
-         difference_text(*run.comparison) + fmt::format("  more           {}\n", diff_command_for(run));
-}
-
-Json golden_json(const ScenarioRun& run) {
-  if (run.golden_path.empty()) return nullptr;
-  const char* const status = !run.comparison ? "missing" : run.comparison->agrees ? "agreed" : "disagreed";
-  Json::Object object{{"file", run.golden_path}, {"status", status}};
-  if (run.comparison && run.comparison->difference) {
-    object.emplace_back("class", name_of(*run.comparison->difference));
-    object.emplace_back("first_divergence", divergence_json(run.comparison->first));
-  }
-  return object;
-}
-
-Json words_json(const std::vector<std::string>& words) { return Json::Array(words.begin(), words.end()); }
-
-}  // namespace
+// What the run exercised, what it never touched, and what was not computed.
+struct Coverage {
+  std::vector<std::string> exercised;
+  std::vector<std::string> never_touched;
+  std::vector<std::string> not_computed;
+};
 
 Coverage coverage_of(const ScenarioRun& run) {
   const RunSummary& summary = run.summary;
   Coverage coverage;
-  const auto part = [&](bool is_exercised, const char* name) {
+  const auto add = [&](bool is_exercised, const char* name) {
     (is_exercised ? coverage.exercised : coverage.never_touched).emplace_back(name);
   };
-  part(summary.had_gravity, "gravity");
-  part(summary.had_drag, "drag");
-  part(summary.clamped_steps[0] > 0, "left wall");
-  part(summary.clamped_steps[1] > 0, "right wall");
-  part(summary.clamped_steps[2] > 0, "top");
-  part(summary.clamped_steps[3] > 0, "ground");
-  part(summary.had_friction, "friction");
-  part(summary.rest_steps > 0, "rest rule");
+  add(summary.had_gravity, "gravity");
+  add(summary.had_drag, "drag");
+  add(summary.clamped_steps[0] > 0, "left wall");
+  add(summary.clamped_steps[1] > 0, "right wall");
+  add(summary.clamped_steps[2] > 0, "top");
+  add(summary.clamped_steps[3] > 0, "ground");
+  add(summary.had_friction, "friction");
+  add(summary.rest_steps > 0, "rest rule");
   const std::int64_t skipped = summary.steps - summary.steps_computed;
   if (skipped > 0 && summary.periodic_from_step)
     coverage.not_computed.push_back(
@@ -124,25 +51,113 @@ Coverage coverage_of(const ScenarioRun& run) {
   return coverage;
 }
 
-std::string run_text(const ScenarioRun& run) {
-  const RunSummary& summary = run.summary;
-  const Coverage coverage = coverage_of(run);
-  std::string text = fmt::format("{}: {} steps, {:.6g} s {}\n", run.scenario.name, summary.steps,
-                                 summary.simulated_s, clock_text(run.scenario.clock));
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string counts_text(const WallCounts& counts) {
+  std::vector<std::string> names;
+  for (std::size_t wall = 0; wall < counts.size(); ++wall)
+    if (counts[wall] > 0) names.push_back(fmt::format("{} {}", kWallNames[wall], counts[wall]));
+  return names.empty() ? "none" : joined(names);
+}
+
+Json counts_json(const WallCounts& counts) {
+  Json::Object object;
+  for (std::size_t wall = 0; wall < counts.size(); ++wall)
+    object.emplace_back(kWallNames[wall], counts[wall]);
+  return object;
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json golden_json(const ScenarioRun& run) {
+  if (run.golden_path.empty()) return nullptr;
+  const char* const status = !run.comparison ? "missing" : run.comparison->agrees ? "agreed" : "disagreed";
+  Json::Object object{{"file", run.golden_path}, {"status", status}};
+  if (run.comparison && run.comparison->difference) {
+    object.emplace_back("class", name_of(*run.comparison->difference));
+    object.emplace_back("first_divergence", divergence_json(run.comparison->first));
+  }
+  return object;
+}
+
+Json list_json(const std::vector<std::string>& names) { return Json::Array(names.begin(), names.end()); }
+
+// Only a trajectory file can be compared.
+std::string diff_command_for(const ScenarioRun& run) {
+  const auto diff = [&](const std::string& output) {
+    return shell_command({"hyrax-sim", "diff", as_argument(run.golden_path), as_argument(output)});
+  };
+  if (file_name(run.output).extension != ".csv") return diff(run.output);
+  return shell_command({"hyrax-sim", "run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
+}
+
+void print_motion(const RunSummary& summary) {
   if (summary.non_finite_step)
-    text += fmt::format("  NOT FINITE     from step {}; the run ended there\n", *summary.non_finite_step);
-  text += fmt::format("  contacts       {}\n", contacts_text(summary.contacts));
-  text += fmt::format("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
-                      summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s,
-                      summary.final.vy_px_per_s);
-  text += rest_text(summary);
-  text +=
-      fmt::format("  exercised      {}\n  never touched  {}\n  not computed   {}\n",
-                  joined(coverage.exercised), joined(coverage.never_touched), joined(coverage.not_computed));
-  if (!run.expectations.empty()) text += expectations_text(run);
-  text += golden_text(run);
-  text += fmt::format("  state hash     {}\n", hex(summary.state_hash));
-  return text + fmt::format("  written        {} ({} rows)\n", run.output, run.rows_recorded);
+    print_text("  {}     from step {}; the run ended there\n", VerdictWord{"NOT FINITE", false},
+               *summary.non_finite_step);
+  print_text("  contacts       {}\n", counts_text(summary.contacts));
+  print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
+             summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s, summary.final.vy_px_per_s);
+  if (summary.at_rest_since_s)
+    print_text("  settled        since {:.6g} s\n", *summary.at_rest_since_s);
+  else
+    print_text("  not settled    moved within the last 1 s\n");
+}
+
+void print_details(const RunSummary& summary) {
+  print_text("  clamped steps  {}; rest rule {}\n", counts_text(summary.clamped_steps), summary.rest_steps);
+  if (summary.periodic_from_step)
+    print_text("  repeats        from row {}, every {} step{}\n", *summary.periodic_from_step,
+               summary.period_steps, summary.period_steps == 1 ? "" : "s");
+}
+
+void print_expectations(const std::vector<Expectation>& expectations) {
+  if (expectations.empty()) return;
+  const auto holding = std::ranges::count_if(expectations, &Expectation::holds);
+  print_text("  expect         {} of {} hold\n", holding, expectations.size());
+  for (const Expectation& expectation : expectations)
+    print_text("    {}: {}\n",
+               expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
+               expectation_text(expectation));
+}
+
+void print_golden(const ScenarioRun& run) {
+  if (run.golden_path.empty()) return;
+  if (!run.comparison)
+    print_text("  golden         missing: {}; to create it: {}\n", run.golden_path,
+               bless_command_for(run.path, run.golden_folder));
+  else if (run.comparison->agrees)
+    print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden_path);
+  else
+    print_text("  golden         {} from {}\n{}  more           {}\n", VerdictWord{"DIFFERS", false},
+               run.golden_path, difference_text(*run.comparison), diff_command_for(run));
+}
+
+}  // namespace
+
+void print_run(const ScenarioRun& run, const Printing& printing) {
+  const RunSummary& summary = run.summary;
+  if (printing.is_quiet()) {
+    print_text("{}: {}; written: {}\n", run.scenario.name,
+               run.is_as_expected() ? VerdictWord{"agreed", true} : VerdictWord{"disagreed", false},
+               run.output);
+    return;
+  }
+  print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
+  print_motion(summary);
+  if (printing.is_verbose()) print_details(summary);
+  const Coverage coverage = coverage_of(run);
+  print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n", joined(coverage.exercised),
+             joined(coverage.never_touched), joined(coverage.not_computed));
+  print_expectations(run.expectations);
+  print_golden(run);
+  print_text("  state hash     {}\n", hex(summary.state_hash));
+  print_text("  written        {} ({} rows)\n", run.output, run.rows_recorded);
 }
 
 Json run_json(const ScenarioRun& run) {
@@ -170,9 +185,9 @@ Json run_json(const ScenarioRun& run) {
                       {"output", run.output},
                       {"expect", std::move(expectations)},
                       {"golden", golden_json(run)},
-                      {"exercised", words_json(coverage.exercised)},
-                      {"never_touched", words_json(coverage.never_touched)},
-                      {"not_computed", words_json(coverage.not_computed)}};
+                      {"exercised", list_json(coverage.exercised)},
+                      {"never_touched", list_json(coverage.never_touched)},
+                      {"not_computed", list_json(coverage.not_computed)}};
   if (summary.non_finite_step) object.emplace_back("non_finite_step", *summary.non_finite_step);
   return object;
 }

@@ -1,15 +1,16 @@
 #include "tools/hyrax-sim/runs/run_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <memory>
 #include <string_view>
 
-#include "sim/replay/replay.h"
 #include "tools/files/presence.h"
-#include "tools/files/scenario_reader.h"
+#include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
-#include "tools/hyrax-sim/runs/shown_replay.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -17,7 +18,7 @@ namespace {
 
 void replay_to(const Scenario& scenario, RowSink& sink, std::int64_t last_step) {
   Replay replay(scenario, sink);
-  play_shown(replay, last_step);
+  play_with_progress(replay, last_step);
   static_cast<void>(replay.finish());
 }
 
@@ -27,8 +28,8 @@ void read_to(const TrajectoryFile& file, RowSink& sink, std::int64_t last_step) 
     const Columns rows = file.rows(first, std::min(kBatchRows, last_step + 1 - first));
     for (std::size_t index = 0; index < rows.size(); ++index)
       if (rows.step[index] != first + static_cast<std::int64_t>(index))
-        file.refuse("/trajectory/step: holds " + std::to_string(rows.step[index]) + " where row " +
-                    std::to_string(first + static_cast<std::int64_t>(index)) + " belongs");
+        file.refuse(fmt::format("/trajectory/step: must be {} (found {})",
+                                first + static_cast<std::int64_t>(index), rows.step[index]));
     sink.rows(rows);
   }
 }
@@ -38,9 +39,9 @@ RunRows rows_of(const std::shared_ptr<const TrajectoryFile>& file) {
   if (file->row_count() != head.steps + 1) {
     const RunSummary summary = play(head.scenario);
     RunRows rows = rows_of(head.scenario, summary);
-    rows.note = "replayed from its scenario, since it holds " + std::to_string(file->row_count()) + " of " +
-                std::to_string(head.steps + 1) + " rows";
-    if (hex(summary.state_hash) != head.state_hash) rows.note += "; THE REPLAY HAS ANOTHER STATE HASH";
+    rows.note = fmt::format("replayed from its scenario: the file holds {} of {} rows", file->row_count(),
+                            head.steps + 1);
+    if (hex(summary.state_hash) != head.state_hash) rows.note += "; THE REPLAY'S STATE HASH DIFFERS";
     return rows;
   }
   RunRows rows;
@@ -48,7 +49,7 @@ RunRows rows_of(const std::shared_ptr<const TrajectoryFile>& file) {
   rows.inputs = inputs_taken(head.scenario, head.steps);
   rows.steps = head.steps;
   rows.simulated_s = file->rows(head.steps, 1).t_s.front();
-  rows.hand_to = [file](RowSink& sink, std::int64_t last_step) { read_to(*file, sink, last_step); };
+  rows.source = [file](RowSink& sink, std::int64_t last_step) { read_to(*file, sink, last_step); };
   return rows;
 }
 
@@ -61,12 +62,12 @@ RunRows rows_of(const Scenario& scenario, const RunSummary& summary) {
   rows.steps = summary.steps;
   rows.simulated_s = summary.simulated_s;
   if (summary.periodic_from_step) rows.repetition = {*summary.periodic_from_step, summary.period_steps};
-  rows.hand_to = [scenario](RowSink& sink, std::int64_t last_step) { replay_to(scenario, sink, last_step); };
+  rows.source = [scenario](RowSink& sink, std::int64_t last_step) { replay_to(scenario, sink, last_step); };
   return rows;
 }
 
-// A file that is damaged in its first bytes should be refused as what its name says. Looking into a pipe
-// would take its first bytes away, or wait for them.
+// By name first: a file with damaged first bytes is reported as a bad trajectory. A pipe is not opened:
+// reading its first bytes would consume them, or wait for them.
 bool is_trajectory(const std::string& path) {
   if (path.ends_with(".h5")) return true;
   if (!is_regular_file(path)) return false;
@@ -77,9 +78,32 @@ bool is_trajectory(const std::string& path) {
 }
 
 RunRows load_rows(const std::string& path) {
-  if (is_trajectory(path)) return rows_of(std::make_shared<const TrajectoryFile>(TrajectoryFile::open(path)));
-  const Scenario scenario = load_scenario(path);
-  return rows_of(scenario, play(scenario));
+  return rows_of(std::make_shared<const TrajectoryFile>(TrajectoryFile::open(path)));
+}
+
+void play_with_progress(Replay& replay, std::int64_t end) {
+  using SteadyClock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kShortPiece(50);
+  Progress progress("steps", end);
+  // Steps that repeat take almost no time, so pieces grow until each takes long enough.
+  std::int64_t piece = progress.is_shown() ? 1 << 16 : end;
+  for (std::int64_t step = 0; step < end && replay.keyframe().row.step == step;) {
+    const SteadyClock::time_point begin = SteadyClock::now();
+    step = std::min(end, step + piece);
+    replay.play_to(step);
+    progress.show(step);
+    if (SteadyClock::now() - begin < kShortPiece) piece = std::min(end, 2 * piece);
+  }
+}
+
+std::string title_of(const Scenario& scenario, std::int64_t steps, double simulated_s) {
+  std::string clock = "at recorded dt";
+  if (const auto* rate = std::get_if<FixedRate>(&scenario.clock.base))
+    clock = fmt::format("at {} Hz", rate->rate_hz);
+  if (const auto* step = std::get_if<FixedStep>(&scenario.clock.base))
+    clock = fmt::format("at dt {} s", step->dt_s);
+  return fmt::format("{}: {} steps, {:.6g} s {}{}", scenario.name, steps, simulated_s, clock,
+                     scenario.clock.jitter ? ", jittered" : "");
 }
 
 }  // namespace hyrax
