@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "tools/files/unknown_word.h"
@@ -27,11 +28,21 @@ std::optional<Number> parse_number(const std::string& text) {
 // Two columns; names too wide for the first one get a line of their own.
 std::string help_line(const std::string& names, const std::string& help) {
   constexpr std::size_t kColumn = 30;
+  constexpr std::size_t kHelpWidth = 70;
   const std::string gap(kColumn, ' ');
-  std::string line = "  " + names;
-  line += line.size() < kColumn ? std::string(kColumn - line.size(), ' ') : "\n" + gap;
-  for (const char letter : help) line += letter == '\n' ? "\n" + gap : std::string(1, letter);
-  return line + "\n";
+  std::string text = "  " + names;
+  text += text.size() < kColumn ? std::string(kColumn - text.size(), ' ') : "\n" + gap;
+  std::istringstream lines(help);
+  for (std::string line, begin; std::getline(lines, line); begin = "\n" + gap) {
+    text += begin;
+    for (std::size_t end = 0; line.size() > kHelpWidth; line.erase(0, end + 1)) {
+      end = line.rfind(' ', kHelpWidth);
+      if (end == std::string::npos) break;
+      text += line.substr(0, end) + "\n" + gap;
+    }
+    text += line;
+  }
+  return text + "\n";
 }
 
 std::string with_value(const OptionText& text) {
@@ -94,13 +105,13 @@ void Options::choice(std::string& into, const OptionText& text, const std::vecto
   });
 }
 
-void Options::printing(Printing& into, const std::string& json_help) {
-  flag(into.is_json, {"--json", "", json_help});
+void Options::printing(Printing& into, const std::string& verbose_help) {
+  flag(into.is_json, {"--json", "", "one JSON document instead of the text"});
   const auto detail = [&](const OptionText& text, Printing::Detail value) {
     add(text, Kind::flag, [&into, value](const std::string&) { into.detail = value; });
   };
   detail({"-q,--quiet", "", "print errors and verdicts only"}, Printing::Detail::verdict);
-  detail({"-v,--verbose", "", "print more"}, Printing::Detail::all);
+  detail({"-v,--verbose", "", verbose_help}, Printing::Detail::all);
 }
 
 std::vector<std::string_view> Options::names() const {

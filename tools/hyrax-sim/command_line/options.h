@@ -39,8 +39,8 @@ class Options {
   void integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low);
   /// One of `allowed`.
   void choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed);
-  /// What every command has: --json, --quiet and --verbose.
-  void printing(Printing& into, const std::string& json_help = "one JSON document instead of the text");
+  /// What every command has: --json, --quiet and --verbose, the last with its own help.
+  void printing(Printing& into, const std::string& verbose_help = "no effect");
 
   /// Sets what was declared. Returns false if help is requested; not everything is set then.
   /// ERRORS: Failure(bad_input) "OPTION: what is wrong (found X); what is allowed".

@@ -286,8 +286,8 @@ Command bless_command() {
                          {"--reason", "TEXT", "why they change; recorded in the summary (required)"});
             options.text(
                 request->golden_folder,
-                {"--golden", "DIR", "folder of golden files (default: the `golden` beside\n`scenarios`)"});
-            options.printing(request->printing);
+                {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+            options.printing(request->printing, "print all contacts that moved");
             return [request] { return bless(*request); };
           }};
 }

@@ -110,28 +110,28 @@ ExitCode check(CheckRequest& request) {
 }  // namespace
 
 Command check_command() {
-  return {
-      .name = "check",
-      .summary = "replay scenarios and compare every bit with their golden files",
-      .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
-      .is_common = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<CheckRequest>();
-        options.files(request->files,
-                      {"SCENARIO or DIR", "",
-                       "scenario files, or folders of them (default: scenarios). In the golden folder of a "
-                       "folder, golden\nfiles without a scenario are reported as unreferenced (exit code 1)"},
-                      0, -1);
-        options.text(
-            request->golden_folder,
-            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-        options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
-        options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
-        options.flag(request->is_quick,
-                     {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
-        options.printing(request->printing);
-        return [request] { return check(*request); };
-      }};
+  return {.name = "check",
+          .summary = "replay scenarios and compare every bit with their golden files",
+          .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<CheckRequest>();
+            options.files(request->files,
+                          {"SCENARIO or DIR", "",
+                           "scenario files, or folders of them (default: scenarios). A folder's golden files "
+                           "without a scenario are reported as unreferenced (exit code 1)"},
+                          0, -1);
+            options.text(
+                request->golden_folder,
+                {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+            options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
+            options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
+            options.flag(
+                request->is_quick,
+                {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+            options.printing(request->printing, "print every scenario, and all contacts that moved");
+            return [request] { return check(*request); };
+          }};
 }
 
 }  // namespace hyrax

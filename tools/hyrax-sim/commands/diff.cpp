@@ -175,7 +175,7 @@ Command diff_command() {
         options.number(request->tolerance.abs, {"--abs", "X", "absolute tolerance (px, px/s or s)"}, 0.0);
         options.number(request->tolerance.rel, {"--rel", "X", "tolerance relative to the larger value"}, 0.0);
         options.integer(request->tolerance.ulps, {"--ulps", "N", "tolerance in units in the last place"}, 0);
-        options.printing(request->printing);
+        options.printing(request->printing, "print all contacts that moved, and the build settings");
         return [request] { return diff(*request); };
       }};
 }

@@ -5,6 +5,7 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
@@ -41,81 +42,43 @@ DriftInput read_input(const std::string& path) {
   return input;
 }
 
-class Measurer {
- public:
-  explicit Measurer(const DriftRequest& request)
-      : request_(request), gsl_(gsl_options(request.reference, "hyrax-sim drift")) {}
+DriftRun measure(const DriftRequest& request, const DriftInput& input, const DriftOptions& options) {
+  if (request.output.empty())
+    return measure_drift(
+        input.is_file ? load_rows(input.path) : rows_of(*input.scenario, play(*input.scenario)), options);
+  if (input.is_file)
+    throw Failure(ExitCode::bad_input, input.path + ": is a trajectory; -o needs a scenario");
+  return *write_run(request.output, *input.scenario,
+                    {.replay = {}, .drift = StoredDrift{options, request.stores_rows}})
+              .drift;
+}
 
-  ExitCode measure(const std::vector<DriftInput>& inputs) {
-    for (const DriftInput& input : inputs) {
-      try {
-        if (input.failure) throw *input.failure;
-        measure_one(input);
-      } catch (const Failure& failure) {
-        report_failure(input.path, failure);
-      }
-    }
-    if (request_.printing.is_json)
-      print_text("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 4}));
-    return exit_code_;
-  }
+void report(const DriftRequest& request, const std::string& path, const DriftReport& report,
+            Outcomes& outcomes) {
+  if (!request.printing.is_json) return print_drift(report, request.printing);
+  Json::Object entry{{"scenario", path}};
+  for (auto& member : drift_json(report)) entry.push_back(std::move(member));
+  outcomes.add(Json(std::move(entry)));
+}
 
- private:
-  void measure_one(const DriftInput& input) {
-    const DriftOptions options{.gsl = gsl_, .keeps_rows = !request_.figures.empty()};
-    DriftReport report{.run = measure_run(input, options), .has_rows_stored = request_.stores_rows};
-    report.step_ns = step_ns(report.run.scenario);
-    report.half_dt = measure_half_dt(report.run.scenario);
-    exit_code_ = more_serious(exit_code_, drift_exit_code(report.run.summary));
-    print(input.path, report);
-    if (!request_.figures.empty()) draw(report.run);
-  }
-
-  // A failure is added to the entry of the run, which is reported already.
-  void draw(const DriftRun& run) try {
+void measure_one(const DriftRequest& request, const std::optional<GslOptions>& gsl, const DriftInput& input,
+                 Outcomes& outcomes) {
+  if (input.failure) throw *input.failure;
+  DriftReport measured{.run = measure(request, input, {.gsl = gsl, .keeps_rows = !request.figures.empty()}),
+                       .has_rows_stored = request.stores_rows};
+  const DriftRun& run = measured.run;
+  measured.step_ns = step_ns(run.scenario);
+  measured.half_dt = measure_half_dt(run.scenario);
+  outcomes.add(drift_exit_code(run.summary));
+  report(request, input.path, measured, outcomes);
+  if (request.figures.empty()) return;
+  outcomes.attempt_after([&] {
     const auto files = draw_drift_figures(
-        request_.figures, {run.scenario, run.simulated_s, run.summary, run.arcs, run.contacts, run.rows});
-    if (!request_.printing.is_json)
+        request.figures, {run.scenario, run.simulated_s, run.summary, run.arcs, run.contacts, run.rows});
+    if (!request.printing.is_json)
       for (const std::string& file : files) print_error("written: " + file);
-  } catch (const Failure& failure) {
-    exit_code_ = more_serious(exit_code_, failure.exit_code());
-    print_error(failure.what());
-    if (request_.printing.is_json) {
-      Json::Object& entry = *entries_.back().get<Json::Object>();
-      entry.emplace_back("status", "failed");
-      entry.emplace_back("error", failure.what());
-    }
-  }
-
-  [[nodiscard]] DriftRun measure_run(const DriftInput& input, const DriftOptions& options) const {
-    if (request_.output.empty())
-      return measure_drift(
-          input.is_file ? load_rows(input.path) : rows_of(*input.scenario, play(*input.scenario)), options);
-    if (input.is_file)
-      throw Failure(ExitCode::bad_input, input.path + ": is a trajectory; -o needs a scenario");
-    return *write_run(request_.output, *input.scenario,
-                      {.replay = {}, .drift = StoredDrift{options, request_.stores_rows}})
-                .drift;
-  }
-
-  void print(const std::string& path, const DriftReport& report) {
-    if (!request_.printing.is_json) return print_drift(report, request_.printing);
-    Json::Object entry{{"scenario", path}};
-    for (auto& member : drift_json(report)) entry.push_back(std::move(member));
-    entries_.emplace_back(std::move(entry));
-  }
-
-  void report_failure(const std::string& path, const Failure& failure) {
-    exit_code_ = more_serious(exit_code_, failure.exit_code());
-    print_error(failure.what());
-    entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
-  }
-
-  const DriftRequest& request_;
-  std::optional<GslOptions> gsl_;
-  Json::Array entries_;
-  ExitCode exit_code_ = ExitCode::agreed;
-};
+  });
+}
 
 void admit_outputs(const DriftRequest& request, const std::vector<std::string>& paths,
                    const std::vector<DriftInput>& inputs) {
@@ -137,11 +100,16 @@ ExitCode drift(const DriftRequest& request) {
                   fmt::format("hyrax-sim drift: -o: allowed for one scenario only (found {}); for several: "
                               "hyrax-sim run --drift -o DIR",
                               paths.size()));
-  Measurer measurer(request);
+  const std::optional<GslOptions> gsl = gsl_options(request.reference, "hyrax-sim drift");
   std::vector<DriftInput> inputs;
   for (const std::string& path : paths) inputs.push_back(read_input(path));
   admit_outputs(request, paths, inputs);
-  return measurer.measure(inputs);
+  Outcomes outcomes;
+  for (const DriftInput& input : inputs)
+    outcomes.attempt(input.path, [&] { measure_one(request, gsl, input, outcomes); });
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(outcomes.take_json("runs"), {.depth_indented = 4}));
+  return outcomes.exit_code();
 }
 
 }  // namespace
@@ -159,7 +127,7 @@ Command drift_command() {
         options.files(
             request->files,
             {"SCENARIO or RUN.h5", "",
-             "scenario files, folders of them, or trajectories; - for a\nscenario on standard input"},
+             "scenario files, folders of them, or trajectories; - for a scenario on standard input"},
             1, -1);
         declare_reference(options, request->reference);
         options.text(request->output, {"-o,--output", "FILE.h5",
@@ -168,7 +136,7 @@ Command drift_command() {
         options.text(
             request->figures,
             {"--figures", "DIR", "draw energy, its drift, the errors and restitution (needs gnuplot)"});
-        options.printing(request->printing);
+        options.printing(request->printing, "print all arcs and contacts");
         return [request] { return drift(*request); };
       }};
 }

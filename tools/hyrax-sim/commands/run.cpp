@@ -8,6 +8,7 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/output_guard.h"
@@ -100,76 +101,37 @@ std::optional<StoredDrift> stored_drift(const RunRequest& request) {
   return std::nullopt;
 }
 
-class Runner {
- public:
-  explicit Runner(const RunRequest& request) : request_(request), drift_(stored_drift(request)) {}
-
-  ExitCode run(const std::vector<Candidate>& candidates) {
-    for (const Candidate& candidate : candidates) {
-      try {
-        if (candidate.failure) throw *candidate.failure;
-        run_one(candidate);
-      } catch (const Failure& failure) {
-        report_failure(candidate.path, failure);
-      }
-    }
-    if (request_.printing.is_json)
-      print_text("{}\n", to_text(Json::Object{{"runs", std::move(entries_)}}, {.depth_indented = 3}));
-    return exit_code_;
+void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
+  DriftReport drift;
+  if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
+  if (!request.printing.is_json) {
+    print_run(run, request.printing);
+    if (run.drift) print_drift(drift, request.printing);
+    return;
   }
+  Json entry = run_json(run);
+  if (run.drift) entry.get<Json::Object>()->emplace_back("drift", drift_json(drift));
+  outcomes.add(std::move(entry));
+}
 
- private:
-  void run_one(const Candidate& candidate) {
-    const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,
-                                         {.golden_folder = request_.golden_folder,
-                                          .skips_repetition = !request_.computes_all,
-                                          .compares = request_.overrides.empty(),
-                                          .drift = drift_});
-    if (run.drift) exit_code_ = more_serious(exit_code_, drift_exit_code(run.drift->summary));
-    if (!run.is_as_expected()) exit_code_ = more_serious(exit_code_, ExitCode::disagreed);
-    report(run);
-    if (!request_.figure.empty()) draw(*candidate.scenario);
-  }
-
-  // A failure is added to the entry of the run, which is written and reported already.
-  void draw(const Scenario& scenario) try {
-    draw_run(request_.figure, scenario);
-    if (request_.printing.is_json) return;
-    print_text("{}{}\n", request_.printing.is_quiet() ? "written: " : "  written        ", request_.figure);
-  } catch (const Failure& failure) {
-    exit_code_ = more_serious(exit_code_, failure.exit_code());
-    print_error(failure.what());
-    if (!request_.printing.is_json) return;
-    Json::Object& entry = *entries_.back().get<Json::Object>();
-    for (auto& [key, value] : entry)
-      if (key == "status") value = "failed";
-    entry.emplace_back("error", failure.what());
-  }
-
-  void report(const ScenarioRun& run) {
-    DriftReport drift;
-    if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request_.stores_rows};
-    if (!request_.printing.is_json) {
-      print_run(run, request_.printing);
-      if (run.drift) print_drift(drift, request_.printing);
-      return;
-    }
-    Json entry = run_json(run);
-    if (run.drift) entry.get<Json::Object>()->emplace_back("drift", drift_json(drift));
-    entries_.push_back(std::move(entry));
-  }
-
-  void report_failure(const std::string& path, const Failure& failure) {
-    exit_code_ = more_serious(exit_code_, failure.exit_code());
-    print_error(failure.what());
-    entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
-  }
-
-  const RunRequest& request_;
-  std::optional<StoredDrift> drift_;
-  Json::Array entries_;
-  ExitCode exit_code_ = ExitCode::agreed;
-};
+void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift, const Candidate& candidate,
+             Outcomes& outcomes) {
+  if (candidate.failure) throw *candidate.failure;
+  const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,
+                                       {.golden_folder = request.golden_folder,
+                                        .skips_repetition = !request.computes_all,
+                                        .compares = request.overrides.empty(),
+                                        .drift = drift});
+  if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
+  if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
+  report(request, run, outcomes);
+  if (request.figure.empty()) return;
+  outcomes.attempt_after([&] {
+    draw_run(request.figure, *candidate.scenario);
+    if (!request.printing.is_json)
+      print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.figure);
+  });
+}
 
 ExitCode run(const RunRequest& request) {
   const std::vector<Override> overrides = overrides_of(request.overrides);
@@ -183,10 +145,15 @@ ExitCode run(const RunRequest& request) {
   OutputGuard guard(paths, request.golden_folder);
   place_outputs(request, guard, candidates);
   if (!request.figure.empty()) guard.admit("hyrax-sim run: --figure", request.figure, {".svg"});
-  Runner runner(request);
+  const std::optional<StoredDrift> drift = stored_drift(request);
   if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
     make_output_folder(request, candidates.size());
-  return runner.run(candidates);
+  Outcomes outcomes;
+  for (const Candidate& candidate : candidates)
+    outcomes.attempt(candidate.path, [&] { run_one(request, drift, candidate, outcomes); });
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(outcomes.take_json("runs"), {.depth_indented = 3}));
+  return outcomes.exit_code();
 }
 
 }  // namespace
@@ -205,20 +172,20 @@ Command run_command() {
                       {"SCENARIO", "", "scenario files, or folders of them; - for standard input"}, 1, -1);
         options.text(request->output,
                      {"-o,--output", "FILE or DIR",
-                      "FILE.h5, FILE.csv or a folder (default: NAME.h5 in the\ncurrent folder)"});
+                      "FILE.h5, FILE.csv or a folder (default: NAME.h5 in the current folder)"});
         options.texts(request->overrides,
                       {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
         options.text(request->figure,
                      {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
         options.text(
             request->golden_folder,
-            {"--golden", "DIR", "folder of golden files (default: the `golden` beside\n`scenarios`)"});
+            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
         options.flag(request->measures_drift,
                      {"--drift", "", "measure against the reference, as the command `drift` does"});
         options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
         declare_reference(options, request->reference);
         options.flag(request->computes_all, {"--no-skip", "", "compute also the steps that repeat exactly"});
-        options.printing(request->printing);
+        options.printing(request->printing, "print also clamped steps and the period of a repeating state");
         return [request] { return run(*request); };
       }};
 }

@@ -11,7 +11,7 @@ Command schema_command() {
           .example = "hyrax-sim schema > scenario.schema.json",
           .declare = [](Options& options) {
             const auto printing = std::make_shared<Printing>();
-            options.printing(*printing, "no effect: the schema is one JSON document");
+            options.printing(*printing);
             return [printing] {
               print_text(kScenarioSchema);
               return ExitCode::agreed;

@@ -3,6 +3,7 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/outcomes.h"
 
 namespace hyrax {
 namespace {
@@ -20,25 +21,20 @@ void print_good(const std::string& path, const Scenario& scenario, const Printin
 }
 
 ExitCode validate(const ValidateRequest& request) {
-  ExitCode exit_code = ExitCode::agreed;
-  Json::Array results;
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  Outcomes outcomes;
   std::size_t good = 0;
-  for (const std::string& path : list_scenarios(request.files)) {
-    try {
+  for (const std::string& path : paths)
+    outcomes.attempt(path, [&] {
       print_good(path, load_scenario(path), request.printing);
-      results.push_back(Json::Object{{"scenario", path}, {"status", "good"}});
+      outcomes.add(Json::Object{{"scenario", path}, {"status", "good"}});
       ++good;
-    } catch (const Failure& failure) {
-      print_error(failure.what());
-      exit_code = more_serious(exit_code, failure.exit_code());
-      results.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
-    }
-  }
-  if (request.printing.is_quiet() && !request.printing.is_json)
-    print_text("{} of {} good\n", good, results.size());
+    });
   if (request.printing.is_json)
-    print_text("{}\n", to_text(Json::Object{{"results", std::move(results)}}, {.depth_indented = 2}));
-  return exit_code;
+    print_text("{}\n", to_text(outcomes.take_json("results"), {.depth_indented = 2}));
+  else if (request.printing.is_quiet())
+    print_text("{} of {} good\n", good, paths.size());
+  return outcomes.exit_code();
 }
 
 }  // namespace
@@ -52,7 +48,7 @@ Command validate_command() {
             options.files(request->files,
                           {"SCENARIO", "", "scenario files, or folders of them; - for standard input"}, 1,
                           -1);
-            options.printing(request->printing);
+            options.printing(request->printing, "print also the name and the number of events");
             return [request] { return validate(*request); };
           }};
 }

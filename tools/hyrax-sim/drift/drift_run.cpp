@@ -126,12 +126,12 @@ DriftSummary summarize_drift(const RunRows& rows) {
 void declare_reference(Options& options, ReferenceRequest& request) {
   options.choice(request.name,
                  {"--reference", "closed|gsl",
-                  "the closed form alone, or checked by GSL; " + request.name + " if left out"},
+                  "the closed form alone, or checked by GSL (default: " + request.name + ")"},
                  {"closed", "gsl"});
-  options.choice(request.stepper, {"--stepper", "NAME", "of GSL; rk8pd if left out"},
+  options.choice(request.stepper, {"--stepper", "NAME", "the stepper of GSL (default: rk8pd)"},
                  {kGslStepperNames.begin(), kGslStepperNames.end()});
   options.number(request.tolerance,
-                 {"--tolerance", "X", "of GSL's steps, absolute and relative; 1e-12 if left out"},
+                 {"--tolerance", "X", "absolute and relative tolerance of GSL (default: 1e-12)"},
                  kGslToleranceMin);
 }
 
