@@ -8,8 +8,8 @@
 
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
-#include "tools/hyrax-sim/commands.h"
-#include "tools/hyrax-sim/print.h"
+#include "tools/hyrax-sim/command_line/print.h"
+#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/study_frame_rate.h"
 #include "tools/hyrax-sim/study_hard_cases.h"
 #include "tools/hyrax-sim/study_needs.h"

@@ -11,7 +11,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/hyrax-sim/progress.h"
+#include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/report/hard_cases_figure.h"
 
 namespace hyrax {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/hyrax-sim/options.h"
+#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/study.h"
 
 namespace hyrax {

@@ -15,8 +15,8 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/machine_name.h"
-#include "tools/hyrax-sim/progress.h"
 #include "tools/hyrax-sim/steady_clock_ns.h"
 #include "tools/report/speed_error_figure.h"
 

@@ -1,0 +1,86 @@
+// A scenario played for `run`: into a file, with the verdicts of its expectations and its golden file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/compare/comparison.h"
+#include "sim/compare/expectations.h"
+#include "sim/replay/replay.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/run_summary.h"
+#include "tools/files/json.h"
+#include "tools/hyrax-sim/command_line/print.h"
+#include "tools/hyrax-sim/drift/drift.h"
+
+namespace hyrax {
+
+/// How a run is measured against the reference, and what of that is stored.
+struct StoredDrift {
+  DriftOptions options;
+  bool stores_rows = false;  ///< The errors of every recorded row, beside those of arcs and contacts.
+};
+
+struct WriteOptions {
+  ReplayOptions replay;
+  std::optional<StoredDrift> drift;  ///< Measured in a second replay.
+};
+
+struct WrittenRun {
+  RunSummary summary;
+  std::int64_t rows_recorded = 0;
+  std::optional<DriftRun> drift;
+};
+
+/// Plays the scenario and writes a trajectory file, or a CSV file if `output` ends in ".csv". Shows progress.
+/// ERRORS: Failure(cannot_access) if `output` cannot be written.
+[[nodiscard]] WrittenRun write_run(const std::string& output, const Scenario& scenario,
+                                   const WriteOptions& options);
+
+/// The verdicts on the scenario's `expect`. Only if that bounds an error against the reference is the run
+/// played again and measured, by the closed form alone.
+[[nodiscard]] std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary);
+
+struct ScenarioRunOptions {
+  std::string golden_folder;  ///< Empty: the `golden` beside the nearest `scenarios`.
+  bool skips_repetition = true;
+  bool compares = true;  ///< With the golden file, if there is one.
+  std::optional<StoredDrift> drift;
+};
+
+struct ScenarioRun : WrittenRun {
+  std::string path;  ///< As given.
+  Scenario scenario;
+  std::string output;
+  std::vector<Expectation> expectations;
+  std::string golden_path;               ///< Empty if no golden file was looked for.
+  std::string golden_folder;             ///< As given; empty if it was not.
+  std::string not_compared;              ///< Why no golden file was looked for; else empty.
+  std::optional<Comparison> comparison;  ///< With the golden file; nothing if it is missing.
+
+  [[nodiscard]] bool is_as_expected() const;
+};
+
+/// Plays the scenario and writes `output`, then judges.
+/// ERRORS: Failure(cannot_access) for the output, Failure of reading the golden file.
+[[nodiscard]] ScenarioRun run_scenario(const std::string& path, const Scenario& scenario,
+                                       const std::string& output, const ScenarioRunOptions& options);
+
+/// Prints what `run` found.
+void print_run(const ScenarioRun& run, const Printing& printing);
+
+/// An entry of "runs".
+[[nodiscard]] Json run_json(const ScenarioRun& run);
+
+/// A verdict of `expect`: {"rule", "holds", "measured"}.
+[[nodiscard]] Json expectation_json(const Expectation& expectation);
+/// "at_rest_since_s: wanted 3 .. 4, measured 5.25".
+[[nodiscard]] std::string expectation_text(const Expectation& expectation);
+
+/// Plays the scenario and draws it, whatever its file records: every row of the first 50,000 steps, then as
+/// many as a figure can show. ERRORS: those of draw_run_figure.
+void draw_run(const std::string& path, const Scenario& scenario);
+
+}  // namespace hyrax
