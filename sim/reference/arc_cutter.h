@@ -55,6 +55,7 @@ class ArcCutter final : public RowSink {
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   /// Rows from row 0 on, every one, live or from a file.
   void rows(const Columns& batch) override;
+  void row(const Row& row);
   /// Ends the arc that the run's last row leaves open.
   void finish();
 
@@ -65,7 +66,6 @@ class ArcCutter final : public RowSink {
   [[nodiscard]] std::optional<std::int64_t> non_finite_step() const { return non_finite_step_; }
 
  private:
-  void take(const Row& row);
   void fly(const Row& row);
   void close(ArcEnd ended_by, const Row* clamped);
   void open(const Row& start);

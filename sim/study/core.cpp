@@ -28,6 +28,19 @@ State core_steps(State body, double dt_s, const Bounds& bounds, std::int64_t ste
   return out(moving);
 }
 
+State core_played(const State& body, std::span<const double> frames_s, const Bounds& bounds, int parts) {
+  physics moving = in(body);
+  const int right_px = static_cast<int>(bounds.right_px);
+  const int bottom_px = static_cast<int>(bounds.bottom_px);
+  if (parts == 1) {
+    for (const double frame_s : frames_s) moving.update(frame_s, right_px, bottom_px, 0, 0);
+  } else {
+    for (const double frame_s : frames_s)
+      for (int part = 0; part < parts; ++part) moving.update(frame_s / parts, right_px, bottom_px, 0, 0);
+  }
+  return out(moving);
+}
+
 State core_stopped(const State& body) {
   physics moving = in(body);
   moving.resetVelocity();

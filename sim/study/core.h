@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "sim/motion/state.h"
 
@@ -11,11 +12,15 @@ namespace hyrax {
 [[nodiscard]] Constants core_constants();
 
 /// One call of physics::update.
-/// REQUIRES: bounds are whole numbers within the range of int.
+/// REQUIRES: bounds are whole numbers within the range of int; of all functions here.
 [[nodiscard]] State core_step(const State& body, double dt_s, const Bounds& bounds);
 
 /// `steps` calls of physics::update with one dt.
 [[nodiscard]] State core_steps(State body, double dt_s, const Bounds& bounds, std::int64_t steps);
+
+/// Calls of physics::update through the frames, each in so many equal parts.
+[[nodiscard]] State core_played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
+                                int parts = 1);
 
 /// physics::resetVelocity.
 [[nodiscard]] State core_stopped(const State& body);

@@ -44,8 +44,7 @@ DriftInput read_input(const std::string& path) {
 
 DriftRun measure(const DriftRequest& request, const DriftInput& input, const DriftOptions& options) {
   if (request.output.empty())
-    return measure_drift(
-        input.is_file ? load_rows(input.path) : rows_of(*input.scenario, play(*input.scenario)), options);
+    return input.is_file ? load_drift(input.path, options) : measure_drift(*input.scenario, options);
   if (input.is_file)
     throw Failure(ExitCode::bad_input, input.path + ": is a trajectory; -o needs a scenario");
   return *write_run(request.output, *input.scenario,

@@ -117,17 +117,20 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
 void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift, const Candidate& candidate,
              Outcomes& outcomes) {
   if (candidate.failure) throw *candidate.failure;
+  std::optional<RunPicture> picture;
+  if (!request.figure.empty()) picture.emplace(*candidate.scenario);
   const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,
                                        {.golden_folder = request.golden_folder,
                                         .skips_repetition = !request.computes_all,
                                         .compares = request.overrides.empty(),
-                                        .drift = drift});
+                                        .drift = drift,
+                                        .picture = picture ? &*picture : nullptr});
   if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
   if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
   report(request, run, outcomes);
-  if (request.figure.empty()) return;
+  if (!picture) return;
   outcomes.attempt_after([&] {
-    draw_run(request.figure, *candidate.scenario);
+    picture->draw(request.figure, run);
     if (!request.printing.is_json)
       print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.figure);
   });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ struct DriftRun {
   Scenario scenario;
   std::int64_t steps = 0;
   double simulated_s = 0.0;
-  std::string note;  ///< Of RunRows.
+  std::string note;  ///< On the origin of the rows; may be empty.
   std::optional<GslOptions> gsl;
 
   DriftSummary summary;
@@ -58,12 +59,26 @@ struct DriftRun {
   Margin margin;
 };
 
-/// Measures every arc and contact, and the margin. A run whose end repeats without an arc is played only
-/// until it repeats.
-[[nodiscard]] DriftRun measure_drift(const RunRows& rows, const DriftOptions& options = {});
+/// Measures every arc and contact of a run, and the margin, as the run is played or read.
+class DriftRecorder {
+ public:
+  explicit DriftRecorder(const Scenario& scenario, const DriftOptions& options = {});
+  ~DriftRecorder();
 
-/// The same by the closed form alone, with the summary only.
-[[nodiscard]] DriftSummary summarize_drift(const RunRows& rows);
+  /// Each of them must get the run.
+  [[nodiscard]] std::vector<RowSink*> sinks();
+  [[nodiscard]] DriftRun finish(std::int64_t steps, double simulated_s);
+
+ private:
+  struct Sinks;
+  std::unique_ptr<Sinks> sinks_;
+};
+
+/// Plays the scenario once. Shows progress.
+[[nodiscard]] DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options = {});
+/// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
+/// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
+[[nodiscard]] DriftRun load_drift(const std::string& path, const DriftOptions& options = {});
 
 /// How a measurement ends: a fault of the reference is an internal error.
 [[nodiscard]] ExitCode drift_exit_code(const DriftSummary& summary);

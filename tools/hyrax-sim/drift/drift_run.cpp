@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "sim/reference/drift_meter.h"
+#include "sim/scenario/schedule.h"
+#include "tools/store/trajectory_file.h"
 
 namespace hyrax {
 namespace {
@@ -53,74 +55,79 @@ class Recorder final : public DriftSink {
   std::int64_t rows_every_ = 1;
 };
 
-DriftSummary measure_to(const RunRows& rows, std::int64_t last_step, DriftSink& sink, FlightSolver* solver) {
-  DriftMeter meter(rows.scenario, rows.inputs, sink, solver);
-  rows.send_to(meter, last_step);
-  return meter.finish();
+void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
+  constexpr std::int64_t kBatchRows = 1 << 16;
+  const std::int64_t count = file.row_count();
+  for (std::int64_t first = 0; first < count; first += kBatchRows) {
+    const Columns rows = file.rows(first, std::min(kBatchRows, count - first));
+    for (std::size_t index = 0; index < rows.size(); ++index)
+      if (rows.step[index] != first + static_cast<std::int64_t>(index))
+        file.refuse(fmt::format("/trajectory/step: must be {} (found {})",
+                                first + static_cast<std::int64_t>(index), rows.step[index]));
+    for (RowSink* const sink : sinks) sink->rows(rows);
+  }
 }
 
-// A row from which the run consists of complete periods; nothing if skipping them saves no time.
-std::optional<std::int64_t> start_of_whole_periods(const RunRows& rows) {
-  if (!rows.repetition) return std::nullopt;
-  const auto [from_step, period_steps] = *rows.repetition;
-  const std::int64_t begin = from_step + 2 * period_steps;
-  const std::int64_t start = begin + (rows.steps - begin) % period_steps;
-  constexpr std::int64_t kWorthIt = 100'000;
-  if (rows.steps - start < kWorthIt + period_steps) return std::nullopt;
-  return start;
-}
-
-// If a period has no arc and no contact, but ends an arc that was too short to count, all later periods are
-// the same.
-DriftSummary measure(const RunRows& rows, DriftSink& sink, FlightSolver* solver) {
-  const std::optional<std::int64_t> start = start_of_whole_periods(rows);
-  if (!start) return measure_to(rows, rows.steps, sink, solver);
-  const std::int64_t period_steps = rows.repetition->period_steps;
-  DriftSink ignored;
-  const DriftSummary before = measure_to(rows, *start, ignored, nullptr);
-  const DriftSummary after = measure_to(rows, *start + period_steps, ignored, nullptr);
-  const std::int64_t skipped = after.skipped_arcs - before.skipped_arcs;
-  if (after.arcs != before.arcs || after.contacts != before.contacts || skipped == 0)
-    return measure_to(rows, rows.steps, sink, solver);
-  DriftSummary summary = measure_to(rows, *start, sink, solver);
-  summary.skipped_arcs += (rows.steps - *start) / period_steps * skipped;
-  return summary;
-}
-
-// In a state that repeats, no decision comes nearer except by what a change of the start still moves; in so
-// many steps air drag alone reduces that to 2e-9.
-constexpr std::int64_t kStepsUntilStartIsForgotten = 20'000;
-
-Margin margin_of(const RunRows& rows) {
-  std::int64_t last_step = rows.steps;
-  if (rows.repetition)
-    last_step = std::min(last_step, rows.repetition->from_step + 2 * rows.repetition->period_steps +
-                                        kStepsUntilStartIsForgotten);
-  MarginMeter meter(rows.scenario, rows.inputs);
-  rows.send_to(meter, last_step);
-  return meter.margin();
+RunSummary play_into(const Scenario& scenario, DriftRecorder& recorder) {
+  Replay replay(scenario, recorder.sinks());
+  play_with_progress(replay, replay.steps());
+  return replay.finish();
 }
 
 }  // namespace
 
-DriftRun measure_drift(const RunRows& rows, const DriftOptions& options) {
+struct DriftRecorder::Sinks {
+  Sinks(const Scenario& scenario, const DriftOptions& options)
+      : solver(options.gsl ? std::make_unique<GslFlight>(*options.gsl) : nullptr),
+        recorder(run, options),
+        meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get()),
+        margin(scenario, inputs_of(scenario, step_count(scenario))) {
+    run.scenario = scenario;
+    run.gsl = options.gsl;
+  }
+
   DriftRun run;
-  run.scenario = rows.scenario;
-  run.steps = rows.steps;
-  run.simulated_s = rows.simulated_s;
-  run.note = rows.note;
-  run.gsl = options.gsl;
-  Recorder recorder(run, options);
   std::unique_ptr<FlightSolver> solver;
-  if (options.gsl) solver = std::make_unique<GslFlight>(*options.gsl);
-  run.summary = measure(rows, recorder, solver.get());
-  run.margin = margin_of(rows);
-  return run;
+  Recorder recorder;
+  DriftMeter meter;
+  MarginMeter margin;
+};
+
+DriftRecorder::DriftRecorder(const Scenario& scenario, const DriftOptions& options)
+    : sinks_(std::make_unique<Sinks>(scenario, options)) {}
+DriftRecorder::~DriftRecorder() = default;
+
+std::vector<RowSink*> DriftRecorder::sinks() { return {&sinks_->meter, &sinks_->margin}; }
+
+DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
+  DriftRun& run = sinks_->run;
+  run.steps = steps;
+  run.simulated_s = simulated_s;
+  run.summary = sinks_->meter.finish();
+  run.margin = sinks_->margin.margin();
+  return std::move(run);
 }
 
-DriftSummary summarize_drift(const RunRows& rows) {
-  DriftSink ignored;
-  return measure(rows, ignored, nullptr);
+DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options) {
+  DriftRecorder recorder(scenario, options);
+  const RunSummary summary = play_into(scenario, recorder);
+  return recorder.finish(summary.steps, summary.simulated_s);
+}
+
+DriftRun load_drift(const std::string& path, const DriftOptions& options) {
+  const TrajectoryFile file = TrajectoryFile::open(path);
+  const FileHead& head = file.head();
+  DriftRecorder recorder(head.scenario, options);
+  if (file.row_count() == head.steps + 1) {
+    read_into(file, recorder.sinks());
+    return recorder.finish(head.steps, file.rows(head.steps, 1).t_s.front());
+  }
+  const RunSummary summary = play_into(head.scenario, recorder);
+  DriftRun run = recorder.finish(summary.steps, summary.simulated_s);
+  run.note = fmt::format("replayed from its scenario: the file holds {} of {} rows", file.row_count(),
+                         head.steps + 1);
+  if (hex(summary.state_hash) != head.state_hash) run.note += "; THE REPLAY'S STATE HASH DIFFERS";
+  return run;
 }
 
 void declare_reference(Options& options, ReferenceRequest& request) {

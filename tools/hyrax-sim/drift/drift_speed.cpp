@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-#include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "sim/study/core.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
 
@@ -13,7 +13,7 @@ namespace hyrax {
 namespace {
 
 // Prevents the compiler from removing the work that made `body`.
-void keep(const physics& body) { asm volatile("" : : "r"(&body) : "memory"); }
+void keep(const State& state) { asm volatile("" : : "r"(&state) : "memory"); }
 
 std::vector<double> first_frames_s(const Scenario& scenario) {
   constexpr std::int64_t kFramesMax = 1000;
@@ -25,14 +25,8 @@ std::vector<double> first_frames_s(const Scenario& scenario) {
 }
 
 void play(const Scenario& scenario, const std::vector<double>& frames_s, int times) {
-  for (int time = 0; time < times; ++time) {
-    physics body(scenario.start.x_px, scenario.start.y_px, scenario.start_velocity.vx_px_per_s,
-                 scenario.start_velocity.vy_px_per_s);
-    for (const double dt_s : frames_s)
-      body.update(dt_s, scenario.window.width_px, scenario.window.height_px, scenario.sprite.width_px,
-                  scenario.sprite.height_px);
-    keep(body);
-  }
+  const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
+  for (int time = 0; time < times; ++time) keep(core_played(start_state(scenario), frames_s, bounds));
 }
 
 // Twice the frames, and twice the frame numbers of events; a hitch keeps its dt.
@@ -78,7 +72,7 @@ HalfDtOutcome measure_half_dt(const Scenario& scenario) {
   const std::optional<Scenario> halved = at_half_dt(scenario);
   if (!halved) return {{}, "no such clock"};
   HalfDt half;
-  const DriftRun run = measure_drift(rows_of(*halved, play(*halved)));
+  const DriftRun run = measure_drift(*halved);
   half.summary = run.summary;
   half.longest_arc = run.longest_arc;
   half.steps = step_count(*halved);

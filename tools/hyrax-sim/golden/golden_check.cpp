@@ -81,15 +81,11 @@ RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
 
 }  // namespace
 
-std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps) {
-  return inputs_of(scenario, steps);
-}
-
 ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
   RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(scenario, block); });
   const RunSummary summary = replay(scenario, comparer, options_for(scenario));
   return {comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash), summary.final,
-                           inputs_taken(scenario, summary.steps)}),
+                           inputs_of(scenario, summary.steps)}),
           summary};
 }
 
@@ -115,7 +111,7 @@ FreshRun play_for_golden(const Scenario& scenario) {
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;
   run.contacts_total = summary.contacts.total();
-  run.inputs = inputs_taken(scenario, summary.steps);
+  run.inputs = inputs_of(scenario, summary.steps);
   return {std::move(run), summary};
 }
 

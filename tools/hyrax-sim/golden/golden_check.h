@@ -10,9 +10,6 @@
 
 namespace hyrax {
 
-/// The inputs that a run of so many frames took.
-[[nodiscard]] std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps);
-
 /// Plays the scenario against the kept run.
 struct ComparedRun {
   Comparison comparison;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/reference/drift_meter.h"
 #include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
 #include "tools/files/file_name.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
 #include "tools/hyrax-sim/runs/run_rows.h"
@@ -19,10 +21,14 @@
 namespace hyrax {
 namespace {
 
-RunSummary play_into(const Scenario& scenario, RowSink& sink, const ReplayOptions& options) {
-  Replay replay(scenario, sink, options);
+RunSummary play_into(const Scenario& scenario, std::vector<RowSink*> sinks, const ReplayOptions& options) {
+  Replay replay(scenario, std::move(sinks), options);
   play_with_progress(replay, replay.steps());
   return replay.finish();
+}
+
+void append(std::vector<RowSink*>& sinks, const std::vector<RowSink*>& others) {
+  sinks.insert(sinks.end(), others.begin(), others.end());
 }
 
 std::string checked_by(const std::optional<GslOptions>& gsl) {
@@ -31,77 +37,70 @@ std::string checked_by(const std::optional<GslOptions>& gsl) {
                      gsl->tolerance);
 }
 
-// Measures the rows and adds the result to the file; false if that could not be written.
-bool write_drift(hid_t file, const RunRows& rows, const StoredDrift& stored, DriftRun& run) {
-  const h5::Handle reference = h5::create_group(file, "reference");
-  const h5::Handle drift = h5::create_group(file, "drift");
-  DriftOptions options = stored.options;
-  std::optional<DriftRowTable> table;
-  if (stored.stores_rows)
-    options.also = &table.emplace(reference, drift, rows.steps, rows.scenario.record_every);
-  run = measure_drift(rows, options);
-  const bool has_rows = !table || table->finish(file);
-  return write_measured_arcs(reference, drift, {run.summary, run.arcs, run.contacts, checked_by(run.gsl)}) &&
-         has_rows;
-}
+// Measures a run as it is written, and adds the result to its file.
+class StoredErrors {
+ public:
+  StoredErrors(hid_t file, const Scenario& scenario, std::int64_t steps, const StoredDrift& stored)
+      : reference_(h5::create_group(file, "reference")), drift_(h5::create_group(file, "drift")) {
+    DriftOptions options = stored.options;
+    if (stored.stores_rows) options.also = &rows_.emplace(reference_, drift_, steps, scenario.record_every);
+    recorder_.emplace(scenario, options);
+  }
+
+  [[nodiscard]] std::vector<RowSink*> sinks() { return recorder_->sinks(); }
+  /// False if the result could not be written.
+  [[nodiscard]] bool finish(hid_t file, const RunSummary& summary, DriftRun& run) {
+    run = recorder_->finish(summary.steps, summary.simulated_s);
+    const bool has_rows = !rows_ || rows_->finish(file);
+    const bool has_arcs =
+        write_measured_arcs(reference_, drift_, {run.summary, run.arcs, run.contacts, checked_by(run.gsl)});
+    reference_ = {};
+    drift_ = {};
+    return has_rows && has_arcs;
+  }
+
+ private:
+  h5::Handle reference_;
+  h5::Handle drift_;
+  std::optional<DriftRowTable> rows_;
+  std::optional<DriftRecorder> recorder_;
+};
 
 // `steps` is less than the scenario's if a first try found that the run ends there.
 WrittenRun write_trajectory(const std::string& output, const Scenario& scenario, std::int64_t steps,
                             const WriteOptions& options) {
   TrajectoryWriter writer(output, scenario, steps);
+  std::vector<RowSink*> sinks = {&writer};
+  append(sinks, options.also);
+  std::optional<StoredErrors> errors;
+  if (options.drift) append(sinks, errors.emplace(writer.file(), scenario, steps, *options.drift).sinks());
   WrittenRun run;
-  run.summary = play_into(scenario, writer, options.replay);
+  run.summary = play_into(scenario, sinks, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   if (run.summary.steps != steps) return run;
   std::function<bool(hid_t)> write_more;
-  if (options.drift)
-    write_more = [&](hid_t file) {
-      return write_drift(file, rows_of(scenario, run.summary), *options.drift, run.drift.emplace());
-    };
+  if (errors) write_more = [&](hid_t file) { return errors->finish(file, run.summary, run.drift.emplace()); };
   writer.finish({scenario, steps, std::string(kPhysicsModel), hex(run.summary.state_hash)},
-                inputs_taken(scenario, steps), run.summary.contacts.total(), write_more);
+                inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
   return run;
 }
 
 WrittenRun write_csv(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
   TrajectoryCsv csv(output, scenario.record_every);
+  std::vector<RowSink*> sinks = {&csv};
+  append(sinks, options.also);
+  std::optional<DriftRecorder> drift;
+  if (options.drift) append(sinks, drift.emplace(scenario, options.drift->options).sinks());
   WrittenRun run;
-  run.summary = play_into(scenario, csv, options.replay);
+  run.summary = play_into(scenario, sinks, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   csv.finish();
-  if (options.drift) run.drift = measure_drift(rows_of(scenario, run.summary), options.drift->options);
+  if (drift) run.drift = drift->finish(run.summary.steps, run.summary.simulated_s);
   return run;
 }
 
 constexpr std::int64_t kRowsDrawnFirst = 50'000;
 constexpr std::size_t kContactsDrawnMax = 100;
-
-// Keeps every K-th row after a step, and the first contacts.
-class PictureSink : public RowSink {
- public:
-  PictureSink(std::int64_t rows_every, std::int64_t after_step)
-      : rows_every_(rows_every), after_step_(after_step) {}
-
-  [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = true}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index)
-      if (batch.step[index] > after_step_) kept.append(batch.row(index));
-  }
-  void contact_began(const Contact& contact) override {
-    if (contacts.size() < kContactsDrawnMax) contacts.push_back(contact);
-  }
-  void contact_ended(std::int64_t index, std::int64_t last_step) override {
-    if (static_cast<std::size_t>(index) < contacts.size())
-      contacts[static_cast<std::size_t>(index)].last_step = last_step;
-  }
-
-  Columns kept;
-  std::vector<Contact> contacts;
-
- private:
-  std::int64_t rows_every_;
-  std::int64_t after_step_;
-};
 
 std::optional<double> value_of(const std::optional<Worst>& worst) {
   return worst ? std::optional(worst->value) : std::nullopt;
@@ -113,16 +112,26 @@ WrittenRun write_run(const std::string& output, const Scenario& scenario, const 
   if (file_name(output).extension == ".csv") return write_csv(output, scenario, options);
   const std::int64_t steps = step_count(scenario);
   WrittenRun run = write_trajectory(output, scenario, steps, options);
-  return run.summary.steps == steps ? run : write_trajectory(output, scenario, run.summary.steps, options);
+  if (run.summary.steps == steps) return run;
+  // A run that becomes non-finite is shorter than its file was made for.
+  WriteOptions again = options;
+  again.also.clear();
+  return write_trajectory(output, scenario, run.summary.steps, again);
 }
 
-std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary) {
+std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
+                                   std::optional<DriftSummary> measured) {
   if (!scenario.expect) return {};
   if (!bounds_errors(*scenario.expect)) return judge(*scenario.expect, summary);
-  const DriftSummary drift = summarize_drift(rows_of(scenario, summary));
+  if (!measured) {
+    DriftSink ignored;
+    DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored);
+    replay(scenario, meter);
+    measured = meter.finish();
+  }
   return judge(*scenario.expect, summary,
-               RunErrors{value_of(drift.implementation_px), value_of(drift.truncation_px),
-                         value_of(drift.energy_drift_rel_max)});
+               RunErrors{value_of(measured->implementation_px), value_of(measured->truncation_px),
+                         value_of(measured->energy_drift_rel_max)});
 }
 
 bool ScenarioRun::is_as_expected() const {
@@ -134,15 +143,27 @@ bool ScenarioRun::is_as_expected() const {
 ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, const std::string& output,
                          const ScenarioRunOptions& options) {
   const bool checks_bounds = scenario.expect && scenario.expect->in_bounds;
+  const bool measures = scenario.expect && bounds_errors(*scenario.expect) && !options.drift;
+  DriftSink ignored;
+  DriftMeter meter(scenario, inputs_of(scenario, step_count(scenario)), ignored);
+  std::vector<RowSink*> also;
+  if (options.picture != nullptr) also.push_back(options.picture);
+  if (measures) also.push_back(&meter);
   ScenarioRun run;
   static_cast<WrittenRun&>(run) =
       write_run(output, scenario,
                 {.replay = {.skips_repetition = options.skips_repetition, .checks_bounds = checks_bounds},
-                 .drift = options.drift});
+                 .drift = options.drift,
+                 .also = also});
   run.path = path;
   run.scenario = scenario;
   run.output = output;
-  run.expectations = judge_run(scenario, run.summary);
+  if (measures)
+    run.expectations = judge_run(scenario, run.summary, meter.finish());
+  else if (run.drift)
+    run.expectations = judge_run(scenario, run.summary, run.drift->summary);
+  else
+    run.expectations = judge_run(scenario, run.summary);
   const auto place = golden_place(path, options.golden_folder);
   if (path == "-")
     run.not_compared = "standard input";
@@ -157,19 +178,30 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   return run;
 }
 
-void draw_run(const std::string& path, const Scenario& scenario) {
-  PictureSink sink(1, -1);
-  Replay beginning(scenario, sink);
-  const std::int64_t steps = beginning.steps();
-  beginning.play_to(std::min(steps, kRowsDrawnFirst));
-  WallCounts contacts = beginning.finish().contacts;
-  if (steps > kRowsDrawnFirst) {
-    PictureSink others(1 + steps / kRowsDrawnFirst, kRowsDrawnFirst);
-    contacts = replay(scenario, others).contacts;
-    for (std::size_t index = 0; index < others.kept.size(); ++index) sink.kept.append(others.kept.row(index));
-    sink.contacts = std::move(others.contacts);
-  }
-  draw_run_figure(path, scenario, sink.kept, sink.contacts, contacts);
+RunPicture::RunPicture(const Scenario& scenario) {
+  const std::int64_t steps = step_count(scenario);
+  if (steps > kRowsDrawnFirst) rows_every_ = 1 + steps / kRowsDrawnFirst;
+}
+
+RowSink::Wants RunPicture::wants() const {
+  return {.rows_every = rows_every_, .all_rows_to = kRowsDrawnFirst, .contacts = true};
+}
+
+void RunPicture::rows(const Columns& batch) {
+  for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
+}
+
+void RunPicture::contact_began(const Contact& contact) {
+  if (contacts_.size() < kContactsDrawnMax) contacts_.push_back(contact);
+}
+
+void RunPicture::contact_ended(std::int64_t index, std::int64_t last_step) {
+  if (static_cast<std::size_t>(index) < contacts_.size())
+    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+}
+
+void RunPicture::draw(const std::string& path, const ScenarioRun& run) const {
+  draw_run_figure(path, run.scenario, rows_, contacts_, run.summary.contacts);
 }
 
 }  // namespace hyrax

@@ -25,7 +25,8 @@ struct StoredDrift {
 
 struct WriteOptions {
   ReplayOptions replay;
-  std::optional<StoredDrift> drift;  ///< Measured in a second replay.
+  std::optional<StoredDrift> drift;  ///< Measured as the run is written.
+  std::vector<RowSink*> also = {};   ///< Get the run as well.
 };
 
 struct WrittenRun {
@@ -39,15 +40,19 @@ struct WrittenRun {
 [[nodiscard]] WrittenRun write_run(const std::string& output, const Scenario& scenario,
                                    const WriteOptions& options);
 
-/// The verdicts on the scenario's `expect`. Only if that bounds an error against the reference is the run
-/// played again and measured, by the closed form alone.
-[[nodiscard]] std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary);
+/// The verdicts on the scenario's `expect`.
+/// @param measured the errors against the reference; without it the run is played again where one is bounded.
+[[nodiscard]] std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
+                                                 std::optional<DriftSummary> measured = std::nullopt);
+
+class RunPicture;
 
 struct ScenarioRunOptions {
   std::string golden_folder;  ///< Empty: the `golden` beside the nearest `scenarios`.
   bool skips_repetition = true;
   bool compares = true;  ///< With the golden file, if there is one.
   std::optional<StoredDrift> drift;
+  RunPicture* picture = nullptr;  ///< Gets what it draws.
 };
 
 struct ScenarioRun : WrittenRun {
@@ -79,8 +84,24 @@ void print_run(const ScenarioRun& run, const Printing& printing);
 /// "at_rest_since_s: wanted 3 .. 4, measured 5.25".
 [[nodiscard]] std::string expectation_text(const Expectation& expectation);
 
-/// Plays the scenario and draws it, whatever its file records: every row of the first 50,000 steps, then as
-/// many as a figure can show. ERRORS: those of draw_run_figure.
-void draw_run(const std::string& path, const Scenario& scenario);
+/// What a figure shows of a run, gathered as it is played: every row of the first 50,000 steps, whatever the
+/// file records, then as many as a figure can show, and the first contacts.
+class RunPicture final : public RowSink {
+ public:
+  explicit RunPicture(const Scenario& scenario);
+
+  [[nodiscard]] Wants wants() const override;
+  void rows(const Columns& batch) override;
+  void contact_began(const Contact& contact) override;
+  void contact_ended(std::int64_t index, std::int64_t last_step) override;
+
+  /// ERRORS: those of draw_run_figure.
+  void draw(const std::string& path, const ScenarioRun& run) const;
+
+ private:
+  std::int64_t rows_every_ = 1;
+  Columns rows_;
+  std::vector<Contact> contacts_;
+};
 
 }  // namespace hyrax
