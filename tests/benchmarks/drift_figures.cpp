@@ -6,7 +6,7 @@
 
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/gsl_flight.h"
-#include "sim/reference/impact.h"
+#include "sim/reference/flight.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
 #include "tests/benchmarks/figure.h"

@@ -130,7 +130,7 @@ class Verdict(CheckTest):
         self.write("scenarios/third.json", fling(start=start, expect={"state_hash": run["state_hash"]}))
         (self.folder / "golden/third.txt").unlink()
         text = self.expect(GOLDEN_MISSING, "check").out
-        self.assertIn("golden/third.h5 is there, but not golden/third.txt", text)
+        self.assertIn("golden/third.h5 exists, but golden/third.txt is missing", text)
         (self.folder / "golden/third.h5").unlink()
         self.check(AGREED)
 
@@ -145,7 +145,7 @@ class Verdict(CheckTest):
         (self.folder / "empty").mkdir()
         outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: holds no scenario (*.json)")
         self.assertEqual(outcome.out, "")
-        self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: there is no such folder")
+        self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: no such folder")
 
     def test_a_bad_scenario_does_not_keep_the_others_from_being_checked(self):
         self.write("scenarios/a/bad.json", fling(steps=-1))

@@ -189,7 +189,7 @@ class Terminal(ProgramTest):
         for name in ("a b", "it's", "-x", "$HOME", HOSTILE.removesuffix(".json"), "a\nb"):
             path = self.write(f"scenarios/{name}.json", fling(name="fling"))
             text = self.expect(AGREED, "run", path, "--golden", "my golden").out
-            hint, = re.findall("to make one: (.*)", text)
+            hint, = re.findall("to create it: (.*)", text)
             self.assertTrue(hint.startswith("hyrax-sim bless "), hint)
             done = run("bash", "-c", hint.replace("hyrax-sim", str(PROGRAM), 1), cwd=self.folder)
             self.assertEqual(done.exit_code, AGREED, done)

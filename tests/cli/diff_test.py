@@ -157,7 +157,7 @@ class Diff(ProgramTest):
             file["provenance"].attrs["compiler"] = "another"
         self.diff(AGREED)
 
-    def test_a_difference_tells_whether_the_contracts_differ_and_what_that_means(self):
+    def test_a_difference_says_whether_the_builds_differ_and_what_that_means(self):
         def change_told_as(**provenance):
             self.change("trajectory/x", 100, lambda value: value + 0.25)
             with h5py.File(self.folder / "b.h5", "r+") as file:
@@ -168,17 +168,17 @@ class Diff(ProgramTest):
             return self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
 
         text = change_told_as()
-        self.assertIn("contracts  are the same\n", text)
-        self.assertIn("usually the core was changed", text)
+        self.assertIn("build settings: identical\n", text)
+        self.assertIn("usually the core changed", text)
         text = change_told_as(flags="-O3 -mfma", instruction_set="x86-64-v3")
-        self.assertIn("contracts  differ\n", text)
+        self.assertIn("build settings: differ\n", text)
         self.assertRegex(text, r"flags: '.*-ffp-contract=off' and '-O3 -mfma'\n")
         self.assertRegex(text, r"instruction_set: '.+' and 'x86-64-v3'\n")
         self.assertIn("usually one of the two fuses", text)
         self.assertNotIn("compiler", text)
-        self.assertIn("contracts  are the same, as far as both files tell\n", change_told_as(self_test=None))
+        self.assertIn("build settings: identical where recorded\n", change_told_as(self_test=None))
         self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/steps=299")
-        self.assertIn("no build explains it", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+        self.assertIn("not explained by the build", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
 
     def test_rows_that_are_not_recorded_are_told_by_the_hash(self):
         self.expect(AGREED, "run", "fling.json", "-o", "a.h5", "--set", "/record/every=100")

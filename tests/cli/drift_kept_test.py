@@ -119,7 +119,7 @@ class Run(DriftTest):
     def test_how_to_measure_is_refused_where_nothing_is_measured(self):
         self.write("fling.json", fling())
         for option in (("--rows",), ("--reference", "gsl"), ("--tolerance", 1e-9)):
-            self.expect(BAD_INPUT, "run", "fling.json", *option, says="add --drift")
+            self.expect(BAD_INPUT, "run", "fling.json", *option, says="need --drift")
         self.assertEqual(self.names(), ["fling.json"])
 
 

@@ -40,7 +40,7 @@ class Summary(ProgramTest):
         self.assertEqual(outcome.err, "")
         for words in ("fling: 300 steps, 5 s at 60 Hz", "contacts       right 1, ground 8",
                       "exercised      gravity, drag, right wall, ground, friction", "never touched  left wall, top",
-                      "expect         7 of 7 hold", "state hash", "written        fling.h5 (301 rows)",
+                      "expect         7 of 7 hold", "holds: final_x_px: wanted 0 .. 1792, measured 345.", "state hash", "written        fling.h5 (301 rows)",
                       "not computed   "):
             self.assertIn(words, outcome.out)
 
@@ -288,13 +288,13 @@ class Golden(ProgramTest):
     def test_a_missing_golden_file_is_said_and_is_no_failure(self):
         (self.folder / "golden/fling.h5").unlink()
         outcome = self.expect(AGREED, "run", self.path)
-        self.assertIn("none at golden/fling.h5", outcome.out)
+        self.assertIn("golden         missing: golden/fling.h5; to create it: ", outcome.out)
         golden = self.expect(AGREED, "run", self.path, "--json").json["runs"][0]["golden"]
         self.assertEqual(golden["status"], "missing")
 
     def test_it_looks_in_another_folder_if_told(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
-        self.assertIn("none at", self.expect(AGREED, "run", self.path).out)
+        self.assertIn("golden         missing: ", self.expect(AGREED, "run", self.path).out)
         self.assertIn("agrees bit for bit with elsewhere/fling.h5",
                       self.expect(AGREED, "run", self.path, "--golden", "elsewhere").out)
 

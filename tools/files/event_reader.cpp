@@ -35,8 +35,6 @@ struct EventRead {
 };
 
 EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
-  static constexpr std::string_view kActions[] = {"fling", "place", "stop",   "resize",
-                                                  "hitch", "grab",  "release"};
   EventRead read;
   if (!here.is_object_of({"step", "at_s", "fling", "place", "stop", "resize", "hitch", "grab", "release"}))
     return read;
@@ -49,7 +47,7 @@ EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
   read.has_time = is_one_time && (step || at_s);
   int actions = 0;
   bool is_bad_hitch = false;
-  for (const std::string_view key : kActions) {
+  for (const std::string_view key : kActionNames) {
     const JsonPlace action = here.member(key);
     if (!action.is_there()) continue;
     const std::size_t problems_before = problems.count;

@@ -214,9 +214,10 @@ void put_over(Json& document, const Override& given, const std::string& source) 
 }
 
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {
-  Json document = parse_json(read_text_file(path), path);
+  const bool is_stdin = path == "-";
+  Json document = parse_json(read_text_file(is_stdin ? "/dev/stdin" : path), path);
   for (const Override& given : overrides) put_over(document, given, path);
-  return to_scenario(document, path, std::string(file_name(path).stem));
+  return to_scenario(document, path, is_stdin ? "stdin" : std::string(file_name(path).stem));
 }
 
 Scenario parse_scenario(std::string_view text, const std::string& source) {

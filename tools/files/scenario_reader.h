@@ -29,7 +29,8 @@ struct Override {
 /// ERRORS: Failure(bad_input) "SOURCE: POINTER: ..." for what is no pointer or leads nowhere.
 void put_over(Json& document, const Override& given, const std::string& source);
 
-/// Reads a scenario file, overrides applied.
+/// Reads a scenario file, or standard input (named "stdin" if it gives no name) for the path "-"; overrides
+/// applied.
 /// ERRORS: Failure(cannot_access) where the file cannot be read; Failure(bad_input) as above.
 [[nodiscard]] Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides = {});
 

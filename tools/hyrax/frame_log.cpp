@@ -2,7 +2,6 @@
 
 #include <cerrno>
 
-#include "sim/trajectory/input.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
@@ -17,9 +16,12 @@ Json::Array numbers(std::initializer_list<std::int64_t> values) {
 
 Json::Array names_of(const std::vector<Action>& actions) {
   Json::Array names;
-  for (const Action& action : actions)
-    for (const Input& input : inputs_of(action, 0))
-      names.emplace_back(kInputKindNames[static_cast<std::size_t>(input.kind)]);
+  for (const Action& action : actions) {
+    const auto* const resize = std::get_if<Resize>(&action);
+    if (resize == nullptr) names.emplace_back(name_of(action));
+    if (resize != nullptr && resize->window) names.emplace_back("resize-window");
+    if (resize != nullptr && resize->sprite) names.emplace_back("resize-sprite");
+  }
   return names;
 }
 

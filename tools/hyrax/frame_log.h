@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/trajectory/keyframe.h"
+#include "sim/trajectory/row.h"
 #include "tools/hyrax/desk.h"
 
 namespace hyrax {

@@ -2,7 +2,6 @@
 
 #include <exception>
 
-#include "sim/replay/action_effect.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
@@ -10,7 +9,7 @@ namespace hyrax {
 Session::Session(const Keyframe& start) : now_(start), ring_(start) {}
 
 void Session::apply(const Action& action) {
-  hyrax::apply(action, now_);
+  shipped_kernel().apply(action, now_);
   wake();
   ring_.add_input(action);
   if (recording_) recording_->add_input(action);
@@ -26,7 +25,7 @@ void Session::advance(double dt_s) {
                       .frames = 1};
   State body = state_of(before);
   row_.shrink(0);
-  play(frame, body, rest_, row_, log_);
+  shipped_kernel().play(frame, body, rest_, row_, log_);
   now_.timeline.play(dt_s);
   now_.row = row_.row(0);
   now_.row.step = before.step + 1;

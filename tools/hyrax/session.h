@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "sim/replay/kernel.h"
-#include "sim/trajectory/keyframe.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/state_hash.h"
 #include "tools/hyrax/recording.h"
 #include "tools/hyrax/ring.h"
 

@@ -8,8 +8,7 @@ namespace {
 
 void pack(std::vector<std::byte>& rows, const Row& row) {
   rows.resize(rows.size() + kPackedRowBytes);
-  pack_row(&*rows.end() - kPackedRowBytes, row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s,
-           row.contact);
+  pack_row(&*rows.end() - kPackedRowBytes, row);
 }
 
 // A scenario begins with a sprite that nobody holds: who holds it from the first frame on, grabs it there,
@@ -42,10 +41,8 @@ void Tape::append(const Tape& next) {
 }
 
 Digest Tape::state_hash() const {
-  constexpr std::size_t kBlockBytes = kBlockRows * kPackedRowBytes;
   StateHash hash;
-  for (std::size_t at = 0; at < rows_.size(); at += kBlockBytes)
-    hash.add(digest(std::span(rows_).subspan(at, std::min(kBlockBytes, rows_.size() - at))));
+  hash.add_packed(rows_);
   return hash.value();
 }
 

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "sim/trajectory/keyframe.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 
 namespace hyrax {

@@ -36,7 +36,7 @@ std::string plot_command(const RunScene& scene) {
       fmt::arg("faint", style::kFaintInk), fmt::arg("hairline", style::kHairline),
       fmt::arg("moved", kMovedDashes), fmt::arg("unrecorded", kUnrecordedDashes));
   for (std::size_t i = 0; i < kWalls.size(); ++i)
-    if (scene.contacts[i] > 0)
+    if (scene.contacts[kWalls[i]] > 0)
       command += fmt::format(
           ", ${0}_sides title 'contacts: {0}' with lines lw 5 lc rgb '{1}', ${0}_dots title 'contacts: {0}' "
           "with points pt 7 ps 1.0 lc rgb '{2}', "

@@ -74,8 +74,8 @@ std::string run_legend(const RunPlot& plot, const RunScene& scene) {
   Legend legend(plot);
   if (scene.contacts != WallCounts{}) legend.heading("contacts");
   for (std::size_t i = 0; i < kWalls.size(); ++i)
-    if (scene.contacts[i] > 0)
-      legend.wall(fmt::format("{} {}", kWallNames[i], scene.contacts[i]), kWallColours[i]);
+    if (const std::int64_t count = scene.contacts[kWalls[i]]; count > 0)
+      legend.wall(fmt::format("{} {}", kWallNames[i], count), kWallColours[i]);
   if (scene.throws.size() == 1)
     legend.throws(fmt::format("thrown at {:.4g} px/s", speed_px_per_s(scene.throws.front().velocity)));
   if (scene.throws.size() > 1) legend.throws("thrown");

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
+#include "sim/scenario/schedule.h"
 #include "tools/store/hdf5.h"
 
 namespace hyrax {

@@ -73,8 +73,8 @@ std::string golden_digest_text(const StoredRun& run, const RunSummary& summary, 
   const Row& end = summary.final;
   std::string text = fmt::format("{}{}\nphysics: {}\nsteps: {}\n{}{}\n", kNameKey, run.scenario.name,
                                  run.physics, run.steps, kHashKey, run.state_hash);
-  text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts[0], counts[1], counts[2],
-                      counts[3]);
+  text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts.left, counts.right,
+                      counts.top, counts.ground);
   text += list_of(run);
   text += fmt::format("end: t {} s\n", end.t_s);
   text += fmt::format("  x  {} px  {}\n  y  {} px  {}\n", end.x_px, hex_float(end.x_px), end.y_px,

@@ -7,6 +7,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/store/input_record.h"
 
 namespace hyrax {
 namespace {
@@ -104,10 +105,11 @@ std::string contents_hash(const StoredRun& run) {
   bytes.add(run.contacts_total);
   run.each_contact([&](const Contact& contact) { add(bytes, contact); });
   for (const Input& input : run.inputs) {
-    bytes.add(input.frame);
-    bytes.add(static_cast<std::int64_t>(input.kind));
-    bytes.add(input.a);
-    bytes.add(input.b);
+    const InputRecord record = record_of(input);
+    bytes.add(record.frame);
+    bytes.add(std::int64_t{record.kind});
+    bytes.add(record.a);
+    bytes.add(record.b);
   }
   return bytes.hash();
 }

@@ -11,6 +11,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/presence.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/store/input_record.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trial_reading.h"
 
@@ -233,7 +234,11 @@ std::vector<Input> TrajectoryFile::inputs() const {
   for (std::size_t index = 0; index < frames.size(); ++index) {
     if (kinds[index] >= kInputKindNames.size())
       refuse("/events/kind: must hold 0 .. 7, holds " + std::to_string(kinds[index]));
-    inputs.push_back({frames[index], static_cast<InputKind>(kinds[index]), as[index], bs[index]});
+    const auto input = input_of({frames[index], kinds[index], as[index], bs[index]});
+    if (!input)
+      refuse("/events: input " + std::to_string(index) + ": its numbers do not fit its kind, " +
+             std::string(kInputKindNames[kinds[index]]));
+    inputs.push_back(*input);
   }
   return inputs;
 }

@@ -8,7 +8,6 @@
 
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/input.h"
 #include "tools/store/file_head.h"
 #include "tools/store/hdf5.h"
 #include "tools/store/provenance.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
 

@@ -27,6 +27,8 @@ class TrajectoryWriter : public RowSink {
   void contact_began(const Contact& contact) override;
   void contact_ended(std::int64_t index, std::int64_t last_step) override;
 
+  /// For groups that are written as the run is played; whoever makes them closes them before `finish` ends.
+  [[nodiscard]] hid_t file() const { return file_; }
   /// @param contacts_total of the run, handed on or not.
   /// @param write_more called, if it is set, once all else stands in the file, to add groups of its own;
   /// says whether they could be written.

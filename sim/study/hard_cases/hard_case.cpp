@@ -9,7 +9,6 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "sim/study/hard_cases/step_watch.h"
-#include "sim/study/methods/row_digest.h"
 
 namespace hyrax {
 namespace {
@@ -19,12 +18,12 @@ class DigestSink : public RowSink {
  public:
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) digest_.add(batch.row(row));
+    for (std::size_t row = 0; row < batch.size(); ++row) hash_.add(batch.row(row));
   }
-  [[nodiscard]] Digest finish() { return digest_.finish(); }
+  [[nodiscard]] Digest finish() { return hash_.value(); }
 
  private:
-  RowDigest digest_;
+  StateHash hash_;
 };
 
 // Passes rows on and reports how many have passed.
@@ -83,7 +82,7 @@ std::optional<double> value_of(const std::optional<Worst>& worst) {
 // Against the closed form alone, in one more run.
 RunErrors errors_of(const Scenario& scenario, std::int64_t steps) {
   DriftSink nobody;
-  DriftMeter meter(scenario, inputs_of(scenario, schedule_events(scenario, steps).frames, steps), nobody);
+  DriftMeter meter(scenario, inputs_of(scenario, steps), nobody);
   replay(scenario, meter);
   const DriftSummary drift = meter.finish();
   return {value_of(drift.implementation_px), value_of(drift.truncation_px),

@@ -15,13 +15,6 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2;
 
 double square(double value) { return value * value; }
 
-std::vector<Input> all_inputs(const Scenario& scenario) {
-  const std::int64_t steps = step_count(scenario);
-  return inputs_of(scenario, schedule_events(scenario, steps).frames, steps);
-}
-
-Bounds bounds_of(const InputPlayback& inputs) { return {inputs.right_px(), inputs.bottom_px()}; }
-
 // 0 for equal bits, else how far off, and never 0.
 double minus_difference(double a, double b) {
   if (same_bits(a, b)) return 0.0;
@@ -31,7 +24,7 @@ double minus_difference(double a, double b) {
 }  // namespace
 
 StepWatch::StepWatch(const Scenario& scenario)
-    : core_(core_constants()), inputs_(scenario, all_inputs(scenario)) {}
+    : core_(core_constants()), inputs_(scenario, inputs_of(scenario, step_count(scenario))) {}
 
 void StepWatch::rows(const Columns& batch) {
   for (std::size_t row = 0; row < batch.size(); ++row) check(batch.row(row));
@@ -43,7 +36,7 @@ void StepWatch::check(const Row& row) {
   speed_px_per_s_ = std::max(std::fabs(row.vx_px_per_s), std::fabs(row.vy_px_per_s));
   if (has_row_) {
     const InputChange change = inputs_.apply(before_);
-    const Bounds bounds = bounds_of(inputs_);
+    const Bounds bounds = inputs_.bounds();
     if (change.ends_arc || bounds != bounds_ || steps_ == 0) start_from(state_of(before_), bounds);
     if (!inputs_.is_held()) {
       const State from = state_of(before_);
@@ -80,7 +73,7 @@ void StepWatch::start_from(const State& body, Bounds bounds) {
 }
 
 // The margin is how many decades the largest number is from overflow. The time rule sums frames with a few
-// roundings (sim/scenario/timeline.h): a frame that adds less may seem to take some of them back.
+// roundings (sim/scenario/frame_clock.h): a frame that adds less may seem to take some of them back.
 void StepWatch::check_finite(const Row& row) {
   const double largest = std::max({std::fabs(row.x_px), std::fabs(row.y_px), std::fabs(row.vx_px_per_s),
                                    std::fabs(row.vy_px_per_s), 1.0});

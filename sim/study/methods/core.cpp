@@ -3,7 +3,11 @@
 #include <cassert>
 #include <cmath>
 
+#include <limits>
+
+#include "sim/motion/step.h"
 #include "sim/physics/physics.h"
+#include "sim/replay/kernel.h"
 
 namespace hyrax {
 namespace {
@@ -13,13 +17,7 @@ State out(const physics& body) { return {body.x(), body.y(), body.vx(), body.vy(
 
 }  // namespace
 
-Constants core_constants() {
-  return {.gravity_px_per_s2 = physics::GRAVITY,
-          .restitution = physics::RESTITUTION,
-          .air_drag = physics::AIR_DRAG,
-          .ground_friction = physics::GROUND_FRICTION,
-          .rest_threshold_px_per_s = physics::REST_THRESHOLD};
-}
+Constants core_constants() { return shipped_kernel().constants(); }
 
 State core_step(const State& body, double dt_s, const Bounds& bounds) {
   return core_steps(body, dt_s, bounds, 1);
@@ -34,16 +32,44 @@ State core_steps(State body, double dt_s, const Bounds& bounds, std::int64_t ste
   return out(moving);
 }
 
+State core_played(const State& body, std::span<const double> frames_s, const Bounds& bounds, int parts) {
+  physics moving = in(body);
+  const int right_px = static_cast<int>(bounds.right_px);
+  const int bottom_px = static_cast<int>(bounds.bottom_px);
+  if (parts == 1) {
+    for (const double frame_s : frames_s) moving.update(frame_s, right_px, bottom_px, 0, 0);
+  } else {
+    for (const double frame_s : frames_s)
+      for (int part = 0; part < parts; ++part) moving.update(frame_s / parts, right_px, bottom_px, 0, 0);
+  }
+  return out(moving);
+}
+
 State core_stopped(const State& body) {
   physics moving = in(body);
   moving.resetVelocity();
   return out(moving);
 }
 
+// In the largest window there is, most flights meet no wall. One that does flies again at the same velocity,
+// from where it ends amid the window: its speeds are those of the flight, and its position follows from them.
 State core_flight(const State& body, double dt_s) {
-  physics moving = in(body);
-  moving.fly(dt_s);
-  return out(moving);
+  constexpr int kSide_px = std::numeric_limits<int>::max();
+  const auto flown = [dt_s](const State& from) {
+    physics moving = in(from);
+    moving.update(dt_s, kSide_px, kSide_px, 0, 0);
+    return out(moving);
+  };
+  const auto is_inside = [](double at_px) { return at_px > 0.0 && at_px < kSide_px; };
+  State end = flown(body);
+  if (is_inside(end.x_px) && is_inside(end.y_px)) return end;
+  State way{0.0, 0.0, body.vx_px_per_s, body.vy_px_per_s};
+  ListingStep(core_constants(), AllParts{}, Bounds{}).fly(way, dt_s);
+  const State amid =
+      flown({0.5 * kSide_px - way.x_px, 0.5 * kSide_px - way.y_px, body.vx_px_per_s, body.vy_px_per_s});
+  if (!is_inside(end.x_px)) end.x_px = body.x_px + amid.vx_px_per_s * dt_s;
+  if (!is_inside(end.y_px)) end.y_px = body.y_px + amid.vy_px_per_s * dt_s;
+  return {end.x_px, end.y_px, amid.vx_px_per_s, amid.vy_px_per_s};
 }
 
 }  // namespace hyrax

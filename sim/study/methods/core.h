@@ -1,10 +1,8 @@
-// The shipped core, as the studies of its behaviour call it.
-//
-// Beside the replay's kernel and the methods that are timed, its source alone uses class physics: a control,
-// or an author who tries other laws, compiles these anew, and every study shows the effect.
+// The shipped core, as the studies call it.
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "sim/motion/state.h"
 
@@ -14,16 +12,20 @@ namespace hyrax {
 [[nodiscard]] Constants core_constants();
 
 /// One call of physics::update.
-/// REQUIRES: bounds are whole numbers within the range of int.
+/// REQUIRES: bounds are whole numbers within the range of int; of all functions here.
 [[nodiscard]] State core_step(const State& body, double dt_s, const Bounds& bounds);
 
 /// `steps` calls of physics::update with one dt.
 [[nodiscard]] State core_steps(State body, double dt_s, const Bounds& bounds, std::int64_t steps);
 
+/// Calls of physics::update through the frames, each in so many equal parts.
+[[nodiscard]] State core_played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
+                                int parts = 1);
+
 /// physics::resetVelocity.
 [[nodiscard]] State core_stopped(const State& body);
 
-/// physics::fly, its first half: the step without walls.
+/// One call of physics::update without walls.
 [[nodiscard]] State core_flight(const State& body, double dt_s);
 
 }  // namespace hyrax

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "sim/reference/flight.h"
-#include "sim/reference/impact.h"
 
 namespace hyrax {
 namespace {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "sim/motion/state.h"
-#include "sim/motion/wall.h"
 #include "sim/study/methods/fixed_laws.h"
 
 namespace hyrax {

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "sim/physics/physics.h"
 #include "sim/reference/flight.h"
-#include "sim/scenario/timeline.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/study/methods/core.h"
 #include "sim/study/methods/method.h"
 
 namespace hyrax {
@@ -13,22 +13,17 @@ template <int kParts>
 class PaperStep final : public Method {
  public:
   void start(const State& motion, const Bounds& bounds) override {
-    body_ = physics(motion.x_px, motion.y_px, motion.vx_px_per_s, motion.vy_px_per_s);
+    motion_ = motion;
     bounds_ = bounds;
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    physics body = body_;  // A local, which nothing else points to, stays in registers.
-    const int right_px = static_cast<int>(bounds_.right_px);
-    const int bottom_px = static_cast<int>(bounds_.bottom_px);
-    for (const double frame_s : frames_s)
-      for (int part = 0; part < kParts; ++part) body.update(frame_s / kParts, right_px, bottom_px, 0, 0);
-    body_ = body;
+    motion_ = core_played(motion_, frames_s, bounds_, kParts);
     return true;
   }
-  [[nodiscard]] State motion() const override { return {body_.x(), body_.y(), body_.vx(), body_.vy()}; }
+  [[nodiscard]] State motion() const override { return motion_; }
 
  private:
-  physics body_;
+  State motion_;
   Bounds bounds_;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/scenario/timeline.h"
+#include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
 namespace {

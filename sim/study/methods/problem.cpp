@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/scenario/timeline.h"
 
 namespace hyrax {
 namespace {
@@ -46,56 +46,37 @@ Jitter of_frame(Jitter jitter, double dt_s) {
   return jitter;
 }
 
-// Plays a scenario's events into stages.
-class StageBuilder {
- public:
+// A scenario's events as stages: the body that they are applied to.
+struct StageBuilder {
   explicit StageBuilder(const Scenario& scenario)
-      : window_(scenario.window), sprite_(scenario.sprite), stage_{.bounds = bounds_of(window_, sprite_)} {}
+      : window(scenario.window), sprite(scenario.sprite), is_held(stage.is_held) {}
 
-  void apply_action(const Action& action) {
-    std::visit([this](const auto& what) { apply(what); }, action);
+  void setPos(double x_px, double y_px) { stage.position = Position{x_px, y_px}; }
+  void setVelocity(double vx_px_per_s, double vy_px_per_s) {
+    stage.velocity = Velocity{vx_px_per_s, vy_px_per_s};
   }
-  void pass(double duration_s) { stage_.duration_s += duration_s; }
+  void resetVelocity() { setVelocity(0.0, 0.0); }
+
   void close() {
-    if (stage_.duration_s == 0.0) return;  // What was set goes into the stage that has some time.
-    stages_.push_back(stage_);
-    stage_.duration_s = 0.0;
-    stage_.position.reset();
-    stage_.velocity.reset();
-    stage_.hitch_s.reset();
+    if (stage.duration_s == 0.0) return;  // What was set belongs to the next stage that lasts.
+    stage.bounds = bounds_of(window, sprite);
+    stages.push_back(stage);
+    stage.duration_s = 0.0;
+    stage.position.reset();
+    stage.velocity.reset();
+    stage.hitch_s.reset();
   }
-  [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
   [[nodiscard]] bool has_room() const {
-    return std::all_of(stages_.begin(), stages_.end(), [](const Stage& stage) {
-      return stage.bounds.right_px >= 0.0 && stage.bounds.bottom_px >= 0.0;
+    return std::all_of(stages.begin(), stages.end(), [](const Stage& each) {
+      return each.bounds.right_px >= 0.0 && each.bounds.bottom_px >= 0.0;
     });
   }
 
- private:
-  void apply(const Fling& fling) { stage_.velocity = fling.velocity; }
-  void apply(const Place& place) { stage_.position = place.position; }
-  void apply(const Stop&) { stage_.velocity = Velocity{}; }
-  void apply(const Resize& resize) {
-    window_ = resize.window.value_or(window_);
-    sprite_ = resize.sprite.value_or(sprite_);
-    stage_.bounds = bounds_of(window_, sprite_);
-  }
-  void apply(const Hitch& hitch) {
-    if (hitch.dt_s > 0.0) stage_.hitch_s = hitch.dt_s;
-  }
-  void apply(const Grab&) {
-    stage_.velocity = Velocity{};
-    stage_.is_held = true;
-  }
-  void apply(const Release& release) {
-    stage_.velocity = release.velocity;
-    stage_.is_held = false;
-  }
-
-  Size window_;
-  Size sprite_;
-  Stage stage_;
-  std::vector<Stage> stages_;
+  Stage stage;
+  std::vector<Stage> stages;
+  Size window;
+  Size sprite;
+  bool& is_held;
 };
 
 }  // namespace
@@ -147,14 +128,17 @@ ScenarioProblem problem_of(const Scenario& scenario) {
     double dt_s = clock.dt_s(frame);
     const bool has_event = event < frames.size() && frames[event] == frame;
     if (has_event) {
-      builder.pass(time.time_s() - stage_from_s);
+      builder.stage.duration_s += time.time_s() - stage_from_s;
       builder.close();
       stage_from_s = time.time_s();
     }
     for (; event < frames.size() && frames[event] == frame; ++event) {
       const Action& action = scenario.events[event].action;
-      builder.apply_action(action);
-      if (const auto* hitch = std::get_if<Hitch>(&action)) dt_s = hitch->dt_s;
+      apply(action, builder);
+      if (const auto* hitch = std::get_if<Hitch>(&action)) {
+        dt_s = hitch->dt_s;
+        if (dt_s > 0.0) builder.stage.hitch_s = dt_s;
+      }
     }
     time.play(dt_s);
     if (time.time_s() > kProblemMax_s || frame == kFramesMax) {
@@ -162,9 +146,9 @@ ScenarioProblem problem_of(const Scenario& scenario) {
       break;
     }
   }
-  builder.pass(time.time_s() - stage_from_s);
+  builder.stage.duration_s += time.time_s() - stage_from_s;
   builder.close();
-  problem.stages = builder.stages();
+  problem.stages = builder.stages;
   if (problem.stages.empty()) return {std::nullopt, "no time passes in it"};
   if (!builder.has_room())
     return {std::nullopt, "its window cannot hold its sprite, so that it has no exact solution"};

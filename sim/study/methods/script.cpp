@@ -9,39 +9,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::string_view kActionNames[] = {"fling", "place", "stop", "resize", "hitch", "hold", "hold"};
-
-struct Effect {
-  World& world;
-  double& dt_s;
-
-  void operator()(const Fling& fling) const { set(fling.velocity); }
-  void operator()(const Place& place) const {
-    world.state.x_px = place.position.x_px;
-    world.state.y_px = place.position.y_px;
-  }
-  void operator()(const Stop&) const { set({}); }
-  void operator()(const Resize& resize) const {
-    world.window = resize.window.value_or(world.window);
-    world.sprite = resize.sprite.value_or(world.sprite);
-  }
-  void operator()(const Hitch& hitch) const { dt_s = hitch.dt_s; }
-  void operator()(const Grab&) const {
-    set({});
-    world.is_held = true;
-  }
-  void operator()(const Release& release) const {
-    set(release.velocity);
-    world.is_held = false;
-  }
-
- private:
-  void set(const Velocity& velocity) const {
-    world.state.vx_px_per_s = velocity.vx_px_per_s;
-    world.state.vy_px_per_s = velocity.vy_px_per_s;
-  }
-};
-
 std::vector<double> even_frames(const Scenario& scenario, const std::vector<double>& frames_s) {
   if (scenario.clock.jitter) return std::vector<double>(frames_s.size(), base_dt_s(scenario.clock));
   if (!std::holds_alternative<RecordedSteps>(scenario.clock.base) || frames_s.empty()) return {};
@@ -50,8 +17,6 @@ std::vector<double> even_frames(const Scenario& scenario, const std::vector<doub
 }
 
 }  // namespace
-
-void happen(const Action& action, World& world, double& dt_s) { std::visit(Effect{world, dt_s}, action); }
 
 Script script_of(const Scenario& scenario) {
   Script script;
@@ -66,10 +31,11 @@ Script script_of(const Scenario& scenario) {
   script.even_frames_s = even_frames(scenario, script.frames_s);
   for (std::size_t event = 0; event < frames.size() && frames[event] < kScriptFramesMax; ++event) {
     const Action& action = scenario.events[event].action;
-    // A release belongs to the grab before it: held for good is another scene.
+    // A release belongs to the grab before it: without it the sprite would be held for good.
     if (!std::holds_alternative<Release>(action))
       script.inputs.push_back(
-          {std::string(kActionNames[action.index()]) + ", frame " + std::to_string(frames[event])});
+          {(std::holds_alternative<Grab>(action) ? "hold" : std::string(name_of(action))) + ", frame " +
+           std::to_string(frames[event])});
     std::size_t input = script.inputs.size() - 1;
     if (std::holds_alternative<Release>(action))
       for (const ScriptEvent& before : script.events)

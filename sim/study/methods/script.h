@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/motion/step.h"
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/apply.h"
 
 namespace hyrax {
 
@@ -42,9 +42,6 @@ struct Omitted {
   [[nodiscard]] bool has_input(std::size_t input) const { return input < inputs.size() && inputs[input]; }
 };
 
-/// What an event does to the state, as the format's rules have it.
-void happen(const Action& action, World& world, double& dt_s);
-
 /// Plays the script, or its first `frames_max` frames; `see(state, contact)` gets every row but the first.
 template <class PartSet, class See>
 void play(const Script& script, const Constants& constants, const Omitted& omitted, const PartSet& parts,
@@ -56,7 +53,10 @@ void play(const Script& script, const Constants& constants, const Omitted& omitt
   for (std::size_t frame = 0; frame < frames; ++frame) {
     double dt_s = frames_s[frame];
     for (; event != script.events.end() && event->frame == static_cast<std::int64_t>(frame); ++event)
-      if (!omitted.has_input(event->input)) happen(event->action, world, dt_s);
+      if (!omitted.has_input(event->input)) {
+        apply(event->action, world);
+        if (const auto* hitch = std::get_if<Hitch>(&event->action)) dt_s = hitch->dt_s;
+      }
     std::uint8_t contact = 0;
     if (!world.is_held) contact = ListingStep(constants, parts, world.bounds())(world.state, dt_s);
     see(world.state, contact);

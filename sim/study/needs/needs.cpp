@@ -7,10 +7,10 @@
 
 #include "sim/compare/comparison.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/rest_anchor.h"
 #include "sim/study/methods/core.h"
 #include "sim/study/methods/problem.h"
 #include "sim/trajectory/row.h"
+#include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/reference/impact.h"
+#include "sim/reference/flight.h"
 #include "sim/scenario/split_mix64.h"
 
 namespace hyrax {

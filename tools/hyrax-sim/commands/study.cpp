@@ -1,7 +1,9 @@
 // The command study: asks a study of sim/study, writes what it found, and prints its verdict.
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,12 +16,9 @@
 #include "tools/files/table_text.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
-#include "tools/hyrax-sim/commands.h"
-#include "tools/hyrax-sim/expected_verdicts.h"
-#include "tools/hyrax-sim/machine_name.h"
-#include "tools/hyrax-sim/print.h"
-#include "tools/hyrax-sim/progress.h"
-#include "tools/hyrax-sim/steady_clock_ns.h"
+#include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/progress.h"
+#include "tools/hyrax-sim/studies/expected_verdicts.h"
 #include "tools/report/figure_script.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/output_guard.h"
@@ -35,8 +34,8 @@ struct StudyArguments {
   std::string within;
   bool is_quick = false;
   bool is_gate = false;
-  bool is_json = false;
   bool has_no_figures = false;
+  Printing printing;
 };
 
 void declare_arguments(Options& options, StudyArguments& arguments) {
@@ -49,8 +48,8 @@ void declare_arguments(Options& options, StudyArguments& arguments) {
   options.flag(arguments.is_gate, {"--gate", "", "exit 1 if one of the study's rules does not hold"});
   options.text(arguments.expect_file, {"--expect", "FILE", "paper: expected verdicts, compared with --gate"});
   options.text(arguments.within, {"--within", "LENGTH", "needs: the tolerance, as 1px"});
-  options.flag(arguments.is_json, {"--json", "", "print one JSON document instead of the verdict"});
   options.flag(arguments.has_no_figures, {"--no-figures", "", "draw no figures (they need gnuplot)"});
+  options.printing(arguments.printing);
 }
 
 const Study& find_study(const std::string& name) {
@@ -60,6 +59,18 @@ const Study& find_study(const std::string& name) {
     names.push_back(study.name);
   }
   throw Failure(ExitCode::bad_input, "hyrax-sim study: " + unknown_word("study", name, names));
+}
+
+std::int64_t steady_clock_ns() {
+  using std::chrono::steady_clock;
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+std::string processor_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
+  return "unknown processor";
 }
 
 // A length of at least 0, as "1px", "0.5 px" or "2".
@@ -98,7 +109,8 @@ std::vector<std::string> scenario_files(const Study& study, const StudyArguments
 StudyRequest request_of(const Study& study, const StudyArguments& arguments,
                         const std::vector<std::string>& scenarios) {
   std::set<std::string> names;
-  StudyRequest request{.is_quick = arguments.is_quick, .machine = machine_name(), .now_ns = steady_clock_ns};
+  StudyRequest request{
+      .is_quick = arguments.is_quick, .machine = processor_name(), .now_ns = steady_clock_ns};
   for (const std::string& path : scenarios) {
     request.scenarios.push_back({path, load_scenario(path)});
     const std::string& name = request.scenarios.back().scenario.name;
@@ -170,15 +182,21 @@ void print_json(const Study& study, const StudyResult& result, const std::vector
   print_text("{}\n", to_text(Json(std::move(document)), {.depth_indented = 3}));
 }
 
-void print_verdict(const Verdict& verdict, const std::vector<std::string>& paths) {
-  for (const auto& part : verdict.text) {
-    if (const auto* const table = std::get_if<Table>(&part))
-      print_text("{}", aligned_text(*table));
-    else
-      print_text("{}\n", std::get<std::string>(part));
+void print_verdict(const Study& study, const Verdict& verdict, const std::vector<std::string>& paths,
+                   const Printing& printing) {
+  if (!printing.is_quiet()) {
+    for (const auto& part : verdict.text) {
+      if (const auto* const table = std::get_if<Table>(&part))
+        print_text("{}", aligned_text(*table));
+      else
+        print_text("{}\n", std::get<std::string>(part));
+    }
   }
-  for (const std::string& sentence : verdict.broken) print_text("does not hold: {}\n", sentence);
-  print_text("written: {}\n", fmt::join(paths, ", "));
+  for (const std::string& sentence : verdict.broken)
+    print_text("{}: {}\n", VerdictWord{"does not hold", false}, sentence);
+  if (printing.is_quiet() && verdict.broken.empty())
+    print_text("{}: {}\n", study.name, VerdictWord{"all rules hold", true});
+  if (!printing.is_quiet()) print_text("written: {}\n", fmt::join(paths, ", "));
 }
 
 ExitCode run_study_command(const StudyArguments& arguments) {
@@ -196,10 +214,10 @@ ExitCode run_study_command(const StudyArguments& arguments) {
       guard.admit("hyrax-sim study: -o", stem + figure.suffix + ".svg");
   make_folder(arguments.folder);
   const WrittenStudy written = write_result(study, result, stem, !arguments.has_no_figures);
-  if (arguments.is_json)
+  if (arguments.printing.is_json)
     print_json(study, result, written.paths);
   else
-    print_verdict(result.verdict, written.paths);
+    print_verdict(study, result.verdict, written.paths, arguments.printing);
   if (arguments.is_gate)
     for (const std::string& sentence : result.verdict.broken)
       print_error(fmt::format("hyrax-sim study {}: {}", study.name, sentence));

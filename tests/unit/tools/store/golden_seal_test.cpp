@@ -38,8 +38,8 @@ const std::vector<Change> kChangesOfAnyRun = {
     [](StoredRun& run) { run.contacts.front().last_step += 1; },
     [](StoredRun& run) { one_ulp_up(run.contacts.front().overshoot_px); },
     [](StoredRun& run) { run.inputs.front().frame += 1; },
-    [](StoredRun& run) { run.inputs.front().kind = InputKind::grab; },
-    [](StoredRun& run) { one_ulp_up(run.inputs.front().b); },
+    [](StoredRun& run) { run.inputs.front().action = Grab{}; },
+    [](StoredRun& run) { one_ulp_up(std::get<Fling>(run.inputs.front().action).velocity.vy_px_per_s); },
 };
 
 TEST(ContentsHash, SeesEveryChangeOfAShortRun) {

@@ -1,4 +1,5 @@
 // What is written into a trajectory file is read from it, bit for bit.
+#include "tools/store/input_record.h"
 #include "tools/store/trajectory_file.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST_F(StoredRunFile, HoldsInputsOfEveryKind) {
   write_run(path_, scenario);
   std::vector<bool> is_seen(kInputKindNames.size());
   for (const Input& input : TrajectoryFile(path_).inputs())
-    is_seen.at(static_cast<std::size_t>(input.kind)) = true;
+    is_seen.at(record_of(input).kind) = true;
   EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(kInputKindNames));
 }
 
