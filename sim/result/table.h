@@ -17,14 +17,14 @@ namespace hyrax {
 struct Table;
 
 /// One quantity, one value a row.
-struct Column {
+struct Column {                // NOLINT(misc-no-recursion): copied with the tables in its cells.
   std::string name = {};       ///< snake_case, without its unit.
   std::string unit = {};       ///< "px", "px/s", "1" for a pure number; empty for text.
   std::string long_name = {};  ///< What it is, in a few words.
   /// A number that is missing is a NaN. A table in a cell is for JSON only.
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>, std::vector<bool>,
                std::vector<Table>>
-      values = {};
+      values;      // Without "= {}", for which clang 14 needs Table complete.
   int digits = 4;  ///< Significant digits in printed text; files have all.
 };
 
@@ -37,7 +37,7 @@ enum class JsonShape : std::uint8_t {
   members    ///< The first row's values, as members of the object around the table.
 };
 
-struct Table {
+struct Table {            // NOLINT(misc-no-recursion)
   std::string name = {};  ///< snake_case, unique within a study.
   std::string long_name = {};
   std::vector<Column> columns = {};  ///< All of one length.
