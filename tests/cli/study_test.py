@@ -208,7 +208,7 @@ class Usage(StudyTest):
                                  (("speed-error", "--expect", "x.json"), "speed-error: takes no --expect"),
                                  (("needs",), "a scenario must be given"),
                                  (("needs", "fling.json", "--within", "1 mm"), "--within: must be a length of at least 0, "
-                                                                               "as 1px, is '1 mm'"),
+                                                                               "as 1px (found '1 mm')"),
                                  (("needs", "fling.json", "--within=-1px"), "--within"),
                                  (("needs", "fling.json", "--within", "nan"), "--within"),
                                  (("needs", "fling.json", "fling.json"), "fling.json: /name: duplicate scenario name (found fling)")):

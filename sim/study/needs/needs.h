@@ -36,7 +36,7 @@ struct PartNeed {
   std::optional<Part> model_part;  ///< None: jitter or an input.
   PathDifference difference;
   Need need = Need::needed;
-  double saved_ns_per_step = 0.0;  ///< Of the whole run's median; may be negative, by chance.
+  double saved_ns_per_step = 0.0;  ///< Difference of medians; may be negative, by chance.
 };
 
 struct SceneNeeds {

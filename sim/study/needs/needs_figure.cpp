@@ -29,6 +29,7 @@ std::size_t group_of(Need need) {
 
 std::vector<LegendEntry> legend() {
   std::vector<LegendEntry> entries;
+  entries.reserve(kGroups.size());
   for (const Group& group : kGroups)
     entries.push_back({group.text, {.form = Form::bars, .tone = group.tone}});
   return entries;
