@@ -24,7 +24,7 @@ struct Column {
   /// A number that is missing is a NaN. A table in a cell is for JSON only.
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>, std::vector<bool>,
                std::vector<Table>>
-      values = {};
+      values;
   int digits = 4;  ///< Significant digits in printed text; files have all.
 };
 
