@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,15 +18,18 @@ namespace hyrax {
 
 struct Table;
 
+/// A table in a cell, for JSON only.
+using NestedTable = std::shared_ptr<const Table>;
+
 /// One quantity, one value a row.
 struct Column {
   std::string name = {};       ///< snake_case, without its unit.
   std::string unit = {};       ///< "px", "px/s", "1" for a pure number; empty for text.
   std::string long_name = {};  ///< What it is, in a few words.
-  /// A number that is missing is a NaN. A table in a cell is for JSON only.
+  /// A number that is missing is a NaN.
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>, std::vector<bool>,
-               std::vector<Table>>
-      values;
+               std::vector<NestedTable>>
+      values = {};
   int digits = 4;  ///< Significant digits in printed text; files have all.
 };
 
@@ -61,9 +66,15 @@ struct Table {
 template <class Value, class Records, class Get>
 [[nodiscard]] Column column_of(const std::string& name, const std::string& unit, const std::string& long_name,
                                const Records& records, const Get& get, int digits = 4) {
-  std::vector<Value> values;
+  constexpr bool kIsNested = std::is_same_v<Value, Table>;
+  std::vector<std::conditional_t<kIsNested, NestedTable, Value>> values;
   values.reserve(std::size(records));
-  for (const auto& record : records) values.push_back(Value(std::invoke(get, record)));
+  for (const auto& record : records) {
+    if constexpr (kIsNested)
+      values.push_back(std::make_shared<const Table>(std::invoke(get, record)));
+    else
+      values.push_back(Value(std::invoke(get, record)));
+  }
   return {name, unit, long_name, std::move(values), digits};
 }
 
