@@ -17,7 +17,7 @@ std::string csv_field(const std::string& text) {
 std::string csv_field(double value) { return std::isnan(value) ? std::string() : to_text(value); }
 std::string csv_field(std::int64_t value) { return std::to_string(value); }
 std::string csv_field(bool value) { return value ? "true" : "false"; }
-std::string csv_field(const NestedTable&) {
+std::string csv_field(const Table&) {
   assert(false);
   return "";
 }
@@ -112,8 +112,8 @@ std::vector<std::string> aligned(const Column& column) {
 Json json_cell(const Column& column, std::size_t row) {
   return cell(column, row, [](const auto& value) -> Json {
     using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, NestedTable>) {
-      return json_of(*value);
+    if constexpr (std::is_same_v<Value, Table>) {
+      return json_of(value);
     } else {
       if constexpr (std::is_same_v<Value, double>)
         if (std::isnan(value)) return nullptr;

@@ -34,7 +34,7 @@ bool write_column(hid_t group, const Column& column, const std::vector<bool>& va
   return write_column(group, column, std::vector<std::int64_t>(values.begin(), values.end()));
 }
 
-bool write_column(hid_t, const Column&, const std::vector<NestedTable>&) {
+bool write_column(hid_t, const Column&, const std::vector<Table>&) {
   assert(false);  // Tables in cells are for JSON.
   return false;
 }
