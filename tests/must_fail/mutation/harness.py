@@ -11,10 +11,7 @@ survives. The exit code is 0 if none survives, 1 if one does, 3 if nothing can b
 """
 
 import argparse
-import concurrent.futures
-import math
 import pathlib
-import queue
 import random
 import re
 import signal
@@ -25,110 +22,13 @@ import time
 sys.dont_write_bytecode = True  # The source tree stays as it is.
 
 from build_copy import Build, BuildCopy
+from draw import drawn, mutants_by_folder
 from harness_table import report_of
-from judge import Verdict
-from mutators import mutants_of
 from reasons import faults_of, read_reasons
+from trials import Trials
 from workshop import CannotBuild
 
-FOLDERS = ("sim/compare", "sim/replay", "sim/reference", "sim/study", "tools/files", "tools/store", "tools/hyrax-sim")
 NONE_SURVIVED, SURVIVED, CANNOT_BUILD = 0, 1, 3
-_SLOW_S = 5.0
-_NOT_STARTED = Verdict("not tried"), 0.0
-
-
-def mutants_by_folder(build):
-    """{folder: [Mutant]} of all sources that the build compiles.
-
-    Other flags are left out, and constants that move by one ulp: in these folders no verdict depends on it.
-    """
-    found = {}
-    for folder in FOLDERS:
-        paths = sorted(path for path in build.objects if path.startswith(f"{folder}/"))
-        texts = {path: (build.source / path).read_text(encoding="utf-8") for path in paths}
-        found[folder] = [mutant for path in paths for mutant in mutants_of(path, texts[path])
-                         if not mutant.flags and not _is_by_one_ulp(mutant, texts[path])]
-    return found
-
-
-def _is_by_one_ulp(mutant, text):
-    try:
-        before, after = float(text[mutant.begin:mutant.end]), float(mutant.replacement)
-    except ValueError:
-        return False
-    return mutant.kind == "constant" and math.isclose(before, after, rel_tol=1e-12, abs_tol=1e-300)
-
-
-def drawn(by_folder, count, generator):
-    """So many mutants, equally many of each folder as far as it has them, in random order."""
-    left = {folder: generator.sample(mutants, len(mutants)) for folder, mutants in by_folder.items()}
-    chosen = []
-    while len(chosen) < count and any(left.values()):
-        folders = [folder for folder, mutants in left.items() if mutants]
-        for folder in generator.sample(folders, min(len(folders), count - len(chosen))):
-            chosen.append(left[folder].pop())
-    return chosen
-
-
-def batches_of(mutant, tests, seconds):
-    """The tests in lists, the nearest first: of the same folder; of a like name; the others, the slow ones last."""
-    path = pathlib.PurePath(mutant.path)
-    words = {path.parent.name, *re.findall(r"[a-z0-9]+", path.stem)}
-    batches = [[], [], [], []]
-    for test in tests:
-        above = pathlib.PurePath("tests/unit")
-        is_of_folder = test.folder.is_relative_to(above) and path.is_relative_to(test.folder.relative_to(above))
-        is_alike = not words.isdisjoint(re.findall(r"[a-z0-9]+", test.name))
-        is_slow = seconds[test.name] > _SLOW_S
-        batches[0 if is_of_folder else 1 if is_alike and not is_slow else 2 if not is_slow else 3].append(test)
-    return batches
-
-
-class Trials:
-    """Tries mutants in several copies of a build at a time."""
-
-    def __init__(self, build, copies, may_ask):
-        self._build, self._copies, self._may_ask = build, copies, may_ask
-        self._free = queue.SimpleQueue()
-        self._seconds = {}
-        for copy in copies:
-            self._free.put(copy)
-
-    def run(self, mutants):
-        """{mutant: (Verdict, seconds)}, in the order of the mutants."""
-        try:
-            self._measure(mutants)
-        except TimeoutError:
-            return dict.fromkeys(mutants, _NOT_STARTED)
-        with concurrent.futures.ThreadPoolExecutor(len(self._copies)) as pool:
-            tries = [pool.submit(self._try_out, mutant) for mutant in mutants]
-            try:
-                return {mutant: one.result() for mutant, one in zip(mutants, tries)}
-            except BaseException:
-                for copy in self._copies:
-                    copy.stop()
-                raise
-
-    def _tests(self, path):
-        return [test for test in self._build.tests_of(path) if self._may_ask.search(test.name)]
-
-    def _measure(self, mutants):
-        """Every test must pass in a copy without a change, or mutants would be caught for no reason."""
-        tests = {test.name: test for mutant in mutants for test in self._tests(mutant.path)}
-        outcomes = self._copies[0].outcomes(tests.values(), "-j", str(len(self._copies))) if tests else []
-        self._seconds = {name: seconds for name, outcome, seconds in outcomes if outcome in ("Passed", "Skipped")}
-        failed = sorted(tests.keys() - self._seconds.keys())
-        if failed:
-            raise CannotBuild(f"tests fail, or take too long, without any change: {', '.join(failed)}")
-
-    def _try_out(self, mutant):
-        copy = self._free.get()
-        begin_s = time.monotonic()
-        try:
-            verdict = copy.try_out(mutant, batches_of(mutant, self._tests(mutant.path), self._seconds))
-            return verdict, time.monotonic() - begin_s
-        finally:
-            self._free.put(copy)
 
 
 def state_of(source):
@@ -138,14 +38,14 @@ def state_of(source):
     return {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in paths}
 
 
-def faults_in(trials, build, reasons, everything):
+def faults_in(trials, reasons, everything):
     """Sentences about reasons that do not hold, and survivors without one."""
     verdicts = {mutant: verdict for mutant, (verdict, _) in trials.items() if verdict.fate in ("caught", "survived")}
     survivors = [mutant for mutant, verdict in verdicts.items()
                  if verdict.fate == "survived" and (mutant.path, mutant.name) not in reasons]
     return [*faults_of(reasons, everything, verdicts),
-            *(f"{build.source / mutant.path}:{mutant.line}: {mutant.name}: survived; add a test that catches it, or its "
-              "reason to harness_reasons.json" for mutant in survivors)]
+            *(f"{mutant.path}:{mutant.line}: {mutant.name}: survived; add a test that catches it, or its reason to "
+              "harness_reasons.json" for mutant in survivors)]
 
 
 def options():
@@ -194,7 +94,9 @@ def run(asked):
     if asked.markdown:
         asked.markdown.write_text(report, encoding="utf-8")
     changed = {path for path, _ in before.items() ^ state_of(build.source).items()}
-    faults = [*faults_in(trials, build, reasons, everything), *(f"{path}: was changed meanwhile" for path in changed)]
+    faults = [*faults_in(trials, reasons, everything), *(f"{path}: was changed meanwhile" for path in changed)]
+    if all(verdict.fate == "not tried" for verdict, _ in trials.values()):
+        faults.append(f"no mutant was tried within {asked.minutes:g} minutes")
     print("".join(f"FAULT: {fault}\n" for fault in faults), end="")
     return SURVIVED if faults else NONE_SURVIVED
 
