@@ -14,12 +14,14 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 
 from judge import Verdict
 from workshop import CannotBuild
 
 _ADDRESS_SPACE_MAX, _FILE_SIZE_MAX = 8 << 30, 4 << 30
+PASSED = ("Passed", "Skipped")
 _RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake")
 _OUTCOME = re.compile(r"^ *\d+/\d+ Test +#\d+: (\S+) \.*(?:\*\*\*)? *(.*?) +([\d.]+) sec", re.MULTILINE)
 
@@ -42,15 +44,19 @@ def _printed(*command):
 
 
 class Build:
-    """What a build of the project says of itself."""
+    """What a build of the project says of itself. It is brought up to date, then only read.
 
-    def __init__(self, source, build):
+    may_ask: a pattern of the names of the tests that are wanted.
+    """
+
+    def __init__(self, source, build, may_ask):
         self.source, self.folder = source.resolve(), build.resolve()
-        if "no work to do" not in _printed("ninja", "-C", self.folder, "-n"):
-            raise CannotBuild(f"{build}: is not up to date; build it first")
+        self.tests = self._tests(may_ask)
+        self.programs = programs = set().union(*(test.programs for test in self.tests))
+        command = ["ninja", "-C", self.folder, "--quiet", *programs]
+        if not programs or subprocess.run(command, check=False, stdout=sys.stderr).returncode != 0:
+            raise CannotBuild(f"{build}: its tests cannot be built")
         self.objects = self._objects()
-        self.tests = self._tests()
-        programs = set().union(*(test.programs for test in self.tests))
         self._inputs = {program: set(_printed("ninja", "-C", self.folder, "-t", "inputs", program).splitlines())
                         for program in programs}
 
@@ -71,24 +77,29 @@ class Build:
                 current = line.partition(": #deps")[0]
         return objects
 
-    def _tests(self):
+    def _tests(self, may_ask):
+        lines = _printed("ninja", "-C", self.folder, "-t", "targets", "all").splitlines()
+        targets = {line.rpartition(": ")[0] for line in lines}
         known = json.loads(_printed("ctest", "--test-dir", self.folder, "--show-only=json-v1", "-L", "everyday"))
-        return [self._test(entry, known["backtraceGraph"]) for entry in known["tests"]]
+        return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]
+                if may_ask.search(entry["name"])]
 
-    def _test(self, entry, graph):
+    def _test(self, entry, graph, targets):
         properties = {each["name"]: each["value"] for each in entry["properties"]}
         node = graph["nodes"][entry["backtrace"]]
         while "command" in graph["nodes"][node["parent"]]:
             node = graph["nodes"][node["parent"]]
         folder = pathlib.Path(graph["files"][node["file"]]).parent
         words = re.split(r"[=;]", ";".join([*entry["command"], *properties.get("ENVIRONMENT", [])]))
-        paths = [pathlib.Path(word) for word in words if word.startswith(f"{self.folder}/")]
-        programs = frozenset(str(path.relative_to(self.folder)) for path in paths if path.is_file())
-        return Test(entry["name"], folder.relative_to(self.source), programs)
+        programs = targets.intersection(word.removeprefix(f"{self.folder}/") for word in words)
+        return Test(entry["name"], folder.relative_to(self.source), frozenset(programs))
 
 
 class BuildCopy:
-    """One copy; `folder` is made, and is the caller's to remove. deadline_s: of time.monotonic(), for all that it runs."""
+    """One copy, in `folder`, which is the caller's to remove.
+
+    deadline_s: when all that it runs must have ended, by time.monotonic().
+    """
 
     def __init__(self, build, folder, test_s_max, deadline_s):
         self._original, self._test_s_max, self._deadline_s = build, test_s_max, deadline_s
@@ -106,7 +117,7 @@ class BuildCopy:
             if path.name in _RELOCATED:
                 self._copy(path)
         self._stamps = self._stamps_now()
-        if "no work to do" not in _printed("ninja", "-C", self.folder, "-n"):
+        if "no work to do" not in _printed("ninja", "-C", self.folder, "-n", *build.programs):
             raise CannotBuild(f"{self.folder}: the copied build differs from {build.folder}")
 
     def try_out(self, mutant, batches):
@@ -132,9 +143,12 @@ class BuildCopy:
         for tests in filter(None, batches):
             if not self.rebuild(set().union(*(test.programs for test in tests))):
                 return Verdict("refused")
-            for name, outcome, _ in self.outcomes(tests, "--stop-on-failure"):
-                if outcome not in ("Passed", "Skipped"):
+            outcomes = self.outcomes(tests, "--stop-on-failure")
+            for name, outcome, _ in outcomes:
+                if outcome not in PASSED:
                     return Verdict("caught", name, difference=outcome)
+            if len(outcomes) != len(tests):
+                raise CannotBuild(f"ctest ran {len(outcomes)} of {len(tests)} tests")
         return Verdict("survived")
 
     def rebuild(self, targets):

@@ -52,7 +52,7 @@ def options():
     """What the command line asks for."""
     here = pathlib.Path(__file__).resolve().parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of the project with its tests, by ninja")
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of all tests, by ninja")
     parser.add_argument("--source", type=pathlib.Path, default=here.parents[2], help="the project")
     parser.add_argument("--reasons", type=pathlib.Path, default=here / "harness_reasons.json",
                         help="why some mutants cannot be caught")
@@ -73,7 +73,7 @@ def options():
 def run(asked):
     """Tries what the options ask for; returns the exit code."""
     deadline_s = time.monotonic() + 60.0 * asked.minutes
-    build = Build(asked.source, asked.build)
+    build = Build(asked.source, asked.build, asked.tests)
     by_folder = mutants_by_folder(build)
     everything = [mutant for mutants in by_folder.values() for mutant in mutants]
     by_folder = {folder: [mutant for mutant in mutants if asked.only.search(f"{mutant.path}: {mutant.name}")]
@@ -88,7 +88,7 @@ def run(asked):
     with tempfile.TemporaryDirectory(prefix="hyrax-mutation-", ignore_cleanup_errors=True) as folder:
         copies = [BuildCopy(build, pathlib.Path(folder, str(number)), asked.test_seconds, deadline_s)
                   for number in range(asked.jobs)]
-        trials = Trials(build, copies, asked.tests).run(mutants)
+        trials = Trials(build, copies).run(mutants)
     report = report_of(trials, reasons, asked.seed)
     print(report)
     if asked.markdown:

@@ -90,7 +90,8 @@ class Harness(unittest.TestCase):
         temporary.mkdir(exist_ok=True)
         done = subprocess.run([sys.executable, TOOL, "--build", self.source / "build/some", "--source", self.source,
                                "--reasons", path, "--test-seconds", "2", *options],
-                              capture_output=True, text=True, check=False, env={**os.environ, **environment, "TMPDIR": str(temporary)})
+                              capture_output=True, text=True, check=False,
+                              env={**os.environ, **environment, "TMPDIR": str(temporary)})
         self.assertEqual(list(temporary.iterdir()), [], "it left something behind")
         self.assertFalse((self.source / "left").exists(), "a test wrote to the project, not to the copy")
         return done.returncode, done.stdout + done.stderr
@@ -141,6 +142,9 @@ class Harness(unittest.TestCase):
         self.assertEqual(exit_code, 3, said)
         self.assertIn("tests fail, or take too long, without any change: cli.sum", said)
 
+    def test_without_a_test_nothing_is_tried(self):
+        self.assertEqual(self.run_tool("--tests", "no such test")[0], 3)
+
     def test_what_the_time_limit_leaves_is_not_tried(self):
         exit_code, said = self.run_tool("--minutes", "0", "--count", "3")
         self.assertEqual(exit_code, 1, said)
@@ -157,7 +161,8 @@ class Interval(unittest.TestCase):
     """Values of Wilson's interval from Newcombe (1998), Statistics in Medicine 17, table I."""
 
     def test_against_published_values(self):
-        for successes, trials, low, high in ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611)):
+        published = ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611))
+        for successes, trials, low, high in published:
             self.assertEqual(tuple(round(bound, 4) for bound in interval_of(successes, trials)), (low, high))
 
 

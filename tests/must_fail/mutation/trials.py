@@ -7,6 +7,7 @@ import re
 import sys
 import time
 
+from build_copy import PASSED
 from judge import Verdict
 from workshop import CannotBuild
 
@@ -31,8 +32,8 @@ def batches_of(mutant, tests, seconds):
 class Trials:
     """Tries mutants in several copies of a build at a time."""
 
-    def __init__(self, build, copies, may_ask):
-        self._build, self._copies, self._may_ask = build, copies, may_ask
+    def __init__(self, build, copies):
+        self._build, self._copies = build, copies
         self._free = queue.SimpleQueue()
         self._seconds = {}
         for copy in copies:
@@ -53,14 +54,11 @@ class Trials:
                     copy.stop()
                 raise
 
-    def _tests(self, path):
-        return [test for test in self._build.tests_of(path) if self._may_ask.search(test.name)]
-
     def _measure(self, mutants):
         """Every test must pass in a copy without a change, or mutants would be caught for no reason."""
-        tests = {test.name: test for mutant in mutants for test in self._tests(mutant.path)}
+        tests = {test.name: test for mutant in mutants for test in self._build.tests_of(mutant.path)}
         outcomes = self._copies[0].outcomes(tests.values(), "-j", str(len(self._copies))) if tests else []
-        self._seconds = {name: seconds for name, outcome, seconds in outcomes if outcome in ("Passed", "Skipped")}
+        self._seconds = {name: seconds for name, outcome, seconds in outcomes if outcome in PASSED}
         failed = sorted(tests.keys() - self._seconds.keys())
         if failed:
             raise CannotBuild(f"tests fail, or take too long, without any change: {', '.join(failed)}")
@@ -69,7 +67,7 @@ class Trials:
         copy = self._free.get()
         begin_s = time.monotonic()
         try:
-            verdict = copy.try_out(mutant, batches_of(mutant, self._tests(mutant.path), self._seconds))
+            verdict = copy.try_out(mutant, batches_of(mutant, self._build.tests_of(mutant.path), self._seconds))
             seconds = time.monotonic() - begin_s
             print(f"{mutant.path}:{mutant.line}: {verdict.fate} {verdict.caught_by} {seconds:.0f} s", file=sys.stderr)
             return verdict, seconds
