@@ -8,9 +8,11 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from harness_table import interval_of
@@ -82,19 +84,31 @@ class Harness(unittest.TestCase):
                         ["ninja", "-C", cls.source / "build/some"]):
             subprocess.run(command, check=True, capture_output=True)
 
-    def run_tool(self, *options, reasons=(), **environment):
+    def run_tool(self, *options, reasons=(), is_stopped=False, **environment):
         """Exit code and standard output."""
         path = self.folder / "reasons.json"
         path.write_text(json.dumps(reasons), encoding="utf-8")
         temporary = self.folder / "tmp"
         temporary.mkdir(exist_ok=True)
-        done = subprocess.run([sys.executable, TOOL, "--build", self.source / "build/some", "--source", self.source,
-                               "--reasons", path, "--test-seconds", "2", *options],
-                              capture_output=True, text=True, check=False,
-                              env={**os.environ, **environment, "TMPDIR": str(temporary)})
+        with subprocess.Popen([sys.executable, TOOL, "--build", self.source / "build/some", "--source", self.source,
+                               "--reasons", path, "--test-seconds", "2", *options], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              env={**os.environ, **environment, "TMPDIR": str(temporary)}) as tool:
+            if is_stopped:
+                self.wait_for_a_program(tool)
+                tool.terminate()
+            said, _ = tool.communicate()
         self.assertEqual(list(temporary.iterdir()), [], "it left something behind")
+        self.assertEqual(programs_running_in(self.folder), [])
         self.assertFalse((self.source / "left").exists(), "a test wrote to the project, not to the copy")
-        return done.returncode, done.stdout + done.stderr
+        return tool.returncode, said
+
+    def wait_for_a_program(self, tool):
+        """Until the tool ends, or a program of the project runs for longer than an instant."""
+        before = set()
+        while tool.poll() is None and before.isdisjoint(programs_running_in(self.folder)):
+            before = set(programs_running_in(self.folder))
+            time.sleep(0.3)
 
     def fates(self, only, *options):
         """{change: (fate, by)} of the mutants whose name matches."""
@@ -107,10 +121,13 @@ class Harness(unittest.TestCase):
             "sign: if (number < 0) return -1; -> if (number > 0) return -1;": ("caught", "unit.compare Failed"),
             "sum_to: int sum = 0; -> int sum = 1;": ("caught", "cli.sum Failed")})
 
-    def test_what_never_ends_is_caught_and_leaves_no_process(self):
+    def test_what_never_ends_is_caught(self):
         fates = self.fates("last; --each")
         self.assertEqual(list(fates.values()), [("caught", "cli.sum Timeout")], fates)
-        self.assertEqual(programs_running_in(self.folder), [])
+
+    def test_stopped_it_leaves_nothing(self):
+        exit_code, said = self.run_tool("--only", "last; --each", "--test-seconds", "600", is_stopped=True)
+        self.assertEqual(exit_code, 128 + signal.SIGTERM, said)
 
     def test_what_does_not_compile_is_refused(self):
         self.assertEqual(list(self.fates("sizeof.int. < 1").values()), [("refused", "")])
