@@ -5,94 +5,22 @@ commands with the paths replaced. The original is only read. Files that a mutant
 change are copied again afterwards.
 """
 
-import collections
-import dataclasses
-import json
 import os
 import pathlib
 import re
 import shutil
 import signal
 import subprocess
-import sys
 import time
 
 from judge import Verdict
+from original_build import printed
 from workshop import CannotBuild
 
 _ADDRESS_SPACE_MAX, _FILE_SIZE_MAX = 8 << 30, 4 << 30
 PASSED = ("Passed", "Skipped")
 _RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake")
 _OUTCOME = re.compile(r"^ *\d+/\d+ Test +#\d+: (\S+) \.*(?:\*\*\*)? *(.*?) +([\d.]+) sec", re.MULTILINE)
-
-
-@dataclasses.dataclass(frozen=True)
-class Test:
-    """A test of the everyday set.
-
-    folder: that of the CMakeLists.txt which registers it, in the project.
-    programs: what it runs of the build.
-    """
-
-    name: str
-    folder: pathlib.PurePath
-    programs: frozenset
-
-
-def _printed(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
-
-
-class Build:
-    """What a build of the project says of itself. It is brought up to date, then only read.
-
-    may_ask: a pattern of the names of the tests that are wanted.
-    """
-
-    def __init__(self, source, build, may_ask):
-        self.source, self.folder = source.resolve(), build.resolve()
-        self.tests = self._tests(may_ask)
-        self.programs = programs = set().union(*(test.programs for test in self.tests))
-        command = ["ninja", "-C", self.folder, "--quiet", *programs]
-        if not programs or subprocess.run(command, check=False, stdout=sys.stderr).returncode != 0:
-            raise CannotBuild(f"{build}: its tests cannot be built")
-        self.objects = self._objects()
-        self._inputs = {program: set(_printed("ninja", "-C", self.folder, "-t", "inputs", program).splitlines())
-                        for program in programs}
-
-    def tests_of(self, path):
-        """The tests that run a program with code of this source."""
-        programs = {program for program, inputs in self._inputs.items() if not inputs.isdisjoint(self.objects[path])}
-        return [test for test in self.tests if not test.programs.isdisjoint(programs)]
-
-    def _objects(self):
-        """{source of the project: the objects that are compiled from it}"""
-        objects = collections.defaultdict(set)
-        for line in _printed("ninja", "-C", self.folder, "-t", "deps").splitlines():
-            if line.startswith(" "):
-                path = pathlib.Path(os.path.normpath(self.folder / line.strip()))
-                if path.is_relative_to(self.source):
-                    objects[str(path.relative_to(self.source))].add(current)
-            else:
-                current = line.partition(": #deps")[0]
-        return objects
-
-    def _tests(self, may_ask):
-        lines = _printed("ninja", "-C", self.folder, "-t", "targets", "all").splitlines()
-        targets = {line.rpartition(": ")[0] for line in lines}
-        known = json.loads(_printed("ctest", "--test-dir", self.folder, "--show-only=json-v1", "-L", "everyday"))
-        return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]
-                if may_ask.search(entry["name"])]
-
-    def _test(self, entry, graph, targets):
-        properties = {each["name"]: each["value"] for each in entry["properties"]}
-        node = graph["nodes"][entry["backtrace"]]
-        while "command" in graph["nodes"][node["parent"]]:
-            node = graph["nodes"][node["parent"]]
-        folder = pathlib.Path(graph["files"][node["file"]]).parent
-        words = re.split(r"[=;]", ";".join([*entry["command"], *properties.get("ENVIRONMENT", [])]))
-        programs = targets.intersection(word.removeprefix(f"{self.folder}/") for word in words)
-        return Test(entry["name"], folder.relative_to(self.source), frozenset(programs))
 
 
 class BuildCopy:
@@ -117,7 +45,7 @@ class BuildCopy:
             if path.name in _RELOCATED:
                 self._copy(path)
         self._stamps = self._stamps_now()
-        if "no work to do" not in _printed("ninja", "-C", self.folder, "-n", *build.programs):
+        if "no work to do" not in printed("ninja", "-C", self.folder, "-n", *build.programs):
             raise CannotBuild(f"{self.folder}: the copied build differs from {build.folder}")
 
     def try_out(self, mutant, batches):

@@ -21,9 +21,10 @@ import time
 
 sys.dont_write_bytecode = True  # The source tree stays as it is.
 
-from build_copy import Build, BuildCopy
+from build_copy import BuildCopy
 from draw import drawn, mutants_by_folder
 from harness_table import report_of
+from original_build import Build
 from reasons import faults_of, read_reasons
 from trials import Trials
 from workshop import CannotBuild
