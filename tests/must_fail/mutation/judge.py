@@ -17,10 +17,13 @@ _MEMORY_MAX_KIB = 4 << 20
 
 @dataclasses.dataclass(frozen=True)
 class Verdict:
-    """What became of a mutant: caught, survived, or refused by the compiler; and how it was caught."""
+    """What became of a mutant: caught, survived, or refused by the compiler; and how it was caught.
+
+    caught_by: the scenario, or the test.
+    """
 
     fate: str
-    scenario: str = ""
+    caught_by: str = ""
     step: str = ""
     difference: str = ""
 

@@ -50,7 +50,7 @@ class Fates(unittest.TestCase):
     def test_a_change_of_a_bit_is_caught_with_its_scenario_step_and_class(self):
         verdict = self.fate("m_x = std::nextafter(rightBound, 0.0);")
         self.assertEqual((verdict.fate, verdict.difference), ("caught", "contacts"))
-        self.assertTrue((SOURCE / "scenarios" / f"{verdict.scenario}.json").exists(), verdict)
+        self.assertTrue((SOURCE / "scenarios" / f"{verdict.caught_by}.json").exists(), verdict)
         self.assertGreater(int(verdict.step), 0)
 
     def test_a_change_of_nothing_survives(self):

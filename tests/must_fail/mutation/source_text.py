@@ -9,7 +9,7 @@ import re
 
 _TOKEN = re.compile(r"""
     (?P<skipped>\s+|//[^\n]*|/\*.*?\*/|^[ \t]*\#[^\n]*)
-  | (?P<text>"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*')
+  | (?P<text>R"(?P<fence>[^(\s]*)\(.*?\)(?P=fence)"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*')
   | (?P<number>0[xX][0-9A-Fa-f.']+(?:[pP][+-]?\d+)?[uUlL]*|\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?[uUlLfF]*)
   | (?P<word>[A-Za-z_]\w*)
   | (?P<operator><<=|>>=|->|\+\+|--|<=|>=|==|!=|&&|\|\||\+=|-=|\*=|/=|\^=|\|=|&=|<<|>>|::|.)
@@ -112,7 +112,7 @@ class SourceText:
                     self.functions.append(Function(name, header, index, self._partner[index]))
                 index = self._partner[index]
                 header = index + 1
-            elif self._is(index, "public", "private", "protected"):
+            elif self._is(index, "public", "private", "protected") and self._is(index + 1, ":"):
                 index += 1
                 header = index + 1
             index += 1
@@ -138,6 +138,11 @@ class SourceText:
             if self._is(index, "else"):
                 index = self._body(index + 1)
             return index
+        if self._is(index, "try"):
+            index = self._statement(index + 1)
+            while self._is(index, "catch"):
+                index = self._statement(self._partner[index + 1] + 1)
+            return index
         if self._is(index, "case", "default"):
             while not self._is(index, ":"):
                 index += 1
@@ -161,9 +166,9 @@ class SourceText:
 
     def _kind(self, begin, end):
         first, second = self.tokens[begin], self.tokens[min(begin + 1, end - 1)]
-        if first.text in ("if", "while", "for", "switch", "{"):
+        if first.text in ("if", "while", "for", "switch", "try", "{"):
             return "compound"
-        if first.text in ("return", "break", "continue"):
+        if first.text in ("return", "break", "continue", "throw"):
             return "jump"
         if first.text in ("case", "default"):
             return "label"
