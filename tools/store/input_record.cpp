@@ -32,10 +32,10 @@ struct RecordOf {
   }
 };
 
-// Of numbers that are no pixels another size than they say, which record_of then shows.
+// Numbers that are no pixels become another size, which input_of notices.
 Size size_of(const InputRecord& record) {
   const auto pixels = [](double value) {
-    return value >= 0.0 && value <= kWindowSideMax_px ? static_cast<std::int32_t>(value) : -1;
+    return value >= 0.0 && value <= kWindowSideMax_px ? static_cast<std::int32_t>(value) : 0;
   };
   return {pixels(record.a), pixels(record.b)};
 }

@@ -39,7 +39,7 @@ const std::vector<Change> kChangesOfAnyRun = {
     [](StoredRun& run) { one_ulp_up(run.contacts.front().overshoot_px); },
     [](StoredRun& run) { run.inputs.front().frame += 1; },
     [](StoredRun& run) { run.inputs.front().action = Grab{}; },
-    [](StoredRun& run) { one_ulp_up(std::get<Fling>(run.inputs.front().action).velocity.vy_px_per_s); },
+    [](StoredRun& run) { one_ulp_up(std::get<Hitch>(run.inputs.front().action).dt_s); },
 };
 
 TEST(ContentsHash, SeesEveryChangeOfAShortRun) {
