@@ -41,7 +41,7 @@ def fling(**changes):
 
 
 class Outcome:
-    """What a run of the program came to."""
+    """The result of a run of the program."""
 
     def __init__(self, done):
         self.exit_code = done.returncode
@@ -58,7 +58,7 @@ class Outcome:
 
 
 class ProgramTest(unittest.TestCase):
-    """A folder, a program, and what is asked of them."""
+    """A folder, and the program run in it."""
 
     maxDiff = None
 
@@ -116,7 +116,7 @@ class ProgramTest(unittest.TestCase):
                 for path in sorted((self.folder / folder).rglob("*")) if path.is_file()}
 
     def assert_shape(self, value, shape, place="document"):
-        """The value has exactly the keys of the shape, of its types. A list's shape stands for each element."""
+        """The value has exactly the keys of the shape, of its types. A list's shape is that of each element."""
         if isinstance(shape, dict):
             self.assertIsInstance(value, dict, place)
             self.assertEqual(sorted(value), sorted(shape), place)
