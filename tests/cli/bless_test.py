@@ -38,15 +38,15 @@ class Bless(ProgramTest):
         self.expect(AGREED, "check")
         self.expect(AGREED, "check", "--quick")
 
-    def test_the_digest_tells_the_run_and_the_reason(self):
+    def test_the_summary_has_the_run_and_the_reason(self):
         self.expect(AGREED, "bless", "scenarios/new.json", "--reason", "because of the\ntest")
         text = (self.folder / "golden/new.txt").read_text()
         run = self.expect(AGREED, "run", "scenarios/new.json", "--json").json["runs"][0]
-        for words in ("scenario: new\n", "physics: hyrax-physics/1\n", "steps: 300\n",
-                      f"state hash: {run['state_hash']}\n", "contacts: left 0, right 1, top 0, ground 8\n",
-                      "  36 right\n", "  223 .. 300 ground\n", "  y  952 px  0x1.dcp+9\n", "at rest since: 4 s\n",
-                      "reason: because of the test\n"):
-            self.assertIn(words, text)
+        for part in ("scenario: new\n", "physics: hyrax-physics/1\n", "steps: 300\n",
+                     f"state hash: {run['state_hash']}\n", "contacts: left 0, right 1, top 0, ground 8\n",
+                     "  36 right\n", "  223 .. 300 ground\n", "  y  952 px  0x1.dcp+9\n", "at rest since: 4 s\n",
+                     "reason: because of the test\n"):
+            self.assertIn(part, text)
         with h5py.File(self.folder / "golden/new.h5") as file:
             self.assertEqual(file.attrs["state_hash"], run["state_hash"])
 
@@ -59,9 +59,9 @@ class Bless(ProgramTest):
     def test_it_shows_what_changes(self):
         self.write("scenarios/fling.json", fling(start=ANOTHER_START))
         outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "further left")
-        for words in ("scenarios/fling.json: changes golden/fling.h5", "class      shape", "first      step 0, field x",
-                      "expected   1100 ", "actual     1000 ", "moved      right step 36"):
-            self.assertIn(words, outcome.out)
+        for part in ("scenarios/fling.json: changes golden/fling.h5", "class      shape", "first      step 0, field x",
+                     "expected   1100 ", "actual     1000 ", "moved      right step 36"):
+            self.assertIn(part, outcome.out)
         self.expect(AGREED, "check", "scenarios/fling.json")
 
     def test_it_refuses_a_run_whose_expectations_do_not_hold(self):
@@ -120,7 +120,7 @@ class Bless(ProgramTest):
             (self.folder / name).unlink()
 
     def test_it_needs_no_folder_for_temporary_files(self):
-        whole = self.state_of("golden")
+        original = self.state_of("golden")
         with h5py.File(self.folder / "golden/fling.h5", "r+") as file:
             file["trajectory/x"].attrs["units"] = "m"
         environment = {**os.environ, "TMPDIR": str(self.folder / "no/such")}
@@ -128,7 +128,7 @@ class Bless(ProgramTest):
         self.expect(AGREED, "bless", "scenarios", "--reason", "for the test", env=environment)
         self.expect(AGREED, "check", env=environment)
         now = self.state_of("golden")
-        self.assertEqual({name: now[name][0] for name in whole}, {name: whole[name][0] for name in whole})
+        self.assertEqual({name: now[name][0] for name in original}, {name: original[name][0] for name in original})
 
     def test_a_new_name_is_taken_into_both_files(self):
         self.write("scenarios/fling.json", fling(name="renamed", start={**fling()["start"], "vx_px_per_s": 1200}))
@@ -183,11 +183,11 @@ class Bless(ProgramTest):
         self.expect(AGREED, "check", "alone.json", "--golden", "some/where")
 
     def test_it_repairs_a_damaged_golden_file(self):
-        whole = (self.folder / "golden/fling.h5").read_bytes()
+        original = (self.folder / "golden/fling.h5").read_bytes()
         (self.folder / "golden/fling.h5").write_text("damaged")
         outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "repaired")
         self.assertIn("replaces a golden file that cannot be read", outcome.out)
-        self.assertEqual((self.folder / "golden/fling.h5").read_bytes(), whole)
+        self.assertEqual((self.folder / "golden/fling.h5").read_bytes(), original)
 
     def test_it_repairs_a_damaged_digest(self):
         text = (self.folder / "golden/fling.txt").read_text()

@@ -42,8 +42,8 @@ class CheckScript(ProgramTest):
     def test_help_builds_nothing(self):
         done = self.check("--help")
         self.assertEqual((done.exit_code, done.err), (0, ""))
-        for words in ("--watch", "Ctrl-C", "Exit code"):
-            self.assertIn(words, done.out)
+        for part in ("--watch", "Ctrl-C", "Exit code"):
+            self.assertIn(part, done.out)
         self.assertFalse((self.folder / "build/tools/bin").exists())
 
     def test_it_builds_then_checks(self):
@@ -83,10 +83,10 @@ class CheckScript(ProgramTest):
             self.assertEqual(process.wait(timeout=10).exit_code, 0)
         self.assertEqual(log.read_text().count("build hyrax-sim"), 2)
 
-    def wait_for(self, log, words, times=1):
-        """Until the words are in the log that often."""
+    def wait_for(self, log, text, times=1):
+        """Until the log contains the text that often."""
         end = time.monotonic() + 30
-        while log.read_text().count(words) < times:
+        while log.read_text().count(text) < times:
             self.assertLess(time.monotonic(), end, log.read_text())
             time.sleep(0.05)
 

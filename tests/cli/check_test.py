@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`check`: verdicts, the documents that tell them, and that it changes nothing."""
+"""`check`: verdicts, the documents that report them, and that it changes nothing."""
 
 import os
 import re
@@ -61,9 +61,9 @@ class Verdict(CheckTest):
 
     def test_a_fault_of_one_ulp_is_found_at_its_step_and_field(self):
         golden = self.folder / "golden/third.h5"
-        whole = golden.read_bytes()
+        original = golden.read_bytes()
         for row, field in ((0, "x"), (150, "vy"), (300, "t"), (300, "vx")):
-            golden.write_bytes(whole)
+            golden.write_bytes(original)
             nudge(golden, f"trajectory/{field}", row)
             document = self.check(DISAGREED)
             self.assertEqual(self.counts(document), (2, 1, 0, 0))
@@ -72,14 +72,14 @@ class Verdict(CheckTest):
             first = entry["first_divergence"]
             self.assertEqual((first["step"], first["field"], first["ulps"]), (row, field, 1))
 
-    def test_a_difference_is_told_with_all_that_helps(self):
+    def test_a_difference_is_reported_with_values_rows_and_commands(self):
         nudge(self.folder / "golden/third.h5", "trajectory/vx", 299)
         text = self.expect(DISAGREED, "check").out
-        for words in ("scenarios/third.json: disagreed", "class      bits", "first      step 299, field vx",
-                      "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
-                      "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
-                      "3 checked: 2 agreed, 1 disagreed"):
-            self.assertIn(words, text)
+        for part in ("scenarios/third.json: disagreed", "class      bits", "first      step 299, field vx",
+                     "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
+                     "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
+                     "3 checked: 2 agreed, 1 disagreed"):
+            self.assertIn(part, text)
 
     def test_a_moved_contact_is_of_class_contacts(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
@@ -101,7 +101,7 @@ class Verdict(CheckTest):
     def test_name_description_and_expectations_are_not_part_of_the_comparison(self):
         for name in ("new-name", "third"):
             start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180.0, "vy_px_per_s": -4e2}
-            self.write("scenarios/third.json", fling(name=name, start=start, description="in other words",
+            self.write("scenarios/third.json", fling(name=name, start=start, description="another text",
                                                      expect={"finite": True}, **{"$schema": "schema.json"}))
             self.assertEqual(self.check(AGREED)["agreed"], 3)
 
@@ -134,7 +134,7 @@ class Verdict(CheckTest):
         (self.folder / "golden/third.h5").unlink()
         self.check(AGREED)
 
-    def test_a_state_hash_that_is_expected_stands_for_a_missing_golden_file(self):
+    def test_an_expected_state_hash_replaces_a_missing_golden_file(self):
         run = self.expect(AGREED, "run", "scenarios/third.json", "--json").json["runs"][0]
         start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
         for state_hash, exit_code in ((run["state_hash"], AGREED), ("0" * 32, DISAGREED)):
@@ -179,7 +179,7 @@ class Verdict(CheckTest):
                 (error,) = [entry["error"] for entry in self.check(BAD_INPUT)["results"] if entry["status"] == "failed"]
                 self.assertEqual(error, f"{name}: is a pipe or a device; a golden file must be a regular file")
                 self.expect(BAD_INPUT, "run", "scenarios/third.json", "-o", "out.h5", says=error)
-                self.expect(BAD_INPUT, "bless", "scenarios/third.json", "--reason", "anew", says=error)
+                self.expect(BAD_INPUT, "bless", "scenarios/third.json", "--reason", "again", says=error)
                 path.unlink()
                 path.write_bytes(kept)
 
@@ -193,7 +193,7 @@ class Verdict(CheckTest):
         for jobs in (1, 2, 8):
             self.assertEqual(self.counts(self.check(DISAGREED, "--jobs", str(jobs))), (0, 3, 0, 0))
 
-    def test_it_looks_for_golden_files_in_another_folder_if_told(self):
+    def test_golden_names_another_folder(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
         self.check(GOLDEN_MISSING)
         self.check(AGREED, "--golden", "elsewhere")
@@ -201,7 +201,7 @@ class Verdict(CheckTest):
 
 
 class Document(CheckTest):
-    """How verdicts are told."""
+    """How verdicts are printed."""
 
     def test_json_has_the_published_keys_and_types(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
@@ -211,7 +211,7 @@ class Document(CheckTest):
             self.assert_shape(entry, RESULT)
         self.assertEqual(document["checked"], 3)
 
-    def test_json_tells_doubles_that_are_none_as_texts(self):
+    def test_json_has_non_finite_doubles_as_strings(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
             file["trajectory/y"][5] = numpy.nan
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
@@ -320,7 +320,7 @@ class OneVerdict(CheckTest):
             self.assert_all_say("disagreed", "shape", self.bless_as, **changes)
 
     def test_on_that_of_a_scenario_that_is_the_same(self):
-        for changes in ({}, {"name": "another"}, {"description": "in other words"}, {"expect": {"finite": True}},
+        for changes in ({}, {"name": "another"}, {"description": "another text"}, {"expect": {"finite": True}},
                         {"$schema": "schema.json"}, {"start": {**self.START, "x_px": 1100.0}}):
             self.assert_all_say("agreed", None, self.bless_as, **changes)
 
@@ -358,7 +358,7 @@ class OneVerdict(CheckTest):
         self.assert_all_say("missing", None, self.h5.unlink)
         self.assert_all_say("missing", None, self.txt.unlink)
 
-    def test_quick_tells_a_difference_as_fully(self):
+    def test_quick_reports_a_difference_in_full(self):
         self.scenario(steps=301)
         self.assertEqual(self.check(DISAGREED, "--quick"), self.check(DISAGREED))
 
@@ -500,7 +500,7 @@ class Seal(CheckTest):
         self.text = self.digest.read_text()
         self.contents, self.file = self.text.splitlines()[-1].split()[1:]
 
-    def test_a_damaged_file_is_found_under_a_whole_seal(self):
+    def test_a_damaged_file_is_found_under_a_valid_seal(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
         self.assertEqual((first["step"], first["field"]), (5, "y"))

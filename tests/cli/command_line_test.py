@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Arguments are taken literally, wherever they are; what is printed reaches its reader, or the exit code says so."""
+"""Arguments are taken literally, wherever they are; output that cannot be written is an error."""
 
 import itertools
 import os

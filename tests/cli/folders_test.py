@@ -88,7 +88,7 @@ class Golden(ProgramTest):
         self.expect(AGREED, "check", "real/scenarios", "--golden", "link/../golden")
 
     def test_one_that_is_there_by_name_alone_is_not_taken(self):
-        """Without the link, the same words lead to a golden file that differs."""
+        """Without the link, the same path leads to a golden file that differs."""
         self.write("scenarios/fling.json", fling(steps=7))
         self.bless("scenarios")
         self.write("real/scenarios/fling.json", fling(steps=8))

@@ -37,7 +37,7 @@ class HyraxReplay(ProgramTest):
         self.assertIn("./a\\u001b[31m.json\n", outcome.out)
         self.assertNotIn("\x1b", outcome.out + outcome.err)
 
-    def test_another_hash_than_expected_is_told(self):
+    def test_another_hash_than_expected_is_reported(self):
         path = self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
         outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: is " + "0" * 32 +
                               ", but the run comes to ")
@@ -52,7 +52,7 @@ class HyraxReplay(ProgramTest):
         outcome = self.replay(BAD_INPUT, bad, good, says="bad.json: line 1")
         self.assertEqual(outcome.out.split()[1], "good.json")
 
-    def test_bad_usage_is_told(self):
+    def test_bad_usage_is_reported(self):
         self.replay(BAD_INPUT, says="SCENARIO is missing")
         self.replay(BAD_INPUT, "--fast", says="--fast: no such option")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")

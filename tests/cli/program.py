@@ -39,7 +39,7 @@ def fling(**changes):
 
 
 class ProgramTest(unittest.TestCase):
-    """A folder, a program, and what is asked of them."""
+    """A folder, and the program run in it."""
 
     maxDiff = None
 
@@ -107,7 +107,7 @@ class ProgramTest(unittest.TestCase):
                 for path in sorted((self.folder / folder).rglob("*")) if path.is_file()}
 
     def assert_shape(self, value, shape, place="document"):
-        """The value has exactly the keys of the shape, of its types. A list's shape stands for each element."""
+        """The value has exactly the keys of the shape, of its types. A list's shape is that of each element."""
         if isinstance(shape, dict):
             self.assertIsInstance(value, dict, place)
             self.assertEqual(sorted(value), sorted(shape), place)

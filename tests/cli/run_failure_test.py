@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`run` when something is wrong: the sentence, the exit code, and that no file is harmed."""
+"""`run` when something is wrong: the message, the exit code, and that no file is damaged."""
 
 import os
 import signal
@@ -12,32 +12,32 @@ from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, Progr
 class BadInput(ProgramTest):
     """A scenario that cannot be read is exit 2 or 3, and nothing is written."""
 
-    def refuse(self, content, *sentences, exit_code=BAD_INPUT):
-        """The program refuses the scenario with these sentences and leaves an existing output alone."""
+    def refuse(self, content, *messages, exit_code=BAD_INPUT):
+        """The program refuses the scenario with these messages and leaves an existing output alone."""
         self.write("bad.json", content)
         self.write("bad.h5", "what was there before")
-        outcome = self.expect(exit_code, "run", "bad.json", "-o", "bad.h5", says=sentences)
+        outcome = self.expect(exit_code, "run", "bad.json", "-o", "bad.h5", says=messages)
         self.assertEqual(outcome.out, "")
         self.assertEqual(self.names(), ["bad.h5", "bad.json"])
         self.assertEqual((self.folder / "bad.h5").read_text(), "what was there before")
 
-    def test_what_is_no_json_is_told_with_line_and_column(self):
+    def test_a_syntax_error_is_reported_with_line_and_column(self):
         self.refuse('{\n  "format": "hyrax-scenario/1",\n  "name": }\n', "bad.json: line 3, column 11")
         self.refuse("", "bad.json: line 1")
         self.refuse("\ufeff{}", "bad.json: ")
         self.refuse('{"format": "hyrax-scenario/1"} and more', "bad.json: line 1, column 32")
 
-    def test_a_wrong_place_is_told_with_pointer_value_and_rule(self):
+    def test_an_error_is_reported_with_pointer_value_and_rule(self):
         self.refuse(fling(clock={"rate_hz": -60}), "bad.json: /clock/rate_hz: must be greater than 0", "is -60\n")
         self.refuse(fling(steps="many"), 'bad.json: /steps: must be a whole number 0 .. 1000000000000, is "many"')
         self.refuse(fling(window=None), "bad.json: /window: is missing")
         self.refuse(fling(format="hyrax-scenario/9"), "/format", "hyrax-scenario/9", "hyrax-scenario/1")
 
-    def test_all_wrong_places_are_told_at_once(self):
+    def test_all_errors_are_reported_at_once(self):
         self.refuse(fling(steps=-1, sprite={"width_px": 0, "height_px": 1}, name="No Name"), "bad.json: /steps: ",
                     "bad.json: /sprite/width_px: ", "bad.json: /name: ")
 
-    def test_a_repeated_key_is_told(self):
+    def test_a_duplicate_key_is_reported(self):
         self.refuse('{"format": "hyrax-scenario/1", "steps": 1, "steps": 2}', "bad.json: /steps: duplicate key")
 
     def test_a_missing_file_cannot_be_read(self):
@@ -103,7 +103,7 @@ class UnwritableOutput(ProgramTest):
         self.assertIn("exit 3, left:\n", done.out, done.err)
         self.assertIn("disk/long.h5: cannot be written", done.err)
 
-    def test_a_full_disk_does_not_harm_other_scenarios_and_is_told_in_json(self):
+    def test_a_full_disk_does_not_harm_other_scenarios_and_is_reported_in_json(self):
         done = self.in_private_mount("-o size=40k", '"$1" run fling.json -o disk/ --json || echo exit $?')
         self.assertIn('"status": "failed"', done.out)
         self.assertIn("exit 3", done.out)
@@ -140,7 +140,7 @@ class UnwritableOutput(ProgramTest):
         self.assertTrue((self.folder / "target.h5").is_file())
         self.assertTrue((self.folder / "link.h5").is_symlink())
 
-    def test_an_old_output_is_replaced_whole(self):
+    def test_an_old_output_is_replaced_completely(self):
         self.write("fling.h5", "x" * 1_000_000)
         self.expect(AGREED, "run", self.scenario)
         fresh = (self.folder / "fling.h5").read_bytes()

@@ -33,16 +33,16 @@ EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_p
 
 
 class Summary(ProgramTest):
-    """What is told of a run."""
+    """What is printed about a run."""
 
-    def test_it_tells_what_happened_and_what_was_never_touched(self):
+    def test_it_prints_what_happened_and_what_was_never_touched(self):
         outcome = self.expect(AGREED, "run", self.write("fling.json", fling(expect=EXPECT)))
         self.assertEqual(outcome.err, "")
-        for words in ("fling: 300 steps, 5 s at 60 Hz", "contacts       right 1, ground 8",
-                      "exercised      gravity, drag, right wall, ground, friction", "never touched  left wall, top",
-                      "expect         7 of 7 hold", "holds: final_x_px: wanted 0 .. 1792, measured 345.", "state hash", "written        fling.h5 (301 rows)",
-                      "not computed   "):
-            self.assertIn(words, outcome.out)
+        for part in ("fling: 300 steps, 5 s at 60 Hz", "contacts       right 1, ground 8",
+                     "exercised      gravity, drag, right wall, ground, friction", "never touched  left wall, top",
+                     "expect         7 of 7 hold", "holds: final_x_px: wanted 0 .. 1792, measured 345.", "state hash",
+                     "written        fling.h5 (301 rows)", "not computed   "):
+            self.assertIn(part, outcome.out)
 
     def test_the_document_has_the_published_keys_and_types(self):
         self.write("fling.json", fling(expect=EXPECT))
@@ -76,7 +76,7 @@ class Summary(ProgramTest):
                        for name, bit in (("left", 1), ("right", 2), ("top", 4), ("ground", 8), ("rest", 16))}
             self.assertEqual(run["clamped_steps"], clamped)
 
-    def test_an_expectation_that_fails_is_exit_1_and_is_told(self):
+    def test_an_expectation_that_fails_is_exit_1_and_is_reported(self):
         self.write("fling.json", fling(expect={**EXPECT, "final_x_px": [0, 1], "at_rest_since_s": 0.5}))
         outcome = self.expect(DISAGREED, "run", "fling.json")
         self.assertIn("does not hold: final_x_px: wanted 0 .. 1, measured ", outcome.out)
@@ -179,7 +179,7 @@ class Output(ProgramTest):
         self.expect(AGREED, "run", "in/fling.json", "in/other.json", "-o", "out")
         self.assertEqual(self.names("out"), ["fling.h5", "other.h5"])
 
-    def test_a_folder_stands_for_the_scenarios_in_it_in_name_order(self):
+    def test_a_folder_means_the_scenarios_in_it_in_name_order(self):
         for path in ("b/2.json", "b/10.json", "a.json", "c/d/e.json"):
             self.write(f"all/{path}", fling(name=path.replace("/", "-").removesuffix(".json")))
         self.write("all/notes.txt", "no scenario")
@@ -292,7 +292,7 @@ class Golden(ProgramTest):
         golden = self.expect(AGREED, "run", self.path, "--json").json["runs"][0]["golden"]
         self.assertEqual(golden["status"], "missing")
 
-    def test_it_looks_in_another_folder_if_told(self):
+    def test_golden_names_another_folder(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
         self.assertIn("golden         missing: ", self.expect(AGREED, "run", self.path).out)
         self.assertIn("agrees bit for bit with elsewhere/fling.h5",

@@ -11,7 +11,7 @@ from program import AGREED, SOURCE, ProgramTest, main
 
 SECOND_PROGRAM = SOURCE / "tests/oracle/second_program.py"
 sys.path.append(str(SECOND_PROGRAM.parent))
-import replay  # noqa: E402  (the second program's own reader tells the length)
+import replay  # noqa: E402  (its reader gives the length)
 
 STEPS_MAX = 20_000
 KEYS = ("steps", "simulated_s", "contacts", "clamped_steps", "final", "at_rest_since_s", "state_hash")

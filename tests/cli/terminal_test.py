@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a run comes to does not depend on whether someone watches it: stderr is a terminal here, with progress."""
+"""The result of a run does not depend on progress: stderr is a terminal here."""
 
 import os
 import pty

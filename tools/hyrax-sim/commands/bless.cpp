@@ -55,6 +55,8 @@ std::string_view name_of(Status status) {
 }
 
 GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
+  if (path == "-")
+    throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
   const auto place = golden_place(path, golden_folder);
   if (!place)
     throw Failure(
@@ -119,8 +121,6 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
 }
 
 void plan(Blessing& blessing, const BlessRequest& request, const OutputGuard& guard) {
-  if (blessing.path == "-")
-    throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
   const Scenario scenario = load_scenario(blessing.path);
   blessing.place = place_of(blessing.path, request.golden_folder);
   require_usable(blessing.place, guard);

@@ -9,6 +9,7 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/golden/check_verdict.h"
 #include "tools/store/output_guard.h"
@@ -77,18 +78,6 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, Check
   return verdicts;
 }
 
-// After the verdicts are printed, so that they are not lost if the file cannot be written.
-ExitCode write_junit(const std::string& path, const std::vector<CheckVerdict>& verdicts) {
-  if (path.empty()) return ExitCode::agreed;
-  try {
-    write_text_file(path, check_junit(verdicts));
-    return ExitCode::agreed;
-  } catch (const Failure& failure) {
-    print_error(failure.what());
-    return failure.exit_code();
-  }
-}
-
 ExitCode check(CheckRequest& request) {
   const std::vector<std::string> paths = paths_of(request);
   if (!request.junit.empty())
@@ -102,9 +91,11 @@ ExitCode check(CheckRequest& request) {
     print_check(verdicts, request.printing);
   for (const CheckVerdict& verdict : verdicts)
     if (!verdict.note.empty()) print_error(verdict.note);
-  ExitCode exit_code = ExitCode::agreed;
-  for (const CheckVerdict& verdict : verdicts) exit_code = more_serious(exit_code, verdict.exit_code);
-  return more_serious(exit_code, write_junit(request.junit, verdicts));
+  Outcomes outcomes;
+  for (const CheckVerdict& verdict : verdicts) outcomes.add(verdict.exit_code);
+  if (!request.junit.empty())
+    outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(verdicts)); });
+  return outcomes.exit_code();
 }
 
 }  // namespace

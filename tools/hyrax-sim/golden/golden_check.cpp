@@ -16,7 +16,7 @@ ReplayOptions options_for(const Scenario& scenario) {
   return {.checks_bounds = scenario.expect && scenario.expect->in_bounds};
 }
 
-// Takes one block's rows.
+// Keeps the rows of the first block.
 class BlockSink : public RowSink {
  public:
   explicit BlockSink(RowBlock& rows) : rows_(rows) {}
@@ -31,7 +31,7 @@ class BlockSink : public RowSink {
 
 constexpr std::size_t kContactsHeldMax = 1 << 16;
 
-// Holds the contacts of a run as long as they are few; of many only where each ends.
+// Keeps all contacts up to a limit; beyond it, only the last step of each.
 class FreshRecorder final : public RunRecorder {
  public:
   using RunRecorder::RunRecorder;
@@ -50,7 +50,7 @@ class FreshRecorder final : public RunRecorder {
   std::vector<std::int64_t> last_steps_;
 };
 
-// Passes on the contacts of a run that was played before, complete as they begin.
+// Sends the contacts of a run that was played before, each with its last step.
 class ContactSink final : public RowSink {
  public:
   ContactSink(const std::vector<std::int64_t>& last_steps, const std::function<void(const Contact&)>& take)
@@ -68,7 +68,7 @@ class ContactSink final : public RowSink {
   std::size_t next_ = 0;
 };
 
-// Plays a kept block anew from its keyframe.
+// Replays a stored block from its keyframe.
 RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
   RowBlock rows;
   BlockSink sink(rows);

@@ -1,4 +1,4 @@
-// A scenario's run against its golden file.
+// A scenario's run, compared with a stored one.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,18 @@
 
 namespace hyrax {
 
-/// Plays the scenario against the kept run.
+/// Plays the scenario and compares it with the stored run.
 struct ComparedRun {
   Comparison comparison;
   RunSummary summary;
 };
 [[nodiscard]] ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario);
 
-/// Plays the scenario, rows wanted by nobody.
+/// Plays the scenario for its summary alone.
 [[nodiscard]] RunSummary play(const Scenario& scenario);
 
-/// Plays the scenario and keeps what a golden file holds. Memory does not grow with the contacts: of many,
-/// the run passes them on in another replay.
+/// Plays the scenario and keeps the contents of a golden file. Memory does not grow with the contacts: if they
+/// are many, the run replays them on demand.
 struct FreshRun {
   StoredRun run;
   RunSummary summary;
