@@ -57,7 +57,7 @@ SUBJECTS = (
                        "even_frames_to", "go_to", "timed_end", "schedule_events")),
     Subject("sim/scenario/timeline.h", (_SCHEDULE, _PLAYER, _REPETITION), likely=_EVENTS,
             units_of_layout=("sim/trajectory/stored_run.cpp", "tools/store/golden_file.cpp",
-                             "tools/store/golden_seal.cpp")),
+                             "tools/store/golden_summary.cpp")),
     Subject(_PLAYER, (_PLAYER,), likely=_EVENTS,
             functions=("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
     Subject(_ACTION_EFFECT, (_ACTION_EFFECT,), likely=_EVENTS),

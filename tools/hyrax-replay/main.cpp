@@ -8,9 +8,9 @@
 #include "sim/replay/replay.h"
 #include "tools/files/build_info.h"
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/files/standard_streams.h"
 
 namespace hyrax {
 namespace {

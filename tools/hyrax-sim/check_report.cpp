@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/utf8.h"
 #include "tools/hyrax-sim/check_verdict.h"
 #include "tools/hyrax-sim/difference_text.h"
 #include "tools/hyrax-sim/run_report.h"

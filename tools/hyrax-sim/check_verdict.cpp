@@ -4,7 +4,7 @@
 #include <exception>
 #include <optional>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden_pair.h"
 #include "tools/hyrax-sim/run_expectations.h"

@@ -1,6 +1,6 @@
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
-#include "tools/files/standard_streams.h"
+#include "tools/files/printable.h"
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/options.h"
 

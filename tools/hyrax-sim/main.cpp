@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "tools/files/standard_streams.h"
+#include "tools/files/printable.h"
 #include "tools/hyrax-sim/commands.h"
 
 namespace {

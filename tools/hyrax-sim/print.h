@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/files/standard_streams.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 

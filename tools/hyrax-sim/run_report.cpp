@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/file_name.h"
+#include "tools/files/path.h"
 #include "tools/hyrax-sim/difference_text.h"
 #include "tools/hyrax-sim/shell_command.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "sim/replay/replay.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/shown_replay.h"

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "scenario_schema.h"
-#include "tools/files/standard_streams.h"
+#include "tools/files/printable.h"
 #include "tools/hyrax-sim/commands.h"
 
 namespace hyrax {

@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <map>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/hyrax-sim/check_verdict.h"
 
 namespace hyrax {

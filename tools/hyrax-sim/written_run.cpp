@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/frame_clock.h"
-#include "tools/files/file_name.h"
+#include "tools/files/path.h"
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/shown_replay.h"
-#include "tools/store/drift_arc_table.h"
-#include "tools/store/drift_row_table.h"
+#include "tools/store/drift_tables.h"
 #include "tools/store/trajectory_csv.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"

@@ -6,7 +6,7 @@
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "tools/files/failure.h"
-#include "tools/files/file_name.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {

@@ -3,8 +3,20 @@
 #include <cerrno>
 
 #include "tools/files/json.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
+namespace {
+
+// A column's name and unit, as "vx_px_per_s".
+std::string header_of(const RowColumn& column) {
+  std::string text = std::string(column.name) + "_";
+  for (const char letter : std::string_view(column.unit))
+    text += letter == '/' ? "_per_" : std::string(1, letter);
+  return text;
+}
+
+}  // namespace
 
 TrajectoryCsv::TrajectoryCsv(const std::string& path, std::int64_t rows_every)
     : path_(path),
@@ -12,17 +24,18 @@ TrajectoryCsv::TrajectoryCsv(const std::string& path, std::int64_t rows_every)
       target_(path),
       file_(std::fopen(target_.part_path().c_str(), "wb")) {
   if (!file_) fail_to_write(path_, errno);
-  write("step,t_s,dt_s,x_px,y_px,vx_px_per_s,vy_px_per_s,contact\n");
+  std::string header = "step";
+  for (const RowColumn& column : kRowColumns) header.append(",").append(header_of(column));
+  write(header + ",contact\n");
 }
 
 void TrajectoryCsv::rows(const Columns& batch) {
   std::string text;
   for (std::size_t index = 0; index < batch.size(); ++index) {
-    const Row row = batch.row(index);
-    text += std::to_string(row.step);
-    for (const double value : {row.t_s, row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s})
-      text.append(",").append(to_text(value));
-    text.append(",").append(std::to_string(row.contact)).append("\n");
+    text += std::to_string(batch.step[index]);
+    for (const RowColumn& column : kRowColumns)
+      text.append(",").append(to_text((batch.*column.values)[index]));
+    text.append(",").append(std::to_string(batch.contact[index])).append("\n");
   }
   write(text);
 }

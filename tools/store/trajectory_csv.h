@@ -1,4 +1,4 @@
-// Writes a run as comma-separated values as it is played, for spreadsheets.
+// Writes a run to a file of comma-separated values as it is played, for spreadsheets.
 #pragma once
 
 #include <cstdio>
@@ -10,9 +10,9 @@
 
 namespace hyrax {
 
-/// The head "step,t_s,dt_s,x_px,y_px,vx_px_per_s,vy_px_per_s,contact", then the rows that record.every asks
-/// for; numbers are shortest-round-trip, contact is the bits of a trajectory file. Memory does not grow with
-/// the run, and the file is at `path` only after finish(). ERRORS: every call may throw
+/// The header "step,t_s,dt_s,x_px,y_px,vx_px_per_s,vy_px_per_s,contact", then every record.every-th row.
+/// Numbers are shortest-round-trip; contact has the bits of a trajectory file. Memory does not grow with the
+/// run. The file is at `path` only after finish(). ERRORS: every call may throw
 /// Failure(cannot_access) "PATH: cannot be written: REASON".
 class TrajectoryCsv : public RowSink {
  public:

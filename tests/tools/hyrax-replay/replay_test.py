@@ -57,7 +57,7 @@ class HyraxReplay(ProgramTest):
         self.replay(BAD_INPUT, says="SCENARIO is missing")
         self.replay(BAD_INPUT, "--fast", says="--fast: no such option")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")
-        self.replay(BAD_INPUT, ".", says=".: holds no scenario")
+        self.replay(BAD_INPUT, ".", says=".: no scenario found")
 
     def test_disturbed_arithmetic_is_refused(self):
         path = self.write("fling.json", fling())

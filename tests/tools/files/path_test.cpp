@@ -1,5 +1,5 @@
 // The parts of a path.
-#include "tools/files/file_name.h"
+#include "tools/files/path.h"
 
 #include <gtest/gtest.h>
 

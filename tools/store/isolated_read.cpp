@@ -1,4 +1,4 @@
-#include "tools/store/trial_reading.h"
+#include "tools/store/isolated_read.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -20,10 +20,10 @@
 namespace hyrax {
 namespace {
 
-// Other codes are of sanitizers.
-enum ChildExit { survived = 0, out_of_memory = 40, other_fault = 41 };
+// Sanitizers use other codes.
+enum ChildExit { survived = 0, out_of_memory = 40, other_error = 41 };
 
-// What is mapped already; a sanitizer maps terabytes.
+// The address space in use already; a sanitizer maps terabytes.
 std::uint64_t mapped_bytes() {
   unsigned long long pages = 0;
   std::FILE* const file = std::fopen("/proc/self/statm", "r");
@@ -41,24 +41,24 @@ void set_limit(int resource, std::uint64_t value) {
   setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-// More than any complete file takes, a compressed one too, and no more than a user would wait for.
+// More than any undamaged file needs, a compressed one too, and no longer than a user would wait.
 void set_limits(std::uint64_t file_bytes) {
-  constexpr std::uint64_t kMemoryLeast = 128 << 20;
+  constexpr std::uint64_t kMemoryMin = 128 << 20;
   constexpr std::uint64_t kMemoryPerByte = 8;
-  constexpr std::uint64_t kTimeLeast_s = 1;
+  constexpr std::uint64_t kTimeMin_s = 1;
   constexpr std::uint64_t kBytesPerSecond = 2 << 20;
   constexpr std::uint64_t kWaitPerTime = 20;  // On a busy machine.
   set_limit(RLIMIT_CORE, 0);
-  const std::uint64_t time_s = kTimeLeast_s + file_bytes / kBytesPerSecond;
+  const std::uint64_t time_s = kTimeMin_s + file_bytes / kBytesPerSecond;
   set_limit(RLIMIT_CPU, time_s);
-  alarm(static_cast<unsigned>(kWaitPerTime * time_s));  // For one that waits instead.
+  alarm(static_cast<unsigned>(kWaitPerTime * time_s));  // If it sleeps instead.
   if (const std::uint64_t mapped = mapped_bytes(); mapped > 0)
-    set_limit(RLIMIT_AS, mapped + kMemoryLeast + kMemoryPerByte * file_bytes);
+    set_limit(RLIMIT_AS, mapped + kMemoryMin + kMemoryPerByte * file_bytes);
 }
 
-// A crash is an answer here, not an event for a sanitizer's report. A parent may have left the signals of
-// the limits ignored or blocked.
-void die_silently() {
+// A crash is an expected outcome here, so a sanitizer must not report it. This process may have inherited
+// ignored or blocked signals.
+void reset_signals() {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGXCPU})
     std::signal(number, SIG_DFL);
   sigset_t none;
@@ -67,7 +67,7 @@ void die_silently() {
   if (std::freopen("/dev/null", "w", stderr) == nullptr) close(STDERR_FILENO);
 }
 
-ChildExit outcome_of(const std::function<void()>& read) {
+ChildExit exit_code_of(const std::function<void()>& read) {
   try {
     read();
   } catch (const Failure&) {
@@ -77,43 +77,42 @@ ChildExit outcome_of(const std::function<void()>& read) {
   } catch (const std::length_error&) {
     return out_of_memory;
   } catch (const std::exception&) {
-    return other_fault;
+    return other_error;
   }
   return survived;
 }
 
-std::string damage_told_by(int status) {
+std::string damage_of(int status) {
   if (WIFEXITED(status))
-    return WEXITSTATUS(status) == out_of_memory ? "reading it takes memory out of all proportion"
-                                                : "reading it goes wrong";
+    return WEXITSTATUS(status) == out_of_memory ? "reading it takes too much memory for its size"
+                                                : "reading it fails";
   const int number = WTERMSIG(status);
-  if (number == SIGXCPU || number == SIGKILL || number == SIGALRM)
-    return "reading it does not come to an end";
+  if (number == SIGXCPU || number == SIGKILL || number == SIGALRM) return "reading it does not end";
   return "the HDF5 library crashes on it";
 }
 
 }  // namespace
 
-void read_on_trial(const std::string& path, const std::function<void()>& read) {
+void read_isolated(const std::string& path, const std::function<void()>& read) {
   std::error_code unknown;
   const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
   const pid_t child = fork();
   if (child < 0)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: no process for it can be made");
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: cannot create a child process");
   if (child == 0) {
-    die_silently();
+    reset_signals();
     set_limits(unknown ? 0 : bytes);
-    _exit(outcome_of(read));
+    _exit(exit_code_of(read));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR)
       throw Failure(ExitCode::cannot_access,
-                    path + ": cannot be read: the outcome of reading it in a child process is not known: " +
+                    path + ": cannot be read: the exit status of its child process is unknown: " +
                         std::strerror(errno));
   if (status != survived)
     throw Failure(ExitCode::bad_input,
-                  path + ": is damaged: " + damage_told_by(status) + "; write or copy it anew");
+                  path + ": is damaged: " + damage_of(status) + "; copy it again, or write it again");
 }
 
 }  // namespace hyrax

@@ -1,10 +1,57 @@
-#include "tools/files/event_reader.h"
+#include "tools/files/scenario_members.h"
+
+#include <algorithm>
+#include <cmath>
 
 #include "sim/scenario/schedule.h"
-#include "tools/files/quantity_reader.h"
 
 namespace hyrax {
 namespace {
+
+Size read_size(const JsonPlace& here, std::int64_t low_px, std::int64_t high_px) {
+  if (!here.is_object_of({"width_px", "height_px"})) return {};
+  return {static_cast<std::int32_t>(here.required("width_px").integer(low_px, high_px).value_or(0)),
+          static_cast<std::int32_t>(here.required("height_px").integer(low_px, high_px).value_or(0))};
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// [low, high]; a number alone is read by the caller.
+std::optional<Interval> read_interval(const JsonPlace& here, const std::string& or_a_number = "") {
+  if (!here.is_there()) return std::nullopt;
+  const auto* array = here.json()->get<Json::Array>();
+  if (array == nullptr || array->size() != 2 || !(*array)[0].is_number() || !(*array)[1].is_number() ||
+      (*array)[0].number() > (*array)[1].number()) {
+    here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
+    return std::nullopt;
+  }
+  return Interval{(*array)[0].number(), (*array)[1].number()};
+}
+
+std::optional<Interval> read_time(const JsonPlace& here) {
+  if (here.is_there() && here.json()->is_number()) return Interval{-kInfinity, here.json()->number()};
+  return read_interval(here, ", or a number as upper bound");
+}
+
+std::optional<Interval> read_count(const JsonPlace& here) {
+  const bool is_exact = here.is_there() && here.json()->is_number();
+  const auto interval = is_exact ? std::optional(Interval{here.json()->number(), here.json()->number()})
+                                 : read_interval(here, ", or an exact number");
+  const auto is_count = [](double value) {
+    return value >= 0.0 && value <= 1e15 && std::floor(value) == value;
+  };
+  if (interval && (!is_count(interval->low) || !is_count(interval->high)))
+    here.breaks_rule("must be whole numbers of 0 or more");
+  return interval;
+}
+
+std::optional<std::string> read_hash(const JsonPlace& here) {
+  const auto text = here.text();
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  if (text && (text->size() != 32 || !std::all_of(text->begin(), text->end(), is_digit)))
+    here.breaks_rule("must be 32 hex digits, 0-9 and a-f");
+  return text;
+}
 
 Resize read_resize(const JsonPlace& here) {
   Resize resize;
@@ -58,14 +105,14 @@ EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
     ++actions;
   }
   if (actions != 1)
-    here.wrong("must hold exactly one action (fling, place, stop, resize, hitch, grab or release), holds " +
-               std::to_string(actions));
+    here.wrong("must hold exactly one action (found " + std::to_string(actions) +
+               "); allowed: fling, place, stop, resize, hitch, grab, release");
   read.has_action = actions == 1;
   read.has_known_time = read.has_action && !is_bad_hitch;
   return read;
 }
 
-// After an event whose action is not known, nothing is known of the hold until the next grab or release.
+// After an event of unknown action it is unknown whether the sprite is held, until the next grab or release.
 void check_holds(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events) {
   enum class Hold { none, held, unknown } hold = Hold::none;
   for (std::size_t event = 0; event < events.size(); ++event) {
@@ -73,20 +120,20 @@ void check_holds(const std::vector<JsonPlace>& places, const std::vector<EventRe
     if (!events[event].has_action) {
       hold = Hold::unknown;
     } else if (std::holds_alternative<Grab>(action)) {
-      if (hold == Hold::held) places[event].wrong("grabs a sprite that is held already; release it first");
+      if (hold == Hold::held) places[event].wrong("the sprite is held already; release it first");
       hold = Hold::held;
     } else if (std::holds_alternative<Release>(action)) {
-      if (hold == Hold::none) places[event].wrong("releases a sprite that is not held; grab it first");
+      if (hold == Hold::none) places[event].wrong("the sprite is not held; grab it first");
       hold = Hold::none;
     }
   }
 }
 
-void tell_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps) {
+void add_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps) {
   const bool has_step = event.member("step").is_there();
   const JsonPlace when = event.member(has_step ? "step" : "at_s");
   if (fault == ScheduleFault::goes_backwards)
-    when.breaks_rule("must not come before the event above it");
+    when.breaks_rule("must not be before the previous event");
   else if (fault == ScheduleFault::too_far)
     when.breaks_rule("must fall on a frame up to " + std::to_string(kWalkedFrameMax) +
                      " where the clock has jitter (give step instead)");
@@ -96,8 +143,8 @@ void tell_fault(const JsonPlace& event, ScheduleFault fault, std::int64_t steps)
     when.breaks_rule("must come before the end of the run, step " + std::to_string(steps));
 }
 
-// What can be placed on a frame: an `at_s` only if the dt of every frame before it is known. Of a run of
-// unknown length the order alone can be checked.
+// An `at_s` has a frame only if the dt of every frame before it is known. Of a run of unknown length only the
+// order is checked.
 void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRead>& events,
                  bool is_clock_good, std::optional<std::int64_t> steps, Scenario scenario) {
   std::vector<JsonPlace> placed;
@@ -114,10 +161,46 @@ void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRe
   const std::int64_t end = steps.value_or(kStepsMax + 1);
   for (const Schedule::Faulty& faulty : schedule_events(scenario, end).faulty)
     if (steps || faulty.fault == ScheduleFault::goes_backwards)
-      tell_fault(placed[faulty.event], faulty.fault, end);
+      add_fault(placed[faulty.event], faulty.fault, end);
 }
 
 }  // namespace
+
+Size read_window(const JsonPlace& here) { return read_size(here, 0, kWindowSideMax_px); }
+Size read_sprite(const JsonPlace& here) { return read_size(here, kSpriteSideMin_px, kSpriteSideMax_px); }
+
+Position read_position(const JsonPlace& here) {
+  return {here.required("x_px").number(kCoordinateRule).value_or(0.0),
+          here.required("y_px").number(kCoordinateRule).value_or(0.0)};
+}
+
+Velocity read_velocity(const JsonPlace& here) {
+  if (!here.is_object_of({"vx_px_per_s", "vy_px_per_s"})) return {};
+  return {here.required("vx_px_per_s").number(kSpeedRule).value_or(0.0),
+          here.required("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
+}
+
+Expect read_expect(const JsonPlace& here) {
+  Expect expect;
+  if (!here.is_object_of({"in_bounds", "finite", "final_x_px", "final_y_px", "at_rest_since_s", "contacts",
+                          "state_hash", "implementation_px_max", "truncation_px_max",
+                          "energy_drift_rel_max"}))
+    return expect;
+  expect.in_bounds = here.member("in_bounds").boolean();
+  expect.finite = here.member("finite").boolean();
+  expect.final_x_px = read_interval(here.member("final_x_px"));
+  expect.final_y_px = read_interval(here.member("final_y_px"));
+  expect.at_rest_since_s = read_time(here.member("at_rest_since_s"));
+  if (const JsonPlace contacts = here.member("contacts");
+      contacts.is_there() && contacts.is_object_of({"left", "right", "top", "ground"}))
+    expect.contacts = {read_count(contacts.member("left")), read_count(contacts.member("right")),
+                       read_count(contacts.member("top")), read_count(contacts.member("ground"))};
+  expect.state_hash = read_hash(here.member("state_hash"));
+  expect.implementation_px_max = here.member("implementation_px_max").number(kNotNegativeRule);
+  expect.truncation_px_max = here.member("truncation_px_max").number(kNotNegativeRule);
+  expect.energy_drift_rel_max = here.member("energy_drift_rel_max").number(kNotNegativeRule);
+  return expect;
+}
 
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
                  Scenario& scenario, const JsonProblems& problems) {

@@ -1,5 +1,5 @@
-// The hashes by which a golden file is known without being taken apart.
-#include "tools/store/golden_seal.h"
+// The checksums by which a golden file is compared without reading it.
+#include "tools/store/golden_summary.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::size_t unseen(const StoredRun& run, const std::vector<Change>& changes) {
   return static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), [&](const Change& change) {
     StoredRun changed = run;
     change(changed);
-    return contents_hash(changed) == contents_hash(run);
+    return contents_checksum(changed) == contents_checksum(run);
   }));
 }
 
@@ -42,13 +42,13 @@ const std::vector<Change> kChangesOfAnyRun = {
     [](StoredRun& run) { one_ulp_up(run.inputs.front().b); },
 };
 
-TEST(ContentsHash, SeesEveryChangeOfAShortRun) {
+TEST(ContentsChecksum, SeesEveryChangeOfAShortRun) {
   const StoredRun run = kept_run(eventful_fling());
   EXPECT_EQ(unseen(run, kChangesOfAnyRun), 0u);
   EXPECT_EQ(unseen(run, {[](StoredRun& changed) { one_ulp_up(changed.rows.t_s[7]); }}), 0u);
 }
 
-TEST(ContentsHash, SeesEveryChangeOfALongRun) {
+TEST(ContentsChecksum, SeesEveryChangeOfALongRun) {
   Scenario scenario = eventful_fling();
   scenario.length = std::int64_t{9000};
   const StoredRun run = kept_run(scenario);
@@ -63,7 +63,7 @@ TEST(ContentsHash, SeesEveryChangeOfALongRun) {
             0u);
 }
 
-TEST(ContentsHash, IsTheSameWhetherContactsAreHeldOrNot) {
+TEST(ContentsChecksum, IsTheSameWhetherContactsAreHeldOrNot) {
   const StoredRun run = kept_run(eventful_fling());
   StoredRun without = run;
   without.contacts.clear();
@@ -71,70 +71,46 @@ TEST(ContentsHash, IsTheSameWhetherContactsAreHeldOrNot) {
     for (const Contact& contact : run.contacts) take(contact);
   };
   EXPECT_GT(run.contacts.size(), 0u);
-  EXPECT_EQ(contents_hash(without), contents_hash(run));
+  EXPECT_EQ(contents_checksum(without), contents_checksum(run));
 }
 
-TEST(ContentsHash, TellsTheZerosApart) {
+TEST(ContentsChecksum, TellsTheZerosApart) {
   StoredRun run = kept_run(eventful_fling());
   run.final.vx_px_per_s = 0.0;
   EXPECT_EQ(unseen(run, {[](StoredRun& changed) { changed.final.vx_px_per_s = -0.0; }}), 0u);
 }
 
-TEST(ContentsHash, DoesNotSeeWords) {
+TEST(ContentsChecksum, IgnoresNamesAndDescriptions) {
   const StoredRun run = kept_run(eventful_fling());
-  const std::vector<Change> words = {[](StoredRun& changed) { changed.scenario.name = "other"; },
+  const std::vector<Change> texts = {[](StoredRun& changed) { changed.scenario.name = "other"; },
                                      [](StoredRun& changed) { changed.scenario.description = "other"; },
                                      [](StoredRun& changed) { changed.scenario.schema = "other"; },
                                      [](StoredRun& changed) { changed.scenario.expect = Expect{}; }};
-  EXPECT_EQ(unseen(run, words), words.size());
+  EXPECT_EQ(unseen(run, texts), texts.size());
 }
 
-TEST(FileHash, DoesNotDependOnTheSizeOfPieces) {
+TEST(FileChecksum, DoesNotDependOnTheSizeOfPieces) {
   const TempFolder folder;
   std::string bytes;
   for (std::size_t place = 0; place < 200'001; ++place) bytes += static_cast<char>(place * place >> 7);
   write_bytes(folder.at("long"), bytes);
-  EXPECT_EQ(file_hash(folder.at("long")), hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size())))));
+  EXPECT_EQ(file_checksum(folder.at("long")),
+            hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size())))));
 }
 
-TEST(FileHash, OfWhatIsNoFileCannotBeHad) {
+TEST(FileChecksum, OfWhatIsNoFileCannotBeHad) {
   const TempFolder folder;
-  EXPECT_THROW(static_cast<void>(file_hash(folder.at("missing"))), Failure);
-  EXPECT_THROW(static_cast<void>(file_hash(folder.at("."))), Failure);
+  EXPECT_THROW(static_cast<void>(file_checksum(folder.at("missing"))), Failure);
+  EXPECT_THROW(static_cast<void>(file_checksum(folder.at("."))), Failure);
 }
 
-TEST(FileHash, IsThatOfTheBytes) {
+TEST(FileChecksum, IsThatOfTheBytes) {
   const TempFolder folder;
   write_bytes(folder.at("empty"), "");
-  EXPECT_EQ(file_hash(folder.at("empty")), "99aa06d3014798d86001c324468d497f");  // XXH3-128 of nothing.
+  EXPECT_EQ(file_checksum(folder.at("empty")), "99aa06d3014798d86001c324468d497f");  // XXH3-128 of nothing.
   write_bytes(folder.at("one"), "a golden file");
   write_bytes(folder.at("two"), "a golden fild");
-  EXPECT_NE(file_hash(folder.at("one")), file_hash(folder.at("two")));
-}
-
-const GoldenSeal kSeal{"0123456789abcdef0123456789abcdef", "fedcba9876543210fedcba9876543210"};
-
-TEST(Seal, IsFoundAtTheEndOfADigest) {
-  EXPECT_EQ(seal_in("steps: 600\nreason: x\n" + seal_line(kSeal)), kSeal);
-}
-
-TEST(Seal, IsNoneInADigestThatWasCutShortOrGoesOn) {
-  const std::string digest = "steps: 600\nreason: x\n" + seal_line(kSeal);
-  for (std::size_t length = 0; length < digest.size(); ++length)
-    EXPECT_EQ(seal_in(digest.substr(0, length)), std::nullopt) << length;
-  EXPECT_EQ(seal_in(digest + "\n"), std::nullopt);
-  EXPECT_EQ(seal_in(digest + "more\n"), std::nullopt);
-}
-
-TEST(Seal, IsNoneOfOtherCharacters) {
-  for (const char wrong : {'g', 'A', ' ', '\n', '\0'}) {
-    for (const std::size_t place : {0u, 31u, 32u, 33u, 64u}) {
-      std::string line = seal_line(kSeal);
-      if (place == 32 && wrong == ' ') continue;  // There it belongs.
-      line[line.find(' ') + 1 + place] = wrong;
-      EXPECT_EQ(seal_in("steps: 600\n" + line), std::nullopt) << wrong << " at " << place;
-    }
-  }
+  EXPECT_NE(file_checksum(folder.at("one")), file_checksum(folder.at("two")));
 }
 
 }  // namespace

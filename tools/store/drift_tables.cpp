@@ -1,11 +1,11 @@
-#include "tools/store/drift_arc_table.h"
+#include "tools/store/drift_tables.h"
 
-#include <array>
-#include <cstdint>
+#include <hdf5_hl.h>
+
 #include <limits>
 
-#include "tools/store/drift_format.h"
 #include "tools/store/trajectory_format.h"
+#include "tools/store/trajectory_writer.h"
 
 namespace hyrax {
 namespace {
@@ -62,7 +62,7 @@ constexpr std::array<DriftColumn<ImpactErrors>, 4> kImpactColumns = {{
      [](Impact c) { return or_nan(c.effective_restitution); }},
 }};
 
-// The table of one kind of record; remembers whether all of it could be written.
+// A group with one dataset for each column of its records; notes whether all could be written.
 template <class Record>
 class Table {
  public:
@@ -92,7 +92,7 @@ class Table {
       column<double>(name, long_name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, get, unit);
   }
   h5::Handle dataset(const char* name) { return {H5Dopen2(group_, name, H5P_DEFAULT), H5Dclose}; }
-  /// Makes a column the axis of the others. After all columns.
+  /// Makes a column the axis of the others. Call it after all columns.
   void share_axis(const char* name) { is_written_ = h5::share_axis(group_, name) && is_written_; }
   void attribute(const char* name, std::int64_t value) { h5::write_attribute(group_, name, value); }
   [[nodiscard]] bool is_written() const { return is_written_; }
@@ -108,7 +108,83 @@ void put_row_numbers(Table<ArcErrors>& table) {
   table.row_numbers("last_step", "row that the arc ends with", [](Arc a) { return a.last_step; });
 }
 
+constexpr std::size_t kBatch = 65536;
+
+const DriftColumn<RowErrors>& column_of(std::size_t index) {
+  return index < kReferenceRowColumns.size() ? kReferenceRowColumns[index]
+                                             : kDriftRowColumns[index - kReferenceRowColumns.size()];
+}
+
+// As xarray (dimension scales) and silx (NXdata) expect the time axis.
+bool describe(hid_t file, hid_t group, const char* signal) {
+  h5::write_attribute(group, "NX_class", "NXdata");
+  h5::write_attribute(group, "signal", signal);
+  h5::write_attribute(group, "axes", "t");
+  return H5Lcreate_hard(file, "/trajectory/t", group, "t", H5P_DEFAULT, H5P_DEFAULT) >= 0 &&
+         H5Lcreate_hard(file, "/trajectory/step", group, "step", H5P_DEFAULT, H5P_DEFAULT) >= 0;
+}
+
 }  // namespace
+
+DriftRowTable::DriftRowTable(hid_t reference, hid_t drift, std::int64_t steps, std::int64_t rows_every)
+    : reference_(reference),
+      drift_(drift),
+      steps_(steps),
+      rows_every_(rows_every),
+      rows_(TrajectoryWriter::row_count(steps, rows_every)) {
+  for (std::size_t index = 0; index < kColumns; ++index)
+    datasets_[index] =
+        h5::create_dataset(index < kReferenceRowColumns.size() ? reference : drift, column_of(index).name,
+                           H5T_IEEE_F64LE, {static_cast<hsize_t>(rows_)});
+}
+
+void DriftRowTable::row(const RowErrors& row) {
+  const bool is_due = row.step % rows_every_ == 0;
+  if (!is_due && row.step != steps_) return;
+  const std::int64_t index = is_due ? row.step / rows_every_ : rows_ - 1;
+  if (index < next_) return;  // It has the errors of the arc that it ended.
+  fill_up_to(index);
+  Values values;
+  for (std::size_t column = 0; column < kColumns; ++column) values[column] = column_of(column).get(row);
+  put(values);
+}
+
+bool DriftRowTable::finish(hid_t file) {
+  fill_up_to(rows_);
+  flush();
+  const h5::Handle time(H5Dopen2(file, "/trajectory/t", H5P_DEFAULT), H5Dclose);
+  for (std::size_t column = 0; column < kColumns; ++column) {
+    h5::write_attribute(datasets_[column], "units", column_of(column).unit);
+    h5::write_attribute(datasets_[column], "long_name", column_of(column).long_name);
+    is_written_ = H5DSattach_scale(datasets_[column], time, 0) >= 0 && is_written_;
+    datasets_[column] = {};
+  }
+  return describe(file, reference_, "y") && describe(file, drift_, "truncation") && is_written_;
+}
+
+void DriftRowTable::put(const Values& values) {
+  for (std::size_t column = 0; column < kColumns; ++column) pending_[column].push_back(values[column]);
+  ++next_;
+  if (pending_.front().size() == kBatch) flush();
+}
+
+void DriftRowTable::fill_up_to(std::int64_t index) {
+  Values nothing;
+  nothing.fill(std::numeric_limits<double>::quiet_NaN());
+  while (next_ < index) put(nothing);
+}
+
+void DriftRowTable::flush() {
+  const hsize_t count = pending_.front().size();
+  if (count == 0) return;
+  for (std::size_t column = 0; column < kColumns; ++column) {
+    is_written_ = h5::write_part(datasets_[column], H5T_NATIVE_DOUBLE, static_cast<hsize_t>(flushed_), count,
+                                 pending_[column].data()) >= 0 &&
+                  is_written_;
+    pending_[column].clear();
+  }
+  flushed_ += static_cast<std::int64_t>(count);
+}
 
 bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measured) {
   h5::write_attribute(reference, "solution",
