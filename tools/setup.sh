@@ -12,7 +12,7 @@ packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
 packages_for_platforms=(clang-22 g++-12-multilib qemu-user g++-aarch64-linux-gnu g++-arm-linux-gnueabihf
   g++-powerpc64le-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine wine64
   nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32)
-# For tests/tools/hyrax, which run hyrax.exe under Wine and compare screenshots.
+# For tests/cli/hyrax, which run hyrax.exe under Wine and compare screenshots.
 packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot imagemagick xdotool librsvg2-bin)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
 

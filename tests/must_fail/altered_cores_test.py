@@ -68,7 +68,7 @@ class EveryCore(StudyControl):
     def test_the_paper_is_red_on_what_hard_cases_do_not_see(self):
         for core in UNSEEN:
             with self.subTest(core=core):
-                outcome = self.study(core, "paper", "--expect", SOURCE / "tests/tools/hyrax-sim/paper_verdicts.json")
+                outcome = self.study(core, "paper", "--expect", SOURCE / "tests/cli/paper_verdicts.json")
                 self.assertEqual(outcome.exit_code, DISAGREED, outcome)
 
     def test_four_cores_break_the_invariants_made_for_them(self):

@@ -106,7 +106,7 @@ NEVER_FLIPPED = {
 class Paper(StudyControl):
     """A changed core flips the verdicts that its change is about, and the author is told which."""
 
-    EXPECTED = SOURCE / "tests/tools/hyrax-sim/paper_verdicts.json"
+    EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
 
     def flipped(self, control):
         """The claims with another verdict than the paper's core has: {claim: verdict}."""

@@ -7,7 +7,7 @@ from building import BuildFailed, command
 from rows import HERE, PROJECT
 
 SOURCES = {"locale": HERE / "preloaded/locale.c", "fast_math": HERE / "preloaded/fast_math.c",
-           "rounding": PROJECT / "tests/tools/hyrax-sim/disturbed_arithmetic.c"}
+           "rounding": PROJECT / "tests/cli/disturbed_arithmetic.c"}
 
 
 @functools.cache

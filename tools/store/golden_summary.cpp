@@ -170,8 +170,8 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   text += summary.at_rest_since_s ? fmt::format("at rest since: {} s\n", *summary.at_rest_since_s)
                                   : std::string("at rest since: never\n");
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
-  return text +
-         fmt::format("{}{}\nseal: {} {}\n", kReasonKey, one_line(reason), checksums.contents, checksums.file);
+  return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
+                            checksums.contents, checksums.file);
 }
 
 std::string summary_reason(const std::string& text) {

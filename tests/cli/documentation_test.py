@@ -1,0 +1,320 @@
+#!/usr/bin/python3
+"""The documentation agrees with the program: every README.md and CHANGELOG.md is read and tried out.
+
+    documentation_test.py             tests
+    documentation_test.py --update    rewrites printed outputs that differ from the program's
+
+HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE tells it how.
+
+What a README may print, by the first word behind the fence:
+
+    console   `$ COMMAND` lines, each followed by its exact output (stdout and stderr). The commands of a file run
+              in order, by bash, in one scratch folder with copies of those folders of the project that COPIED names.
+              Behind the first word:
+              exit=N   exit code of the last command that fails (0 if left out)
+              core=N   `hyrax-sim` is the altered program, with core N
+              A line `<!-- varies: REGEX -->` above the block names what differs from run to run.
+    json      is valid; a scenario is valid, too, and its expectations hold. A name behind the first word is the
+              file's name in the scratch folder.
+    python    runs there without error, after the blocks above it.
+    cmake, cpp   are lines of tests/cli/outside_project, which builds and runs.
+    sh    is not run, but its scripts exist.
+    text  is not checked.
+"""
+
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from program import PROGRAM, SOURCE
+
+README_WORDS_MAX = 1500
+COPIED = ("scenarios", "golden", "tests/robustness/fuzz/found")
+FOLDERS = ("golden", "scenarios", "sim", "tests", "tools")
+DOCUMENTS = sorted([*SOURCE.glob("*.md"), *(path for folder in FOLDERS for path in (SOURCE / folder).rglob("*.md"))])
+
+BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>[^\n]*) -->\n)?"
+                   r"^```(?P<info>[^\n`]+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+RUN = {"console", "json", "python"}
+NOT_RUN = {"sh", "cmake", "cpp", "text"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Block:
+    """A fenced block: what kind it is, its attributes, and the text between the fences."""
+
+    kind: str
+    words: tuple
+    body: str
+    varies: str
+
+    def attribute(self, name, default):
+        """The value of NAME=VALUE behind the fence."""
+        return next((word.partition("=")[2] for word in self.words if word.startswith(name + "=")), default)
+
+    @property
+    def commands(self):
+        """What stands behind `$ `."""
+        return [line[2:] for line in self.body.splitlines() if line.startswith("$ ")]
+
+    def comparable(self, text):
+        """The text without what differs from run to run."""
+        return re.sub(self.varies, "VARIES", text, flags=re.MULTILINE) if self.varies else text
+
+
+def block_of(match):
+    """The block of a match of BLOCK."""
+    kind, *words = match["info"].split()
+    return Block(kind, tuple(words), match["body"], match["varies"] or "")
+
+
+def blocks_of(document):
+    """All fenced blocks of a document."""
+    return [block_of(match) for match in BLOCK.finditer(document.read_text(encoding="utf-8"))]
+
+
+class Scratch:
+    """Copies of some of the project's folders, where commands do no harm."""
+
+    def __enter__(self):
+        self.top = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-documentation-"))
+        self.folder = self.top / "project"
+        for part in COPIED:
+            shutil.copytree(SOURCE / part, self.folder / part)
+        (self.top / "bin").mkdir()
+        self.text = ""  # That the last console block printed.
+        return self
+
+    def __exit__(self, *_):
+        shutil.rmtree(self.top)
+
+    def call(self, program, core=""):
+        """Makes `hyrax-sim` call that program; returns the environment for it."""
+        link = self.top / "bin/hyrax-sim"
+        link.unlink(missing_ok=True)
+        link.symlink_to(program)
+        return {**os.environ, "PATH": f"{link.parent}:{os.environ['PATH']}", "HYRAX_ALTERED_CORE": core or "none"}
+
+    def run(self, command, environment):
+        """Runs a command by bash; returns its exit code and its output."""
+        done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment, check=False, timeout=250,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done.returncode, done.stdout.decode()
+
+    def print_of(self, block):
+        """What the block should print, and its exit code."""
+        core = block.attribute("core", "")
+        environment = self.call(pathlib.Path(os.environ["HYRAX_ALTERED_SIM"]).resolve() if core else PROGRAM, core)
+        text, exit_code = "", 0
+        for command in block.commands:
+            code, output = self.run(command, environment)
+            exit_code = code or exit_code
+            text += f"$ {command}\n{output}"
+        return text, exit_code
+
+    def write(self, block):
+        """Writes a JSON block that has a name."""
+        for name in block.words:
+            (self.folder / name).write_text(block.body, encoding="utf-8")
+
+    def try_out(self, block):
+        """Runs a block, whatever its kind; returns what it promises and what comes: output and exit code."""
+        if block.kind == "json":
+            self.write(block)
+        if block.kind == "python":
+            code, output = self.run(f"/usr/bin/python3 - << 'END'\n{block.body}END", self.call(PROGRAM))
+            return ("", 0), (output if code else "", code)
+        if block.kind == "console":
+            self.text, code = self.print_of(block)
+            promised = (block.comparable(block.body), int(block.attribute("exit", "0")))
+            return promised, (block.comparable(self.text), code)
+        return None, None
+
+
+def anchors_of(document):
+    """Anchors of a document's headings, as GitHub makes them."""
+    text = re.sub(r"^```.*?^```$", "", document.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    titles = re.findall(r"^#+ +(.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def words_outside_blocks(document):
+    """A document's text without its fenced blocks."""
+    return BLOCK.sub("", document.read_text(encoding="utf-8"))
+
+
+def dead_links_of(document):
+    """Targets of links within the project that do not exist, or have no such heading."""
+    dead = []
+    for target in re.findall(r"\]\(([^)\s]+)\)", words_outside_blocks(document)):
+        path, _, anchor = target.partition("#")
+        file = (document.parent / path).resolve() if path else document
+        if not re.match(r"[a-z]+:", target) and (not file.exists() or anchor and anchor not in anchors_of(file)):
+            dead.append(target)
+    return dead
+
+
+class Documents(unittest.TestCase):
+    """Every document, one subtest each."""
+
+    maxDiff = None
+
+    def on_each(self, document):
+        """The context of a document's own failures."""
+        return self.subTest(document=str(document.relative_to(SOURCE)))
+
+    def test_every_block_has_a_known_kind(self):
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                fences = re.findall(r"^```", document.read_text(encoding="utf-8"), re.MULTILINE)
+                self.assertEqual(len(fences), 2 * len(blocks_of(document)), "a fence without a kind")
+                self.assertLessEqual({block.kind for block in blocks_of(document)}, RUN | NOT_RUN)
+
+    def test_every_block_prints_what_the_program_prints(self):
+        seen = 0
+        for document in DOCUMENTS:
+            with self.on_each(document), Scratch() as scratch:
+                for block in blocks_of(document):
+                    seen += block.kind == "console"
+                    self.assertEqual(*scratch.try_out(block))
+        self.assertGreater(seen, 10, "the console blocks were not found")
+
+    def test_every_scenario_is_valid_and_its_expectations_hold(self):
+        scenarios = 0
+        for document in DOCUMENTS:
+            for block in blocks_of(document):
+                if block.kind != "json" or json.loads(block.body).get("format") != "hyrax-scenario/1":
+                    continue
+                scenarios += 1
+                with self.on_each(document), Scratch() as scratch:
+                    (scratch.folder / "printed.json").write_text(block.body, encoding="utf-8")
+                    for command in ("hyrax-sim validate printed.json", "hyrax-sim run printed.json"):
+                        code, output = scratch.run(command, scratch.call(PROGRAM))
+                        self.assertEqual(code, 0, output)
+        self.assertGreater(scenarios, 1, "the scenarios were not found")
+
+    def test_every_command_of_the_task_table_works(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^\|[^|]*\| `(hyrax-sim [^`]*)` *\|", text, re.MULTILINE)
+        self.assertGreater(len(commands), 8, "README.md: the task table was not found")
+        with Scratch() as scratch:
+            for block in blocks_of(SOURCE / "README.md"):
+                scratch.try_out(block)
+            for command in commands:
+                if command.startswith("hyrax-sim study"):
+                    command += " --quick --no-figures"
+                with self.subTest(command=command):
+                    code, output = scratch.run(command, scratch.call(PROGRAM))
+                    self.assertEqual(code, 0, output)
+
+    def test_every_link_leads_somewhere(self):
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                self.assertEqual(dead_links_of(document), [])
+
+    def test_every_path_exists(self):
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                for path in re.findall(r"`((?:\.ci|sim|tools|tests|scenarios|golden)/[\w./-]*)`",
+                                       words_outside_blocks(document)):
+                    if "FOLDER/" in path:
+                        continue
+                    self.assertTrue((SOURCE / path).exists(), f"no such file in the project: {path}")
+
+    def test_every_script_exists(self):
+        for document in DOCUMENTS:
+            for block in blocks_of(document):
+                for script in re.findall(r"^((?:\.ci|tools|tests)/\S+)", block.body, re.MULTILINE):
+                    with self.on_each(document):
+                        self.assertTrue(block.kind != "sh" or os.access(SOURCE / script, os.X_OK), script)
+
+    def test_every_line_about_embedding_is_built_by_a_test(self):
+        built = {"cmake": "CMakeLists.txt", "cpp": "fling.cpp"}
+        for document in DOCUMENTS:
+            for block in blocks_of(document):
+                if block.kind in built:
+                    file = SOURCE / "tests/cli/outside_project" / built[block.kind]
+                    with self.on_each(document):
+                        for line in block.body.splitlines():
+                            self.assertIn(line, file.read_text(encoding="utf-8"))
+
+    def test_every_preset_exists(self):
+        presets = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
+        names = {preset["name"] for preset in presets if not preset.get("hidden")}
+        for document in DOCUMENTS:
+            with self.on_each(document):
+                used = re.findall(r"--preset ([a-z-]+)", document.read_text(encoding="utf-8"))
+                self.assertLessEqual(set(used), names)
+
+    def test_the_readme_links_to_every_other_one(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        for document in DOCUMENTS:
+            folder = document.parent.relative_to(SOURCE)
+            if document.name == "README.md" and folder.parts:
+                self.assertRegex(text, rf"\]\({folder}(/README\.md)?[)#]", f"README.md: no link to {folder}")
+
+    def test_the_readme_is_short(self):
+        words = len((SOURCE / "README.md").read_text(encoding="utf-8").split())
+        self.assertLessEqual(words, README_WORDS_MAX)
+
+
+class Controls(unittest.TestCase):
+    """A document that is wrong in every way is detected, and updated."""
+
+    WRONG = ("# A title\n[a](none.md) [b](#a-title) [c](#no-title)\n"
+             "```console\n$ echo yes; false\nno\n```\n"
+             "<!-- varies: \\d+ s -->\n```console\n$ echo 12 s\n7 s\n```\n"
+             "```python\nraise SystemExit(1)\n```\n")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="hyrax-documentation-")
+        self.addCleanup(folder.cleanup)
+        self.document = pathlib.Path(folder.name) / "README.md"
+        self.document.write_text(self.WRONG, encoding="utf-8")
+
+    def test_wrong_blocks_are_detected(self):
+        with Scratch() as scratch:
+            tried = [scratch.try_out(block) for block in blocks_of(self.document)]
+        self.assertEqual([promised == came for promised, came in tried], [False, True, False])
+
+    def test_dead_links_are_detected(self):
+        self.assertEqual(dead_links_of(self.document), ["none.md", "#no-title"])
+
+    def test_an_update_rewrites_only_what_differs(self):
+        update(self.document)
+        self.assertEqual(self.document.read_text(encoding="utf-8"), self.WRONG.replace("\nno\n", "\nyes\n"))
+
+
+def update(document):
+    """Replaces the output of each console block that differs from the program's; returns sentences about them."""
+    told = []
+    with Scratch() as scratch:
+
+        def renewed(match):
+            block = block_of(match)
+            promised, came = scratch.try_out(block)
+            if block.kind != "console" or promised == came:
+                return match[0]
+            told.append(f"{document}: {'; '.join(block.commands)}: "
+                        + (f"exit code {came[1]}, expected {promised[1]}" if promised[1] != came[1] else "updated"))
+            return match[0].replace(block.body, scratch.text, 1)
+
+        text = BLOCK.sub(renewed, document.read_text(encoding="utf-8"))
+    document.write_text(text, encoding="utf-8")
+    return told
+
+
+if __name__ == "__main__":
+    if "--update" in sys.argv:
+        for one in DOCUMENTS:
+            for sentence in update(one):
+                print(sentence)
+    else:
+        unittest.main()

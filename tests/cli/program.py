@@ -1,0 +1,147 @@
+"""Runs hyrax-sim the way its users do: from a folder of its own, on files, by its exit code and its output.
+
+The environment says where things are: HYRAX_SIM (the program), HYRAX_SOURCE_DIR (the project).
+"""
+
+import copy
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # A test leaves nothing behind in the source tree.
+
+SOURCE = pathlib.Path(os.environ.get("HYRAX_SOURCE_DIR", pathlib.Path(__file__).parents[2])).resolve()
+PROGRAM = pathlib.Path(os.environ.get("HYRAX_SIM", SOURCE / "build/bin/hyrax-sim")).resolve()
+
+AGREED, DISAGREED, BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, NOT_STRICT = 0, 1, 2, 3, 4, 5
+
+NUMBER = (int, float)
+
+# A throw across a desktop: the right wall at row 36, the ground at row 76 and seven times more, at rest from 4 s on.
+FLING = {
+    "format": "hyrax-scenario/1",
+    "name": "fling",
+    "window": {"width_px": 1920, "height_px": 1080},
+    "sprite": {"width_px": 128, "height_px": 128},
+    "start": {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400},
+    "clock": {"rate_hz": 60},
+    "steps": 300,
+}
+
+
+def fling(**changes):
+    """The throw as a document, with top-level members changed; None takes one out."""
+    document = {**copy.deepcopy(FLING), **changes}
+    return {key: value for key, value in document.items() if value is not None}
+
+
+class Outcome:
+    """What a run of the program came to."""
+
+    def __init__(self, done):
+        self.exit_code = done.returncode
+        self.out = done.stdout.decode()
+        self.err = done.stderr.decode()
+
+    @property
+    def json(self):
+        """The one document on standard output."""
+        return json.loads(self.out)
+
+    def __str__(self):
+        return f"exit code {self.exit_code}\n--- stdout\n{self.out}\n--- stderr\n{self.err}"
+
+
+class ProgramTest(unittest.TestCase):
+    """A folder, a program, and what is asked of them."""
+
+    maxDiff = None
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    # --- doing
+
+    def hyrax_sim(self, *arguments, **options):
+        """Runs the program in the folder."""
+        options = {"cwd": self.folder, "timeout": 60, "stdin": subprocess.DEVNULL, **options}
+        done = subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, check=False, **options)
+        return Outcome(done)
+
+    def expect(self, exit_code, *arguments, says=(), **options):
+        """Runs the program and holds its exit code, and what it must say on stderr, to what is wanted."""
+        outcome = self.hyrax_sim(*arguments, **options)
+        self.assertEqual(outcome.exit_code, exit_code, f"{arguments}: {outcome}")
+        for part in (says,) if isinstance(says, str) else says:
+            self.assertIn(part, outcome.err)
+        self.assertNotIn("\x1b", outcome.out + outcome.err, "escape codes belong on a terminal")
+        return outcome
+
+    def write(self, path, content):
+        """Writes a document or a text below the folder; returns its path as it would be typed there."""
+        target = self.folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
+        return str(path)
+
+    def bless(self, *paths):
+        """Makes golden files for scenarios."""
+        self.expect(AGREED, "bless", *paths, "--reason", "for the test")
+
+    def project(self, *names):
+        """scenarios/ and golden/ with a throw of each name, at different speeds; returns the paths."""
+        paths = []
+        for number, name in enumerate(names):
+            start = {**FLING["start"], "vx_px_per_s": 1200 - 10 * number}
+            document = fling(name=pathlib.Path(name).name, start=start)
+            paths.append(self.write(f"scenarios/{name}.json", document))
+        self.bless("scenarios")
+        return paths
+
+    # --- judging
+
+    def names(self, folder="."):
+        """Names of all that is in a folder, hidden part files too."""
+        return sorted(entry.name for entry in (self.folder / folder).iterdir())
+
+    def state_of(self, folder):
+        """Content and time of change of every file below a folder."""
+        return {str(path): (path.read_bytes(), path.stat().st_mtime_ns)
+                for path in sorted((self.folder / folder).rglob("*")) if path.is_file()}
+
+    def assert_shape(self, value, shape, place="document"):
+        """The value has exactly the keys of the shape, of its types. A list's shape stands for each element."""
+        if isinstance(shape, dict):
+            self.assertIsInstance(value, dict, place)
+            self.assertEqual(sorted(value), sorted(shape), place)
+            for key, inner in shape.items():
+                self.assert_shape(value[key], inner, f"{place}/{key}")
+        elif isinstance(shape, list):
+            self.assertIsInstance(value, list, place)
+            for number, element in enumerate(value):
+                self.assert_shape(element, shape[0], f"{place}/{number}")
+        elif isinstance(shape, Maybe):
+            if value is not None:
+                self.assert_shape(value, shape.shape, place)
+        elif shape is not object:
+            self.assertIsInstance(value, shape, place)
+            self.assertFalse(isinstance(value, bool) and shape is not bool, place)
+
+
+class Maybe:
+    """A shape, or null."""
+
+    def __init__(self, shape):
+        self.shape = shape
+
+
+DIVERGENCE = {"step": int, "field": str, "expected": Maybe((int, float, str)), "actual": Maybe((int, float, str)),
+              "ulps": Maybe(int)}
+
+main = unittest.main

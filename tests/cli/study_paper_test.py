@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+"""`study paper`: what it measures, how it tells, and the verdicts it is held to."""
+
+import csv
+import json
+
+import h5py
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, main
+
+EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
+VERDICTS = {"holds", "holds when", "does not hold", "not measured"}
+SECTIONS = {"1", "2.1", "2.2", "2.3", "2.4", "3", "3.1", "3.2.1", "3.2.2", "4.1", "4.2", "4.3", "5", "6", "6.1", "6.2", "7"}
+
+
+class Paper(ProgramTest):
+    """The study and its files."""
+
+    def study(self, exit_code, *arguments, **options):
+        """Runs the study without figures; its output goes into out/."""
+        return self.expect(exit_code, "study", "paper", "--no-figures", "-o", "out", *arguments, **options)
+
+    def expected(self, change=None):
+        """A file of expected verdicts, the project's own but for what `change` does to the document."""
+        document = json.loads(EXPECTED.read_text(encoding="utf-8"))
+        if change is not None:
+            change(document)
+        return self.write("expected.json", document)
+
+    def test_every_section_with_a_claim_is_measured(self):
+        claims = self.study(AGREED, "--json").json["claims"]
+        self.assertEqual({claim["section"] for claim in claims}, SECTIONS)
+        self.assertGreaterEqual(len(claims), 40)
+        for claim in claims:
+            self.assertIn(claim["verdict"], VERDICTS)
+            self.assertGreater(len(claim["measured"]), 10)
+            self.assertGreater(len(claim["sentence"]), 10)
+            if claim["verdict"] == "holds when":
+                self.assertTrue(claim["remark"].startswith("when "), claim)
+
+    def test_numbers_that_are_known_from_elsewhere(self):
+        numbers = {claim["claim"]: claim["number"] for claim in self.study(AGREED, "--json").json["claims"]}
+        for claim, number, off in (("2.2-terminal", 0.999 * 1200 / 60 / 0.001, 1e-6), ("2.2-stokes", 8, 1e-9),
+                                   ("2.4-first-order", 1, 0.1), ("3.2.2-infinite-bounce", 0.999 * 1200 * 0.6 / 5, 0.01),
+                                   ("5-energy-retention", 0.36, 1e-12), ("6.1-frame-rate", 1701.3 - 1122.5, 0.1)):
+            self.assertAlmostEqual(numbers[claim], number, delta=off * max(1, number), msg=claim)
+
+    def test_the_projects_core_is_as_expected(self):
+        self.study(AGREED, "--expect", EXPECTED, "--gate")
+
+    def test_another_verdict_breaks_the_gate_and_is_named(self):
+        def change(document):
+            document["verdicts"]["2.3-energy"] = "holds"
+        path = self.expected(change)
+        self.study(AGREED, "--expect", path)
+        self.study(DISAGREED, "--expect", path, "--gate", says="2.3-energy: does not hold, where expected.json expects: holds")
+
+    def test_a_gate_without_verdicts_holds_nothing_and_is_refused(self):
+        self.study(BAD_INPUT, "--gate", says="--gate needs --expect FILE")
+
+    def test_a_claim_of_which_nothing_is_expected_breaks_it_too(self):
+        path = self.expected(lambda document: document["verdicts"].pop("7-fast"))
+        self.study(DISAGREED, "--expect", path, "--gate", says="7-fast: holds, of which expected.json says nothing")
+
+    def test_tables(self):
+        self.study(AGREED)
+        with open(self.folder / "out/paper.csv", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        with h5py.File(self.folder / "out/paper.h5") as file:
+            self.assertEqual(len(rows) - 1, len(file["claims/claim"]))
+            self.assertEqual(set(file["claims/verdict"].asstr()[:]) - VERDICTS, set())
+
+    def test_a_bad_file_is_told_all_its_faults(self):
+        def change(document):
+            document["format"] = "hyrax-verdicts/2"
+            document["verdicts"]["9-moon"] = "holds"
+            document["verdicts"]["7-fast"] = "maybe"
+            document["more"] = 1
+        self.study(BAD_INPUT, "--expect", self.expected(change), says=(
+            'expected.json: /format: must be "hyrax-verdicts/1", is "hyrax-verdicts/2"',
+            "expected.json: /verdicts/9-moon: is no claim",
+            'expected.json: /verdicts/7-fast: unknown value (found maybe); allowed: holds, holds when, does not hold, not measured',
+            "expected.json: /more: unknown key (found more); allowed: format, verdicts"))
+        self.study(BAD_INPUT, "--expect", self.write("list.json", "[]"), says="list.json: /: must be an object")
+        self.study(BAD_INPUT, "--expect", self.write("empty.json", "{}"), says=("/format: is missing", "/verdicts: is missing"))
+        self.study(CANNOT_ACCESS, "--expect", "none.json", says="none.json: cannot be read")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_scenarios_are_not_its_business(self):
+        self.study(BAD_INPUT, SOURCE / "scenarios/hard/rest.json", says="takes no scenarios")
+
+    def test_the_figure_has_a_line_for_each_claim(self):
+        self.expect(AGREED, "study", "paper", "-o", "out")
+        picture = (self.folder / "out/paper.svg").read_text(encoding="utf-8")
+        for words in ("does not hold", "holds when", "Stokes law", "4.3"):
+            self.assertIn(words, picture)
+
+
+if __name__ == "__main__":
+    main()

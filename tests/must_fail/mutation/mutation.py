@@ -1,0 +1,114 @@
+#!/usr/bin/python3
+"""Makes every small change of the core, the jitter and the events, and asks `hyrax-sim check` whether it notices.
+
+    mutation.py --build build/release                     # all mutants, in a table
+    mutation.py --build build/release --some 20           # twenty of them, spread over all
+    mutation.py --build build/release --only 'collide: .* <= '
+
+A mutant is caught (by a scenario, at a step, as a class of difference), or survives. One that survives must
+have its reason in reasons.json; where that says that a unit test tells it, the unit test is run. The exit
+code is 0 if all is as it must be, 1 if not, 3 if nothing can be built.
+"""
+
+import argparse
+import concurrent.futures
+import pathlib
+import re
+import sys
+import tempfile
+
+from judge import Judge
+from reasons import faults_of, read_reasons
+from subjects import SUBJECTS
+from table import summary_of, table_of
+from workshop import CannotBuild, Workshop
+
+ALL_IS_WELL, SURVIVED, CANNOT_BUILD = 0, 1, 3
+
+
+def spread(mutants, count):
+    """So many of them, evenly spread; all where none is named."""
+    if count is None or count >= len(mutants):
+        return mutants
+    return [mutants[number * len(mutants) // count] for number in range(count)]
+
+
+def try_all(judge, mutants, jobs):
+    """{mutant: Verdict}, in the order of the mutants."""
+    verdicts = {}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        tries = [pool.submit(judge.try_out, mutant, f"mutant-{number}") for number, mutant in enumerate(mutants)]
+        for number, (mutant, one) in enumerate(zip(mutants, tries), 1):
+            verdicts[mutant] = one.result()
+            if sys.stderr.isatty():
+                print(f"\r{number} of {len(mutants)} mutants", end="", file=sys.stderr)
+    if sys.stderr.isatty():
+        print(file=sys.stderr)
+    return verdicts
+
+
+def survivors_without_reason(judge, verdicts, reasons, jobs):
+    """Sentences about those that nothing catches and nothing explains."""
+    survivors = [mutant for mutant, verdict in verdicts.items() if verdict.fate == "survived"]
+    unexplained = [mutant for mutant in survivors if (mutant.path, mutant.name) not in reasons]
+    told = [mutant for mutant in survivors if mutant not in unexplained
+            and reasons[mutant.path, mutant.name].is_told_by_unit_test]
+    judge.prepare_unit_tests(told)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        tries = [pool.submit(judge.fails_unit_test, mutant, f"told-{number}") for number, mutant in enumerate(told)]
+        unseen = [mutant for mutant, one in zip(told, tries) if not one.result()]
+    return [*(f"{mutant.path}: {mutant.name}: survived; add a scenario that catches it, or its reason to reasons.json"
+              for mutant in unexplained),
+            *(f"{mutant.path}: {mutant.name}: survived, its unit tests as well; add one that catches it"
+              for mutant in unseen)]
+
+
+def options():
+    """What the command line asks for."""
+    here = pathlib.Path(__file__).resolve().parent
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of the project, all tests built")
+    parser.add_argument("--source", type=pathlib.Path, default=here.parents[2], help="the project")
+    parser.add_argument("--scenarios", type=pathlib.Path, default="scenarios", help="what is checked")
+    parser.add_argument("--reasons", type=pathlib.Path, default=here / "reasons.json", help="why some cannot be caught")
+    parser.add_argument("--some", type=int, metavar="N", help="N mutants, evenly spread over all")
+    parser.add_argument("--only", type=re.compile, metavar="REGEX", help="those whose file and name match")
+    parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (2)")
+    parser.add_argument("--markdown", type=pathlib.Path, metavar="FILE", help="writes the table there, too")
+    parser.add_argument("--list", action="store_true", help="names the mutants, and builds none")
+    return parser.parse_args()
+
+
+def main():
+    """Tries what the options ask for; returns the exit code."""
+    asked = options()
+    mutants = [mutant for subject in SUBJECTS for mutant in subject.mutants(asked.source)]
+    chosen = [mutant for mutant in mutants if not asked.only or asked.only.search(f"{mutant.path}: {mutant.name}")]
+    chosen = spread(chosen, asked.some)
+    if asked.list:
+        print("\n".join(f"{mutant.kind:16} {mutant.path}: {mutant.name}" for mutant in chosen))
+        return ALL_IS_WELL
+    reasons = read_reasons(asked.reasons)
+    with tempfile.TemporaryDirectory(prefix="hyrax-mutation-") as folder:
+        paths = {mutant.path for mutant in chosen}
+        subjects = [subject for subject in SUBJECTS if subject.path in paths]
+        judge = Judge(Workshop(asked.source, asked.build, folder), subjects, asked.scenarios)
+        try:
+            judge.prepare()
+            verdicts = try_all(judge, chosen, asked.jobs)
+            faults = [*faults_of(reasons, mutants, verdicts),
+                      *survivors_without_reason(judge, verdicts, reasons, asked.jobs)]
+        except CannotBuild as why:
+            print(why, file=sys.stderr)
+            return CANNOT_BUILD
+    print(table_of(verdicts, reasons))
+    print(summary_of(verdicts, reasons))
+    if asked.markdown:
+        asked.markdown.write_text(f"{summary_of(verdicts, reasons)}\n{table_of(verdicts, reasons)}", encoding="utf-8")
+    for fault in faults:
+        print(f"FAULT: {fault}")
+    return SURVIVED if faults else ALL_IS_WELL
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,175 @@
+#!/usr/bin/python3
+"""The mutation tool tells each fate from the others: it would notice a survivor, and takes no broken build for a catch.
+
+HYRAX_BUILD is a build of the project.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+from judge import Judge, Verdict
+from mutators import Mutant, mutants_of, numbers_near
+from program import SOURCE
+from reasons import Reason, faults_of
+from subjects import SUBJECTS
+from workshop import CannotBuild, Workshop
+
+BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
+TOOL = pathlib.Path(__file__).with_name("mutation.py")
+CORE = "sim/physics/physics.h"
+LINE = "m_x = rightBound;"
+
+
+def change_of(line):
+    """The core with another line where the right wall stops the sprite."""
+    text = (SOURCE / CORE).read_text(encoding="utf-8")
+    begin = text.index(LINE)
+    return Mutant(CORE, "control", line, begin, begin + len(LINE), line)
+
+
+class Fates(unittest.TestCase):
+    """Each test is one change of the core."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="hyrax-test-")
+        cls.addClassCleanup(folder.cleanup)
+        core = [subject for subject in SUBJECTS if subject.path == CORE]
+        cls.judge = Judge(Workshop(SOURCE, BUILD, folder.name), core, "scenarios")
+        cls.judge.prepare()
+
+    def fate(self, line):
+        """The verdict on that change."""
+        return self.judge.try_out(change_of(line), "control")
+
+    def test_a_change_of_a_bit_is_caught_with_its_scenario_step_and_class(self):
+        verdict = self.fate("m_x = std::nextafter(rightBound, 0.0);")
+        self.assertEqual((verdict.fate, verdict.difference), ("caught", "contacts"))
+        self.assertTrue((SOURCE / "scenarios" / f"{verdict.scenario}.json").exists(), verdict)
+        self.assertGreater(int(verdict.step), 0)
+
+    def test_a_change_of_nothing_survives(self):
+        self.assertEqual(self.fate("m_x = rightBound * 1.0;").fate, "survived")
+
+    def test_what_does_not_compile_is_not_caught(self):
+        self.assertEqual(self.fate("m_x = rightBound").fate, "refused")
+
+    def test_what_never_ends_hangs(self):
+        verdict = self.fate("for (volatile bool again = true; again;) {}")
+        self.assertEqual(verdict, Verdict("caught", difference="hangs"))
+
+    def test_a_unit_test_passes_without_a_change_and_fails_with_one(self):
+        told = next(mutant for mutant in self.judge.subject_of[CORE].mutants(SOURCE)
+                    if mutant.name.endswith("-> physics() : physics(-0.0, 0.0) {}"))
+        self.judge.prepare_unit_tests([told])
+        self.assertFalse(self.judge.fails_unit_test(change_of("m_x = rightBound * 1.0;"), "control"))
+        self.assertTrue(self.judge.fails_unit_test(told, "control"))
+
+    def test_a_unit_test_that_fails_without_a_change_is_refused(self):
+        judge = Judge(mock.MagicMock(), SUBJECTS, "scenarios")
+        with mock.patch.object(judge, "_limited", return_value=None), self.assertRaises(CannotBuild):
+            judge.prepare_unit_tests([change_of(LINE)])
+
+    def test_what_dies_crashes(self):
+        self.assertEqual(self.fate("__builtin_trap();"), Verdict("caught", difference="crashes"))
+
+
+class Tool(unittest.TestCase):
+    """The tool as ctest calls it."""
+
+    def run_tool(self, *options):
+        """Exit code and standard output."""
+        done = subprocess.run([sys.executable, TOOL, "--build", BUILD, "--source", SOURCE, *options],
+                              capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout
+
+    def test_a_survivor_fails_the_run(self):
+        exit_code, said = self.run_tool("--scenarios", "tests/must_fail/mutation/scenarios", "--only",
+                                        "physics.h: fly: without m_vx")
+        self.assertEqual(exit_code, 1)
+        self.assertIn("0 of 1 that change a result are caught", said)
+        self.assertIn("FAULT: sim/physics/physics.h: fly: without m_vx *= AIR_DRAG;: survived; add a scenario", said)
+
+    def test_without_scenarios_nothing_is_said_to_be_caught(self):
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: fly: without m_vx")
+        self.assertEqual((exit_code, said), (3, ""))
+
+    def test_every_mutant_has_a_name_of_its_own(self):
+        exit_code, said = self.run_tool("--list")
+        self.assertEqual(exit_code, 0)
+        self.assertGreater(len(said.splitlines()), 600)
+        self.assertEqual(len(set(said.splitlines())), len(said.splitlines()))
+
+
+class Reasons(unittest.TestCase):
+    """A reason must be of a mutant that there is and that survives."""
+
+    def setUp(self):
+        self.mutant = change_of("m_x = 0.0;")
+        self.reasons = {(CORE, "m_x = 0.0;"): Reason("for the test", False)}
+
+    def test_of_a_survivor_it_holds(self):
+        self.assertEqual(faults_of(self.reasons, [self.mutant], {self.mutant: Verdict("survived")}), [])
+
+    def test_of_one_that_is_caught_or_does_not_compile_it_is_a_fault(self):
+        for fate in ("caught", "refused"):
+            (fault,) = faults_of(self.reasons, [self.mutant], {self.mutant: Verdict(fate)})
+            self.assertIn(f"is said to be equivalent, and is {fate}", fault)
+
+    def test_of_one_that_is_undefined_a_crash_is_none(self):
+        reasons = {(CORE, "m_x = 0.0;"): Reason("for the test", False, may_crash=True)}
+        self.assertEqual(faults_of(reasons, [self.mutant], {self.mutant: Verdict("caught", difference="crashes")}), [])
+        self.assertEqual(len(faults_of(reasons, [self.mutant], {self.mutant: Verdict("caught", difference="bits")})), 1)
+
+    def test_of_one_that_is_gone_it_is_a_fault(self):
+        (fault,) = faults_of(self.reasons, [change_of("m_x = 1.0;")], {})
+        self.assertIn("there is no such mutant", fault)
+
+
+class Mutators(unittest.TestCase):
+    """What is made of a few lines."""
+
+    def names(self, text, kind):
+        """The mutants of a kind."""
+        return [mutant.name for mutant in mutants_of("a.h", text) if mutant.kind == kind]
+
+    def test_constants(self):
+        self.assertEqual(numbers_near("1200.0"),
+                         ["1200.0000000000002", "1199.9999999999998", "1212.0", "1188.0", "-1200.0"])
+        self.assertEqual(numbers_near("0.0"), ["5e-324", "-5e-324", "-0.0"])
+        self.assertEqual(numbers_near("12"), ["13", "11"])
+        self.assertEqual(numbers_near("0x9Eu"), ["0x9Fu", "0x1Eu"])
+
+    def test_comparisons_by_strictness_and_direction(self):
+        self.assertEqual(self.names("int f() {\n  if (a < b) c();\n}\n", "comparison"),
+                         ["f: if (a < b) c(); -> if (a <= b) c();", "f: if (a < b) c(); -> if (a > b) c();"])
+
+    def test_statements(self):
+        text = "void f() {\n  a();\n  if (b) {\n    c();\n    d();\n  }\n}\n"
+        self.assertEqual(self.names(text, "dropped"),
+                         ["f: without c();", "f: without d();", "f: without a();", "f: without if (b) {...}"])
+        self.assertEqual(self.names(text, "swapped"), ["f: d(); before c();", "f: if (b) {...} before a();"])
+
+    def test_types_but_not_those_of_templates(self):
+        text = "double f(std::optional<double> a) {\n  return static_cast<double>(a);\n}\n"
+        self.assertEqual(len(self.names(text, "float for double")), 2)
+
+    def test_x_and_y_where_they_are_used(self):
+        text = "void f(double x, double y) {\n  m_x = x;\n  m_y = y;\n}\n"
+        self.assertEqual(self.names(text, "confused"),
+                         ["f: m_x = x; -> m_y = x;", "f: m_x = x; -> m_x = y;", "f: m_y = y; -> m_x = y;",
+                          "f: m_y = y; -> m_y = x;"])
+
+    def test_a_line_that_stands_twice_is_numbered(self):
+        self.assertEqual(self.names("void f() {\n  a();\n  a();\n}\n", "dropped"),
+                         ["f: without a();", "f: without a(); [2]"])
+
+
+if __name__ == "__main__":
+    unittest.main()

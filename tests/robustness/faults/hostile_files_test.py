@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+"""Files made to harm their reader: every command says that they are damaged, soon, and with little memory.
+
+Fuzzers found the first of them, which the HDF5 library crashes on or never comes back from.
+"""
+
+import os
+import resource
+import shutil
+import signal
+import subprocess
+
+import h5py
+import numpy
+
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
+
+FOUND = SOURCE / "tests/robustness/fuzz/found"
+CRASH = FOUND / "golden/crash-in-heap-header.h5"
+ENDLESS = FOUND / "trajectory/endless-heap.h5"
+
+
+class HostileFile(ProgramTest):
+    """A project whose golden file is replaced."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("fling", "other")
+        self.golden = self.folder / "golden/fling.h5"
+
+    def assert_refused(self, sentence, *commands):
+        """Every command is exit 2 with the sentence; `check` still judges the other scenario."""
+        # A sanitizer notices some harm before it is done, and ends the process its own way.
+        is_sanitized = "-fsanitize" in self.expect(AGREED, "info").out
+        wanted = f"golden/fling.h5: is damaged: {'' if is_sanitized else sentence}"
+        for command in commands:
+            outcome = self.expect(BAD_INPUT, *command)
+            self.assertIn(wanted, outcome.out if command[0] == "check" else outcome.err)
+            if command[0] == "check":
+                self.assertIn("2 checked: 1 agreed, 0 disagreed, 0 without golden file, 1 failed", outcome.out)
+
+    def test_that_crashes_hdf5(self):
+        for found in (CRASH, FOUND / "trajectory/crash-in-heap-object.h5"):
+            shutil.copyfile(found, self.golden)
+            self.assert_refused("the HDF5 library crashes on it; copy it again, or write it again", ("check",),
+                                ("check", "--jobs", "1"), ("diff", "golden/fling.h5", "golden/other.h5"),
+                                ("drift", "golden/fling.h5"))
+
+    def test_that_keeps_hdf5_busy_for_ever(self):
+        shutil.copyfile(ENDLESS, self.golden)
+        self.assert_refused("reading it does not end", ("check",))
+
+    def test_under_a_parent_that_ignores_or_blocks_signals(self):
+        """What a child process came to is known all the same."""
+        def disturb():
+            signals = [signal.SIGCHLD, signal.SIGALRM, signal.SIGXCPU]
+            for number in signals:
+                signal.signal(number, signal.SIG_IGN)
+            signal.pthread_sigmask(signal.SIG_BLOCK, signals)
+
+        self.expect(AGREED, "diff", "golden/other.h5", "golden/other.h5", preexec_fn=disturb)
+        for found in (CRASH, ENDLESS):
+            shutil.copyfile(found, self.golden)
+            self.expect(BAD_INPUT, "diff", "golden/fling.h5", "golden/other.h5", preexec_fn=disturb,
+                        says="golden/fling.h5: is damaged: ")
+
+    def test_it_does_not_keep_a_blessing_from_replacing_it(self):
+        shutil.copyfile(CRASH, self.golden)
+        outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "it was damaged")
+        self.assertIn("replaces a golden file that cannot be read", outcome.out)
+        self.expect(AGREED, "check")
+
+    def test_of_many_checked_at_once(self):
+        for number in range(12):
+            self.write(f"scenarios/bad/{number}.json", fling(name=f"n{number}"))
+            (self.folder / "golden/bad").mkdir(exist_ok=True)
+            shutil.copyfile(CRASH if number % 2 else FOUND / "trajectory/crash-in-heap-object.h5",
+                            self.folder / f"golden/bad/{number}.h5")
+            shutil.copyfile(self.golden.with_suffix(".txt"), self.folder / f"golden/bad/{number}.txt")
+        document = self.expect(BAD_INPUT, "check", "--json", "--jobs", "8").json
+        self.assertEqual((document["agreed"], document["failed"]), (2, 12))
+
+    def grow(self, group, length):
+        """Makes a group's columns say that they have so many elements, of which none is stored."""
+        with h5py.File(self.golden, "r+") as file:
+            for name in list(file[group]):
+                dtype = file[group][name].dtype
+                del file[group][name]
+                file[group].create_dataset(name, shape=(length,), maxshape=(None,), chunks=(1024,), dtype=dtype)
+
+    def test_that_says_it_has_more_contacts_than_memory(self):
+        self.grow("contacts", 1 << 40)
+        self.assert_refused("reading it takes too much memory for its size", ("check",),
+                            ("diff", "golden/fling.h5", "golden/other.h5"))
+
+    def test_that_says_it_has_more_rows_than_time(self):
+        self.grow("trajectory", 1 << 40)
+        self.assertLess(self.golden.stat().st_size, 200_000)
+        with h5py.File(self.golden, "r+") as file:
+            file["trajectory/step"][-1] = 300
+        self.assert_refused("reading it does not end", ("diff", "golden/fling.h5", "golden/other.h5"))
+
+    def test_memory_and_time_stay_in_proportion(self):
+        self.grow("contacts", 1 << 28)
+        self.expect(BAD_INPUT, "check")
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([str(PROGRAM), "check"], cwd=self.folder, capture_output=True, check=False)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if "-fsanitize" not in self.expect(AGREED, "info").out:
+            self.assertLess(after.ru_maxrss * 1024, 300e6)
+        self.assertLess(after.ru_utime - before.ru_utime, 30)
+
+    def test_that_has_no_end(self):
+        for command in (("validate", "/dev/zero"), ("check", "/dev/zero"), ("run", "/dev/zero")):
+            outcome = self.expect(BAD_INPUT, *command)
+            self.assertIn("/dev/zero: is too large; a text file has at most 256 MiB", outcome.out + outcome.err)
+        self.expect(BAD_INPUT, "diff", "/dev/zero", "golden/other.h5", says="/dev/zero: is not a regular file\n")
+
+    def test_that_is_a_pipe(self):
+        self.golden.unlink()
+        os.mkfifo(self.golden)
+        self.expect(BAD_INPUT, "diff", "golden/fling.h5", "golden/other.h5", says="golden/fling.h5: is not a regular file\n")
+        self.expect(BAD_INPUT, "drift", "golden/fling.h5", says="golden/fling.h5: is not a regular file\n")
+
+    def test_a_scenario_from_a_pipe_is_read_to_its_end(self):
+        text = (self.folder / "scenarios/fling.json").read_bytes()
+        read, write = os.pipe()
+        os.write(write, text)
+        os.close(write)
+        self.expect(AGREED, "drift", f"/dev/fd/{read}", pass_fds=[read])
+        os.close(read)
+
+    def test_whole_files_in_other_forms_are_no_damage(self):
+        with h5py.File(self.golden) as whole, h5py.File(self.folder / "compressed.h5", "w") as copy:
+            for name, value in whole.attrs.items():
+                copy.attrs[name] = value
+            whole.visititems(lambda name, item: self.copy_compressed(copy, name, item))
+        self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
+
+    def test_a_golden_file_that_describes_less_or_more(self):
+        """Without the descriptions that came later it agrees; what it says besides is a difference."""
+        self.golden.unlink()
+        self.write("scenarios/fling.json", fling(events=[{"step": 9, "hitch": {"dt_s": 0.5}}]))
+        self.bless("scenarios/fling.json")
+        with h5py.File(self.golden, "r+") as file:
+            for group, name in (("contacts", "wall"), ("events", "kind")):
+                del file[group][name].attrs["flag_meanings"], file[group][name].attrs["DIMENSION_LIST"]
+            del file["events/a"].attrs["units_by_kind"]
+        before = self.golden.read_bytes()
+        self.assertIn("its layout differs", self.expect(AGREED, "check").err)
+        self.bless("scenarios/fling.json")
+        self.assertEqual(self.golden.read_bytes(), before)
+        self.expect(AGREED, "check")
+        with h5py.File(self.golden, "r+") as file:
+            file["events/a"].attrs["units_by_kind"] = "m/s"
+        self.assertIn('/events/a@units_by_kind = "m/s", which bless does not write', self.expect(DISAGREED, "check").out)
+
+    @staticmethod
+    def copy_compressed(copy, name, item):
+        """An object of a file, in chunks and deflated where it is a dataset."""
+        if isinstance(item, h5py.Group):
+            copy.require_group(name).attrs.update(item.attrs)
+        elif len(item) > 0:
+            copy.create_dataset(name, data=numpy.asarray(item), dtype=item.dtype, compression="gzip")
+        else:
+            copy.create_dataset(name, shape=(0,), dtype=item.dtype)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,144 @@
+// Runs for the comparer: played, kept as a golden file keeps them, and played again with one fault.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim/compare/run_comparer.h"
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "tests/unit/sim/replay/some_flings.h"
+
+namespace hyrax {
+
+inline constexpr std::string_view kSomePhysics = "hyrax-physics/1";
+
+/// The fields that a fault can be put into; the contact byte is the one that is no double.
+inline const std::map<std::string_view, double Row::*> kFaultyFields = {
+    {"t", &Row::t_s},  {"dt", &Row::dt_s},        {"x", &Row::x_px},
+    {"y", &Row::y_px}, {"vx", &Row::vx_px_per_s}, {"vy", &Row::vy_px_per_s}};
+
+/// The row with one field one ulp up, or one wall more or less in its contact byte.
+inline Row with_fault(Row row, std::string_view field) {
+  if (field == "contact")
+    row.contact ^= static_cast<std::uint8_t>(Wall::top);
+  else
+    row.*kFaultyFields.at(field) =
+        std::nextafter(row.*kFaultyFields.at(field), std::numeric_limits<double>::infinity());
+  return row;
+}
+
+/// A change of one row of a run, on its way into a sink.
+struct Fault {
+  std::int64_t step = 0;
+  std::function<Row(const Row&)> change;
+};
+
+inline Fault one_ulp(std::int64_t step, std::string_view field) {
+  return {step, [field = std::string(field)](const Row& row) { return with_fault(row, field); }};
+}
+
+/// Hands a run on with a fault put in, as a replay would that had made it.
+class FaultySink : public RowSink {
+ public:
+  FaultySink(RowSink& sink, Fault fault) : sink_(sink), fault_(std::move(fault)) {}
+
+  [[nodiscard]] Wants wants() const override { return sink_.wants(); }
+  void rows(const Columns& batch) override {
+    Columns changed;
+    for (std::size_t index = 0; index < batch.size(); ++index)
+      changed.append(batch.step[index] == fault_.step ? fault_.change(batch.row(index)) : batch.row(index));
+    sink_.rows(changed);
+  }
+  void contact_began(const Contact& contact) override { sink_.contact_began(contact); }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    sink_.contact_ended(index, last_step);
+  }
+  void block(const Block& block, std::int64_t count) override {
+    const std::int64_t offset = fault_.step - block.keyframe.row.step;
+    if (count != 1 || offset < 0 || offset >= static_cast<std::int64_t>(block.rows.size()))
+      return sink_.block(block, count);
+    RowBlock changed;
+    for (std::size_t index = 0; index < block.rows.size(); ++index) {
+      const Row row = static_cast<std::int64_t>(index) == offset ? fault_.change(block.rows.row(index))
+                                                                 : block.rows.row(index);
+      pack_row(changed.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s,
+               row.contact);
+    }
+    Keyframe keyframe = block.keyframe;
+    if (offset == 0) keyframe.row = fault_.change(keyframe.row);
+    sink_.block({digest(changed), keyframe, changed}, 1);
+  }
+
+ private:
+  RowSink& sink_;
+  Fault fault_;
+};
+
+inline std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps) {
+  return inputs_of(scenario, schedule_events(scenario, step_count(scenario)).frames, steps);
+}
+
+/// The run as a golden file keeps it.
+inline StoredRun kept_run(const Scenario& scenario) {
+  RunRecorder recorder(step_count(scenario));
+  const RunSummary summary = replay(scenario, recorder);
+  StoredRun run = recorder.take();
+  run.scenario = scenario;
+  run.physics = kSomePhysics;
+  run.steps = summary.steps;
+  run.state_hash = hex(summary.state_hash);
+  run.final = summary.final;
+  run.contacts_total = static_cast<std::int64_t>(run.contacts.size());
+  run.inputs = inputs_taken(scenario, summary.steps);
+  return run;
+}
+
+/// Plays a kept block anew, as the program does.
+inline RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
+  struct TakeBlock : RowSink {
+    Wants wants() const override { return {.blocks = true}; }
+    void block(const Block& block, std::int64_t) override {
+      if (rows.size() == 0) rows.append(block.rows, 0, block.rows.size());
+    }
+    RowBlock rows;
+  } taken;
+  Replay replay(scenario, kept.keyframe, taken);
+  replay.play_to(
+      std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
+  static_cast<void>(replay.finish());
+  return std::move(taken.rows);
+}
+
+/// How a run is played against a kept one.
+struct Playing {
+  std::optional<Fault> fault = {};
+  bool can_expand = true;  ///< Else as with a changed core, which does not give the kept rows again.
+  bool skips_repetition = true;
+  std::string_view physics = kSomePhysics;
+};
+
+inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const Playing& playing = {}) {
+  RunComparer::Expand expand_block;
+  if (playing.can_expand) expand_block = [&](const StoredBlock& block) { return expand(scenario, block); };
+  RunComparer comparer(kept, expand_block);
+  const ReplayOptions options{.skips_repetition = playing.skips_repetition};
+  RunSummary summary;
+  if (playing.fault) {
+    FaultySink faulty(comparer, *playing.fault);
+    summary = replay(scenario, faulty, options);
+    if (playing.fault->step == summary.steps) summary.final = playing.fault->change(summary.final);
+  } else {
+    summary = replay(scenario, comparer, options);
+  }
+  return comparer.finish({scenario, summary.steps, playing.physics, hex(summary.state_hash), summary.final,
+                          inputs_taken(scenario, summary.steps)});
+}
+
+}  // namespace hyrax

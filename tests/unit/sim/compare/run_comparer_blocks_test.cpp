@@ -1,0 +1,129 @@
+// A long run against its kept blocks.
+#include <gtest/gtest.h>
+
+#include "tests/unit/sim/compare/played_run.h"
+
+namespace hyrax {
+namespace {
+
+constexpr auto kBlock = static_cast<std::int64_t>(kBlockRows);
+constexpr std::int64_t kSteps = 3 * kBlock + 99;
+
+// A jittered clock, so that no two blocks are equal.
+Scenario jittered_fling() {
+  Scenario scenario = fling_at(60.0, kSteps, {{std::int64_t{6000}, Fling{{1500.0, -2500.0}}}});
+  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 42};
+  return scenario;
+}
+
+class LongRun : public testing::Test {
+ protected:
+  const Scenario scenario_ = jittered_fling();
+  StoredRun kept_ = kept_run(scenario_);
+};
+
+const std::int64_t kTellingSteps[] = {
+    0, 1, 2000, kBlock - 1, kBlock, kBlock + 1, 2 * kBlock - 1, 3 * kBlock + 50, kSteps - 1, kSteps};
+
+TEST_F(LongRun, AgreesWithItself) {
+  ASSERT_EQ(kept_.rows.size(), 0u);
+  ASSERT_EQ(kept_.blocks.size(), 4u);
+  EXPECT_TRUE(compare(kept_, scenario_).agrees);
+  EXPECT_TRUE(compare(kept_, scenario_, {.can_expand = false}).agrees);
+}
+
+TEST_F(LongRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
+  for (const std::int64_t step : kTellingSteps)
+    for (const RowField& field : kRowFields) {
+      if (field.name == "t") continue;  // Blocks hold no t; keyframes do.
+      const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(step, field.name)});
+      EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+      ASSERT_TRUE(comparison.first) << field.name << " at " << step;
+      EXPECT_EQ(comparison.first->step, step) << field.name;
+      EXPECT_EQ(comparison.first->field, field.name);
+      if (field.name != "contact") {
+        EXPECT_EQ(comparison.first->ulps, 1u) << field.name;
+      }
+    }
+}
+
+// Where the core was changed, a block cannot be played anew: then the kept row checks tell.
+TEST_F(LongRun, AFaultIsFoundByRowChecksWhereTheCoreHasChanged) {
+  for (const std::int64_t step : kTellingSteps)
+    for (const RowField& field : kRowFields) {
+      if (field.name == "t") continue;
+      const Playing playing{.fault = one_ulp(step, field.name), .can_expand = false};
+      const Comparison comparison = compare(kept_, scenario_, playing);
+      ASSERT_TRUE(comparison.first) << field.name << " at " << step;
+      EXPECT_EQ(comparison.first->step, step) << field.name;
+      EXPECT_EQ(comparison.first->field, field.name);
+    }
+}
+
+TEST_F(LongRun, AFaultIsBoundToItsBlockWhereNothingElseIsKept) {
+  for (StoredBlock& block : kept_.blocks) block.checks.clear();
+  const Comparison comparison =
+      compare(kept_, scenario_, {.fault = one_ulp(kBlock + 77, "vx"), .can_expand = false});
+  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  ASSERT_TRUE(comparison.first);
+  EXPECT_EQ(comparison.first->step, kBlock);
+  EXPECT_EQ(comparison.first->field, "state");
+  EXPECT_FALSE(comparison.first->expected);
+}
+
+TEST_F(LongRun, OfAnotherLengthDiffersInShape) {
+  for (const std::int64_t steps : {kSteps - 1, kSteps + 1, kBlock, 5 * kBlock}) {
+    Scenario other = scenario_;
+    other.length = steps;
+    if (steps < 6000) other.events.clear();
+    kept_.scenario = other;
+    const Comparison comparison = compare(kept_, other);
+    EXPECT_EQ(comparison.difference, DifferenceClass::shape) << steps;
+    EXPECT_NE(comparison.shape.find(std::to_string(kSteps)), std::string::npos) << comparison.shape;
+  }
+}
+
+TEST_F(LongRun, ADamagedKeyframeIsNoAgreement) {
+  const auto is_found = [&] {
+    const Comparison comparison = compare(kept_, scenario_);
+    kept_ = kept_run(scenario_);
+    return comparison.difference == DifferenceClass::shape;
+  };
+  kept_.blocks[1].keyframe.row.t_s = std::nextafter(kept_.blocks[1].keyframe.row.t_s, 1e9);
+  EXPECT_TRUE(is_found());
+  kept_.blocks[2].keyframe.row.vy_px_per_s += 1.0;
+  EXPECT_TRUE(is_found());
+  kept_.blocks[3].keyframe.timeline.comp_s += 1.0;
+  EXPECT_TRUE(is_found());
+  kept_.blocks[0].keyframe.is_held = true;
+  EXPECT_TRUE(is_found());
+  kept_.blocks[0].checks[17][3] ^= 1;
+  EXPECT_TRUE(is_found());
+}
+
+// A sprite at rest repeats the same block; it is kept once, however the replay hands it on.
+class RestingRun : public testing::Test {
+ protected:
+  const Scenario scenario_ = fling_at(240.0, 60 * kBlock);
+  StoredRun kept_ = kept_run(scenario_);
+};
+
+TEST_F(RestingRun, KeepsARepeatedBlockOnce) { EXPECT_LT(kept_.blocks.size(), 20u); }
+
+TEST_F(RestingRun, AgreesHoweverItIsPlayed) {
+  EXPECT_TRUE(compare(kept_, scenario_).agrees);
+  EXPECT_TRUE(compare(kept_, scenario_, {.skips_repetition = false}).agrees);
+}
+
+TEST_F(RestingRun, AFaultInARepeatedBlockIsFound) {
+  const std::int64_t step = 40 * kBlock + 1234;
+  const Playing playing{.fault = one_ulp(step, "x"), .skips_repetition = false};
+  const Comparison comparison = compare(kept_, scenario_, playing);
+  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  ASSERT_TRUE(comparison.first);
+  EXPECT_EQ(comparison.first->step, step);
+  EXPECT_EQ(comparison.first->field, "x");
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,175 @@
+// A short run against its kept rows.
+#include "sim/compare/run_comparer.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/sim/compare/played_run.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::int64_t kSteps = 330;
+
+class ShortRun : public testing::Test {
+ protected:
+  const Scenario scenario_ = eventful_fling();
+  StoredRun kept_ = kept_run(scenario_);
+};
+
+TEST_F(ShortRun, AgreesWithItself) {
+  ASSERT_EQ(kept_.rows.size(), kSteps + 1u);
+  const Comparison comparison = compare(kept_, scenario_);
+  EXPECT_TRUE(comparison.agrees);
+  EXPECT_FALSE(comparison.difference);
+  EXPECT_FALSE(comparison.first);
+  EXPECT_TRUE(comparison.contacts.is_none());
+  EXPECT_EQ(comparison.shape, "");
+}
+
+TEST_F(ShortRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
+  for (const std::int64_t step : {std::int64_t{0}, std::int64_t{1}, kSteps / 2, kSteps - 1, kSteps})
+    for (const RowField& field : kRowFields) {
+      const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(step, field.name)});
+      EXPECT_FALSE(comparison.agrees);
+      EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+      ASSERT_TRUE(comparison.first) << field.name << " at " << step;
+      EXPECT_EQ(comparison.first->step, step);
+      EXPECT_EQ(comparison.first->field, field.name);
+      if (field.name != "contact") {
+        EXPECT_EQ(comparison.first->ulps, 1u) << field.name;
+      }
+    }
+}
+
+TEST_F(ShortRun, AFaultOfOneUlpInTheKeptRowsIsFoundAsWell) {
+  for (const std::size_t row : {std::size_t{0}, std::size_t{165}, std::size_t{kSteps}}) {
+    StoredRun damaged = kept_;
+    damaged.rows.vy_px_per_s[row] = std::nextafter(damaged.rows.vy_px_per_s[row], 1e9);
+    const Comparison comparison = compare(damaged, scenario_);
+    EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->step, static_cast<std::int64_t>(row));
+    EXPECT_EQ(comparison.first->field, "vy");
+    EXPECT_EQ(comparison.first->actual, kept_.rows.vy_px_per_s[row]);
+  }
+}
+
+TEST_F(ShortRun, ANanInBothIsADifference) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  kept_.rows.x_px.back() = kept_.final.x_px = nan;
+  const auto to_nan = [nan](Row row) {
+    row.x_px = nan;
+    return row;
+  };
+  const Comparison comparison = compare(kept_, scenario_, {.fault = Fault{kSteps, to_nan}});
+  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  ASSERT_TRUE(comparison.first);
+  EXPECT_EQ(comparison.first->step, kSteps);
+  EXPECT_EQ(comparison.first->field, "x");
+}
+
+TEST_F(ShortRun, OnlyTheFirstFaultIsTold) {
+  StoredRun damaged = kept_;
+  damaged.rows.x_px[200] += 1.0;
+  damaged.rows.dt_s[300] += 1.0;
+  EXPECT_EQ(compare(damaged, scenario_).first->step, 200);
+}
+
+TEST_F(ShortRun, ShowsTheRowsAroundAFault) {
+  const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(100, "y")});
+  ASSERT_EQ(comparison.actual_around.size(), 5u);
+  ASSERT_EQ(comparison.expected_around.size(), 5u);
+  EXPECT_EQ(comparison.actual_around.front().step, 98);
+  EXPECT_EQ(comparison.actual_around.back().step, 102);
+  EXPECT_EQ(comparison.expected_around[2].step, 100);
+  EXPECT_LT(comparison.expected_around[2].y_px, comparison.actual_around[2].y_px);
+  EXPECT_EQ(compare(kept_, scenario_, {.fault = one_ulp(0, "y")}).actual_around.size(), 3u);
+  EXPECT_EQ(compare(kept_, scenario_, {.fault = one_ulp(kSteps, "y")}).actual_around.size(), 3u);
+}
+
+TEST_F(ShortRun, ANanInBothIsNoAgreement) {
+  const auto to_nan = [](Row row) {
+    row.vx_px_per_s = std::numeric_limits<double>::quiet_NaN();
+    return row;
+  };
+  kept_.final = to_nan(kept_.final);
+  kept_.rows.vx_px_per_s.back() = kept_.final.vx_px_per_s;
+  EXPECT_FALSE(compare(kept_, scenario_, {.fault = Fault{kSteps, to_nan}}).agrees);
+}
+
+TEST_F(ShortRun, AMovedContactIsWorseThanItsBits) {
+  kept_.contacts[1].step -= 1;
+  const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(5, "x")});
+  EXPECT_EQ(comparison.difference, DifferenceClass::contacts);
+  ASSERT_EQ(comparison.contacts.moved.size(), 1u);
+  EXPECT_EQ(comparison.first->step, 5);
+}
+
+TEST_F(ShortRun, AFaultOfOneUlpInAContactIsFoundAtItsStepAndField) {
+  for (const ContactField& field : kContactFields) {
+    StoredRun damaged = kept_;
+    Contact& contact = damaged.contacts[1];
+    contact.*field.value = std::nextafter(contact.*field.value, 1e9);
+    const Comparison comparison = compare(damaged, scenario_);
+    EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+    ASSERT_TRUE(comparison.first) << field.name;
+    EXPECT_EQ(comparison.first->step, contact.step);
+    EXPECT_EQ(comparison.first->field, field.name);
+    EXPECT_EQ(comparison.first->ulps, 1u);
+  }
+}
+
+TEST_F(ShortRun, OfAnotherLengthDiffersInShape) {
+  Scenario longer = scenario_;
+  longer.length = kSteps + 1;
+  Comparison comparison = compare(kept_, longer);
+  EXPECT_EQ(comparison.difference, DifferenceClass::shape);
+  kept_.scenario = longer;  // A golden file that was cut short says the same scenario.
+  comparison = compare(kept_, longer);
+  EXPECT_EQ(comparison.difference, DifferenceClass::shape);
+  EXPECT_NE(comparison.shape.find("330 steps"), std::string::npos) << comparison.shape;
+  EXPECT_NE(comparison.shape.find("331"), std::string::npos) << comparison.shape;
+}
+
+TEST_F(ShortRun, OfAnotherScenarioDiffersInShapeEvenWithEqualRows) {
+  Scenario other = scenario_;
+  other.record_every = 2;
+  const Comparison comparison = compare(kept_, other);
+  EXPECT_EQ(comparison.difference, DifferenceClass::shape);
+  EXPECT_NE(comparison.shape.find("another scenario"), std::string::npos) << comparison.shape;
+}
+
+TEST_F(ShortRun, OfTheSameScenarioInOtherWordsAgrees) {
+  Scenario renamed = scenario_;
+  renamed.name = "another-name";
+  renamed.description = "another description";
+  renamed.schema = "scenario.schema.json";
+  renamed.expect = Expect{.in_bounds = true};
+  EXPECT_TRUE(compare(kept_, renamed).agrees);
+}
+
+TEST_F(ShortRun, OfAnotherPhysicsModelDiffersInShape) {
+  const Comparison comparison = compare(kept_, scenario_, {.physics = "hyrax-physics/2"});
+  EXPECT_EQ(comparison.difference, DifferenceClass::shape);
+  EXPECT_NE(comparison.shape.find("hyrax-physics/1"), std::string::npos) << comparison.shape;
+}
+
+TEST_F(ShortRun, ThatContradictsItselfDoesNotAgree) {
+  const auto differs = [&](const std::string& what) {
+    const Comparison comparison = compare(kept_, scenario_);
+    kept_ = kept_run(scenario_);
+    return comparison.difference == DifferenceClass::shape &&
+           comparison.shape.find(what) != std::string::npos;
+  };
+  kept_.state_hash.front() ^= 1;
+  EXPECT_TRUE(differs("state hash"));
+  kept_.inputs.front().a += 1.0;
+  EXPECT_TRUE(differs("events"));
+  kept_.contacts_total += 1;
+  EXPECT_TRUE(differs("number of contacts"));
+  kept_.final.y_px += 1.0;
+  EXPECT_TRUE(differs("last row"));
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,229 @@
+#include "sim/reference/arc_cutter.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/unit/sim/reference/test_run.h"
+
+namespace hyrax {
+namespace {
+
+struct SeenArc {
+  ArcStart start;
+  std::int64_t last_step = 0;
+  ArcEnd ended_by = ArcEnd::end;
+  std::optional<std::int64_t> clamped_step;
+};
+
+struct Seen : ArcVisitor {
+  void begin(const ArcStart& start) override { open = {start, start.row.step, ArcEnd::end, std::nullopt}; }
+  void fly(const Row& row) override {
+    EXPECT_EQ(row.step, open.last_step + 1);
+    EXPECT_EQ(row.contact, 0);
+    open.last_step = row.step;
+  }
+  void end(ArcEnd ended_by, const Row* clamped) override {
+    open.ended_by = ended_by;
+    if (clamped != nullptr) open.clamped_step = clamped->step;
+    arcs.push_back(open);
+  }
+  void bounce(const ArcStart& start, const Row& flown, const Row& clamped) override {
+    EXPECT_EQ(flown.step, start.row.step + 1);
+    EXPECT_EQ(clamped.step, start.row.step + 2);
+    bounces.push_back(clamped.step);
+  }
+  SeenArc open;
+  std::vector<SeenArc> arcs;
+  std::vector<std::int64_t> bounces;
+};
+
+struct Cut {
+  std::vector<SeenArc> arcs;
+  std::int64_t skipped_arcs = 0;
+  std::optional<std::int64_t> non_finite_step;
+  std::vector<std::int64_t> bounces;
+};
+
+Cut cut(const Scenario& scenario, const Columns& rows) {
+  Seen seen;
+  ArcCutter cutter(scenario, inputs_of(scenario), seen);
+  cutter.rows(rows);
+  cutter.finish();
+  return {seen.arcs, cutter.skipped_arcs(), cutter.non_finite_step(), seen.bounces};
+}
+
+Cut cut(const Scenario& scenario) { return cut(scenario, rows_of(scenario)); }
+
+// Flies, one event at frame 10, flies on.
+Scenario interrupted_by(const Action& action) {
+  Scenario scenario = open_sky({300.0, -500.0}, 60.0, 30);
+  scenario.events.push_back({std::int64_t{10}, action});
+  return scenario;
+}
+
+// Clamped in row 2 and in row 3, which no flight comes before.
+TEST(ArcCutter, HandsOnABounceAfterOneStep) {
+  const Scenario scenario = open_sky({300.0, -500.0}, 60.0, 4);
+  Columns rows = rows_of(scenario);
+  rows.contact[2] = rows.contact[3] = static_cast<std::uint8_t>(Wall::ground);
+  const Cut c = cut(scenario, rows);
+  EXPECT_EQ(c.bounces, std::vector<std::int64_t>{2});
+  EXPECT_TRUE(c.arcs.empty());
+  EXPECT_EQ(c.skipped_arcs, 3);
+}
+
+TEST(ArcCutter, TakesAnUndisturbedFlightAsOneArc) {
+  const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 30));
+  ASSERT_EQ(c.arcs.size(), 1u);
+  EXPECT_EQ(c.arcs[0].start.row.step, 0);
+  EXPECT_EQ(c.arcs[0].last_step, 30);
+  EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::end);
+}
+
+TEST(ArcCutter, CutsAtEveryClampedStep) {
+  const Scenario scenario = fling();
+  const Columns rows = rows_of(scenario);
+  const Cut c = cut(scenario, rows);
+  ASSERT_GT(c.arcs.size(), 5u);
+  for (const SeenArc& arc : c.arcs) {
+    if (!arc.clamped_step) continue;
+    EXPECT_EQ(*arc.clamped_step, arc.last_step + 1);
+    EXPECT_NE(rows.contact[static_cast<std::size_t>(*arc.clamped_step)], 0);
+  }
+}
+
+TEST(ArcCutter, CountsEveryClampedRowOnceAsBeginningAnArc) {
+  Scenario scenario = fling();
+  scenario.length = std::int64_t{3000};  // Comes to rest on the floor.
+  const Columns rows = rows_of(scenario);
+  std::int64_t clamped = 0;
+  for (const std::uint8_t contact : rows.contact) clamped += contact != 0;
+  const bool ends_clamped = rows.contact.back() != 0;
+  const Cut c = cut(scenario, rows);
+  EXPECT_EQ(static_cast<std::int64_t>(c.arcs.size()) + c.skipped_arcs, 1 + clamped - (ends_clamped ? 1 : 0));
+}
+
+TEST(ArcCutter, NamesTheWall) {
+  Scenario scenario = fling();
+  scenario.start = {1700.0, 500.0};
+  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::right);
+  scenario.start_velocity = {-9000.0, -100.0};
+  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::left);
+  scenario.start_velocity = {0.0, -2000.0};
+  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::top);
+  scenario.start_velocity = {0.0, 0.0};
+  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::ground);
+}
+
+TEST(ArcCutter, NamesTheWallInXInACorner) {
+  Columns rows = fly_by(paper_step(0.999), open_sky({300.0, -500.0}, 60.0, 5));
+  rows.contact.back() = static_cast<std::uint8_t>(Wall::right) | static_cast<std::uint8_t>(Wall::ground);
+  EXPECT_EQ(cut(open_sky({}, 60.0, 5), rows).arcs.at(0).ended_by, ArcEnd::right);
+}
+
+TEST(ArcCutter, EndsAnArcAtTheRowBeforeAnInput) {
+  const Cut c = cut(interrupted_by(Fling{{-100.0, -900.0}}));
+  ASSERT_EQ(c.arcs.size(), 2u);
+  EXPECT_EQ(c.arcs[0].last_step, 10);
+  EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::input);
+  EXPECT_EQ(c.arcs[1].start.row.step, 10);
+}
+
+TEST(ArcCutter, BeginsAnArcAfterTheInputsOfTheNextFrame) {
+  Scenario scenario = interrupted_by(Fling{{-100.0, -900.0}});
+  scenario.events.push_back({std::int64_t{10}, Place{{7000.0, 8000.0}}});
+  const Row start = cut(scenario).arcs.at(1).start.row;
+  EXPECT_EQ(start.vx_px_per_s, -100.0);
+  EXPECT_EQ(start.vy_px_per_s, -900.0);
+  EXPECT_EQ(start.x_px, 7000.0);
+  EXPECT_EQ(start.y_px, 8000.0);
+}
+
+TEST(ArcCutter, AppliesInputsOfTheFirstFrameToTheStart) {
+  Scenario scenario = open_sky({300.0, -500.0}, 60.0, 30);
+  scenario.events.push_back({std::int64_t{0}, Stop{}});
+  const Cut c = cut(scenario);
+  ASSERT_EQ(c.arcs.size(), 1u);
+  EXPECT_EQ(c.arcs[0].start.row.vx_px_per_s, 0.0);
+  EXPECT_EQ(c.skipped_arcs, 0);
+}
+
+TEST(ArcCutter, DoesNotTakeAHitchForAnInput) { EXPECT_EQ(cut(interrupted_by(Hitch{0.5})).arcs.size(), 1u); }
+
+TEST(ArcCutter, FollowsTheSizesInForce) {
+  const Cut c = cut(interrupted_by(Resize{Size{900'000, 800'000}, std::nullopt}));
+  ASSERT_EQ(c.arcs.size(), 2u);
+  EXPECT_EQ(c.arcs[0].start.right_px, 1'000'000.0 - 128.0);
+  EXPECT_EQ(c.arcs[1].start.right_px, 900'000.0 - 128.0);
+  EXPECT_EQ(c.arcs[1].start.bottom_px, 800'000.0 - 128.0);
+}
+
+TEST(ArcCutter, KnowsNoArcWhileTheSpriteIsHeld) {
+  Scenario scenario = interrupted_by(Grab{});
+  scenario.events.push_back({std::int64_t{15}, Place{{7000.0, 8000.0}}});
+  scenario.events.push_back({std::int64_t{20}, Release{{50.0, -60.0}}});
+  const Cut c = cut(scenario);
+  ASSERT_EQ(c.arcs.size(), 2u);
+  EXPECT_EQ(c.arcs[0].last_step, 10);
+  EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::hold);
+  EXPECT_EQ(c.arcs[1].start.row.step, 20);
+  EXPECT_EQ(c.arcs[1].start.row.x_px, 7000.0);
+  EXPECT_EQ(c.arcs[1].start.row.vy_px_per_s, -60.0);
+  EXPECT_EQ(c.skipped_arcs, 0);
+}
+
+TEST(ArcCutter, SaysInputWhereAnInputFallsOnTheRowBeforeAClamp) {
+  Scenario scenario = fling();
+  const std::int64_t clamped_step = cut(scenario).arcs.at(0).clamped_step.value();
+  scenario.events.push_back({clamped_step - 1, Resize{Size{1921, 1080}, std::nullopt}});
+  const Cut c = cut(scenario);
+  EXPECT_EQ(c.arcs.at(0).ended_by, ArcEnd::input);
+  EXPECT_EQ(c.skipped_arcs - cut(fling()).skipped_arcs, 1);  // The frame between the input and the clamp.
+}
+
+TEST(ArcCutter, SkipsArcsOfFewerThanTwoSteps) {
+  Scenario scenario = open_sky({300.0, -500.0}, 60.0, 12);
+  scenario.events.push_back({std::int64_t{1}, Stop{}});   // One step before it.
+  scenario.events.push_back({std::int64_t{3}, Stop{}});   // Two.
+  scenario.events.push_back({std::int64_t{11}, Stop{}});  // One after it.
+  const Cut c = cut(scenario);
+  EXPECT_EQ(c.arcs.size(), 2u);
+  EXPECT_EQ(c.skipped_arcs, 2);
+}
+
+TEST(ArcCutter, FindsNothingInARunOfNoFrames) {
+  const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 0));
+  EXPECT_TRUE(c.arcs.empty());
+  EXPECT_EQ(c.skipped_arcs, 0);
+}
+
+TEST(ArcCutter, StopsBeforeARowThatIsNotFinite) {
+  Columns rows = fly_by(paper_step(0.999), open_sky({300.0, -500.0}, 60.0, 30));
+  rows.vy_px_per_s[20] = std::numeric_limits<double>::quiet_NaN();
+  const Cut c = cut(open_sky({}, 60.0, 30), rows);
+  ASSERT_EQ(c.arcs.size(), 1u);
+  EXPECT_EQ(c.arcs[0].last_step, 19);
+  EXPECT_EQ(c.non_finite_step, 20);
+}
+
+TEST(ArcCutter, CutsTheSameHoweverRowsAreBatched) {
+  const Scenario scenario = fling();
+  const Columns rows = rows_of(scenario);
+  Seen seen;
+  ArcCutter cutter(scenario, inputs_of(scenario), seen);
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    Columns one;
+    one.append(rows.row(index));
+    cutter.rows(one);
+  }
+  cutter.finish();
+  const Cut whole = cut(scenario, rows);
+  ASSERT_EQ(seen.arcs.size(), whole.arcs.size());
+  for (std::size_t index = 0; index < whole.arcs.size(); ++index)
+    EXPECT_EQ(seen.arcs[index].last_step, whole.arcs[index].last_step);
+}
+
+}  // namespace
+}  // namespace hyrax

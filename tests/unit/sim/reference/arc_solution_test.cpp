@@ -1,0 +1,170 @@
+#include "sim/reference/arc_solution.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "tests/unit/sim/reference/wide.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kGravity = 1200.0;
+constexpr double kAirDrag = 0.999;
+
+// The error of displacement and speed, relative to |v| t + g t^2 / 2 and to |v| + g t.
+double relative_error(const AxisMotion& motion, const WideMotion& truth, double v, double t) {
+  const double path = std::fabs(v) * t + kGravity * t * t / 2;
+  const double speed = std::fabs(v) + kGravity * t;
+  return std::max(std::fabs((truth.displacement - motion.displacement_px).rounded()) / path,
+                  std::fabs((truth.speed - motion.speed_px_per_s).rounded()) / speed);
+}
+
+AxisMotion in_y(const Flight& flight) { return {flight.dy_px, flight.vy_px_per_s}; }
+
+// The closed form of the paper's step after n frames of h: v_n = a^n v + G h S_n,
+// y_n = h (S_n v + G h a / (1 - a) (n - S_n)), S_n = a (1 - a^n) / (1 - a).
+WideMotion discrete_truth(double v, double h, int n) {
+  const Wide a = kAirDrag;
+  const Wide power = pow(a, Wide(n));
+  const Wide sum = a * (Wide(1.0) - power) / (Wide(1.0) - a);
+  const Wide gain = Wide(kGravity) * h;
+  return {Wide(h) * (sum * v + gain * (a / (Wide(1.0) - a)) * (Wide(n) - sum)), power * v + gain * sum};
+}
+
+// Flies frames of these dt and holds each row to what `truth` has come to.
+template <class Truth, class Ours>
+double worst_error(const std::vector<double>& frames_s, double v, Truth truth_after, const Ours& ours) {
+  ArcSolution solution((Model()));
+  solution.start({0.0, v}, false);
+  double worst = 0.0;
+  for (const double dt_s : frames_s) {
+    solution.advance(dt_s);
+    const WideMotion truth = truth_after(dt_s);
+    if (solution.elapsed_s() > 0.0)
+      worst = std::max(worst, relative_error(in_y(ours(solution)), truth, v, solution.elapsed_s()));
+  }
+  return worst;
+}
+
+struct MatchedTruth {
+  WideMotion motion;
+  WideMotion operator()(double dt_s) {
+    motion.fly(kGravity, Wide(0.0) - log(Wide(kAirDrag)), dt_s);
+    return motion;
+  }
+};
+
+struct DiscreteTruth {
+  WideMotion motion;
+  WideMotion operator()(double dt_s) {
+    motion.speed = (motion.speed + Wide(kGravity) * dt_s) * kAirDrag;
+    motion.displacement = motion.displacement + motion.speed * dt_s;
+    return motion;
+  }
+};
+
+std::vector<double> jittered_frames(int count) {
+  std::mt19937_64 random(3);
+  std::vector<double> frames_s;
+  for (int i = 0; i < count; ++i)
+    frames_s.push_back(i % 50 == 7 ? 0.0 : std::uniform_real_distribution<>(0.0, 1.0 / 30)(random));
+  return frames_s;
+}
+
+// Tolerances: the goal is 1e-14; what is measured is a few roundings of 1.1e-16.
+constexpr double kTolerance = 1e-15;
+
+TEST(DiscreteFlight, FollowsItsClosedFormOverAHundredSeconds) {
+  for (const double rate_hz : {24.0, 60.0, 240.0}) {
+    const double h = 1.0 / rate_hz;
+    int n = 0;
+    const auto truth = [&](double) { return discrete_truth(-900.0, h, ++n); };
+    const std::vector<double> frames_s(static_cast<std::size_t>(100 * rate_hz), h);
+    EXPECT_LT(worst_error(frames_s, -900.0, truth, [](const ArcSolution& s) { return s.discrete(); }),
+              kTolerance)
+        << rate_hz;
+  }
+}
+
+TEST(DiscreteFlight, FollowsTheStepFrameByFrameUnderJitter) {
+  EXPECT_LT(worst_error(jittered_frames(6000), 700.0, DiscreteTruth{{0.0, 700.0}},
+                        [](const ArcSolution& s) { return s.discrete(); }),
+            kTolerance);
+}
+
+TEST(MatchedFlight, SolvesTheOdeOverAHundredSeconds) {
+  for (const double rate_hz : {24.0, 60.0, 240.0}) {
+    const std::vector<double> frames_s(static_cast<std::size_t>(100 * rate_hz), 1.0 / rate_hz);
+    EXPECT_LT(worst_error(frames_s, -900.0, MatchedTruth{{0.0, -900.0}},
+                          [](const ArcSolution& s) { return s.matched(); }),
+              kTolerance)
+        << rate_hz;
+  }
+}
+
+TEST(MatchedFlight, TakesEachFramesOwnRateUnderJitter) {
+  EXPECT_LT(worst_error(jittered_frames(6000), 700.0, MatchedTruth{{0.0, 700.0}},
+                        [](const ArcSolution& s) { return s.matched(); }),
+            kTolerance);
+}
+
+TEST(MatchedFlight, AgreesWithTheContinuousClosedForm) {
+  ArcSolution solution((Model()));
+  solution.start({500.0, -900.0}, true);
+  for (int i = 0; i < 90; ++i) solution.advance(1.0 / 60);
+  const double k = -std::log(kAirDrag) * 60;
+  EXPECT_NEAR(solution.matched().dy_px, fly(-900.0, kGravity, k, 1.5).displacement_px, 1e-12);
+  EXPECT_NEAR(solution.matched().dx_px, fly(500.0, 0.0, k, 1.5).displacement_px, 1e-12);
+}
+
+TEST(MatchedFlight, IsOnlyDampedByAFrameOfNoTime) {
+  ArcSolution solution((Model()));
+  solution.start({500.0, -900.0}, true);
+  solution.advance(0.0);
+  EXPECT_EQ(solution.matched().dy_px, 0.0);
+  EXPECT_EQ(solution.matched().vy_px_per_s, -900.0 * kAirDrag);
+  EXPECT_EQ(solution.discrete().vx_px_per_s, 500.0 * kAirDrag);
+}
+
+TEST(ModelFlight, KeepsTheDragRateOf60HzAtAnyFrameRate) {
+  const double k = -std::log(kAirDrag) * 60;
+  for (const double rate_hz : {30.0, 60.0, 1920.0}) {
+    ArcSolution solution((Model()));
+    solution.start({500.0, -900.0}, true);
+    for (int i = 0; i < rate_hz; ++i) solution.advance(1.0 / rate_hz);
+    EXPECT_NEAR(solution.model().y_px, fly(-900.0, kGravity, k, 1.0).displacement_px, 1e-12) << rate_hz;
+  }
+}
+
+TEST(ModelFlight, IsTheMatchedOneAt60Hz) {
+  ArcSolution solution((Model()));
+  solution.start({500.0, -900.0}, true);
+  for (int i = 0; i < 600; ++i) solution.advance(1.0 / 60);
+  EXPECT_NEAR(solution.model().y_px, solution.matched().dy_px, 1e-10);  // Of 46,000 px.
+  EXPECT_NEAR(solution.model().x_px, solution.matched().dx_px, 1e-11);
+}
+
+TEST(ArcSolution, WithoutDragIsNewtonsParabolaAndItsSums) {
+  ArcSolution solution({.air_drag = 1.0});
+  solution.start({500.0, -900.0}, true);
+  for (int i = 0; i < 64; ++i) solution.advance(1.0 / 64);
+  EXPECT_EQ(solution.matched().dy_px, -300.0);
+  EXPECT_EQ(solution.model().y_px, -300.0);
+  EXPECT_EQ(solution.discrete().dy_px, -900.0 + 1200.0 * (64 * 65 / 2) / (64 * 64));
+}
+
+TEST(ArcSolution, WithoutHorizontalMotionDoesNotSolveX) {
+  ArcSolution solution((Model()));
+  solution.start({500.0, -900.0}, false);
+  for (int i = 0; i < 200; ++i) solution.advance(1.0 / 60);
+  EXPECT_EQ(solution.discrete().dx_px, 0.0);
+  EXPECT_EQ(solution.matched().vx_px_per_s, 0.0);
+  EXPECT_EQ(solution.model().x_px, 0.0);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,218 @@
+#include "sim/reference/drift_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/sim/reference/test_run.h"
+#include "tests/unit/sim/reference/wide.h"
+
+namespace hyrax {
+namespace {
+
+// A flight of 1 s from vy = -900 px/s by the shipped core.
+ArcErrors one_second_at(double rate_hz) {
+  Measured measured;
+  measure(open_sky({0.0, -900.0}, rate_hz, static_cast<std::int64_t>(rate_hz)), measured);
+  return measured.arcs.at(0);
+}
+
+ArcErrors measured_arc(const StepDouble& step, const Scenario& scenario, const Model& model = {}) {
+  Measured measured;
+  measure(scenario, fly_by(step, scenario), measured, nullptr, model);
+  return measured.arcs.at(0);
+}
+
+// The numbers that the step's order gives: 600 h - 0.16 px, to their last digit.
+TEST(TruncationError, OfASecondOfFlightHalvesWithTheFrame) {
+  EXPECT_NEAR(one_second_at(30).truncation_px, 19.84, 0.005);
+  EXPECT_NEAR(one_second_at(60).truncation_px, 9.84, 0.005);
+  EXPECT_NEAR(one_second_at(120).truncation_px, 4.84, 0.005);
+  EXPECT_NEAR(one_second_at(240).truncation_px, 2.34, 0.005);
+  EXPECT_NEAR(one_second_at(480).truncation_px, 1.09, 0.005);
+}
+
+// v_n - v(t) = -(G h / 2)(1 - a^n), to the second order in 1 - a.
+TEST(TruncationError, OfSpeedIsHalfAFrameOfGravityTimesTheDampedPart) {
+  EXPECT_NEAR(one_second_at(60).truncation_px_per_s, 10.0 * (1.0 - std::pow(0.999, 60)), 1e-3);
+}
+
+TEST(ModelError, GrowsWithTheFrameRate) {
+  EXPECT_NEAR(one_second_at(60).model_px, 9.84, 0.005);
+  EXPECT_NEAR(one_second_at(240).model_px, 42.3, 0.05);
+  EXPECT_NEAR(one_second_at(1920).model_px, 232.7, 0.05);
+}
+
+// 304 px when the second is over, and more on the way: the paper's step does not converge, since
+// its drag acts once a frame however short the frame is.
+TEST(ModelError, DoesNotVanishWithTheFrame) {
+  Measured measured(true);
+  measure(open_sky({0.0, -900.0}, 7680.0, 7680), measured);
+  EXPECT_NEAR(measured.rows.back().model_px, 304.13, 0.005);
+  EXPECT_GT(measured.arcs.at(0).model_px, 304.13);
+}
+
+TEST(ModelError, IsOfFirstOrderWhereDragIsNormalisedByRate) {
+  const auto error_px = [](double rate_hz) {
+    const double air_drag = std::pow(0.999, 60.0 / rate_hz);
+    const Scenario scenario = open_sky({0.0, -900.0}, rate_hz, static_cast<std::int64_t>(rate_hz));
+    const Model model{.air_drag = air_drag, .model_rate_hz = rate_hz};
+    return measured_arc(paper_step(air_drag), scenario, model).model_px;
+  };
+  for (double rate_hz = 30.0; rate_hz < 1920.0; rate_hz *= 2.0)
+    EXPECT_NEAR(std::log2(error_px(rate_hz) / error_px(2.0 * rate_hz)), 1.0, 0.02) << rate_hz;
+}
+
+// Rounding of 600 steps, each an ulp of some 60,000 px at most.
+TEST(ImplementationError, OfTheShippedCoreIsRounding) {
+  const Scenario scenario = open_sky({400.0, -900.0}, 60.0, 600);
+  Measured measured;
+  measure(scenario, measured);
+  EXPECT_GT(measured.arcs.at(0).implementation_px, 0.0);
+  EXPECT_LT(measured.arcs.at(0).implementation_px, 1e-8);
+}
+
+TEST(ImplementationError, SeesDragBeforeGravity) {
+  const auto drag_first = [](Row& row) {
+    row.vx_px_per_s *= 0.999;
+    row.vy_px_per_s *= 0.999;
+    row.vy_px_per_s += 1200.0 * row.dt_s;
+    row.x_px += row.vx_px_per_s * row.dt_s;
+    row.y_px += row.vy_px_per_s * row.dt_s;
+  };
+  EXPECT_GT(measured_arc(drag_first, open_sky({400.0, -900.0}, 60.0, 60)).implementation_px, 0.1);
+}
+
+// A fused operation changes rounding alone: the figure's digits and not its size. The reference is
+// the same for both doubles, so any change is the step's; and a step that is not the paper's, bit
+// for bit, is counted.
+class FusedOperation : public testing::TestWithParam<int> {
+ protected:
+  enum Fused { kNone, kGravity, kX, kY };
+
+  static Measured& measured_with(int fused, Measured& measured) {
+    const Scenario scenario = open_sky({407.0, -903.0}, 144.0, 200);
+    const auto add = [fused](int which, double a, double b, double to) {
+      return fused == which ? std::fma(a, b, to) : to + a * b;
+    };
+    const auto step = [add](Row& row) {
+      row.vy_px_per_s = add(kGravity, 1200.0, row.dt_s, row.vy_px_per_s);
+      row.vx_px_per_s *= 0.999;
+      row.vy_px_per_s *= 0.999;
+      row.x_px = add(kX, row.vx_px_per_s, row.dt_s, row.x_px);
+      row.y_px = add(kY, row.vy_px_per_s, row.dt_s, row.y_px);
+    };
+    Scenario at_origin = scenario;
+    at_origin.start = {0.0, 0.0};
+    measure(scenario, fly_by(step, at_origin), measured);
+    return measured;
+  }
+};
+
+TEST_P(FusedOperation, ChangesTheImplementationError) {
+  Measured strict(true);
+  Measured fused(true);
+  measured_with(kNone, strict);
+  measured_with(GetParam(), fused);
+  std::size_t changed = 0;
+  for (std::size_t n = 0; n < strict.rows.size(); ++n)
+    changed += strict.rows[n].implementation_px != fused.rows[n].implementation_px;
+  EXPECT_GT(changed, 0u);
+}
+
+TEST_P(FusedOperation, IsCountedAsStepsAstray) {
+  Measured fused;
+  EXPECT_GT(measured_with(GetParam(), fused).summary.steps_astray, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(ImplementationError, FusedOperation, testing::Range(1, 4));
+
+TEST(StepsAstray, AreNoneOfTheShippedCores) {
+  Measured measured;
+  measure(fling(), measured);
+  EXPECT_EQ(measured.summary.steps_astray, 0);
+}
+
+TEST(StepsAstray, FindsOneUnitInTheLastPlace) {
+  const Scenario scenario = open_sky({407.0, -903.0}, 60.0, 200);
+  Columns rows = rows_of(scenario);
+  rows.vy_px_per_s.back() = std::nextafter(rows.vy_px_per_s.back(), 0.0);
+  Measured measured;
+  measure(scenario, rows, measured);
+  EXPECT_EQ(measured.summary.steps_astray, 1);
+}
+
+TEST(ImplementationError, SeesAHitchAsAFrameOfItsOwn) {
+  Scenario scenario = open_sky({400.0, -900.0}, 60.0, 120);
+  scenario.events.push_back({std::int64_t{50}, Hitch{0.5}});
+  Measured measured;
+  measure(scenario, measured);
+  ASSERT_EQ(measured.arcs.size(), 1u);
+  EXPECT_LT(measured.arcs[0].implementation_px, 1e-8);
+  EXPECT_NEAR(measured.arcs[0].duration_s, 119.0 / 60.0 + 0.5, 1e-14);
+}
+
+TEST(ArcErrors, HaveNoErrorWhereNothingMoves) {
+  Scenario scenario = open_sky({0.0, 0.0}, 60.0, 5);
+  scenario.clock.base = FixedStep{0.0};
+  Measured measured;
+  measure(scenario, measured);
+  const ArcErrors& arc = measured.arcs.at(0);
+  EXPECT_EQ(arc.implementation_px, 0.0);
+  EXPECT_EQ(arc.truncation_px, 0.0);
+  EXPECT_EQ(arc.duration_s, 0.0);
+  EXPECT_EQ(arc.energy_drift_rel_max, 0.0);
+  EXPECT_FALSE(arc.energy_drift_slope_per_s);  // No time passes.
+}
+
+TEST(ArcErrors, SayWhereXWasNotSolved) {
+  EXPECT_FALSE(one_second_at(60).solves_x);
+  Measured measured;
+  measure(open_sky({1.0, -900.0}, 60.0, 60), measured);
+  EXPECT_TRUE(measured.arcs.at(0).solves_x);
+}
+
+TEST(DriftMeter, HandsOnEveryRowOfAnArcOnRequest) {
+  Measured measured(true);
+  measure(fling(), measured);
+  std::size_t rows = 0;
+  for (const ArcErrors& arc : measured.arcs) {
+    ASSERT_EQ(measured.rows[rows].step, arc.first_step);
+    EXPECT_EQ(measured.rows[rows].truncation_px, 0.0);
+    double truncation_px = 0.0;
+    for (std::int64_t step = arc.first_step; step <= arc.last_step; ++step, ++rows) {
+      ASSERT_EQ(measured.rows[rows].step, step);
+      truncation_px = std::max(truncation_px, measured.rows[rows].truncation_px);
+    }
+    EXPECT_DOUBLE_EQ(truncation_px, arc.truncation_px);
+  }
+  EXPECT_EQ(rows, measured.rows.size());
+}
+
+TEST(DriftMeter, PutsTheWorstOfTheRunOnTop) {
+  Measured measured;
+  measure(fling(), measured);
+  double worst_px = 0.0;
+  std::int64_t worst_step = -1;
+  for (const ArcErrors& arc : measured.arcs)
+    if (arc.truncation_px > worst_px) {
+      worst_px = arc.truncation_px;
+      worst_step = arc.first_step;
+    }
+  EXPECT_EQ(measured.summary.truncation_px->value, worst_px);
+  EXPECT_EQ(measured.summary.truncation_px->step, worst_step);
+  EXPECT_EQ(measured.summary.arcs, static_cast<std::int64_t>(measured.arcs.size()));
+  EXPECT_EQ(measured.summary.contacts, static_cast<std::int64_t>(measured.contacts.size()));
+}
+
+TEST(DriftMeter, SaysNothingOfARunWithoutArcs) {
+  Measured measured;
+  measure(open_sky({0.0, 0.0}, 60.0, 1), measured);
+  EXPECT_EQ(measured.summary.arcs, 0);
+  EXPECT_FALSE(measured.summary.truncation_px);
+  EXPECT_EQ(measured.summary.skipped_arcs, 1);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,144 @@
+// The energy of a run against the reference's, and what is known of it without any reference.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/sim/reference/test_run.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kGravity = 1200.0;
+constexpr double kBottom_px = 1'000'000.0 - 128.0;
+constexpr double kRate_hz = 60.0;
+constexpr double kFall_px2_per_s3 = kGravity * kGravity / kRate_hz / 2.0;  // G^2 h / 2.
+// A bottom of 1e6 px makes energies of 7e8, of which rounding leaves 1e-16 a step.
+constexpr double kRounding_px2_per_s2 = 1e-4;
+
+double energy(const Row& row) {
+  return (row.vx_px_per_s * row.vx_px_per_s + row.vy_px_per_s * row.vy_px_per_s) / 2 +
+         kGravity * (kBottom_px - row.y_px);
+}
+
+Columns flight_without_drag() { return fly_by(paper_step(1.0), open_sky({300.0, -900.0}, kRate_hz, 600)); }
+
+TEST(EnergyWithoutDrag, FallsByHalfGravitySquaredTimesTheFrame) {
+  const Columns rows = flight_without_drag();
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const double fall = energy(rows.row(0)) - energy(rows.row(n));
+    EXPECT_NEAR(fall, kFall_px2_per_s3 * static_cast<double>(n) / kRate_hz, kRounding_px2_per_s2) << n;
+  }
+}
+
+TEST(EnergyWithoutDrag, IsConstantInItsModifiedForm) {
+  const Columns rows = flight_without_drag();
+  const auto modified = [](const Row& row) {
+    return energy(row) + kGravity / kRate_hz / 2.0 * row.vy_px_per_s;
+  };
+  for (std::size_t n = 0; n < rows.size(); ++n)
+    EXPECT_NEAR(modified(rows.row(n)), modified(rows.row(0)), kRounding_px2_per_s2) << n;
+}
+
+TEST(EnergyDrift, WithoutDragIsThatFall) {
+  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 600);
+  Measured measured;
+  measure(scenario, flight_without_drag(), measured, nullptr, {.air_drag = 1.0});
+  const ArcErrors& arc = measured.arcs.at(0);
+  // The difference never sees the energies of 7e8, so its rounding is that of the run alone.
+  EXPECT_NEAR(arc.energy_drift_rel_end * arc.energy_largest_px2_per_s2, -10.0 * kFall_px2_per_s3, 1e-6);
+  EXPECT_NEAR(arc.energy_drift_rel_max, -arc.energy_drift_rel_end, 1e-15);
+  EXPECT_NEAR(*arc.energy_drift_slope_per_s * arc.energy_largest_px2_per_s2, -kFall_px2_per_s3, 1e-7);
+}
+
+// Control: dynamics in which nothing drifts are seen to have no drift.
+TEST(EnergyDrift, OfTheMatchedOdeItselfIsNone) {
+  const auto exact_step = [](Row& row) {
+    row.y_px += row.dt_s * (row.vy_px_per_s + kGravity * row.dt_s / 2.0);
+    row.x_px += row.dt_s * row.vx_px_per_s;
+    row.vy_px_per_s += kGravity * row.dt_s;
+  };
+  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 600);
+  Measured measured;
+  measure(scenario, fly_by(exact_step, scenario), measured, nullptr, {.air_drag = 1.0});
+  EXPECT_LT(measured.arcs.at(0).energy_drift_rel_max, 1e-14);
+}
+
+// e of the run minus e of the reference at every row, in 80 bits, from the rows themselves.
+TEST(EnergyDrift, IsTheDifferenceOfEnergiesAtEveryRow) {
+  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 300);
+  const Columns rows = rows_of(scenario);
+  Measured measured(true);
+  measure(scenario, rows, measured);
+  double largest = 0.0;
+  for (std::size_t n = 0; n < measured.rows.size(); ++n) {
+    const RowErrors& reference = measured.rows[n];
+    const Row at{.x_px = reference.x_px,
+                 .y_px = reference.y_px,
+                 .vx_px_per_s = reference.vx_px_per_s,
+                 .vy_px_per_s = reference.vy_px_per_s};
+    EXPECT_NEAR(reference.energy_drift_px2_per_s2, energy(rows.row(n)) - energy(at), 1e-5) << n;
+    EXPECT_NEAR(reference.energy_px2_per_s2, energy(at), 1e-5) << n;
+    largest = std::max(largest, std::fabs(reference.energy_drift_px2_per_s2));
+  }
+  EXPECT_DOUBLE_EQ(measured.arcs.at(0).energy_drift_rel_max * measured.arcs.at(0).energy_largest_px2_per_s2,
+                   largest);
+}
+
+// A flight in powers of two (dt = 1/64 s, no drag) moves far away without losing a bit, so its
+// drift must not lose one either.
+class FarFromTheOrigin : public testing::Test {
+ protected:
+  static constexpr double kFar_px = 0x1p42;  // 4e12 px: what is left are steps of 2^-10 px.
+
+  static Columns flight(double origin_px) {
+    Scenario scenario = open_sky({256.0, -896.0}, 64.0, 128);
+    scenario.start = {origin_px, origin_px};
+    return fly_by(paper_step(1.0), scenario);
+  }
+  static double drift_end(double origin_px) {
+    const Scenario scenario = open_sky({}, 64.0, 128);
+    Measured measured(true);
+    measure(scenario, flight(origin_px), measured, nullptr, {.air_drag = 1.0});
+    return measured.rows.back().energy_drift_px2_per_s2;
+  }
+};
+
+TEST_F(FarFromTheOrigin, TheDriftKeepsItsDigits) {
+  EXPECT_EQ(drift_end(kFar_px), drift_end(0.0));
+  EXPECT_EQ(drift_end(kFar_px), -2.0 * kGravity * kGravity / 64.0 / 2.0);
+}
+
+// Control: energies taken at the coordinates and then subtracted do lose them.
+TEST_F(FarFromTheOrigin, SubtractedEnergiesLoseThem) {
+  const Columns rows = flight(kFar_px);
+  const double fall = energy(rows.row(127)) - energy(rows.row(0));
+  const double expected = -kGravity * kGravity / 64.0 / 2.0 * 127.0 / 64.0;
+  EXPECT_GT(std::fabs(fall - expected), 0.1);
+}
+
+// Below the floor by more than its speed can lift it: no energy that a drift could be measured by.
+TEST(EnergyDrift, IsRelativeToAPixelOfHeightAtLeast) {
+  Scenario scenario = open_sky({0.0, 0.0}, kRate_hz, 30);
+  scenario.start = {0.0, 2'000'000.0};
+  Measured measured;
+  measure(scenario, fly_by(paper_step(0.999), scenario), measured);
+  const ArcErrors& arc = measured.arcs.at(0);
+  EXPECT_LT(arc.energy_largest_px2_per_s2, 0.0);
+  EXPECT_NEAR(arc.energy_drift_end_px2_per_s2, -kFall_px2_per_s3 * 0.5, 0.05 * kFall_px2_per_s3);
+  EXPECT_EQ(arc.energy_drift_rel_end, arc.energy_drift_end_px2_per_s2 / 1200.0);
+  EXPECT_EQ(arc.energy_drift_rel_max, arc.energy_drift_max_px2_per_s2 / 1200.0);
+}
+
+TEST(EnergyDrift, IsRelativeToTheLargestEnergyWhereThatIsMore) {
+  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 60);
+  Measured measured;
+  measure(scenario, measured);
+  const ArcErrors& arc = measured.arcs.at(0);
+  EXPECT_GT(arc.energy_largest_px2_per_s2, 1200.0);
+  EXPECT_EQ(arc.energy_drift_rel_end, arc.energy_drift_end_px2_per_s2 / arc.energy_largest_px2_per_s2);
+  EXPECT_EQ(measured.summary.energy_drift_max_px2_per_s2->value, arc.energy_drift_max_px2_per_s2);
+}
+
+}  // namespace
+}  // namespace hyrax

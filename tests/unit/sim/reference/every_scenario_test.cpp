@@ -1,0 +1,53 @@
+// Every scenario there is, hard and far-away ones included, against the reference.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/reference/gsl_flight.h"
+#include "tests/unit/sim/reference/test_run.h"
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+std::vector<std::string> scenario_paths() {
+  std::vector<std::string> paths;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::string(HYRAX_SOURCE_DIR) + "/scenarios"))
+    if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+class EveryScenario : public testing::TestWithParam<std::string> {
+ protected:
+  // Live, so that a run of ten million rows is never held.
+  EveryScenario() {
+    const Scenario scenario = load_scenario(GetParam());
+    GslFlight gsl;
+    DriftMeter meter(scenario, inputs_of(scenario), measured_, &gsl);
+    replay(scenario, meter);
+    measured_.summary = meter.finish();
+  }
+  Measured measured_;
+};
+
+TEST_P(EveryScenario, HasNoFaultOfTheReference) { EXPECT_EQ(measured_.summary.reference_faults, 0); }
+
+TEST_P(EveryScenario, FollowsTheDiscreteClosedFormToRounding) {
+  EXPECT_EQ(measured_.summary.steps_astray, 0);
+  for (const ArcErrors& arc : measured_.arcs)
+    EXPECT_LT(arc.implementation_px, 1e-8 + 1e-12 * arc.coordinate_largest_px) << arc.first_step;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(scenario_paths()), [](const auto& test) {
+  std::string name = std::filesystem::path(test.param).stem().string();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,301 @@
+#include "sim/reference/gsl_flight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "sim/reference/arc_solution.h"
+#include "tests/unit/sim/reference/test_run.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 60.0;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double distance_px(const Flight& a, const Flight& b) {
+  return std::hypot(a.dx_px - b.dx_px, a.dy_px - b.dy_px);
+}
+
+// Flies both through these frames; how far apart they end, or infinity where the solver fails.
+double apart_px(FlightSolver& solver, const std::vector<double>& frames_s, const Velocity& velocity) {
+  ArcSolution closed((Model()));
+  closed.start(velocity, true);
+  solver.start(velocity, true);
+  for (const double dt_s : frames_s) {
+    closed.advance(dt_s);
+    if (!solver.advance(dt_s)) return kInfinity;
+  }
+  return distance_px(solver.flight(), closed.matched());
+}
+
+const std::vector<double> kOneSecond(60, kFrame_s);
+constexpr Velocity kVelocity{500.0, -900.0};
+
+TEST(GslFlight, AgreesWithTheClosedForm) {
+  GslFlight gsl;
+  EXPECT_LT(apart_px(gsl, kOneSecond, kVelocity), 1e-11);
+}
+
+TEST(GslFlight, AgreesWhereEveryFrameHasItsOwnRate) {
+  GslFlight gsl;
+  EXPECT_LT(apart_px(gsl, {0.01, 0.02, 0.0, 0.005, 0.5, 0.5, 1e-6, 0.0, 0.0, 0.03}, kVelocity), 1e-11);
+}
+
+TEST(GslFlight, BeginsEveryArcAfresh) {
+  GslFlight gsl;
+  const double first_px = apart_px(gsl, kOneSecond, kVelocity);
+  apart_px(gsl, {0.3, 0.2}, {-4000.0, 3000.0});
+  EXPECT_EQ(apart_px(gsl, kOneSecond, kVelocity), first_px);
+}
+
+// A multistep method that goes on from the last arc's forces is off by hundreds of px; what is left
+// after a restart is its global error, far above its tolerance for a step.
+TEST(GslFlight, RestartsMultistepMethodsAtEveryArc) {
+  GslFlight gsl({.stepper = GslStepper::msadams, .tolerance = 1e-10});
+  apart_px(gsl, kOneSecond, kVelocity);
+  EXPECT_LT(apart_px(gsl, kOneSecond, {-4000.0, 3000.0}), 1e-4);
+}
+
+// 250 s at 240 Hz, the last 240 of them at the final speed, where each frame rounds like the one before:
+// in plain double the sum is off by 5e-7 px at 1e6 px.
+TEST(GslFlight, KeepsItsDigitsOverManyFrames) {
+  GslFlight gsl;
+  EXPECT_LT(apart_px(gsl, std::vector<double>(60'000, 1.0 / 240.0), kVelocity), 1e-8);
+  EXPECT_LT(apart_px(gsl, std::vector<double>(100'000, 1e-3), kVelocity), 1e-8);
+}
+
+TEST(GslFlight, FliesTheModelAtItsOwnRate) {
+  GslFlight gsl;
+  ArcSolution closed((Model()));
+  for (const double dt_s : {1e-3, 1.0 / 60.0, 20.0}) {
+    closed.start(kVelocity, true);
+    gsl.start(kVelocity, true);
+    for (int frame = 0; frame < 50; ++frame) closed.advance(dt_s);
+    const auto model = gsl.model(50 * dt_s);
+    ASSERT_TRUE(model);
+    const Position expected = closed.model();
+    EXPECT_NEAR(model->dx_px, expected.x_px, 1e-13 * std::fabs(expected.x_px) + 1e-11) << dt_s;
+    EXPECT_NEAR(model->dy_px, expected.y_px, 1e-13 * std::fabs(expected.y_px) + 1e-11) << dt_s;
+  }
+}
+
+// The two share nothing: Halley's steps on the closed form, and Brent's method on GSL's solution.
+TEST(GslFlight, FindsTheTimeOfImpact) {
+  GslFlight gsl;
+  std::mt19937_64 random(9);
+  const auto draw = [&random](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+  };
+  for (int i = 0; i < 500; ++i) {
+    const double acceleration = 1200.0 * std::uniform_int_distribution<>(-1, 1)(random);
+    const Approach approach{draw(-300.0, 20.0), draw(-900.0, 900.0), acceleration,
+                            std::pow(10.0, draw(-3.0, 3.0))};
+    const double t_max_s = std::pow(10.0, draw(-3.0, 2.0));
+    const auto closed = time_of_impact(approach, t_max_s);
+    const auto solved = gsl.time_of_impact(approach, t_max_s);
+    ASSERT_EQ(closed.has_value(), solved.has_value()) << i;
+    if (!closed) continue;
+    EXPECT_NEAR(solved->t_s * closed->speed_px_per_s, closed->t_s * closed->speed_px_per_s, 1e-10) << i;
+    EXPECT_NEAR(solved->speed_px_per_s, closed->speed_px_per_s, 1e-7) << i;
+  }
+}
+
+TEST(GslFlight, CrossesAWallWhereItStandsOnIt) {
+  GslFlight gsl;
+  EXPECT_EQ(gsl.time_of_impact({0.0, 10.0, 0.0, 0.06}, 1.0)->t_s, 0.0);
+  EXPECT_EQ(gsl.time_of_impact({0.0, 0.0, 1200.0, 0.06}, 1.0)->t_s, 0.0);
+  EXPECT_FALSE(gsl.time_of_impact({0.0, -10.0, 0.0, 0.06}, 1.0));
+}
+
+TEST(GslFlight, HasNoTimeOfImpactOfWhatIsNoNumber) {
+  GslFlight gsl;
+  EXPECT_TRUE(std::isnan(gsl.time_of_impact({kNaN, 10.0, 0.0, 0.06}, 1.0)->t_s));
+}
+
+class AnyStepper : public testing::TestWithParam<GslStepper> {};
+
+// Each to the accuracy that its order and tolerance promise, a hundredfold for the steps it takes;
+// the implicit Euler method needs a tolerance that it can reach.
+TEST_P(AnyStepper, SolvesTheFlight) {
+  const bool is_first_order = GetParam() == GslStepper::rk1imp;
+  GslFlight gsl({.stepper = GetParam(), .tolerance = is_first_order ? 1e-3 : 1e-8});
+  EXPECT_LT(apart_px(gsl, kOneSecond, kVelocity), is_first_order ? 10.0 : 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(GslFlight, AnyStepper,
+                         testing::Values(GslStepper::rk2, GslStepper::rk4, GslStepper::rkf45,
+                                         GslStepper::rkck, GslStepper::rk8pd, GslStepper::rk1imp,
+                                         GslStepper::rk2imp, GslStepper::rk4imp, GslStepper::bsimp,
+                                         GslStepper::msadams, GslStepper::msbdf),
+                         [](const auto& test) {
+                           return std::string(kGslStepperNames[static_cast<std::size_t>(test.param)]);
+                         });
+
+TEST(GslFlight, ComputesNothingInXThatIsNotAsked) {
+  GslFlight gsl;
+  gsl.start(kVelocity, false);
+  ASSERT_TRUE(gsl.advance(kFrame_s));
+  EXPECT_EQ(gsl.flight().dx_px, 0.0);
+  EXPECT_EQ(gsl.flight().vx_px_per_s, 0.0);
+}
+
+TEST(GslFlight, RefusesAStateThatIsNotFinite) {
+  GslFlight gsl;
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    gsl.start({500.0, bad}, true);
+    EXPECT_FALSE(gsl.advance(kFrame_s)) << bad;
+    gsl.start({bad, 0.0}, true);
+    EXPECT_FALSE(gsl.advance(kFrame_s)) << bad;
+  }
+}
+
+TEST(GslFlight, RefusesATimeThatIsNotFinite) {
+  GslFlight gsl;
+  for (const double bad : {kNaN, kInfinity, -kFrame_s}) {
+    gsl.start(kVelocity, true);
+    EXPECT_FALSE(gsl.advance(bad)) << bad;
+    EXPECT_FALSE(gsl.advance(kFrame_s)) << "it has failed for good";
+  }
+}
+
+TEST(GslFlight, RefusesAResultThatIsNotFinite) {
+  GslFlight gsl;
+  gsl.start({0.0, 1e308}, true);
+  EXPECT_FALSE(gsl.advance(100.0));
+}
+
+TEST(GslFlight, IsAJudgeAtFullAccuracyAlone) {
+  EXPECT_TRUE(GslFlight().is_judge());
+  EXPECT_TRUE(GslFlight({.tolerance = 1e-13}).is_judge());
+  EXPECT_FALSE(GslFlight({.tolerance = 1e-9}).is_judge());
+  EXPECT_FALSE(GslFlight({.stepper = GslStepper::msadams}).is_judge());
+}
+
+TEST(DriftMeterWithGsl, FindsBothSolutionsOfEveryArcTogether) {
+  GslFlight gsl;
+  Measured measured;
+  measure(fling(), measured, &gsl);
+  for (const ArcErrors& arc : measured.arcs) {
+    ASSERT_TRUE(arc.gsl_vs_closed_px);
+    EXPECT_LT(*arc.gsl_vs_closed_px, 1e-9);
+  }
+  EXPECT_EQ(measured.summary.reference_faults, 0);
+}
+
+TEST(DriftMeterWithGsl, HasNoSuchFigureWithoutIt) {
+  Measured measured;
+  measure(fling(), measured);
+  EXPECT_FALSE(measured.arcs.at(0).gsl_vs_closed_px);
+  EXPECT_FALSE(measured.summary.gsl_vs_closed_px);
+}
+
+// Control: GSL's answers, changed on their way.
+struct AlteredSolver final : FlightSolver {
+  void start(const Velocity& velocity, bool solves_x) override { gsl.start(velocity, solves_x); }
+  bool advance(double dt_s) override { return gsl.advance(dt_s) && !fails; }
+  Flight flight() const override {
+    Flight flight = gsl.flight();
+    flight.dy_px += off_px;
+    flight.vy_px_per_s *= speed_factor;
+    return flight;
+  }
+  std::optional<Flight> model(double t_s) override { return gsl.model(model_time_factor * t_s); }
+  std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) override {
+    std::optional<Impact> impact = gsl.time_of_impact(approach, t_max_s);
+    if (impact) impact->t_s *= impact_factor;
+    return impact;
+  }
+  bool is_judge() const override { return judges; }
+
+  GslFlight gsl;
+  double off_px = 0.0;
+  double speed_factor = 1.0;
+  double model_time_factor = 1.0;
+  double impact_factor = 1.0;
+  bool fails = false;
+  bool judges = true;
+};
+
+std::string_view fault_with(AlteredSolver& solver) {
+  Measured measured;
+  measure(fling(), measured, &solver);
+  return measured.summary.first_reference_fault;
+}
+
+TEST(DriftMeterWithGsl, FindsNoFaultInAnUnalteredSolver) {
+  AlteredSolver solver;
+  EXPECT_EQ(fault_with(solver), "");
+}
+
+TEST(DriftMeterWithGsl, ComparesVelocities) {
+  AlteredSolver solver;
+  solver.speed_factor = 1.0 + 1e-11;
+  EXPECT_EQ(fault_with(solver), "velocity differs");
+}
+
+TEST(DriftMeterWithGsl, ComparesTheModelsFlight) {
+  AlteredSolver solver;
+  solver.model_time_factor = 1.0 + 1e-9;
+  EXPECT_EQ(fault_with(solver), "model error differs");
+}
+
+TEST(DriftMeterWithGsl, ComparesTheTimeOfImpact) {
+  AlteredSolver solver;
+  solver.impact_factor = 1.0 + 1e-9;
+  EXPECT_EQ(fault_with(solver), "time of impact differs");
+}
+
+TEST(DriftMeterWithGsl, TakesNanForADifference) {
+  for (double AlteredSolver::*value :
+       {&AlteredSolver::off_px, &AlteredSolver::speed_factor, &AlteredSolver::impact_factor}) {
+    AlteredSolver solver;
+    solver.*value = kNaN;
+    EXPECT_NE(fault_with(solver), "");
+  }
+}
+
+TEST(DriftMeterWithGsl, CallsSolutionsThatDifferAFaultOfTheReference) {
+  AlteredSolver solver;
+  solver.off_px = 2e-9;
+  Measured measured;
+  measure(fling(), measured, &solver);
+  EXPECT_EQ(measured.arcs.at(0).reference_fault, "position differs");
+  EXPECT_GE(measured.summary.reference_faults, measured.summary.arcs);
+  EXPECT_EQ(measured.summary.first_reference_fault_step, 0);
+}
+
+TEST(DriftMeterWithGsl, AllowsTheBoundBetweenThem) {
+  AlteredSolver solver;
+  solver.off_px = 0.9e-9;
+  Measured measured;
+  measure(fling(), measured, &solver);
+  EXPECT_EQ(measured.summary.reference_faults, 0);
+}
+
+TEST(DriftMeterWithGsl, CallsAFailedSolverAFault) {
+  AlteredSolver solver;
+  solver.fails = true;
+  Measured measured;
+  measure(fling(), measured, &solver);
+  EXPECT_EQ(measured.arcs.at(0).reference_fault, "the second solver failed");
+  EXPECT_FALSE(measured.arcs.at(0).gsl_vs_closed_px);
+}
+
+TEST(DriftMeterWithGsl, DoesNotHoldALesserSolverToTheBound) {
+  AlteredSolver solver;
+  solver.off_px = 1.0;
+  solver.judges = false;
+  Measured measured;
+  measure(fling(), measured, &solver);
+  EXPECT_EQ(measured.arcs.at(0).reference_fault, "");
+  EXPECT_NEAR(*measured.arcs.at(0).gsl_vs_closed_px, 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,141 @@
+// A run that skips what repeats exactly is the run that computes it all.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+
+namespace hyrax {
+namespace {
+
+RunSummary play(const Scenario& scenario, TraceSink& trace, bool skips_repetition) {
+  return replay(scenario, trace, {.skips_repetition = skips_repetition, .checks_bounds = true});
+}
+
+// Plays both ways, holds them equal, and returns what skipping came to.
+RunSummary expect_skipping_changes_nothing(const Scenario& scenario, std::int64_t rows_every,
+                                           const std::string& which) {
+  const RowSink::Wants wants{.rows_every = rows_every, .contacts = true, .blocks = true};
+  TraceSink skipping(wants);
+  TraceSink computing(wants);
+  const RunSummary a = play(scenario, skipping, true);
+  const RunSummary b = play(scenario, computing, false);
+  EXPECT_TRUE(same_trace(skipping, computing)) << which;
+  EXPECT_EQ(a.state_hash, b.state_hash) << which;
+  EXPECT_EQ(a.steps, b.steps) << which;
+  EXPECT_EQ(b.steps_computed, b.steps) << which;
+  EXPECT_EQ(a.contacts, b.contacts) << which;
+  EXPECT_EQ(a.clamped_steps, b.clamped_steps) << which;
+  EXPECT_EQ(a.rest_steps, b.rest_steps) << which;
+  EXPECT_TRUE(same_row(a.final, b.final)) << which << "\n" << a.final << "\n" << b.final;
+  EXPECT_TRUE(same_bits(a.simulated_s, b.simulated_s)) << which;
+  EXPECT_EQ(a.at_rest_since_s, b.at_rest_since_s) << which;
+  EXPECT_EQ(a.periodic_from_step, b.periodic_from_step) << which;
+  EXPECT_EQ(a.period_steps, b.period_steps) << which;
+  EXPECT_EQ(a.out_of_bounds_step, b.out_of_bounds_step) << which;
+  EXPECT_EQ(a.had_gravity, b.had_gravity) << which;
+  EXPECT_EQ(a.had_drag, b.had_drag) << which;
+  EXPECT_EQ(a.had_friction, b.had_friction) << which;
+  return a;
+}
+
+TEST(SkippedRepetition, ChangesNothingInScenarioFiles) {
+  int skipped = 0;
+  for (const std::string& path : scenario_files()) {
+    const Scenario scenario = load_scenario(path);
+    const std::int64_t rows_every = step_count(scenario) > 100'000 ? 9973 : 1;
+    const RunSummary summary = expect_skipping_changes_nothing(scenario, rows_every, path);
+    if (summary.steps_computed < summary.steps) ++skipped;
+  }
+  EXPECT_GE(skipped, 3);
+}
+
+TEST(SkippedRepetition, ChangesNothingInRandomFlings) {
+  std::set<std::int64_t> periods;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const std::int64_t rows_every = std::array{0, 1, 7, 4096}[seed % 4];
+    const RunSummary summary =
+        expect_skipping_changes_nothing(any_fling(seed, 12'000), rows_every, "seed " + std::to_string(seed));
+    if (summary.periodic_from_step) periods.insert(summary.period_steps);
+  }
+  // Buzz and true rest come to one state, the two-step cycle and a sprite that fits nowhere to two.
+  EXPECT_EQ(periods, (std::set<std::int64_t>{1, 2}));
+}
+
+TEST(SkippedRepetition, EndsAtEveryStepOfAPeriodAlike) {
+  // The rest of this fling repeats with a period of two steps.
+  for (std::int64_t steps = 6000; steps < 6010; ++steps)
+    expect_skipping_changes_nothing(fling_at(120.0, steps), 1, std::to_string(steps) + " steps");
+}
+
+TEST(SkippedRepetition, GoesOnBehindALaterInput) {
+  for (const std::int64_t frame : {8191, 8192, 8193, 9000, 9001}) {
+    const Scenario scenario =
+        fling_at(60.0, 20'000, {{frame, Resize{Size{800, 600}, {}}}, {frame + 4000, Fling{{500.0, -800.0}}}});
+    const RunSummary summary =
+        expect_skipping_changes_nothing(scenario, 1, "input at " + std::to_string(frame));
+    EXPECT_LT(summary.steps_computed, summary.steps);
+  }
+}
+
+TEST(SkippedRepetition, CoversAHeldSprite) {
+  const Scenario scenario =
+      fling_at(60.0, 50'000, {{std::int64_t{10}, Grab{}}, {std::int64_t{40'000}, Release{{900.0, -1200.0}}}});
+  const RunSummary summary = expect_skipping_changes_nothing(scenario, 1, "held");
+  EXPECT_LT(summary.steps_computed, 15'000);
+}
+
+TEST(SkippedRepetition, CoversTimeThatStandsStill) {
+  Scenario scenario = fling_at(60.0, 100'000);
+  scenario.clock.base = FixedStep{0.0};
+  scenario.start_velocity = {};
+  const RunSummary summary = expect_skipping_changes_nothing(scenario, 97, "dt of 0");
+  EXPECT_EQ(summary.periodic_from_step, 0);
+}
+
+TEST(SkippedRepetition, HandsOnNoMoreContactsThanAreTaken) {
+  // A sprite wider than its window knocks on both walls for ever.
+  Scenario scenario = fling_at(60.0, 1'500'000);
+  scenario.window = {100, 1080};
+  const RunSummary summary = expect_skipping_changes_nothing(scenario, 0, "knocking");
+  EXPECT_GT(summary.contacts[0] + summary.contacts[1], kContactsRecordedMax);
+}
+
+TEST(SkippedRepetition, IsNotLookedForUnderJitter) {
+  Scenario scenario = fling_at(60.0, 20'000);
+  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.0, 1};
+  TraceSink trace(RowSink::Wants{});
+  const RunSummary summary = play(scenario, trace, true);
+  EXPECT_EQ(summary.steps_computed, summary.steps);
+  EXPECT_EQ(summary.periodic_from_step, std::nullopt);
+}
+
+TEST(SkippedRepetition, IsPeriodicFromTheRowItNames) {
+  TraceSink trace;
+  const RunSummary summary = play(fling_at(60.0, 30'000), trace, false);
+  ASSERT_TRUE(summary.periodic_from_step);
+  ASSERT_GT(summary.period_steps, 0);
+  const auto same_state = [&](std::int64_t a, std::int64_t b) {
+    const Row& p = trace.rows()[static_cast<std::size_t>(a)];
+    const Row& q = trace.rows()[static_cast<std::size_t>(b)];
+    return same_bits(p.x_px, q.x_px) && same_bits(p.y_px, q.y_px) &&
+           same_bits(p.vx_px_per_s, q.vx_px_per_s) && same_bits(p.vy_px_per_s, q.vy_px_per_s);
+  };
+  for (std::int64_t step = *summary.periodic_from_step; step + summary.period_steps <= 30'000; ++step)
+    ASSERT_TRUE(same_state(step, step + summary.period_steps)) << step;
+}
+
+TEST(SkippedRepetition, PlaysTheLongestRunInAMoment) {
+  TraceSink trace(RowSink::Wants{.rows_every = 1'000'000'000});
+  const RunSummary summary = play(fling_at(60.0, 100'000'000'000), trace, true);
+  EXPECT_EQ(summary.steps, 100'000'000'000);
+  EXPECT_LT(summary.steps_computed, 100'000);
+  EXPECT_EQ(trace.rows().size(), 101u);
+}
+
+}  // namespace
+}  // namespace hyrax

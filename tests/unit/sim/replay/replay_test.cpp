@@ -1,0 +1,161 @@
+// The replay against the frame rule played plainly, and the run's ends.
+#include "sim/replay/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/unit/sim/replay/plain_replay.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void expect_plain_run(const Scenario& scenario, const std::string& which) {
+  const PlainRun plain = PlainReplay(scenario).play();
+  TraceSink trace;
+  const RunSummary summary = replay(scenario, trace, {.skips_repetition = true, .checks_bounds = true});
+  EXPECT_TRUE(same_rows(trace.rows(), plain.rows)) << which;
+  EXPECT_TRUE(same_contacts(trace.contacts(), plain.contacts)) << which;
+  EXPECT_EQ(hex(summary.state_hash), plain.state_hash()) << which;
+  EXPECT_EQ(summary.steps, step_count(scenario)) << which;
+  EXPECT_TRUE(same_row(summary.final, plain.rows.back())) << which;
+  EXPECT_TRUE(same_bits(summary.simulated_s, plain.rows.back().t_s)) << which;
+  EXPECT_EQ(summary.at_rest_since_s, plain.at_rest_since_s()) << which;
+  EXPECT_EQ(summary.out_of_bounds_step, plain.out_of_bounds_step) << which;
+  EXPECT_EQ(summary.rest_steps, plain.steps_with(kRestBit)) << which;
+  WallCounts contacts{};
+  for (const Contact& contact : plain.contacts) ++contacts[wall_index(contact.wall)];
+  EXPECT_EQ(summary.contacts, contacts) << which;
+  for (const Wall wall : kWalls)
+    EXPECT_EQ(summary.clamped_steps[wall_index(wall)], plain.steps_with(static_cast<std::uint8_t>(wall)))
+        << which;
+}
+
+TEST(Replay, PlaysEveryKindOfInputByTheFrameRule) { expect_plain_run(eventful_fling(), "eventful"); }
+
+TEST(Replay, PlaysScenarioFilesByTheFrameRule) {
+  int played = 0;
+  for (const std::string& path : scenario_files()) {
+    const Scenario scenario = load_scenario(path);
+    if (step_count(scenario) > 50'000) continue;  // The plain run holds every row.
+    expect_plain_run(scenario, path);
+    ++played;
+  }
+  EXPECT_GE(played, 30);
+}
+
+TEST(Replay, PlaysRandomFlingsByTheFrameRule) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed)
+    expect_plain_run(any_fling(seed, 1000), "seed " + std::to_string(seed));
+}
+
+TEST(Replay, OfNoStepsHoldsTheStartAlone) {
+  TraceSink trace;
+  const RunSummary summary = replay(fling_at(60.0, 0), trace);
+  ASSERT_EQ(trace.rows().size(), 1u);
+  EXPECT_EQ(trace.rows()[0].step, 0);
+  EXPECT_EQ(trace.rows()[0].t_s, 0.0);
+  EXPECT_EQ(trace.rows()[0].dt_s, 0.0);
+  EXPECT_EQ(trace.rows()[0].x_px, 300.0);
+  EXPECT_EQ(trace.rows()[0].vy_px_per_s, -700.0);
+  EXPECT_EQ(trace.rows()[0].contact, 0);
+  EXPECT_EQ(trace.blocks().size(), 1u);
+  EXPECT_EQ(summary.steps, 0);
+  EXPECT_FALSE(summary.had_drag);
+  EXPECT_EQ(summary.at_rest_since_s, std::nullopt);
+}
+
+TEST(Replay, HoldsTheSpriteFromGrabToRelease) {
+  TraceSink trace;
+  replay(fling_at(60.0, 30, {{std::int64_t{10}, Grab{}}, {std::int64_t{20}, Release{{1.0, 2.0}}}}), trace);
+  const Row& held = trace.rows()[11];
+  EXPECT_EQ(held.vx_px_per_s, 0.0);
+  EXPECT_EQ(held.vy_px_per_s, 0.0);
+  EXPECT_EQ(held.x_px, trace.rows()[10].x_px);
+  for (std::size_t row = 12; row <= 20; ++row) {
+    EXPECT_EQ(trace.rows()[row].y_px, held.y_px);
+    EXPECT_EQ(trace.rows()[row].contact, 0);
+    EXPECT_EQ(trace.rows()[row].dt_s, 1.0 / 60.0);
+  }
+  // Let go before its frame's update, so that frame moves already.
+  EXPECT_GT(trace.rows()[21].y_px, held.y_px);
+}
+
+TEST(Replay, HoldsASpriteBeyondAWallWithoutContact) {
+  TraceSink trace;
+  replay(fling_at(60.0, 9, {{std::int64_t{2}, Grab{}}, {std::int64_t{3}, Place{{-500.0, 9000.0}}}}), trace);
+  EXPECT_EQ(trace.rows().back().x_px, -500.0);
+  EXPECT_EQ(trace.rows().back().y_px, 9000.0);
+  EXPECT_TRUE(trace.contacts().empty());
+}
+
+TEST(Replay, RecordsEveryFewRowsAndTheLastOne) {
+  TraceSink trace(RowSink::Wants{.rows_every = 4});
+  replay(fling_at(60.0, 10), trace);
+  std::vector<std::int64_t> steps;
+  for (const Row& row : trace.rows()) steps.push_back(row.step);
+  EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 4, 8, 10}));
+  EXPECT_TRUE(trace.contacts().empty());
+  EXPECT_TRUE(trace.blocks().empty());
+}
+
+TEST(Replay, RecordsALastRowThatIsDueOnce) {
+  TraceSink trace(RowSink::Wants{.rows_every = 5});
+  replay(fling_at(60.0, 10), trace);
+  EXPECT_EQ(trace.rows().size(), 3u);
+}
+
+TEST(Replay, EndsAtTheStepThatIsNotFinite) {
+  Scenario scenario = fling_at(60.0, 100, {{std::int64_t{20}, Fling{{kInfinity, 0.0}}}});
+  TraceSink trace;
+  const RunSummary summary = replay(scenario, trace);
+  EXPECT_EQ(summary.non_finite_step, 21);
+  EXPECT_EQ(summary.steps, 21);
+  ASSERT_EQ(trace.rows().size(), 22u);
+  EXPECT_TRUE(is_finite(state_of(trace.rows()[20])));
+  EXPECT_FALSE(is_finite(state_of(trace.rows()[21])));
+}
+
+TEST(Replay, EndsAtTheFirstStepWhereTheStartCannotMove) {
+  Scenario scenario = fling_at(60.0, 100);
+  scenario.start_velocity.vx_px_per_s = kInfinity;
+  scenario.clock.base = FixedStep{0.0};
+  TraceSink trace;
+  EXPECT_EQ(replay(scenario, trace).non_finite_step, 1);
+  EXPECT_EQ(trace.rows().size(), 2u);
+}
+
+TEST(Replay, EndsWhereAFramesDtOverflowsTheSpeed) {
+  Scenario scenario = fling_at(60.0, 9000, {{std::int64_t{5000}, Hitch{1e306}}});
+  TraceSink skipping;
+  TraceSink computing;
+  const RunSummary summary = replay(scenario, skipping);
+  EXPECT_EQ(summary.non_finite_step, 5001);
+  EXPECT_EQ(summary.final.step, 5001);
+  EXPECT_EQ(replay(scenario, computing, {.skips_repetition = false}).state_hash, summary.state_hash);
+  EXPECT_TRUE(same_trace(skipping, computing));
+}
+
+TEST(Replay, TellsWhatTheRunExercised) {
+  TraceSink trace;
+  const RunSummary slides = replay(fling_at(60.0, 600), trace);
+  EXPECT_TRUE(slides.had_gravity && slides.had_drag && slides.had_friction);
+
+  Scenario weightless = fling_at(60.0, 10);
+  weightless.clock.base = FixedStep{0.0};
+  const RunSummary damped = replay(weightless, trace);
+  EXPECT_TRUE(damped.had_drag);
+  EXPECT_FALSE(damped.had_gravity || damped.had_friction);
+
+  Scenario drop = fling_at(60.0, 600);
+  drop.start_velocity = {};
+  EXPECT_FALSE(replay(drop, trace).had_friction);
+  EXPECT_FALSE(replay(fling_at(60.0, 10, {{std::int64_t{0}, Grab{}}}), trace).had_drag);
+}
+
+}  // namespace
+}  // namespace hyrax

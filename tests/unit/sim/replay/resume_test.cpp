@@ -1,0 +1,236 @@
+// A run that is cut, stopped and resumed comes to the same bits.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "sim/replay/replay.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+
+namespace hyrax {
+namespace {
+
+struct Played {
+  explicit Played(const Scenario& scenario) { summary = replay(scenario, trace); }
+  TraceSink trace;
+  RunSummary summary;
+};
+
+Keyframe stop_at(const Scenario& scenario, std::int64_t step) {
+  TraceSink trace;
+  Replay run(scenario, trace);
+  run.play_to(step);
+  return run.keyframe();
+}
+
+std::vector<Row> rows_after(const std::vector<Row>& rows, std::int64_t step) {
+  std::vector<Row> after;
+  for (const Row& row : rows)
+    if (row.step > step) after.push_back(row);
+  return after;
+}
+
+std::vector<Contact> contacts_after(const std::vector<Contact>& contacts, std::int64_t step) {
+  std::vector<Contact> after;
+  for (const Contact& contact : contacts)
+    if (contact.step > step) after.push_back(contact);
+  return after;
+}
+
+void expect_resumable_everywhere(const Scenario& scenario) {
+  const Played whole(scenario);
+  for (std::int64_t step = 0; step <= whole.summary.steps; ++step) {
+    const Keyframe keyframe = stop_at(scenario, step);
+    ASSERT_TRUE(same_row(keyframe.row, whole.trace.rows()[static_cast<std::size_t>(step)]));
+    TraceSink trace;
+    Replay resumed(scenario, keyframe, trace);
+    resumed.play_to(resumed.steps());
+    const RunSummary summary = resumed.finish();
+    ASSERT_TRUE(same_rows(trace.rows(), rows_after(whole.trace.rows(), step))) << "from " << step;
+    ASSERT_TRUE(same_contacts(trace.contacts(), contacts_after(whole.trace.contacts(), step)))
+        << "from " << step;
+    ASSERT_TRUE(same_row(summary.final, whole.summary.final)) << "from " << step;
+  }
+}
+
+TEST(ResumedReplay, GoesOnToTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
+
+TEST(ResumedReplay, GoesOnFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
+
+TEST(ResumedReplay, GoesOnFromARecordedTrace) {
+  Scenario scenario = fling_at(60.0, 0);
+  RecordedSteps trace;
+  for (int frame = 0; frame < 200; ++frame) trace.dt_s.push_back(frame % 7 == 0 ? 0.0333 : 0.0167);
+  scenario.clock.base = trace;
+  scenario.length = {};
+  expect_resumable_everywhere(scenario);
+}
+
+TEST(ResumedReplay, RecordsTheRowsThatAWholeRunRecords) {
+  const Scenario scenario = fling_at(60.0, 100);
+  for (const std::int64_t every : {1, 3, 10, 64, 1000})
+    for (const std::int64_t step : {0, 1, 29, 30, 99}) {
+      TraceSink whole(RowSink::Wants{.rows_every = every});
+      replay(scenario, whole);
+      TraceSink trace(RowSink::Wants{.rows_every = every});
+      Replay resumed(scenario, stop_at(scenario, step), trace);
+      resumed.play_to(resumed.steps());
+      resumed.finish();
+      EXPECT_TRUE(same_rows(trace.rows(), rows_after(whole.rows(), step))) << every << " from " << step;
+    }
+}
+
+TEST(ResumedReplay, MakesEveryBlockAgainFromItsKeyframe) {
+  Scenario scenario = fling_at(60.0, 20'000, {{std::int64_t{9000}, Fling{{300.0, -900.0}}}});
+  scenario.clock.jitter = Jitter{Jitter::Kind::normal, 0.001, 3};
+  const Played whole(scenario);
+  ASSERT_EQ(whole.trace.keyframes().size(), 5u);
+  for (std::size_t block = 0; block < whole.trace.keyframes().size(); ++block) {
+    TraceSink trace;
+    Replay resumed(scenario, whole.trace.keyframes()[block], trace);
+    const std::int64_t last_step = whole.trace.blocks()[block].first_step + 4095;
+    resumed.play_to(std::min(last_step, resumed.steps()));
+    resumed.finish();
+    ASSERT_EQ(trace.blocks().size(), 1u);
+    EXPECT_EQ(trace.blocks()[0], whole.trace.blocks()[block]);
+  }
+}
+
+TEST(ResumedReplay, MakesSkippedBlocksAgainFromTheirKeyframes) {
+  const Scenario scenario = fling_at(60.0, 60'000);
+  const Played whole(scenario);
+  ASSERT_LT(whole.summary.steps_computed, whole.summary.steps);
+  for (const Keyframe& keyframe : whole.trace.keyframes()) {
+    TraceSink trace;
+    Replay resumed(scenario, keyframe, trace, {.skips_repetition = false});
+    resumed.play_to(std::min(keyframe.row.step + 4095, resumed.steps()));
+    resumed.finish();
+    const auto block = static_cast<std::size_t>(keyframe.row.step / 4096);
+    EXPECT_EQ(trace.blocks()[0], whole.trace.blocks()[block]);
+    EXPECT_EQ(whole.trace.blocks()[block].first_step, keyframe.row.step);
+    EXPECT_TRUE(same_row(keyframe.row, whole.trace.rows()[static_cast<std::size_t>(keyframe.row.step)]));
+  }
+}
+
+TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
+  // At rest on the ground at 240 Hz: one contact that does not end.
+  const Scenario scenario = fling_at(240.0, 4000);
+  const Played whole(scenario);
+  const Contact& rest = whole.trace.contacts().back();
+  ASSERT_EQ(rest.last_step, 4000);
+  TraceSink trace;
+  Replay resumed(scenario, stop_at(scenario, rest.step + 5), trace);
+  resumed.play_to(resumed.steps());
+  EXPECT_EQ(resumed.finish().contacts, WallCounts{});
+}
+
+// Control: a keyframe that is off by one bit does not go unseen.
+TEST(ResumedReplay, DiffersFromAKeyframeThatIsOneUlpOff) {
+  const Scenario scenario = fling_at(60.0, 100);
+  const Played whole(scenario);
+  Keyframe keyframe = stop_at(scenario, 50);
+  keyframe.row.vy_px_per_s = std::nextafter(keyframe.row.vy_px_per_s, 1e9);
+  TraceSink trace;
+  Replay resumed(scenario, keyframe, trace);
+  resumed.play_to(resumed.steps());
+  resumed.finish();
+  EXPECT_FALSE(same_rows(trace.rows(), rows_after(whole.trace.rows(), 50)));
+}
+
+// The first row from which the rows of a run repeat with a period to its end.
+void expect_periodic_from(const std::vector<Row>& rows, std::int64_t step, std::int64_t period) {
+  ASSERT_GT(period, 0);
+  for (auto at = static_cast<std::size_t>(step); at + static_cast<std::size_t>(period) < rows.size(); ++at) {
+    const Row& a = rows[at];
+    const Row& b = rows[at + static_cast<std::size_t>(period)];
+    ASSERT_TRUE(same_bits(a.x_px, b.x_px) && same_bits(a.y_px, b.y_px) &&
+                same_bits(a.vx_px_per_s, b.vx_px_per_s) && same_bits(a.vy_px_per_s, b.vy_px_per_s))
+        << at;
+  }
+}
+
+TEST(ResumedReplay, LooksForRepetitionFromItsKeyframeOn) {
+  const Scenario scenario = fling_at(60.0, 30'000);
+  const Played whole(scenario);
+  const std::int64_t periodic_from = whole.summary.periodic_from_step.value();
+  const std::int64_t period = whole.summary.period_steps;
+  for (const std::int64_t step : {std::int64_t{1}, periodic_from - 100, periodic_from, periodic_from + 1,
+                                  std::int64_t{20'000}, 30'000 - 3 * period - 1, std::int64_t{29'999}}) {
+    TraceSink trace;
+    Replay resumed(scenario, stop_at(scenario, step), trace);
+    resumed.play_to(resumed.steps());
+    const RunSummary summary = resumed.finish();
+    if (step == 29'999) {
+      EXPECT_EQ(summary.periodic_from_step, std::nullopt);
+      continue;
+    }
+    ASSERT_TRUE(summary.periodic_from_step) << step;
+    if (step >= periodic_from) {
+      EXPECT_EQ(summary.periodic_from_step, step);
+    }
+    EXPECT_GE(*summary.periodic_from_step, step);
+    EXPECT_EQ(summary.period_steps, period);
+    expect_periodic_from(whole.trace.rows(), *summary.periodic_from_step, period);
+  }
+}
+
+// In pieces of 0 .. piece_max - 1 frames, or of one frame.
+void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::int64_t piece_max,
+                           RowSink::Wants wants = {.rows_every = 1, .contacts = true, .blocks = true},
+                           bool skips_repetition = true) {
+  const ReplayOptions options{.skips_repetition = skips_repetition, .checks_bounds = true};
+  TraceSink whole(wants);
+  const RunSummary whole_summary = replay(scenario, whole, options);
+  TraceSink trace(wants);
+  Replay run(scenario, trace, options);
+  for (std::uint64_t k = 0; run.keyframe().row.step < whole_summary.steps; ++k) {
+    const auto piece =
+        static_cast<std::int64_t>(split_mix64(seed, k) % static_cast<std::uint64_t>(piece_max));
+    run.play_to(std::min(run.keyframe().row.step + piece, run.steps()));
+  }
+  EXPECT_EQ(text_of(run.finish()), text_of(whole_summary)) << "seed " << seed << ", pieces " << piece_max;
+  EXPECT_TRUE(same_trace(trace, whole)) << "seed " << seed << ", pieces " << piece_max;
+}
+
+TEST(ReplayInPieces, ComesToTheSameRun) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) expect_same_in_pieces(eventful_fling(), seed, 9);
+}
+
+TEST(ReplayInPieces, ComesToTheSameRunWhereItRepeats) {
+  for (const std::int64_t piece_max : {2, 50, 3000, 30'000})
+    for (std::uint64_t seed = 0; seed < 5; ++seed)
+      expect_same_in_pieces(fling_at(60.0, 30'000), seed, piece_max);
+}
+
+TEST(ReplayInPieces, ComesToTheSameRunInRandomFlings) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Scenario scenario = any_fling(seed, 12'000);
+    if (seed % 8 == 7) scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.3, seed};
+    const std::int64_t piece_max = std::array{2, 5, 100, 1000, 5000, 12'000}[seed % 6];
+    const RowSink::Wants wants{
+        .rows_every = std::array{0, 1, 7}[seed % 3], .contacts = true, .blocks = seed % 2 == 0};
+    expect_same_in_pieces(scenario, seed, piece_max, wants, seed % 5 != 0);
+  }
+}
+
+TEST(ReplayInPieces, ComesToTheSameRunWhereItBecomesNonFinite) {
+  Scenario scenario = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
+  scenario.start_velocity = {1e12, 1e12};
+  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_same_in_pieces(scenario, seed, 5);
+}
+
+TEST(ReplayInPieces, ComesToTheSameContactsWhereTheListIsFull) {
+  // A sprite wider than its window touches both walls in turn for ever.
+  Scenario scenario = fling_at(60.0, 1'200'000);
+  scenario.window = {100, 1080};
+  for (const std::int64_t piece_max : {1000, 400'000})
+    expect_same_in_pieces(scenario, 1, piece_max, {.rows_every = 0, .contacts = true});
+}
+
+TEST(ReplayInPieces, ComputesAPeriodOnceHoweverLongItRepeats) {
+  const Scenario scenario = fling_at(60.0, 100'000'000);
+  expect_same_in_pieces(scenario, 1, 1 << 21, {});
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,156 @@
+// The dt of every frame and the number of frames, against the published vectors.
+#include "sim/scenario/frame_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "sim/scenario/split_mix64.h"
+#include "tests/oracle/vectors.h"
+
+namespace hyrax {
+namespace {
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+Jitter jitter_of(const Json& entry) {
+  const std::string& kind = text_of(entry, "kind");
+  if (kind == "uniform") return {Jitter::Kind::uniform, exact(entry, "fraction"), bits_of(entry, "seed")};
+  if (kind == "normal") return {Jitter::Kind::normal, exact(entry, "sigma_s"), bits_of(entry, "seed")};
+  return {Jitter::Kind::missed_frames, exact(entry, "probability"), bits_of(entry, "seed")};
+}
+
+Scenario of_length(Clock clock, std::variant<std::monostate, std::int64_t, double> length) {
+  Scenario scenario;
+  scenario.clock = std::move(clock);
+  scenario.length = length;
+  return scenario;
+}
+
+TEST(SplitMix64, DrawsThePublishedOutputs) {
+  for (const Json& entry : vectors("splitmix64"))
+    for (const Json& draw : *entry.find("draws")->get<Json::Array>()) {
+      const auto k = static_cast<std::uint64_t>(integer_of(draw, "k"));
+      EXPECT_EQ(split_mix64(bits_of(entry, "seed"), k), bits_of(draw, "output")) << "k " << k;
+      EXPECT_EQ(bits(split_mix64_unit(bits_of(entry, "seed"), k)), bits(exact(draw, "u"))) << "k " << k;
+    }
+}
+
+TEST(SplitMix64, StaysBelowOne) {
+  // The largest output there can be makes the largest unit draw.
+  EXPECT_LT(static_cast<double>(~std::uint64_t{0} >> 11) * 0x1p-53, 1.0);
+}
+
+TEST(Jitter, DrawsThePublishedFrames) {
+  for (const Json& entry : vectors("jitter")) {
+    const Jitter jitter = jitter_of(entry);
+    const std::vector<double> frames_dt_s = exact_list(entry, "frames_dt_s");
+    for (std::size_t frame = 0; frame < frames_dt_s.size(); ++frame)
+      EXPECT_EQ(bits(jittered_dt_s(exact(entry, "dt_s"), jitter, static_cast<std::int64_t>(frame))),
+                bits(frames_dt_s[frame]))
+          << text_of(entry, "kind") << " seed " << jitter.seed << " frame " << frame;
+  }
+}
+
+TEST(Jitter, HoldsEveryKindOfVector) {
+  int kinds[3] = {};
+  for (const Json& entry : vectors("jitter")) ++kinds[static_cast<int>(jitter_of(entry).kind)];
+  for (const int count : kinds) EXPECT_GE(count, 5);
+}
+
+TEST(FrameClock, OfARateTakesItsReciprocal) {
+  const Clock clock{FixedRate{144.0}, {}};
+  EXPECT_EQ(bits(FrameClock(clock).dt_s(0)), bits(1.0 / 144.0));
+  EXPECT_EQ(bits(FrameClock(clock).dt_s(999'999'999'999)), bits(1.0 / 144.0));
+  EXPECT_TRUE(FrameClock(clock).is_fixed());
+}
+
+TEST(FrameClock, OfAStepKeepsItsBits) {
+  const Clock clock{FixedStep{-0.0}, {}};
+  EXPECT_EQ(bits(FrameClock(clock).dt_s(7)), bits(-0.0));
+}
+
+TEST(FrameClock, WithJitterDrawsByFrameAndKeepsItsBase) {
+  const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.3, 11}};
+  const FrameClock frames(clock);
+  EXPECT_FALSE(frames.is_fixed());
+  EXPECT_EQ(bits(frames.dt_s(5)), bits(jittered_dt_s(1.0 / 60.0, *clock.jitter, 5)));
+  EXPECT_NE(bits(frames.dt_s(5)), bits(frames.dt_s(6)));
+  EXPECT_EQ(bits(frames.nominal_dt_s(5)), bits(1.0 / 60.0));
+}
+
+TEST(FrameClock, OfATraceTakesItsFrames) {
+  const Clock clock{RecordedSteps{{0.1, 0.0, 0.3}}, {}};
+  const FrameClock frames(clock);
+  EXPECT_FALSE(frames.is_fixed());
+  EXPECT_EQ(frames.dt_s(0), 0.1);
+  EXPECT_EQ(frames.dt_s(2), 0.3);
+  EXPECT_EQ(frames.nominal_dt_s(1), 0.0);
+}
+
+TEST(StepCount, OfADurationIsThePublishedOne) {
+  for (const Json& entry : vectors("steps")) {
+    const Clock clock{FixedStep{exact(entry, "dt_s")}, {}};
+    EXPECT_EQ(step_count(of_length(clock, exact(entry, "duration_s"))), integer_of(entry, "steps"))
+        << text_of(entry, "duration_s") << " of " << text_of(entry, "dt_s");
+  }
+}
+
+TEST(StepCount, OfStepsIsWhatTheySay) {
+  EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, std::int64_t{900})), 900);
+  EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, kStepsMax)), kStepsMax);
+}
+
+TEST(StepCount, OfATraceIsItsLength) {
+  EXPECT_EQ(step_count(of_length({RecordedSteps{{0.1, 0.1, 0.1}}, {}}, {})), 3);
+}
+
+TEST(StepCount, OfADurationPastTheLimitSaysSo) {
+  EXPECT_EQ(step_count(of_length({FixedStep{1e-9}, {}}, 1e3)), kStepsMax);
+  EXPECT_EQ(step_count(of_length({FixedStep{1e-9}, {}}, 1001.0)), kStepsMax + 1);
+  EXPECT_EQ(step_count(of_length({FixedStep{5e-324}, {}}, 1e308)), kStepsMax + 1);
+}
+
+TEST(PlaysTheSame, LooksAwayFromWhatIsOnlySaid) {
+  Scenario a = of_length({FixedRate{60.0}, {}}, std::int64_t{10});
+  Scenario b = a;
+  b.name = "other";
+  b.description = "other";
+  b.schema = "other";
+  b.expect = Expect{};
+  EXPECT_TRUE(plays_the_same(a, b));
+}
+
+TEST(PlaysTheSame, SeesEverythingThatPlays) {
+  const Scenario a = of_length({FixedRate{60.0}, {}}, std::int64_t{10});
+  std::vector<Scenario> others(8, a);
+  others[0].window.width_px = 1;
+  others[1].sprite.height_px = 1;
+  others[2].start.x_px = 1.0;
+  others[3].start_velocity.vy_px_per_s = 1.0;
+  others[4].clock.jitter = Jitter{};
+  others[5].length = std::int64_t{11};
+  others[6].events.push_back({std::int64_t{1}, Stop{}});
+  others[7].record_every = 2;
+  for (const Scenario& other : others) EXPECT_FALSE(plays_the_same(a, other)) << &other - others.data();
+}
+
+TEST(PlaysTheSame, TakesATraceWithAndWithoutStepsAsOne) {
+  const Clock clock{RecordedSteps{{0.1, 0.2}}, {}};
+  EXPECT_TRUE(plays_the_same(of_length(clock, {}), of_length(clock, std::int64_t{2})));
+}
+
+TEST(LongestFrame, IsThatOfTheKindOfJitter) {
+  const auto longest_s = [](Jitter::Kind kind, double amount, double dt_s) {
+    return longest_dt_s({FixedStep{dt_s}, Jitter{kind, amount, 1}});
+  };
+  EXPECT_EQ(longest_dt_s({FixedStep{0.25}, {}}), 0.25);
+  EXPECT_EQ(longest_s(Jitter::Kind::uniform, 1.0, 0.25), 0.5);
+  EXPECT_EQ(longest_s(Jitter::Kind::missed_frames, 0.1, 0.25), 0.5);
+  EXPECT_EQ(longest_s(Jitter::Kind::normal, 1.0, 0.25), 6.25);
+  EXPECT_EQ(longest_s(Jitter::Kind::normal, kFrameMax_s, 0.25), kFrameMax_s);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,150 @@
+// A run that keeps the invariants passes; one row that does not is found, by its invariant and its row.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "sim/replay/replay.h"
+#include "sim/study/step_watch.h"
+#include "tests/unit/sim/replay/some_flings.h"
+
+namespace hyrax {
+namespace {
+
+// Hands rows on to a watch, one of them changed.
+class Tampering : public RowSink {
+ public:
+  Tampering(StepWatch& watch, std::int64_t step, std::function<void(Row&)> change)
+      : watch_(watch), step_(step), change_(std::move(change)) {}
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    Columns changed;
+    for (std::size_t index = 0; index < batch.size(); ++index) {
+      Row row = batch.row(index);
+      if (row.step == step_) change_(row);
+      changed.append(row);
+    }
+    watch_.rows(changed);
+  }
+
+ private:
+  StepWatch& watch_;
+  std::int64_t step_;
+  std::function<void(Row&)> change_;
+};
+
+InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
+                          const std::function<void(Row&)>& change = {}) {
+  StepWatch watch(scenario);
+  Tampering sink(watch, step, change);
+  replay(scenario, sink, {.skips_repetition = false, .checks_bounds = false});
+  return watch.measures();
+}
+
+const InvariantMeasure& of(const InvariantMeasures& measures, Invariant invariant) {
+  return measures[static_cast<std::size_t>(invariant)];
+}
+
+// In flight at this row, far from all walls.
+constexpr std::int64_t kInFlight = 10;
+
+void expect_broken(Invariant invariant, const std::function<void(Row&)>& change) {
+  const InvariantMeasures measures = watched(fling_at(60.0, 300), kInFlight, change);
+  EXPECT_FALSE(of(measures, invariant).holds);
+  // The row after the changed one is astray as well, since it starts elsewhere.
+  EXPECT_GE(of(measures, invariant).worst_step, kInFlight);
+  EXPECT_LE(of(measures, invariant).worst_step, kInFlight + 1);
+}
+
+TEST(StepWatch, AThrowKeepsAllInvariants) {
+  for (const InvariantMeasure& measure : watched(fling_at(60.0, 600))) EXPECT_TRUE(measure.holds);
+}
+
+TEST(StepWatch, SoDoesOneWithEveryKindOfInput) {
+  Scenario scenario = eventful_fling();
+  // But for the one that makes the sprite wider than its window, which has two walls claim it.
+  std::erase_if(scenario.events, [](const Event& event) {
+    const Resize* const resize = std::get_if<Resize>(&event.action);
+    return resize != nullptr && resize->sprite == Size{1000, 64};
+  });
+  const InvariantMeasures measures = watched(scenario);
+  for (std::size_t index = 0; index < kInvariantCount; ++index)
+    EXPECT_TRUE(measures[index].holds || static_cast<Invariant>(index) == Invariant::no_time)
+        << kInvariantTexts[index].name;
+}
+
+TEST(StepWatch, SoDoRandomOnesWhereverTheSpriteFits) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Scenario scenario = any_fling(seed, 400);
+    scenario.sprite = {1, 1};
+    std::erase_if(scenario.events,
+                  [](const Event& event) { return std::holds_alternative<Resize>(event.action); });
+    scenario.window.width_px += 1;
+    scenario.window.height_px += 1;
+    const InvariantMeasures measures = watched(scenario);
+    for (std::size_t index = 0; index < kInvariantCount; ++index)
+      ASSERT_TRUE(measures[index].holds || static_cast<Invariant>(index) == Invariant::no_time)
+          << kInvariantTexts[index].name << ", seed " << seed << ", row " << measures[index].worst_step;
+  }
+}
+
+TEST(StepWatch, FindsANaN) {
+  expect_broken(Invariant::finite, [](Row& row) { row.vx_px_per_s = std::nan(""); });
+}
+TEST(StepWatch, FindsTimeThatGoesBack) {
+  expect_broken(Invariant::finite, [](Row& row) { row.t_s -= 1.0; });
+}
+TEST(StepWatch, FindsARowOutside) {
+  expect_broken(Invariant::in_bounds, [](Row& row) { row.x_px = -1e-9; });
+}
+TEST(StepWatch, FindsEnergyFromNowhere) {
+  expect_broken(Invariant::step_energy, [](Row& row) { row.y_px -= 20.0; });
+}
+TEST(StepWatch, FindsEnergyAboveTheCeiling) {
+  expect_broken(Invariant::energy_ceiling, [](Row& row) { row.y_px -= 200.0; });
+}
+TEST(StepWatch, FindsASpeedOneUlpTooHigh) {
+  expect_broken(Invariant::speed, [](Row& row) { row.vx_px_per_s = std::nextafter(row.vx_px_per_s, 1e9); });
+}
+TEST(StepWatch, FindsAClampThatMetNoWall) {
+  expect_broken(Invariant::clamp, [](Row& row) { row.x_px = std::nextafter(row.x_px, 0.0); });
+}
+// Each wall met in one frame, its row changed by an ulp in one speed.
+TEST(StepWatch, FindsASpeedThatNoBounceLeaves) {
+  struct Throw {
+    Position start;
+    Velocity velocity;
+  };
+  for (const Throw& at : {Throw{{1.0, 300.0}, {-900.0, 0.0}}, Throw{{1791.0, 300.0}, {900.0, 0.0}},
+                          Throw{{500.0, 1.0}, {300.0, -900.0}}, Throw{{500.0, 951.0}, {300.0, 900.0}}})
+    for (double Row::*const speed : {&Row::vx_px_per_s, &Row::vy_px_per_s}) {
+      Scenario scenario = fling_at(60.0, 1);
+      scenario.window = {1920, 1080};
+      scenario.sprite = {128, 128};
+      scenario.start = at.start;
+      scenario.start_velocity = at.velocity;
+      EXPECT_TRUE(of(watched(scenario), Invariant::bounce).is_asked);
+      EXPECT_TRUE(of(watched(scenario), Invariant::bounce).holds);
+      const auto change = [speed](Row& row) { row.*speed = std::nextafter(row.*speed, 0.0); };
+      EXPECT_FALSE(of(watched(scenario, 1, change), Invariant::bounce).holds) << at.start.x_px;
+    }
+}
+TEST(StepWatch, FindsAMirrorThatIsBroken) {
+  expect_broken(Invariant::mirror, [](Row& row) { row.vx_px_per_s *= 0.999; });
+}
+TEST(StepWatch, FindsAYThatIsMovedByAnUlp) {
+  expect_broken(Invariant::y_alone, [](Row& row) { row.vy_px_per_s = std::nextafter(row.vy_px_per_s, 0.0); });
+}
+TEST(StepWatch, KnowsThatDragActsInAFrameOfNoTime) {
+  Scenario scenario = fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}});
+  const InvariantMeasures measures = watched(scenario);
+  EXPECT_FALSE(of(measures, Invariant::no_time).holds);
+  EXPECT_EQ(of(measures, Invariant::no_time).worst_step, 21);
+}
+TEST(StepWatch, AsksForNoTimeOnlyWhereItPasses) {
+  EXPECT_FALSE(of(watched(fling_at(60.0, 60)), Invariant::no_time).is_asked);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,149 @@
+// The state hash against the published vectors, and that nothing of a row escapes it.
+#include "sim/trajectory/state_hash.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/oracle/vectors.h"
+
+namespace hyrax {
+namespace {
+
+std::vector<Row> rows_of(const Json& entry) {
+  std::vector<Row> rows;
+  if (const Json* listed = entry.find("rows")) {
+    for (const Json& row : *listed->get<Json::Array>())
+      rows.push_back({.dt_s = exact(row, "dt"),
+                      .x_px = exact(row, "x"),
+                      .y_px = exact(row, "y"),
+                      .vx_px_per_s = exact(row, "vx"),
+                      .vy_px_per_s = exact(row, "vy"),
+                      .contact = static_cast<std::uint8_t>(integer_of(row, "contact"))});
+    return rows;
+  }
+  // The rule that stands beside the long ones.
+  for (std::int64_t i = 0; i < integer_of(entry, "count"); ++i) {
+    const auto at = static_cast<double>(i);
+    rows.push_back({.dt_s = 1.0 / 64.0,
+                    .x_px = at,
+                    .y_px = at * 0.5,
+                    .vx_px_per_s = 0.0 - at,
+                    .vy_px_per_s = 1000.0 - at,
+                    .contact = static_cast<std::uint8_t>(i % 32)});
+  }
+  return rows;
+}
+
+void append(RowBlock& block, const Row& row) {
+  pack_row(block.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
+}
+
+std::vector<Digest> block_digests(const std::vector<Row>& rows) {
+  std::vector<Digest> digests;
+  RowBlock block;
+  for (const Row& row : rows) {
+    append(block, row);
+    if (block.room() > 0) continue;
+    digests.push_back(digest(block));
+    block.shrink(0);
+  }
+  if (block.size() > 0) digests.push_back(digest(block));
+  return digests;
+}
+
+std::string state_hash(const std::vector<Row>& rows) {
+  StateHash hash;
+  for (const Digest& block : block_digests(rows)) hash.add(block);
+  return hex(hash.value());
+}
+
+const std::vector<Row> kTwoRows = {
+    {.dt_s = 0.0, .x_px = 300.0, .y_px = 500.0, .vx_px_per_s = 2400.0, .vy_px_per_s = -700.0},
+    {.dt_s = 0.1, .x_px = 0.0, .y_px = 440.0, .vx_px_per_s = -2.0, .vy_px_per_s = 1.5, .contact = 9}};
+
+TEST(StateHash, IsThePublishedOne) {
+  for (const Json& entry : vectors("state_hash"))
+    EXPECT_EQ(state_hash(rows_of(entry)), text_of(entry, "state_hash")) << text_of(entry, "name");
+}
+
+TEST(StateHash, IsMadeOfThePublishedBlockDigests) {
+  for (const Json& entry : vectors("state_hash")) {
+    const std::vector<Digest> digests = block_digests(rows_of(entry));
+    const Json::Array& published = *entry.find("block_digests")->get<Json::Array>();
+    ASSERT_EQ(digests.size(), published.size()) << text_of(entry, "name");
+    for (std::size_t block = 0; block < digests.size(); ++block)
+      EXPECT_EQ(hex(digests[block]), *published[block].get<std::string>()) << text_of(entry, "name");
+  }
+}
+
+TEST(StateHash, OfTheSameBlockManyTimesOverIsTheHashOfThemAll) {
+  const Digest block = block_digests(kTwoRows).front();
+  for (const std::int64_t count :
+       {std::int64_t{1}, std::int64_t{2}, std::int64_t{4096}, std::int64_t{10'000}}) {
+    StateHash at_once;
+    StateHash one_by_one;
+    at_once.add(block, count);
+    for (std::int64_t added = 0; added < count; ++added) one_by_one.add(block);
+    EXPECT_EQ(at_once.value(), one_by_one.value()) << count;
+  }
+}
+
+TEST(StateHash, CanBeAskedOnTheWay) {
+  StateHash asked;
+  StateHash quiet;
+  for (const Digest& block : block_digests(kTwoRows)) {
+    asked.add(block);
+    static_cast<void>(asked.value());
+    asked.add(block);
+    quiet.add(block, 2);
+  }
+  EXPECT_EQ(asked.value(), quiet.value());
+}
+
+TEST(StateHash, ChangesWithEveryBitOfARow) {
+  RowBlock block;
+  for (const Row& row : kTwoRows) append(block, row);
+  std::vector<std::byte> bytes(block.data(), block.data() + 2 * kPackedRowBytes);
+  const Digest before = digest(bytes);
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    const auto mask = static_cast<std::byte>(1u << (bit % 8));
+    bytes[bit / 8] ^= mask;
+    EXPECT_NE(digest(bytes), before) << "bit " << bit;
+    bytes[bit / 8] ^= mask;
+  }
+  EXPECT_EQ(digest(bytes), before);
+}
+
+TEST(StateHash, LetsNoTwoSignFlipsCancel) {
+  double Row::*const fields[] = {&Row::dt_s, &Row::x_px, &Row::y_px, &Row::vx_px_per_s, &Row::vy_px_per_s};
+  const std::string before = state_hash(kTwoRows);
+  for (int a = 0; a < 10; ++a)
+    for (int b = a + 1; b < 10; ++b) {
+      std::vector<Row> rows = kTwoRows;
+      for (const int field : {a, b}) {
+        double& value = rows[static_cast<std::size_t>(field / 5)].*fields[field % 5];
+        value = -value;
+      }
+      EXPECT_NE(state_hash(rows), before) << "fields " << a << " and " << b;
+    }
+}
+
+TEST(StateHash, KnowsTheOrderOfRows) {
+  EXPECT_NE(state_hash({kTwoRows[1], kTwoRows[0]}), state_hash(kTwoRows));
+}
+
+TEST(StateHash, LeavesOutStepAndTime) {
+  std::vector<Row> rows = kTwoRows;
+  rows[1].step = 77;
+  rows[1].t_s = 77.0;
+  EXPECT_EQ(state_hash(rows), state_hash(kTwoRows));
+}
+
+TEST(Digest, IsWrittenInLowerCaseHexBigEndFirst) {
+  Digest digest{};
+  digest[0] = 0xab;
+  digest[15] = 0x01;
+  EXPECT_EQ(hex(digest), "ab000000000000000000000000000001");
+}
+
+}  // namespace
+}  // namespace hyrax

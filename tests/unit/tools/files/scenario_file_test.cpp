@@ -1,0 +1,234 @@
+// Scenario files: what a good one is read as, overrides, and writing.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <unistd.h>
+
+#include "sim/scenario/frame_clock.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tools/files/failure.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+const std::string kScenarios = std::string(HYRAX_SOURCE_DIR) + "/scenarios/";
+
+class ScenarioFile : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + name) << text;
+    return folder_ + name;
+  }
+  // What is said of the file and its overrides.
+  static std::string refusal(const std::string& path, const std::vector<Override>& overrides = {}) {
+    try {
+      static_cast<void>(load_scenario(path, overrides));
+      return "taken";
+    } catch (const Failure& failure) {
+      exit_code = failure.exit_code();
+      return failure.what();
+    }
+  }
+  static inline ExitCode exit_code = ExitCode::agreed;
+
+ private:
+  const std::string folder_ = testing::TempDir() + "hyrax-scenario-file-" + std::to_string(getpid()) + "/";
+};
+
+constexpr char kNameless[] =
+    R"({"format": "hyrax-scenario/1", "window": {"width_px": 800, "height_px": 600}, "sprite": {"width_px": 9, "height_px": 9},
+        "start": {"x_px": -0, "y_px": 2}, "clock": {"rate_hz": 60}, "steps": 5})";
+
+TEST_F(ScenarioFile, OfTheSpecificationIsReadToTheLastValue) {
+  const Scenario scenario = load_scenario(kScenarios + "flings/corner-fling.json");
+  EXPECT_EQ(scenario.name, "corner-fling");
+  EXPECT_EQ(scenario.window, (Size{1920, 1080}));
+  EXPECT_EQ(scenario.sprite, (Size{128, 128}));
+  EXPECT_EQ(scenario.start, (Position{300.0, 500.0}));
+  EXPECT_EQ(scenario.start_velocity, (Velocity{2400.0, -700.0}));
+  EXPECT_EQ(scenario.clock, (Clock{FixedRate{60.0}, Jitter{Jitter::Kind::missed_frames, 0.05, 7}}));
+  EXPECT_EQ(std::get<std::int64_t>(scenario.length), 900);
+  const std::vector<Event> events = {{std::int64_t{120}, Fling{{-1500.0, -900.0}}},
+                                     {std::int64_t{200}, Hitch{0.5}},
+                                     {std::int64_t{300}, Grab{}},
+                                     {std::int64_t{301}, Place{{640.0, 200.0}}},
+                                     {std::int64_t{310}, Release{{700.0, -1200.0}}},
+                                     {std::int64_t{400}, Resize{Size{1280, 720}, {}}},
+                                     {9.5, Stop{}}};
+  EXPECT_EQ(scenario.events, events);
+  EXPECT_EQ(scenario.record_every, 1);
+  Expect expect;
+  expect.in_bounds = true;
+  expect.final_x_px = Interval{1069.0, 1070.0};
+  expect.contacts = {Interval{1, 1}, Interval{3, 3}, Interval{1, 1}, Interval{21, 21}};
+  expect.state_hash = "f94571017f840b1dd0ea542b5fb478f1";
+  EXPECT_EQ(scenario.expect, expect);
+}
+
+TEST_F(ScenarioFile, LeavesWhatIsLeftOutAtItsDefault) {
+  const Scenario scenario = load_scenario(file("plain.json", kNameless));
+  EXPECT_EQ(scenario.name, "plain");
+  EXPECT_EQ(scenario.start_velocity, Velocity{});
+  EXPECT_EQ(scenario.record_every, 1);
+  EXPECT_FALSE(scenario.description || scenario.schema || scenario.expect || scenario.clock.jitter);
+  EXPECT_TRUE(std::signbit(scenario.start.x_px));
+}
+
+TEST_F(ScenarioFile, NeedsANameWhereItsOwnIsNone) {
+  const std::string path = file("Not_A_Name.json", kNameless);
+  EXPECT_EQ(
+      refusal(path).find(path + ": /name: is missing, and the file name is not a name (found Not_A_Name)"),
+      0u);
+  EXPECT_EQ(exit_code, ExitCode::bad_input);
+  EXPECT_EQ(load_scenario(path, {{"/name", "a-name"}}).name, "a-name");
+}
+
+TEST_F(ScenarioFile, TellsEveryFaultInALineOfItsOwn) {
+  const std::string path =
+      file("bad.json", R"({"format": "hyrax-scenario/1", "steps": -1, "clock": {"rate_hz": -60}})");
+  const std::string said = refusal(path);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4);
+  EXPECT_NE(said.find(path + ": /clock/rate_hz: must be greater than 0 and at most 1e+09 (found -60)"),
+            std::string::npos);
+}
+
+TEST_F(ScenarioFile, ThatIsNotThereCannotBeRead) {
+  EXPECT_EQ(refusal("no/such/file.json"), "no/such/file.json: cannot be read: No such file or directory");
+  EXPECT_EQ(exit_code, ExitCode::cannot_access);
+}
+
+TEST_F(ScenarioFile, OfAnImpossibleNameCannotBeRead) {
+  EXPECT_NE(refusal(std::string(5000, 'a')).find("cannot be read"), std::string::npos);
+  EXPECT_EQ(exit_code, ExitCode::cannot_access);
+}
+
+TEST_F(ScenarioFile, ThatIsAFolderCannotBeRead) {
+  EXPECT_EQ(refusal(kScenarios), kScenarios + ": cannot be read: Is a directory");
+}
+
+TEST_F(ScenarioFile, TakesOverridesByPointer) {
+  const std::string path = kScenarios + "flings/corner-fling.json";
+  const Scenario scenario = load_scenario(path, {{"/clock/rate_hz", "72"},
+                                                 {"/start/x_px", "-0"},
+                                                 {"/name", "other"},
+                                                 {"/description", "42 flings"},
+                                                 {"/clock/jitter/seed", "18446744073709551615"},
+                                                 {"/events/0/fling/vx_px_per_s", "1e3"},
+                                                 {"/events/-", R"({"step": 899, "stop": {}})"},
+                                                 {"/record/every", "10"}});
+  EXPECT_EQ(base_dt_s(scenario.clock), 1.0 / 72.0);
+  EXPECT_TRUE(std::signbit(scenario.start.x_px));
+  EXPECT_EQ(scenario.name, "other");
+  EXPECT_EQ(scenario.description, "42 flings");
+  EXPECT_EQ(scenario.clock.jitter->seed, 18446744073709551615u);
+  EXPECT_EQ(std::get<Fling>(scenario.events[0].action).velocity.vx_px_per_s, 1000.0);
+  EXPECT_EQ(scenario.events.size(), 8u);
+  EXPECT_EQ(scenario.record_every, 10);
+}
+
+TEST_F(ScenarioFile, TakesALaterOverrideOverAnEarlierOne) {
+  const std::string path = file("plain.json", kNameless);
+  EXPECT_EQ(step_count(load_scenario(path, {{"/steps", "7"}, {"/steps", "8"}})), 8);
+}
+
+// What a key says may be meant for a terminal.
+TEST_F(ScenarioFile, TellsAKeyInPrintableCharacters) {
+  const std::string told = refusal(file("bad.json", R"({"\u0000\u001b[2J\n": 1})"), {});
+  EXPECT_NE(told.find(R"(/\u0000\u001b[2J\u000a: unknown key)"), std::string::npos) << told;
+}
+
+// Looking through all earlier keys for each would take a while.
+TEST_F(ScenarioFile, TellsManyKeysThatMayNotStand) {
+  std::string text = "{";
+  for (int key = 0; key < 100'000; ++key) text += "\"" + std::to_string(key) + "\": 0,";
+  const std::string told = refusal(file("keys.json", text + "\"0\": 0}"), {});
+  EXPECT_NE(told.find("/99999: unknown key"), std::string::npos);
+  EXPECT_NE(told.find("/0: duplicate key"), std::string::npos);
+}
+
+TEST_F(ScenarioFile, HoldsOverridesToTheSameRules) {
+  const std::string path = file("plain.json", kNameless);
+  EXPECT_EQ(refusal(path, {{"/steps", "many"}}),
+            path + ": /steps: must be a whole number 0 .. 1000000000000 (found \"many\")");
+  EXPECT_NE(refusal(path, {{"/stpes", "7"}}).find(path + ": /stpes: unknown key"), std::string::npos);
+  EXPECT_EQ(refusal(path, {{"/steps/x", "7"}}), path + ": /steps/x: does not exist (found no 'x')");
+  EXPECT_EQ(refusal(path, {{"steps", "7"}}).find(path + ": steps: is not a JSON Pointer"), 0u);
+}
+
+TEST_F(ScenarioFile, ReadsTheSameOnceWritten) {
+  for (const std::string& path : scenario_files()) {
+    const Scenario scenario = load_scenario(path);
+    const Scenario again = parse_scenario(scenario_file_text(scenario), path);
+    EXPECT_TRUE(plays_the_same(scenario, again)) << path;
+    EXPECT_EQ(scenario.name, again.name) << path;
+    EXPECT_EQ(scenario.description, again.description) << path;
+    EXPECT_EQ(scenario.expect, again.expect) << path;
+  }
+}
+
+TEST_F(ScenarioFile, ReadsTheSameBitsOnceWrittenWhateverTheFling) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    Scenario scenario = any_fling(seed, 1000);
+    scenario.clock.jitter =
+        Jitter{static_cast<Jitter::Kind>(seed % 3), split_mix64_unit(seed, 0), split_mix64(seed, 1)};
+    if (seed % 5 == 0) scenario.clock = {RecordedSteps{{split_mix64_unit(seed, 2), 5e-324, 0.0}}, {}};
+    if (seed % 5 == 0) scenario.length = {};
+    if (seed % 5 == 0) scenario.events.clear();
+    const std::string text = scenario_file_text(scenario);
+    const Scenario again = parse_scenario(text, "written");
+    EXPECT_TRUE(plays_the_same(scenario, again)) << text;
+    EXPECT_EQ(scenario_file_text(again), text);
+  }
+}
+
+TEST_F(ScenarioFile, KeepsTheSignOfZeroWhenWritten) {
+  Scenario scenario = fling_at(60.0, 5, {{std::int64_t{1}, Fling{{-0.0, 0.0}}}});
+  scenario.start = {-0.0, 0.0};
+  scenario.clock.base = FixedStep{-0.0};
+  const Scenario again = parse_scenario(scenario_file_text(scenario), "written");
+  EXPECT_TRUE(std::signbit(again.start.x_px));
+  EXPECT_FALSE(std::signbit(again.start.y_px));
+  EXPECT_TRUE(std::signbit(std::get<FixedStep>(again.clock.base).dt_s));
+  EXPECT_TRUE(std::signbit(std::get<Fling>(again.events[0].action).velocity.vx_px_per_s));
+}
+
+TEST_F(ScenarioFile, IsWrittenALineAMember) {
+  EXPECT_EQ(scenario_file_text(fling_at(59.94, 5, {{1.5, Stop{}}})),
+            "{\n"
+            "  \"format\": \"hyrax-scenario/1\",\n"
+            "  \"name\": \"fling\",\n"
+            "  \"window\": { \"width_px\": 1920, \"height_px\": 1080 },\n"
+            "  \"sprite\": { \"width_px\": 128, \"height_px\": 128 },\n"
+            "  \"start\": { \"x_px\": 300, \"y_px\": 500, \"vx_px_per_s\": 2400, \"vy_px_per_s\": -700 },\n"
+            "  \"clock\": { \"rate_hz\": 59.94 },\n"
+            "  \"steps\": 5,\n"
+            "  \"events\": [{ \"at_s\": 1.5, \"stop\": {} }]\n"
+            "}\n");
+}
+
+TEST_F(ScenarioFile, KeepsAnExpectedPointApartFromAnUpperBound) {
+  Scenario scenario = fling_at(60.0, 5);
+  scenario.expect = Expect{};
+  scenario.expect->final_x_px = Interval{5.0, 5.0};
+  scenario.expect->final_y_px = Interval{-5.0, 5.0};
+  scenario.expect->at_rest_since_s = Interval{-std::numeric_limits<double>::infinity(), 5.0};
+  scenario.expect->contacts.left = Interval{3.0, 3.0};
+  scenario.expect->contacts.top = Interval{0.0, 3.0};
+  EXPECT_EQ(parse_scenario(scenario_file_text(scenario), "written").expect, scenario.expect);
+  scenario.expect->at_rest_since_s = Interval{5.0, 5.0};
+  EXPECT_EQ(parse_scenario(scenario_file_text(scenario), "written").expect, scenario.expect);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,138 @@
+// The reader over the table of good and bad documents that the JSON Schema is held to as well.
+#include <gtest/gtest.h>
+
+#include "tools/files/failure.h"
+#include "tools/files/json_pointer.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+constexpr char kSource[] = "some/base.json";
+
+const Json& table() {
+  static const std::string path = std::string(HYRAX_SOURCE_DIR) + "/tests/unit/tools/files/verdicts.json";
+  static const Json document = parse_json(read_text_file(path), path);
+  return document;
+}
+
+const std::string& text_of(const Json& entry, std::string_view key) {
+  return *entry.find(key)->get<std::string>();
+}
+
+void take_out(Json& document, const std::string& pointer) {
+  const std::size_t last = pointer.rfind('/');
+  Json* parent = &document;
+  for (std::size_t at = 0; at < last;) {
+    const std::size_t end = pointer.find('/', at + 1);
+    const std::string key = pointer.substr(at + 1, end - at - 1);
+    for (auto& [name, value] : *parent->get<Json::Object>())
+      if (name == key) parent = &value;
+    at = end;
+  }
+  std::erase_if(*parent->get<Json::Object>(),
+                [&](const auto& member) { return member.first == pointer.substr(last + 1); });
+}
+
+Json document_of(const Json& entry) {
+  if (entry.find("text") != nullptr) return parse_json(text_of(entry, "text"), kSource);
+  Json document = *table().find("base");
+  if (const Json* values = entry.find("set"))
+    for (const auto& [pointer, value] : *values->get<Json::Object>()) set_at(document, pointer, value);
+  if (const Json* pointers = entry.find("without"))
+    for (const Json& pointer : *pointers->get<Json::Array>()) take_out(document, *pointer.get<std::string>());
+  return document;
+}
+
+// What the reader says of an entry's document, a line a fault; nothing of a good one.
+std::string told(const Json& entry) {
+  try {
+    const Scenario scenario = to_scenario(document_of(entry), kSource, "base");
+    return scenario.name.empty() ? "a good scenario has a name" : "";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input);
+    return failure.what();
+  }
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+// "SOURCE: PLACE: ... a part of the sentence ...".
+bool tells(const std::string& line, const std::string& place, const std::string& part) {
+  const std::string beginning = std::string(kSource) + ": " + place + (place.starts_with('/') ? ": " : "");
+  return line.starts_with(beginning) && line.find(part, beginning.size()) != std::string::npos;
+}
+
+// Every fault of the entry is told in a line of its own, and nothing else is told.
+void expect_told(const Json& entry) {
+  std::vector<std::string> lines = lines_of(told(entry));
+  if (const Json* faults = entry.find("tells"))
+    for (const Json& fault : *faults->get<Json::Array>()) {
+      const Json::Array& pair = *fault.get<Json::Array>();
+      const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
+        return tells(text, *pair[0].get<std::string>(), *pair[1].get<std::string>());
+      });
+      if (line != lines.end())
+        lines.erase(line);
+      else
+        ADD_FAILURE() << text_of(entry, "name") << ": not told: " << *pair[0].get<std::string>() << ": "
+                      << *pair[1].get<std::string>() << "\n but: " << told(entry);
+    }
+  for (const std::string& line : lines) ADD_FAILURE() << text_of(entry, "name") << ": told: " << line;
+}
+
+TEST(ScenarioVerdicts, AreWhatTheReaderSays) {
+  const Json::Array& entries = *table().find("verdicts")->get<Json::Array>();
+  EXPECT_GT(entries.size(), 500u);
+  for (const Json& entry : entries) expect_told(entry);
+}
+
+TEST(ScenarioVerdicts, OfGoodDocumentsReadTheSameOnceWritten) {
+  for (const Json& entry : *table().find("verdicts")->get<Json::Array>()) {
+    if (entry.find("tells") != nullptr) continue;
+    const Scenario scenario = to_scenario(document_of(entry), kSource, "base");
+    const std::string text = scenario_file_text(scenario);
+    const Scenario again = parse_scenario(text, "written");
+    EXPECT_TRUE(plays_the_same(scenario, again)) << text;
+    EXPECT_EQ(scenario.expect, again.expect) << text;
+    EXPECT_EQ(scenario_file_text(again), text);
+  }
+}
+
+// A small file must not make a report of hundreds of megabytes.
+TEST(ScenarioVerdicts, ListOnlyTheFirstOfVeryManyErrors) {
+  std::string text = R"({"format": "hyrax-scenario/1", "name": "base", "events": [0)";
+  for (int event = 1; event < 300'000; ++event) text += ",0";
+  const std::vector<std::string> lines = [&] {
+    try {
+      static_cast<void>(parse_scenario(text + "]}", kSource));
+      return std::vector<std::string>{};
+    } catch (const Failure& failure) {
+      return lines_of(failure.what());
+    }
+  }();
+  ASSERT_EQ(lines.size(), 200'001u);
+  // Beside the events, window, sprite, start and clock are missing.
+  EXPECT_EQ(lines.back(), std::string(kSource) + ": and 100004 more errors");
+}
+
+// Control: a table that expects too little, or something else, does not pass.
+TEST(ScenarioVerdicts, NeedTheirPlaceAndSentence) {
+  const std::string line = std::string(kSource) + ": /clock/rate_hz: must be greater than 0 (found -60)";
+  EXPECT_TRUE(tells(line, "/clock/rate_hz", "greater than 0"));
+  EXPECT_FALSE(tells(line, "/clock", "greater than 0"));
+  EXPECT_FALSE(tells(line, "/clock/rate_hz", "at most 1"));
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,79 @@
+// A scenario before the eyes of a user.
+#include "tools/hyrax/playback.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/sim/replay/some_flings.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::int64_t kTicksPerS = 1000;
+
+Scenario fling_with_hash(const std::string& hash) {
+  Scenario scenario = fling_at(60.0, 120);
+  scenario.expect.emplace().state_hash = hash;
+  return scenario;
+}
+
+std::string right_hash() {
+  RowSink nobody;
+  return hex(replay(fling_at(60.0, 120), nobody).state_hash);
+}
+
+TEST(Playback, KeepsThePaceOfTheScenariosClock) {
+  const Scenario scenario = fling_at(60.0, 120);
+  Playback playback(scenario, kTicksPerS, 500);
+  playback.play(500);
+  EXPECT_EQ(playback.now().row.step, 0);
+  playback.play(1500);
+  EXPECT_EQ(playback.now().row.step, 60);
+  EXPECT_FALSE(playback.is_over());
+  playback.play(9000);
+  EXPECT_TRUE(playback.is_over());
+}
+
+TEST(Playback, ComesToTheSameVerdictAsAReplayAtOnce) {
+  const Scenario scenario = fling_with_hash(right_hash());
+  Playback playback(scenario, kTicksPerS, 0);
+  for (std::int64_t ticks = 0; !playback.is_over(); ticks += 17) playback.play(ticks);
+  EXPECT_EQ(playback.finish().sentence, replayed(scenario).sentence);
+}
+
+TEST(Playback, OfTheRightHashAgrees) {
+  const Verdict verdict = replayed(fling_with_hash(right_hash()));
+  EXPECT_EQ(verdict.exit_code, ExitCode::agreed);
+  EXPECT_EQ(verdict.sentence, "fling: state hash " + right_hash() + " agrees");
+}
+
+TEST(Playback, OfAnotherHashDiffers) {
+  const Verdict verdict = replayed(fling_with_hash(std::string(32, '0')));
+  EXPECT_EQ(verdict.exit_code, ExitCode::disagreed);
+  EXPECT_NE(verdict.sentence.find("differs from the scenario's, 00000000000000000000000000000000"),
+            std::string::npos);
+}
+
+TEST(Playback, WithoutAHashHasNothingToCompare) {
+  EXPECT_EQ(replayed(fling_at(60.0, 120)).exit_code, ExitCode::agreed);
+}
+
+TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
+  Scenario scenario = fling_at(60.0, 1000);
+  scenario.clock.base = FixedStep{1e9};
+  scenario.start_velocity = {1e12, 1e12};
+  scenario.window = {0, 0};
+  Playback playback(scenario, kTicksPerS, 0);
+  playback.play(kTicksPerS);
+  EXPECT_EQ(playback.finish().exit_code, replayed(scenario).exit_code);
+}
+
+TEST(Playback, StaysAwakeWhenFramesAreTooShortForTheirTime) {
+  Scenario scenario = fling_at(1e9, 0);
+  scenario.length = std::int64_t{1'000'000'000'000};
+  Playback playback(scenario, kTicksPerS, 0);
+  playback.play(10 * kTicksPerS);
+  EXPECT_LT(playback.now().row.step, 1'000'000);
+}
+
+}  // namespace
+}  // namespace hyrax

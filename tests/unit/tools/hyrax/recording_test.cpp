@@ -1,0 +1,206 @@
+// A recording on the disk, at every moment and in the end.
+#include "tools/hyrax/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <new>
+
+#include <unistd.h>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tools/files/failure.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
+#include "tools/hyrax/session.h"
+
+namespace hyrax {
+namespace {
+
+Keyframe start() {
+  Keyframe start;
+  start.row.x_px = 300.0;
+  start.window = kDesktop;
+  start.sprite = kHyrax;
+  return start;
+}
+
+class RecordedSession : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ + name; }
+  // A throw every hundred frames.
+  void play(std::int64_t frames) {
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+      if (session.now().row.step % 100 == 0) session.apply(Fling{{900.0, -1000.0}});
+      session.advance(1.0 / 60.0);
+    }
+  }
+  void save() {
+    session.recording().save();
+    saver.wait();
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  // Frames of a file that comes to the hash it carries.
+  static std::int64_t good_frames(const std::string& path) {
+    const Scenario scenario = load_scenario(path);
+    RowSink nobody;
+    const RunSummary summary = replay(scenario, nobody);
+    EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash)) << path;
+    return summary.steps;
+  }
+
+  ScenarioSaver saver;
+  Session session{start()};
+
+ private:
+  const std::string folder_ = testing::TempDir() + "hyrax-recording-" + std::to_string(getpid()) + "/";
+};
+
+TEST_F(RecordedSession, IsWholeAtEverySave) {
+  play(10);
+  session.start_recording(path("Fling 1.json"), saver);
+  for (int second = 1; second <= 5; ++second) {
+    play(60);
+    save();
+    EXPECT_EQ(good_frames(path("Fling 1.json")), 60 * second);
+  }
+  play(7);
+  session.finish_recording();
+  EXPECT_EQ(good_frames(path("Fling 1.json")), 307);
+  EXPECT_FALSE(session.is_recording());
+  EXPECT_EQ(load_scenario(path("Fling 1.json")).name, "fling-1");
+}
+
+TEST_F(RecordedSession, GoesOnInPartsAndEndsAsOneFile) {
+  session.start_recording(path("long.json"), saver);
+  play(2 * Recording::kPartFrames + 500);
+  save();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long.json"}));
+  EXPECT_EQ(good_frames(path("long.json")), Recording::kPartFrames);
+  EXPECT_EQ(good_frames(path("long-2.json")), Recording::kPartFrames);
+  EXPECT_EQ(good_frames(path("long-3.json")), 500);
+  session.finish_recording();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long.json"}));
+  EXPECT_EQ(good_frames(path("long.json")), 2 * Recording::kPartFrames + 500);
+}
+
+TEST_F(RecordedSession, NeitherReplacesNorRemovesAFileOfAnother) {
+  write_text_file(path("long-2.json"), "mine");
+  write_text_file(path("long-4.json"), "mine, too");
+  session.start_recording(path("long.json"), saver);
+  play(2 * Recording::kPartFrames + 500);
+  save();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long-4.json", "long-5.json",
+                                               "long.json"}));
+  EXPECT_EQ(good_frames(path("long-3.json")), Recording::kPartFrames);
+  EXPECT_EQ(good_frames(path("long-5.json")), 500);
+  session.finish_recording();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-4.json", "long.json"}));
+  EXPECT_EQ(read_text_file(path("long-2.json")), "mine");
+  EXPECT_EQ(read_text_file(path("long-4.json")), "mine, too");
+}
+
+TEST_F(RecordedSession, RefusesANameThatExists) {
+  write_text_file(path("fling.json"), "mine");
+  EXPECT_THROW(session.start_recording(path("fling.json"), saver), Failure);
+  EXPECT_FALSE(session.is_recording());
+  EXPECT_EQ(free_path(path("fling.json")), path("fling-2.json"));
+  EXPECT_EQ(free_path(path("other.json")), path("other.json"));
+}
+
+TEST_F(RecordedSession, LeavesAFileThatTookItsNameMeanwhile) {
+  session.start_recording(path("fling.json"), saver);
+  write_text_file(path("fling.json"), "mine");
+  play(50);
+  save();
+  EXPECT_EQ(good_frames(path("fling-2.json")), 50);
+  EXPECT_THROW(session.finish_recording(), Failure);
+  EXPECT_EQ(read_text_file(path("fling.json")), "mine");
+  EXPECT_EQ(good_frames(path("fling-2.json")), 50);
+}
+
+TEST_F(RecordedSession, ContinuesInFurtherFiles) {
+  write_text_file(path("long-2.json"), "mine");
+  session.start_recording(path("long.json"), saver);
+  for (const std::int64_t frames : {Recording::kPartFrames + 7, std::int64_t{20}, std::int64_t{30}}) {
+    play(frames);
+    session.apply(Fling{{100.0, -200.0}});
+    save();
+    session.continue_recording();
+  }
+  play(40);
+  session.finish_recording();
+  EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long-4.json", "long-5.json",
+                                               "long.json"}));
+  EXPECT_EQ(good_frames(path("long.json")), Recording::kPartFrames + 7);
+  EXPECT_EQ(good_frames(path("long-3.json")), 20);
+  EXPECT_EQ(good_frames(path("long-4.json")), 30);
+  EXPECT_EQ(good_frames(path("long-5.json")), 40);
+}
+
+TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
+  session.start_recording(path("fling.json"), saver);
+  play(10);
+  write_text_file(path("fling.json"), "mine");
+  EXPECT_THROW(session.continue_recording(), Failure);
+  ASSERT_TRUE(session.is_recording());
+  play(20);
+  session.finish_recording();
+  EXPECT_EQ(good_frames(path("fling-2.json")), 20);
+}
+
+// As where memory is short.
+TEST_F(RecordedSession, OutlivesEveryExceptionOfASave) {
+  ScenarioSaver short_of_memory([](const Scenario& scenario) {
+    if (step_count(scenario) > 5) throw std::bad_alloc();
+    return scenario_file_text(scenario);
+  });
+  short_of_memory.save(path("long.json"), fling_at(60.0, 6));
+  short_of_memory.wait();
+  const auto failure = short_of_memory.take_failure();
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_TRUE(failure->starts_with(path("long.json") + ": cannot be written: ")) << *failure;
+  short_of_memory.save(path("short.json"), fling_at(60.0, 5));
+  short_of_memory.wait();
+  EXPECT_FALSE(short_of_memory.take_failure().has_value());
+  EXPECT_EQ(names(), std::vector<std::string>{"short.json"});
+}
+
+TEST_F(RecordedSession, WithoutAFrameIsNoFile) {
+  session.start_recording(path("empty.json"), saver);
+  save();
+  session.finish_recording();
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(RecordedSession, TellsOfAPlaceThatCannotBeWritten) {
+  session.start_recording(path("missing/fling.json"), saver);
+  play(10);
+  save();
+  const auto failure = saver.take_failure();
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_NE(failure->find("missing/fling.json: cannot be written"), std::string::npos);
+  EXPECT_FALSE(saver.take_failure().has_value());
+  EXPECT_THROW(session.finish_recording(), Failure);
+  EXPECT_FALSE(session.is_recording());
+}
+
+TEST_F(RecordedSession, IsNamedByItsFile) {
+  EXPECT_EQ(scenario_name_of("a/My fling_2.json"), "my-fling-2");
+  EXPECT_EQ(scenario_name_of("a/"), "recording");
+  EXPECT_EQ(scenario_name_of(std::string(99, 'x') + ".json").size(), 64u);
+}
+
+}  // namespace
+}  // namespace hyrax

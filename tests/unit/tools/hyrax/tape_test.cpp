@@ -1,0 +1,147 @@
+// What is kept of a session is a scenario that a replay plays to the same bits.
+#include "tools/hyrax/tape.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/split_mix64.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/hyrax/session.h"
+
+namespace hyrax {
+namespace {
+
+Keyframe start() {
+  Keyframe start;
+  start.row.x_px = 300.0;
+  start.row.y_px = 500.0;
+  start.row.vx_px_per_s = 2400.0;
+  start.row.vy_px_per_s = -0.0;
+  start.window = kDesktop;
+  start.sprite = kHyrax;
+  return start;
+}
+
+// A trembling display of 60 Hz, now and then with two frames at the same time.
+double dt_s(std::int64_t frame) {
+  const double draw = split_mix64_unit(11, static_cast<std::uint64_t>(frame));
+  return draw < 0.01 ? 0.0 : 0.0167 + 0.004 * (draw - 0.5);
+}
+
+void play(Session& session, std::int64_t frames) {
+  for (std::int64_t frame = 0; frame < frames; ++frame) session.advance(dt_s(session.now().row.step));
+}
+
+// All kinds of inputs, and the frames between them.
+void live(Session& session) {
+  play(session, 200);
+  session.apply(Grab{});
+  for (int move = 0; move < 20; ++move) {
+    session.apply(Place{{500.0 + 10 * move, 300.25 - move}});
+    session.advance(dt_s(session.now().row.step));
+  }
+  session.apply(Release{{1300.5, -900.25}});
+  play(session, 50);
+  session.apply(Resize{Size{1280, 700}, Size{160, 160}});
+  session.apply(Place{{-20.0, 30.0}});
+  play(session, 100);
+  session.apply(Stop{});
+  session.apply(Fling{{-700.0, -1500.0}});
+  play(session, 300);
+}
+
+// What a file of it comes to.
+RunSummary replayed_from_text(const Tape& tape) {
+  const Scenario read = parse_scenario(scenario_file_text(tape.scenario("tape")), "tape");
+  RowSink nobody;
+  return replay(read, nobody);
+}
+
+void expect_replays(const Tape& tape, const Keyframe& end) {
+  const RunSummary summary = replayed_from_text(tape);
+  EXPECT_EQ(hex(summary.state_hash), hex(tape.state_hash()));
+  EXPECT_EQ(tape.scenario("tape").expect->state_hash, hex(summary.state_hash));
+  EXPECT_EQ(summary.steps, tape.frames());
+  EXPECT_TRUE(same_bits(summary.final.x_px, end.row.x_px));
+  EXPECT_TRUE(same_bits(summary.final.vy_px_per_s, end.row.vy_px_per_s));
+}
+
+TEST(Tape, OfASessionReplaysToTheSameBits) {
+  Session session(start());
+  live(session);
+  expect_replays(session.just_happened(), session.now());
+}
+
+TEST(Tape, OfManyBlocksReplaysToTheSameBits) {
+  Session session(start());
+  for (int life = 0; life < 15; ++life) live(session);
+  const Tape tape = session.just_happened();
+  EXPECT_GT(tape.frames(), 2 * static_cast<std::int64_t>(kBlockRows));
+  expect_replays(tape, session.now());
+}
+
+// A control: the hash is of what was shown, not of what a replay would make of it.
+TEST(Tape, WithAnotherStateThanTheModelsDoesNotReplay) {
+  Session session(start());
+  Tape tape(session.now());
+  play(session, 1);
+  Row row = session.now().row;
+  row.x_px += 1e-9;
+  tape.add_frame(row);
+  EXPECT_NE(hex(replayed_from_text(tape).state_hash), hex(tape.state_hash()));
+}
+
+TEST(Tape, ThatBeginsInAHoldBeginsWithAGrab) {
+  Session session(start());
+  session.apply(Grab{});
+  play(session, 3);
+  session.apply(Fling{{5.0, -0.0}});  // While it is held: the speed stays, and nothing moves.
+  play(session, 1);
+  Tape tape(session.now());
+  const auto keep = [&](const Action& action) {
+    session.apply(action);
+    tape.add_input(action);
+  };
+  const auto keep_frames = [&](int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+      play(session, 1);
+      tape.add_frame(session.now().row);
+    }
+  };
+  keep_frames(5);
+  keep(Place{{10.0, 20.0}});
+  keep_frames(2);
+  keep(Release{{100.0, -100.0}});
+  keep_frames(50);
+  expect_replays(tape, session.now());
+}
+
+TEST(Tape, LeavesOutInputsOfAFrameToCome) {
+  Session session(start());
+  play(session, 4);
+  session.apply(Grab{});
+  const Scenario scenario = session.just_happened().scenario("tape");
+  EXPECT_TRUE(scenario.events.empty());
+  EXPECT_EQ(hex(replayed_from_text(session.just_happened()).state_hash), scenario.expect->state_hash);
+}
+
+TEST(Tape, OfOneFrameReplays) {
+  Session session(start());
+  play(session, 1);
+  expect_replays(session.just_happened(), session.now());
+}
+
+TEST(Ring, LetsTheOldestGoAndStillReplays) {
+  Session session(start());
+  while (session.now().row.step < 3 * Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax))
+    live(session);
+  const Tape tape = session.just_happened();
+  EXPECT_GE(tape.frames(), Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax - 1));
+  EXPECT_LE(tape.frames(), Ring::kTapeFrames * static_cast<std::int64_t>(Ring::kTapesMax));
+  expect_replays(tape, session.now());
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,93 @@
+// Contacts that arrive one by one and end late, few and many.
+#include "tools/store/trajectory_parts.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/tools/store/stored_flings.h"
+
+namespace hyrax {
+namespace {
+
+constexpr auto kBatch = static_cast<std::int64_t>(ContactTable::kBatch);
+
+Contact contact_number(std::int64_t number) {
+  const auto value = static_cast<double>(number);
+  return {.step = 2 * number + 1,
+          .last_step = 2 * number + 1,
+          .wall = kWalls[static_cast<std::size_t>(number % 4)],
+          .t_s = value / 8.0,
+          .x_px = value,
+          .y_px = -value,
+          .vx_before_px_per_s = value + 0.25,
+          .vy_before_px_per_s = value + 0.5,
+          .vx_after_px_per_s = value - 0.25,
+          .vy_after_px_per_s = value - 0.5,
+          .overshoot_px = value * 3.0};
+}
+
+class Contacts : public testing::Test {
+ protected:
+  // A file with so many contacts, of which some are told to last longer once later ones came.
+  std::vector<Contact> write(std::int64_t count, const std::vector<std::int64_t>& lasting) {
+    std::vector<Contact> contacts;
+    TrajectoryWriter writer(path_, fling_at(60.0, 0), 0);
+    Columns start;
+    start.append(Row{});
+    writer.rows(start);
+    for (std::int64_t number = 0; number < count; ++number) {
+      contacts.push_back(contact_number(number));
+      writer.contact_began(contacts.back());
+    }
+    for (const std::int64_t index : lasting) {
+      contacts[static_cast<std::size_t>(index)].last_step += 1'000'000;
+      writer.contact_ended(index, contacts[static_cast<std::size_t>(index)].last_step);
+    }
+    writer.finish({fling_at(60.0, 0), 0, "hyrax-physics/1", std::string(32, '0')}, {}, count);
+    return contacts;
+  }
+
+  const TempFolder folder_;
+  const std::string path_ = folder_.at("contacts.h5");
+};
+
+TEST_F(Contacts, AreKeptFewOrMany) {
+  for (const std::int64_t count :
+       {std::int64_t{0}, std::int64_t{1}, kBatch - 1, kBatch, kBatch + 1, 2 * kBatch}) {
+    const std::vector<Contact> contacts = write(count, {});
+    EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts)) << count;
+    EXPECT_EQ(TrajectoryFile(path_).contacts_total(), count);
+  }
+}
+
+TEST_F(Contacts, MayEndAfterTheyWereWritten) {
+  const std::vector<Contact> contacts = write(2 * kBatch + 10, {0, kBatch - 1, kBatch, 2 * kBatch + 9});
+  EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts));
+}
+
+TEST_F(Contacts, AHundredThousandOfThemAreKept) {
+  const std::vector<Contact> contacts = write(100'000, {0, 4095, 4096, 50'000, 99'999});
+  EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts));
+}
+
+TEST_F(Contacts, AreTheSameBytesEachTime) {
+  write(3 * kBatch, {5, kBatch});
+  const std::string first = bytes_of(path_);
+  write(3 * kBatch, {5, kBatch});
+  EXPECT_TRUE(first == bytes_of(path_));
+}
+
+TEST_F(Contacts, OfARunWithManyOfThemAreThePlayedOnes) {
+  // Room for little: a ground contact every other step at a dt with which the sprite bounces for ever.
+  Scenario scenario = fling_at(60.0, 12'000);
+  scenario.window = {200, 130};
+  scenario.start = {10.0, 0.0};
+  scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.5, 5};
+  write_run(path_, scenario);
+  TraceSink played({.contacts = true});
+  static_cast<void>(replay(scenario, played));
+  ASSERT_GT(std::ssize(played.contacts()), 10);
+  EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), played.contacts()));
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,75 @@
+// Where a scenario's golden file stands.
+#include "tools/store/golden_place.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/tools/store/temp_folder.h"
+
+namespace hyrax {
+namespace {
+
+std::string place_of(const std::string& scenario, const std::string& golden_folder = "") {
+  const auto place = golden_place(scenario, golden_folder);
+  if (!place) return "none";
+  EXPECT_EQ(place->h5_path.substr(0, place->h5_path.size() - 3),
+            place->txt_path.substr(0, place->txt_path.size() - 4));
+  EXPECT_TRUE(place->txt_path.ends_with(".txt"));
+  return place->h5_path;
+}
+
+TEST(GoldenPlace, IsBesideTheScenariosFolder) {
+  EXPECT_EQ(place_of("scenarios/flings/first-fling.json"), "golden/flings/first-fling.h5");
+  EXPECT_EQ(place_of("a/b/scenarios/x.json"), "a/b/golden/x.h5");
+  EXPECT_EQ(place_of("/data/scenarios/deep/er/x.json"), "/data/golden/deep/er/x.h5");
+}
+
+TEST(GoldenPlace, IsByTheNearestScenariosFolder) {
+  EXPECT_EQ(place_of("scenarios/old/scenarios/hard/x.json"), "scenarios/old/golden/hard/x.h5");
+  EXPECT_EQ(place_of("scenarios/my-scenarios/x.json"), "golden/my-scenarios/x.h5");
+}
+
+TEST(GoldenPlace, DoesNotDependOnHowThePathIsWritten) {
+  EXPECT_EQ(place_of("./scenarios/./flings/x.json"), "golden/flings/x.h5");
+  EXPECT_EQ(place_of("scenarios/flings/../clocks/x.json"), "golden/clocks/x.h5");
+  EXPECT_EQ(place_of("scenarios//x.json"), "golden/x.h5");
+}
+
+TEST(GoldenPlace, FollowsALinkBeforeDots) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder.at("real/deep"));
+  std::filesystem::create_directory_symlink(folder.at("real/deep"), folder.at("link"));
+  EXPECT_EQ(place_of(folder.at("link/../scenarios/x.json")), folder.at("real/golden/x.h5"));
+  EXPECT_EQ(place_of(folder.at("link/.././scenarios/a/../x.json")), folder.at("real/golden/x.h5"));
+  EXPECT_EQ(golden_folder_of(folder.at("link/../scenarios/a/x.json")), folder.at("real/golden"));
+  EXPECT_EQ(golden_folder_of(folder.at("link/x.json")), "");
+}
+
+TEST(GoldenPlace, IsFoundFromWithinTheScenariosFolder) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder.at("scenarios/flings"));
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.at("scenarios/flings"));
+  EXPECT_EQ(place_of("x.json"), folder.at("golden/flings/x.h5"));
+  EXPECT_EQ(place_of("../x.json"), folder.at("golden/x.h5"));
+  std::filesystem::current_path(before);
+}
+
+TEST(GoldenPlace, IsBelowTheGivenFolder) {
+  EXPECT_EQ(place_of("scenarios/flings/x.json", "/elsewhere"), "/elsewhere/flings/x.h5");
+  EXPECT_EQ(place_of("/data/scenarios/a/b/x.json", "other"), "other/a/b/x.h5");
+}
+
+TEST(GoldenPlace, IsByTheFileNameWithoutAScenariosFolder) {
+  EXPECT_EQ(place_of("/data/flings/x.json", "/elsewhere"), "/elsewhere/x.h5");
+  EXPECT_EQ(place_of("/data/flings/x.json", "/elsewhere/"), "/elsewhere/x.h5");
+}
+
+TEST(GoldenPlace, IsNowhereWhereNothingSaysOne) {
+  EXPECT_EQ(place_of("/data/flings/x.json"), "none");
+  EXPECT_EQ(place_of("/data/scenarios-old/x.json"), "none");
+}
+
+TEST(GoldenPlace, KeepsDotsInNames) { EXPECT_EQ(place_of("scenarios/v1.2/a.b.json"), "golden/v1.2/a.b.h5"); }
+
+}  // namespace
+}  // namespace hyrax

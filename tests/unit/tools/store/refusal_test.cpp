@@ -1,0 +1,219 @@
+// A damaged trajectory file is refused, with a message that names file and place.
+#include <gtest/gtest.h>
+
+#include "tests/unit/tools/store/stored_flings.h"
+#include "tools/store/golden_file.h"
+
+namespace hyrax {
+namespace {
+
+class Refusal : public testing::Test {
+ protected:
+  Refusal() { write_run(path_, eventful_fling()); }
+
+  // Opens the file for damage.
+  h5::Handle open() const { return {H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose}; }
+
+  void remove(const char* object) const { ASSERT_GE(H5Ldelete(open(), object, H5P_DEFAULT), 0) << object; }
+
+  // Puts another dataset in the place of one.
+  void replace(const char* dataset, hid_t type, const std::vector<hsize_t>& shape) const {
+    remove(dataset);
+    const h5::Handle file = open();
+    const h5::Handle made = h5::create_dataset(file, dataset, type, shape);
+    const std::vector<double> zeros(5000);
+    ASSERT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0) << dataset;
+  }
+
+  // Sets the first element of a dataset of bytes.
+  void set_first(const char* dataset, std::uint8_t value) const {
+    const h5::Handle file = open();
+    const h5::Handle bytes(H5Dopen2(file, dataset, H5P_DEFAULT), H5Dclose);
+    const h5::Handle type(H5Dget_type(bytes), H5Tclose);
+    ASSERT_GE(h5::write_part(bytes, type, 0, 1, &value), 0);
+  }
+
+  void expect_refused(const std::string& place) const {
+    const std::string sentence = refusal([&] { read_all(path_); });
+    EXPECT_EQ(sentence.rfind(path_ + ": ", 0), 0u) << sentence;
+    EXPECT_NE(sentence.find(place), std::string::npos) << sentence << "\nshould name " << place;
+  }
+
+  const TempFolder folder_;
+  const std::string path_ = folder_.at("run.h5");
+};
+
+TEST_F(Refusal, IsNotMadeOfAWholeFile) {
+  EXPECT_EQ(refusal([&] { read_all(path_); }), "");
+}
+
+TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
+  const std::string whole = bytes_of(path_);
+  const std::size_t stride = whole.size() / 199;
+  for (std::size_t length = 0; length < whole.size(); length += stride) {
+    write_bytes(path_, whole.substr(0, length));
+    EXPECT_NE(refusal([&] { read_all(path_); }), "") << length << " of " << whole.size() << " bytes";
+  }
+  for (const std::size_t missing : {1u, 2u, 8u, 100u}) {
+    write_bytes(path_, whole.substr(0, whole.size() - missing));
+    EXPECT_NE(refusal([&] { read_all(path_); }), "") << "the last " << missing << " bytes are missing";
+  }
+}
+
+TEST_F(Refusal, OfATextFile) {
+  write_bytes(path_, "step,t,x,y\n0,0,0,0\n");
+  expect_refused("HDF5");
+}
+
+TEST_F(Refusal, OfAnEmptyFile) {
+  write_bytes(path_, "");
+  expect_refused("HDF5");
+}
+
+TEST_F(Refusal, OfAnHdf5FileOfAnotherKind) {
+  ASSERT_TRUE(h5::create_file(path_, 0).is_open());
+  expect_refused("unknown format (found none)");
+}
+
+TEST_F(Refusal, OfAnotherFormat) {
+  H5Adelete(open(), "format");
+  expect_refused("none");
+  h5::write_attribute(open(), "format", "hyrax-trajectory/2");
+  expect_refused("hyrax-trajectory/2");
+}
+
+TEST_F(Refusal, OfAMissingAttribute) {
+  const std::string whole = bytes_of(path_);
+  for (const char* attribute : {"scenario", "steps", "physics", "state_hash"}) {
+    write_bytes(path_, whole);
+    ASSERT_GE(H5Adelete(open(), attribute), 0);
+    expect_refused(attribute);
+  }
+}
+
+TEST_F(Refusal, OfAnAttributeOfAWrongType) {
+  const std::string whole = bytes_of(path_);
+  for (const char* attribute : {"scenario", "physics", "state_hash", "format"}) {
+    write_bytes(path_, whole);
+    H5Adelete(open(), attribute);
+    h5::write_attribute(open(), attribute, std::int64_t{1});
+    expect_refused(std::string_view(attribute) == "format" ? "none" : attribute);
+  }
+  write_bytes(path_, whole);
+  H5Adelete(open(), "steps");
+  h5::write_attribute(open(), "steps", "330");
+  expect_refused("steps");
+}
+
+TEST_F(Refusal, OfAScenarioThatIsNone) {
+  H5Adelete(open(), "scenario");
+  h5::write_attribute(open(), "scenario", R"({"format": "hyrax-scenario/1"})");
+  expect_refused("attribute scenario");
+}
+
+TEST_F(Refusal, OfAMissingDataset) {
+  const std::string whole = bytes_of(path_);
+  std::vector<std::string> names = {"/trajectory/step",    "/trajectory/contact", "/contacts/step",
+                                    "/contacts/last_step", "/contacts/wall",      "/events/frame",
+                                    "/events/kind",        "/events/a",           "/events/b"};
+  for (const RowColumn& column : kRowColumns) names.push_back(std::string("/trajectory/") + column.name);
+  for (const ContactColumn& column : kContactColumns)
+    names.push_back(std::string("/contacts/") + column.name);
+  for (const std::string& name : names) {
+    write_bytes(path_, whole);
+    remove(name.c_str());
+    expect_refused(name);
+  }
+}
+
+TEST_F(Refusal, OfAMissingGroup) {
+  const std::string whole = bytes_of(path_);
+  for (const char* group : {"/trajectory", "/contacts", "/events"}) {
+    write_bytes(path_, whole);
+    remove(group);
+    expect_refused(group);
+  }
+}
+
+TEST_F(Refusal, OfAWrongType) {
+  const std::string whole = bytes_of(path_);
+  const auto with = [&](const char* dataset, hid_t type, hsize_t length) {
+    write_bytes(path_, whole);
+    replace(dataset, type, {length});
+    expect_refused(dataset);
+  };
+  with("/trajectory/x", H5T_IEEE_F32LE, 331);
+  with("/trajectory/x", H5T_STD_I64LE, 331);
+  with("/trajectory/step", H5T_IEEE_F64LE, 331);
+  with("/trajectory/step", H5T_STD_I32LE, 331);
+  with("/trajectory/contact", H5T_STD_I64LE, 331);
+  with("/contacts/wall", H5T_IEEE_F64LE, 20);
+  with("/events/kind", H5T_STD_U8LE, 14);
+}
+
+TEST_F(Refusal, OfLengthsThatDiffer) {
+  const std::string whole = bytes_of(path_);
+  const auto with = [&](const char* dataset, hid_t type, hsize_t length, const char* place) {
+    write_bytes(path_, whole);
+    replace(dataset, type, {length});
+    expect_refused(place);
+  };
+  with("/trajectory/x", H5T_IEEE_F64LE, 330, "/trajectory/x");
+  with("/trajectory/vy", H5T_IEEE_F64LE, 332, "/trajectory/vy");
+  with("/trajectory/contact", H5T_STD_U8LE, 0, "/trajectory/contact");
+  with("/contacts/overshoot", H5T_IEEE_F64LE, 3, "/contacts/overshoot");
+  with("/contacts/last_step", H5T_STD_I64LE, 0, "/contacts/last_step");
+  with("/events/b", H5T_IEEE_F64LE, 3, "/events");
+}
+
+TEST_F(Refusal, OfATableOfTwoAxes) {
+  replace("/trajectory/x", H5T_IEEE_F64LE, {331, 1});
+  expect_refused("/trajectory/x");
+}
+
+TEST_F(Refusal, OfNoRows) {
+  replace("/trajectory/step", H5T_STD_I64LE, {0});
+  expect_refused("/trajectory");
+}
+
+TEST_F(Refusal, OfAStepCountThatTheRowsContradict) {
+  H5Adelete(open(), "steps");
+  h5::write_attribute(open(), "steps", std::int64_t{331});
+  expect_refused("331");
+}
+
+TEST_F(Refusal, OfAWallThatIsNone) {
+  set_first("/contacts/wall", 3);
+  expect_refused("/contacts/wall");
+}
+
+TEST_F(Refusal, OfAnInputThatIsNone) {
+  set_first("/events/kind", 200);
+  expect_refused("/events/kind");
+}
+
+TEST_F(Refusal, OfARunWithHolesAsGoldenFile) {
+  Scenario scenario = fling_at(60.0, 100);
+  scenario.record_every = 10;
+  write_run(path_, scenario);
+  const std::string sentence = refusal([&] { static_cast<void>(read_golden(path_)); });
+  EXPECT_NE(sentence.find("11 rows of 101"), std::string::npos) << sentence;
+}
+
+TEST(Reading, AMissingFileCannotBeAccessed) {
+  try {
+    read_all("/no/such/run.h5");
+    FAIL() << "should have refused";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
+    EXPECT_EQ(std::string(failure.what()), "/no/such/run.h5: cannot be read: No such file or directory");
+  }
+}
+
+TEST(Reading, AFolderIsNoTrajectory) {
+  const TempFolder folder;
+  EXPECT_THROW(read_all(folder.at("")), Failure);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,65 @@
+// Flings in trajectory files, for the store's tests.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+#include "tests/unit/tools/store/temp_folder.h"
+#include "tools/files/failure.h"
+#include "tools/store/trajectory_file.h"
+#include "tools/store/trajectory_format.h"
+#include "tools/store/trajectory_writer.h"
+
+namespace hyrax {
+
+inline std::vector<Input> inputs_taken(const Scenario& scenario) {
+  const std::int64_t steps = step_count(scenario);
+  return inputs_of(scenario, schedule_events(scenario, steps).frames, steps);
+}
+
+/// Plays the scenario into a file, as `run` does.
+inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
+  const std::int64_t steps = step_count(scenario);
+  TrajectoryWriter writer(path, scenario, steps);
+  const RunSummary summary = replay(scenario, writer);
+  std::int64_t contacts = 0;
+  for (const std::int64_t count : summary.contacts) contacts += count;
+  writer.finish({scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash)},
+                inputs_taken(scenario), contacts);
+  return summary;
+}
+
+inline std::vector<Row> rows_of(const TrajectoryFile& file) {
+  const Columns columns = file.rows(0, file.row_count());
+  std::vector<Row> rows;
+  for (std::size_t row = 0; row < columns.size(); ++row) rows.push_back(columns.row(row));
+  return rows;
+}
+
+/// The sentence with which reading refuses; empty where it does not. Fails the test for any other
+/// exit code than the one of bad input.
+inline std::string refusal(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input) << failure.what();
+    return failure.what();
+  }
+  return "";
+}
+
+/// Reads all that a trajectory file holds.
+inline void read_all(const std::string& path) {
+  const TrajectoryFile file(path);
+  static_cast<void>(file.rows(0, file.row_count()));
+  static_cast<void>(file.contacts());
+  static_cast<void>(file.contacts_total());
+  static_cast<void>(file.inputs());
+}
+
+}  // namespace hyrax

@@ -1,0 +1,157 @@
+// What is written into a trajectory file is read from it, bit for bit.
+#include "tools/store/trajectory_file.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/tools/store/stored_flings.h"
+
+namespace hyrax {
+namespace {
+
+class StoredRunFile : public testing::Test {
+ protected:
+  const TempFolder folder_;
+  const std::string path_ = folder_.at("run.h5");
+};
+
+TEST_F(StoredRunFile, HoldsRowsContactsAndInputsBitForBit) {
+  const Scenario scenario = eventful_fling();
+  const RunSummary summary = write_run(path_, scenario);
+  TraceSink played;
+  static_cast<void>(replay(scenario, played));
+  const TrajectoryFile file(path_);
+  EXPECT_TRUE(same_rows(rows_of(file), played.rows()));
+  EXPECT_TRUE(same_contacts(file.contacts(), played.contacts()));
+  EXPECT_EQ(file.contacts_total(), static_cast<std::int64_t>(played.contacts().size()));
+  EXPECT_EQ(file.inputs(), inputs_taken(scenario));
+  EXPECT_EQ(file.head().steps, 330);
+  EXPECT_EQ(file.head().physics, "hyrax-physics/1");
+  EXPECT_EQ(file.head().state_hash, hex(summary.state_hash));
+  EXPECT_TRUE(plays_the_same(file.head().scenario, scenario));
+  EXPECT_EQ(file.head().scenario.name, scenario.name);
+}
+
+TEST_F(StoredRunFile, HoldsInputsOfEveryKind) {
+  Scenario scenario = eventful_fling();
+  write_run(path_, scenario);
+  std::vector<bool> is_seen(kInputKindNames.size());
+  for (const Input& input : TrajectoryFile(path_).inputs())
+    is_seen.at(static_cast<std::size_t>(input.kind)) = true;
+  EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(kInputKindNames));
+}
+
+TEST_F(StoredRunFile, HoldsEmptyListsAsDatasetsOfLengthZero) {
+  Scenario scenario = fling_at(60.0, 3);
+  scenario.start_velocity = {};
+  write_run(path_, scenario);
+  const TrajectoryFile file(path_);
+  EXPECT_TRUE(file.contacts().empty());
+  EXPECT_TRUE(file.inputs().empty());
+  for (const char* name : {"/contacts/step", "/contacts/wall", "/contacts/overshoot", "/events/frame"})
+    EXPECT_EQ(file.column(name, std::string_view(name).ends_with("overshoot") ? H5T_FLOAT : H5T_INTEGER,
+                          std::string_view(name).ends_with("wall") ? 1 : 8)
+                  .length(),
+              0)
+        << name;
+}
+
+TEST_F(StoredRunFile, OfNoStepsHoldsTheStart) {
+  write_run(path_, fling_at(60.0, 0));
+  const std::vector<Row> rows = rows_of(TrajectoryFile(path_));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].x_px, 300.0);
+  EXPECT_EQ(rows[0].t_s, 0.0);
+}
+
+TEST_F(StoredRunFile, HoldsEveryKthRowAndTheLast) {
+  Scenario scenario = fling_at(60.0, 100);
+  scenario.record_every = 30;
+  write_run(path_, scenario);
+  std::vector<std::int64_t> steps;
+  for (const Row& row : rows_of(TrajectoryFile(path_))) steps.push_back(row.step);
+  EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 30, 60, 90, 100}));
+}
+
+TEST_F(StoredRunFile, GivesPartOfItsRows) {
+  write_run(path_, fling_at(60.0, 500));
+  const TrajectoryFile file(path_);
+  const Columns part = file.rows(490, 5);
+  ASSERT_EQ(part.size(), 5u);
+  EXPECT_EQ(part.step.front(), 490);
+  EXPECT_TRUE(same_row(part.row(4), rows_of(file)[494]));
+}
+
+TEST_F(StoredRunFile, IsTheSameBytesEachTime) {
+  const std::string again = folder_.at("again.h5");
+  for (const std::int64_t steps : {0, 330, 70'000}) {
+    Scenario scenario = eventful_fling();
+    if (steps < 330) scenario.events.clear();
+    scenario.length = steps;
+    write_run(path_, scenario);
+    write_run(again, scenario);
+    EXPECT_TRUE(bytes_of(path_) == bytes_of(again)) << steps;
+  }
+}
+
+// More rows than a batch of the writer, and more than are gathered in memory.
+TEST_F(StoredRunFile, HoldsALongRun) {
+  Scenario scenario = fling_at(60.0, 150'000);
+  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.1, 3};
+  write_run(path_, scenario);
+  TraceSink played({.rows_every = 1});
+  static_cast<void>(replay(scenario, played));
+  EXPECT_TRUE(same_rows(rows_of(TrajectoryFile(path_)), played.rows()));
+}
+
+// A small file may hold a scenario whose parsing takes more memory, or more time for the frame of an `at_s`,
+// than reading a file of that size may take.
+TEST_F(StoredRunFile, IsOpenedHoweverCostlyItsScenario) {
+  const auto opened_with = [&](const std::string& scenario) {
+    write_run(path_, fling_at(60.0, 3));
+    {
+      const h5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+      H5Adelete(file, "scenario");
+      h5::write_attribute(file, "scenario", scenario);
+    }
+    return TrajectoryFile::open(path_).head().scenario;
+  };
+  const std::string some = R"({"format": "hyrax-scenario/1", "name": "costly",
+      "window": {"width_px": 900, "height_px": 900}, "sprite": {"width_px": 9, "height_px": 9},
+      "start": {"x_px": 1, "y_px": 1}, )";
+  std::string trace = "0.0625";
+  for (int frame = 1; frame < 2'000'000; ++frame) trace += ",1";
+  EXPECT_EQ(step_count(opened_with(some + R"("clock": {"dt_s": [)" + trace + "]}}")), 2'000'000);
+  const Scenario jittered =
+      opened_with(some + R"("steps": 60000000, "events": [{"at_s": 59000000, "stop": {}}],
+      "clock": {"dt_s": 1, "jitter": {"kind": "normal", "sigma_s": 0.1, "seed": 1}}})");
+  EXPECT_EQ(jittered.events.size(), 1u);
+}
+
+TEST_F(StoredRunFile, IsNotThereBeforeItIsWhole) {
+  {
+    TrajectoryWriter writer(path_, fling_at(60.0, 10), 10);
+    EXPECT_FALSE(std::filesystem::exists(path_));
+    EXPECT_EQ(folder_.names().size(), 1u);
+  }
+  EXPECT_TRUE(folder_.names().empty()) << "an unfinished part file is left behind";
+}
+
+TEST_F(StoredRunFile, StaysAsItWasWhenItsReplacementIsGivenUp) {
+  write_bytes(path_, "what was there before");
+  { TrajectoryWriter writer(path_, fling_at(60.0, 10), 10); }
+  EXPECT_EQ(bytes_of(path_), "what was there before");
+}
+
+TEST_F(StoredRunFile, CannotBeWrittenWhereItsFolderIsMissing) {
+  try {
+    TrajectoryWriter writer(folder_.at("no/such/folder/run.h5"), fling_at(60.0, 10), 10);
+    FAIL() << "should have refused";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
+    EXPECT_NE(std::string(failure.what()).find("no/such/folder/run.h5: cannot be written"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hyrax
