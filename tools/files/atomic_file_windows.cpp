@@ -42,7 +42,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
     fail_to_write(path, EISDIR);
   const FileName name = file_name(path);
   part_path_.append(name.folder).append(".").append(name.stem).append(name.extension);
-  part_path_ += "." + std::to_string(_getpid()) + ".part";
+  part_path_.append(".").append(std::to_string(_getpid())).append(".part");
   std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
   if (file == nullptr) fail_to_write(path, errno);
   std::fclose(file);

@@ -31,8 +31,10 @@ std::optional<Desk> desk_of(HMONITOR monitor) {
       sprite_at(static_cast<int>(dpi_y))};
 }
 
-HMONITOR monitor_at(ScreenPoint point) {
-  return MonitorFromPoint({point.x_px, point.y_px}, MONITOR_DEFAULTTONEAREST);
+Monitor monitor_under(ScreenPoint point) {
+  constexpr Desk kNoScreen{{0, 0}, {1024, 768}, {128, 128}};  // No window can be created then.
+  const HMONITOR handle = MonitorFromPoint({point.x_px, point.y_px}, MONITOR_DEFAULTTONEAREST);
+  return {handle, desk_of(handle).value_or(kNoScreen)};
 }
 
 int refresh_hz(HMONITOR monitor) {

@@ -17,6 +17,7 @@ void Session::apply(const Action& action) {
 }
 
 void Session::advance(double dt_s) {
+  assert(dt_s >= 0.0 && dt_s <= kFrameMax_s);
   const Row before = now_.row;
   const Stretch frame{.window = now_.window,
                       .sprite = now_.sprite,
@@ -39,17 +40,19 @@ void Session::advance(double dt_s) {
 }
 
 void Session::finish_recording() {
+  assert(is_recording());
   Recording finished = std::move(*recording_);
   recording_.reset();
   finished.finish();
 }
 
 void Session::continue_recording() {
+  assert(is_recording());
   Recording finished = std::move(*recording_);
   recording_.reset();
   std::exception_ptr failure;
   try {
-    finished.finish();  // First, so that the names of its parts are free again.
+    finished.finish();  // First, to free the names of its parts.
   } catch (const Failure&) {
     failure = std::current_exception();
   }

@@ -1,6 +1,7 @@
 #include "tools/hyrax/tape.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 namespace hyrax {
@@ -12,8 +13,8 @@ void pack(std::vector<std::byte>& rows, const Row& row) {
            row.contact);
 }
 
-// A scenario begins with a sprite that nobody holds: who holds it from the first frame on, grabs it there,
-// which stops it, so that a speed set while it was held is set again.
+// A scenario starts with a sprite that is not held. If it is held here, it is grabbed at the first frame,
+// which stops it, so that a speed set while it was held must be set again.
 std::vector<Event> first_inputs(const Keyframe& start) {
   if (!start.is_held) return {};
   std::vector<Event> inputs = {{std::int64_t{0}, Grab{}}};
@@ -50,6 +51,7 @@ Digest Tape::state_hash() const {
 }
 
 Scenario Tape::scenario(const std::string& name) const {
+  assert(frames() > 0);
   Scenario scenario;
   scenario.name = name;
   scenario.window = start_.window;
