@@ -1,6 +1,7 @@
 #include "tools/files/scenario_reader.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/failure.h"
@@ -88,6 +89,7 @@ Jitter read_jitter(const JsonPlace& here) {
 
 // REQUIRES: an array. It may have millions of frames, so no list of their places is made.
 RecordedSteps read_trace(const JsonPlace& here) {
+  assert(here.array() != nullptr);
   RecordedSteps trace;
   const std::size_t frames = here.array()->size();
   if (frames == 0) here.wrong("must hold at least one dt (found [])");

@@ -7,7 +7,6 @@
 #include "tools/hyrax-sim/golden_check.h"
 #include "tools/hyrax-sim/shown_replay.h"
 #include "tools/store/drift_tables.h"
-#include "tools/store/trajectory_csv.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"
 

@@ -19,17 +19,6 @@ std::int64_t end_of(const Options& options) {
          static_cast<std::int64_t>(*options.seconds * static_cast<double>(clock_ticks_per_s()));
 }
 
-ScreenPoint pointer_of_message() {
-  // Where the pointer was when the message was sent; it may have moved since.
-  const DWORD place = GetMessagePos();
-  return {static_cast<std::int16_t>(LOWORD(place)), static_cast<std::int16_t>(HIWORD(place))};
-}
-
-bool is_button_down() {
-  const bool is_left_handed = GetSystemMetrics(SM_SWAPBUTTON) != 0;
-  return GetAsyncKeyState(is_left_handed ? VK_RBUTTON : VK_LBUTTON) < 0;
-}
-
 // Up and to one side.
 Velocity random_throw(std::uint64_t seed) {
   const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
@@ -230,10 +219,10 @@ void App::on_mouse_move() {
 // Polled at every frame of a drag: a window in the background may get no message when the pointer leaves it,
 // and then would never get that of the released button.
 void App::follow_hand() {
-  POINT pointer{};
-  if (!pet_.is_held() || GetCursorPos(&pointer) == 0) return;
-  const ScreenPoint hand{static_cast<std::int32_t>(pointer.x), static_cast<std::int32_t>(pointer.y)};
-  is_button_down() ? pet_.drag(hand, clock_ticks()) : let_go(hand);
+  if (!pet_.is_held()) return;
+  const auto hand = pointer();
+  if (!hand) return;
+  is_button_down() ? pet_.drag(*hand, clock_ticks()) : let_go(*hand);
 }
 
 void App::let_go(ScreenPoint hand) {

@@ -49,4 +49,20 @@ int refresh_hz(HMONITOR monitor) {
   return std::clamp(static_cast<int>(mode.dmDisplayFrequency), 30, 240);
 }
 
+ScreenPoint pointer_of_message() {
+  const DWORD place = GetMessagePos();
+  return {static_cast<std::int16_t>(LOWORD(place)), static_cast<std::int16_t>(HIWORD(place))};
+}
+
+std::optional<ScreenPoint> pointer() {
+  POINT place{};
+  if (GetCursorPos(&place) == 0) return std::nullopt;
+  return ScreenPoint{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)};
+}
+
+bool is_button_down() {
+  const bool is_left_handed = GetSystemMetrics(SM_SWAPBUTTON) != 0;
+  return GetAsyncKeyState(is_left_handed ? VK_RBUTTON : VK_LBUTTON) < 0;
+}
+
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-// The monitors.
+// The monitors, and the pointer on them.
 #pragma once
 
 #include <optional>
@@ -22,5 +22,12 @@ struct Monitor {
 
 /// Frames per second, 30 .. 240; 60 if unknown.
 [[nodiscard]] int refresh_hz(HMONITOR monitor);
+
+/// The pointer when the current message was sent; it may have moved since.
+[[nodiscard]] ScreenPoint pointer_of_message();
+/// The pointer now. Nothing if the system refuses, as on a locked desktop.
+[[nodiscard]] std::optional<ScreenPoint> pointer();
+/// Whether the main button is pressed now.
+[[nodiscard]] bool is_button_down();
 
 }  // namespace hyrax

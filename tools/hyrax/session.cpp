@@ -1,5 +1,6 @@
 #include "tools/hyrax/session.h"
 
+#include <cassert>
 #include <exception>
 
 #include "sim/replay/action_effect.h"
@@ -10,6 +11,9 @@ namespace hyrax {
 Session::Session(const Keyframe& start) : now_(start), ring_(start) {}
 
 void Session::apply(const Action& action) {
+  assert(!std::holds_alternative<Hitch>(action));
+  assert(!std::holds_alternative<Grab>(action) || !now_.is_held);
+  assert(!std::holds_alternative<Release>(action) || now_.is_held);
   hyrax::apply(action, now_);
   wake();
   ring_.add_input(action);

@@ -36,6 +36,8 @@ Tape::Tape(const Keyframe& start) : start_(start) {
 void Tape::add_frame(const Row& row) { pack(rows_, row); }
 
 void Tape::append(const Tape& next) {
+  // x, y, vx and vy of the last row and of the first.
+  assert(std::equal(next.rows_.begin() + 8, next.rows_.begin() + 40, rows_.end() - kPackedRowBytes + 8));
   const std::int64_t frames_before = frames();
   for (const Event& input : next.inputs_)
     inputs_.push_back({std::get<std::int64_t>(input.when) + frames_before, input.action});

@@ -75,10 +75,9 @@ class Table {
     std::vector<Value> values;
     values.reserve(records_.size());
     for (const Record& record : records_) values.push_back(get(record));
-    const h5::Handle dataset = h5::create_dataset(group_, name, type, {values.size()});
-    is_written_ =
-        is_written_ && dataset.is_open() &&
-        (values.empty() || H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    const h5::Handle dataset =
+        h5::write_dataset(group_, name, type, memory_type, values.size(), values.data());
+    is_written_ = is_written_ && dataset.is_open();
     if (unit != nullptr) h5::write_attribute(dataset, "units", unit);
     h5::write_attribute(dataset, "long_name", long_name);
   }

@@ -43,12 +43,6 @@ constexpr KeyframeColumn kKeyframeColumns[] = {
      [](Keyframe& k, double v) { k.is_held = v != 0.0; }},
 };
 
-bool write_column(hid_t group, const char* name, hid_t type, hid_t memory_type, std::size_t length,
-                  const void* data) {
-  const h5::Handle dataset = h5::create_dataset(group, name, type, {length});
-  return dataset.is_open() && H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0;
-}
-
 void read_keyframes(const TrajectoryFile& file, StoredRun& run) {
   const auto blocks = static_cast<std::int64_t>(run.blocks.size());
   for (const KeyframeColumn& described : kKeyframeColumns) {
@@ -88,17 +82,19 @@ bool write_blocks(hid_t file, const std::vector<StoredBlock>& blocks) {
     digests.push_back(block.digest);
     checks.insert(checks.end(), block.checks.begin(), block.checks.end());
   }
+  const auto write = [&](const char* name, hid_t type, hid_t memory_type, std::size_t length,
+                         const void* data) {
+    return h5::write_dataset(group, name, type, memory_type, length, data).is_open();
+  };
   bool is_written =
-      write_column(group, "count", H5T_STD_I64LE, H5T_NATIVE_INT64, counts.size(), counts.data()) &&
-      write_column(group, "digest", H5T_STD_U8LE, H5T_NATIVE_UINT8, digests.size() * sizeof(Digest),
-                   digests.data()) &&
-      write_column(group, "row_check", H5T_STD_U8LE, H5T_NATIVE_UINT8, checks.size() * sizeof(RowCheck),
-                   checks.data());
+      write("count", H5T_STD_I64LE, H5T_NATIVE_INT64, counts.size(), counts.data()) &&
+      write("digest", H5T_STD_U8LE, H5T_NATIVE_UINT8, digests.size() * sizeof(Digest), digests.data()) &&
+      write("row_check", H5T_STD_U8LE, H5T_NATIVE_UINT8, checks.size() * sizeof(RowCheck), checks.data());
   for (const KeyframeColumn& column : kKeyframeColumns) {
     std::vector<double> values;
     for (const StoredBlock& block : blocks) values.push_back(column.get(block.keyframe));
-    is_written = is_written && write_column(group, column.name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
-                                            values.size(), values.data());
+    is_written =
+        is_written && write(column.name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
   }
   return is_written && h5::share_axis(group, "count");
 }

@@ -1,4 +1,5 @@
-// The group /blocks of a golden file of a long run: a hash for each 4,096 rows, and the state they begin with.
+// The group /blocks of a golden file of a long run: a hash for each 4,096 rows, and the state they begin
+// with.
 #pragma once
 
 #include "sim/trajectory/stored_run.h"

@@ -48,7 +48,9 @@ Handle dataset_list() {
 }
 
 hssize_t length_of(hid_t dataset) {
-  return H5Sget_simple_extent_npoints(Handle(H5Dget_space(dataset), H5Sclose));
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  assert(H5Sget_simple_extent_ndims(space) == 1);
+  return H5Sget_simple_extent_npoints(space);
 }
 
 }  // namespace
@@ -82,6 +84,13 @@ Handle create_group(hid_t parent, const char* name) {
 Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
   return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, dataset_list(), H5P_DEFAULT), H5Dclose};
+}
+
+Handle write_dataset(hid_t parent, const char* name, hid_t type, hid_t memory_type, std::size_t length,
+                     const void* data) {
+  Handle dataset = create_dataset(parent, name, type, {length});
+  if (length > 0 && H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) return {};
+  return dataset;
 }
 
 Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {

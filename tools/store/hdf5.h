@@ -57,6 +57,9 @@ class Handle {
 
 /// A dataset of fixed length, stored contiguously.
 [[nodiscard]] Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape);
+/// The same, written at once; not open if it could not be written.
+[[nodiscard]] Handle write_dataset(hid_t parent, const char* name, hid_t type, hid_t memory_type,
+                                   std::size_t length, const void* data);
 /// A dataset that grows, stored in chunks of `chunk` elements.
 [[nodiscard]] Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk);
 /// Writes elements `first` .. `first + count - 1`, and extends the dataset if needed.
