@@ -140,9 +140,9 @@ ULONG_PTR start_gdiplus() {
 }  // namespace
 
 Window::Window(HINSTANCE instance, Handler handler)
-    : gdiplus_(start_gdiplus()),
-      handler_(std::move(handler)),
-      handle_(create_window(instance, &Window::window_procedure, this)) {}
+    : gdiplus_(start_gdiplus()), handler_(std::move(handler)) {
+  handle_ = create_window(instance, &Window::window_procedure, this);  // It sends messages already.
+}
 
 Window::~Window() {
   if (handle_ != nullptr) DestroyWindow(handle_);
