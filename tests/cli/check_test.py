@@ -143,7 +143,7 @@ class Verdict(CheckTest):
 
     def test_no_scenario_is_exit_2(self):
         (self.folder / "empty").mkdir()
-        outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: holds no scenario (*.json)")
+        outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: no scenario found (*.json)")
         self.assertEqual(outcome.out, "")
         self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: no such folder")
 
@@ -167,7 +167,7 @@ class Verdict(CheckTest):
         (self.folder / "golden/third.h5").write_text("no HDF5 file")
         document = self.check(BAD_INPUT)
         self.assertEqual(document["results"][2]["status"], "failed")
-        self.assertIn("golden/third.h5: is no HDF5 file", document["results"][2]["error"])
+        self.assertIn("golden/third.h5: is not an HDF5 file", document["results"][2]["error"])
 
     def test_one_that_is_a_pipe_is_not_waited_for(self):
         for name in ("golden/third.txt", "golden/third.h5"):
@@ -519,13 +519,13 @@ class Seal(CheckTest):
     def test_a_broken_seal_is_no_agreement(self):
         for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1],
                      self.text.replace(self.contents, 32 * "0"), self.text.replace(self.file, 32 * "z")):
-            self.assert_not_as_blessed(text, f"must be 'seal: {self.contents} {self.file}', is ")
-        self.assert_not_as_blessed(self.text + "\n", "must be nothing, is ''")
+            self.assert_not_as_blessed(text, f"; expected 'seal: {self.contents} {self.file}'")
+        self.assert_not_as_blessed(self.text + "\n", "(found ''); expected nothing")
 
     def test_a_digest_that_tells_another_run_is_no_agreement(self):
         for line, other in (("steps: 300", "steps: 301"), ("ground 8\n", "ground 7\n"), ("vy ", "vx ")):
             self.assertIn(line, self.text)
-            self.assert_not_as_blessed(self.text.replace(line, other), "must be '")
+            self.assert_not_as_blessed(self.text.replace(line, other), "; expected '")
 
     def test_the_words_of_a_digest_are_free(self):
         self.digest.write_text(self.text.replace("reason: for the test", "reason: for another test"))
@@ -538,8 +538,8 @@ class Seal(CheckTest):
 
     def test_another_provenance_is_said_and_agrees(self):
         self.change("provenance", "compiler", "another")
-        self.expect(AGREED, "check", says="golden/third.h5: agrees, but its bytes are not those that golden/third.txt "
-                    "seals: its provenance or its layout is another\n")
+        self.expect(AGREED, "check", says="golden/third.h5: agrees, but does not have the checksum in "
+                    "golden/third.txt: its provenance or its layout differs\n")
 
     def test_other_words_are_no_agreement(self):
         for place, name, value in (("trajectory/x", "units", "m"), ("contacts/t", "long_name", "time"),

@@ -212,12 +212,12 @@ class Diff(ProgramTest):
         self.expect(AGREED, "diff", "a.h5", "b.h5")
 
     def test_what_is_no_trajectory_is_refused(self):
-        outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is no HDF5 file")
+        outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is not an HDF5 file")
         self.assertEqual(outcome.out, "")
         self.expect(CANNOT_ACCESS, "diff", "none.h5", "a.h5", says="none.h5: cannot be read")
         intact = (self.folder / "a.h5").read_bytes()
         (self.folder / "b.h5").write_bytes(intact[:len(intact) // 2])
-        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is no HDF5 file, or was cut short")
+        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is not an HDF5 file, or was cut short")
 
 
 if __name__ == "__main__":

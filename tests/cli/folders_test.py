@@ -98,7 +98,7 @@ class Golden(ProgramTest):
         self.expect(AGREED, "check", "scenarios")
 
     def test_an_empty_folder_is_bad_input(self):
-        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: holds no scenario (*.json)")
+        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: no scenario found (*.json)")
 
 
 if __name__ == "__main__":

@@ -39,8 +39,8 @@ class HyraxReplay(ProgramTest):
 
     def test_another_hash_than_expected_is_reported(self):
         path = self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
-        outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: is " + "0" * 32 +
-                              ", but the run comes to ")
+        outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: differs from the run (found " + "0" * 32 +
+                              "); the run has ")
         self.assertIn(outcome.out.split()[0], outcome.err)
 
     def test_the_expected_hash_agrees(self):
@@ -54,9 +54,9 @@ class HyraxReplay(ProgramTest):
 
     def test_bad_usage_is_reported(self):
         self.replay(BAD_INPUT, says="SCENARIO is missing")
-        self.replay(BAD_INPUT, "--fast", says="--fast: no such option")
+        self.replay(BAD_INPUT, "--fast", says="unknown option (found --fast); allowed: --help, --version")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")
-        self.replay(BAD_INPUT, ".", says=".: holds no scenario")
+        self.replay(BAD_INPUT, ".", says=".: no scenario found")
 
     def test_disturbed_arithmetic_is_refused(self):
         path = self.write("fling.json", fling())

@@ -28,8 +28,8 @@ class BadInput(ProgramTest):
         self.refuse('{"format": "hyrax-scenario/1"} and more', "bad.json: line 1, column 32")
 
     def test_an_error_is_reported_with_pointer_value_and_rule(self):
-        self.refuse(fling(clock={"rate_hz": -60}), "bad.json: /clock/rate_hz: must be greater than 0", "is -60\n")
-        self.refuse(fling(steps="many"), 'bad.json: /steps: must be a whole number 0 .. 1000000000000, is "many"')
+        self.refuse(fling(clock={"rate_hz": -60}), "bad.json: /clock/rate_hz: must be greater than 0", "(found -60)\n")
+        self.refuse(fling(steps="many"), 'bad.json: /steps: must be a whole number 0 .. 1000000000000 (found "many")')
         self.refuse(fling(window=None), "bad.json: /window: is missing")
         self.refuse(fling(format="hyrax-scenario/9"), "/format", "hyrax-scenario/9", "hyrax-scenario/1")
 
@@ -47,7 +47,7 @@ class BadInput(ProgramTest):
     def test_a_folder_without_scenarios_is_bad_input(self):
         (self.folder / "empty/deep").mkdir(parents=True)
         self.write("empty/notes.txt", "nothing here")
-        self.expect(BAD_INPUT, "run", "empty", says="empty: holds no scenario")
+        self.expect(BAD_INPUT, "run", "empty", says="empty: no scenario found")
 
     def test_with_one_bad_scenario_the_others_still_run(self):
         self.write("1-good.json", fling(name="one"))

@@ -239,7 +239,7 @@ class Override(ProgramTest):
 
     def test_what_is_no_pointer_or_value_is_refused(self):
         for setting, place in (("/clock/rate_hz=-60", "fling.json: /clock/rate_hz: must be greater than 0"),
-                               ("/clock/rate_hz=sixty", "/clock/rate_hz: must be a number, is \"sixty\""),
+                               ("/clock/rate_hz=sixty", "/clock/rate_hz: must be a number (found \"sixty\")"),
                                ("/steps=60.5", "/steps: must be a whole number"), ("/wind=3", "/wind: unknown key (found wind)"),
                                ("clock/rate_hz=1", "clock/rate_hz=1"), ("/clock/rate_hz", "POINTER=VALUE"),
                                ("/steps/deeper=1", "/steps"), ("/name=No Good", "/name: must be 1 .. 64")):

@@ -5,7 +5,7 @@
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
@@ -29,7 +29,7 @@ Json::Array names_of(const std::vector<Action>& actions) {
 
 FrameLog::FrameLog(const std::string& path) {
   if (is_regular_file(path))
-    throw Failure(ExitCode::bad_input, path + ": exists already; give another name, or remove it first");
+    throw Failure(ExitCode::bad_input, path + ": exists already; name another file, or remove it first");
   file_.reset(std::fopen(path.c_str(), "wb"));
   if (!file_) fail_to_write(path, errno);
 }
@@ -57,7 +57,7 @@ void FrameLog::sleep(const Keyframe& now) {
   line(to_text(Json::Object{{"asleep_after_frame", now.row.step - 1}}));
 }
 
-// Flushed at once: the line is there when the program is ended from outside.
+// Flushed at once, so that the line is written even if the program is killed.
 void FrameLog::line(const std::string& text) {
   std::fputs((text + "\n").c_str(), file_.get());
   std::fflush(file_.get());

@@ -7,7 +7,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/files/standard_streams.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 

@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "tools/files/printable.h"
-#include "tools/files/standard_streams.h"
 
 namespace hyrax {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/utf8.h"
+#include "tools/files/printable.h"
 #include "tools/store/golden_place.h"
 
 namespace hyrax {

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "tools/files/json.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -17,9 +17,8 @@
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
-#include "tools/store/golden_digest.h"
 #include "tools/store/golden_file.h"
-#include "tools/store/golden_seal.h"
+#include "tools/store/golden_summary.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -133,13 +132,13 @@ void plan(Blessing& blessing, const BlessRequest& request, const OutputGuard& gu
 void write(const Blessing& blessing, const std::string& reason) {
   const auto& [h5_path, txt_path] = blessing.place;
   const FreshRun fresh = play_for_golden(load_scenario(blessing.path));
-  if (blessing.keeps_h5) return write_text_file(txt_path, summary_of(fresh, reason, file_hash(h5_path)));
+  if (blessing.keeps_h5) return write_text_file(txt_path, summary_of(fresh, reason, file_checksum(h5_path)));
   std::error_code error;
   fs::create_directories(fs::path(h5_path).parent_path(), error);
   AtomicFile rows(h5_path);
   AtomicFile summary(txt_path);
   write_golden(rows, h5_path, fresh.run);
-  summary.write(summary_of(fresh, reason, file_hash(rows.part_path())));
+  summary.write(summary_of(fresh, reason, file_checksum(rows.part_path())));
   // The rows come last: until they are there, `check` compares with the old ones and reports it.
   summary.commit();
   rows.commit();

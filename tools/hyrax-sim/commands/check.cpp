@@ -5,7 +5,7 @@
 #include <system_error>
 #include <thread>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/command_line/options.h"

@@ -5,7 +5,8 @@
 
 #include "sim/scenario/scenario.h"
 #include "tools/files/atomic_file.h"
-#include "tools/files/presence.h"
+#include "tools/files/json_pointer.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"

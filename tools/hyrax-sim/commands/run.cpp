@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tools/files/file_name.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"

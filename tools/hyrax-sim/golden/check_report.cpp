@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/utf8.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/golden/check_verdict.h"
 #include "tools/hyrax-sim/golden/difference_text.h"

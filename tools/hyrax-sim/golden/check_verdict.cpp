@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"

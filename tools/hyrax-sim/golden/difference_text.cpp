@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "tools/store/hex_float.h"
+#include "tools/files/json.h"
 
 namespace hyrax {
 namespace {

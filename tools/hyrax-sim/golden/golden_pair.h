@@ -13,14 +13,14 @@ struct PairComparison {
   Comparison comparison{};
   RunSummary summary;      ///< Of the run.
   bool is_current = true;  ///< Blessing the run would write this summary again, and this .h5 file.
-  /// What is worth knowing of a pair that agrees: the bytes of its .h5 file are not those it was sealed with.
+  /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
 };
 
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
 /// summary, every line of it but the reason's text, is not the one that blessing the run would write.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
-/// REQUIRES: has_golden_file(place); with `reads_h5`, as read_on_trial.
+/// REQUIRES: has_golden_file(place); with `reads_h5`, as read_isolated.
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
                                                               const GoldenPlace& place, bool reads_h5);
@@ -31,8 +31,8 @@ struct PairComparison {
 [[nodiscard]] bool is_h5_current(const Scenario& scenario, const GoldenPlace& place);
 
 /// The summary that is blessed with a run.
-/// @param h5_hash file_hash of the .h5 file.
+/// @param h5_checksum file_checksum of the .h5 file.
 [[nodiscard]] std::string summary_of(const FreshRun& fresh, const std::string& reason,
-                                     const std::string& h5_hash);
+                                     const std::string& h5_checksum);
 
 }  // namespace hyrax

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tools/files/file_name.h"
+#include "tools/files/path.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/runs/run_rows.h"

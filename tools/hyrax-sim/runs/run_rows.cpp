@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 
 namespace hyrax {
