@@ -96,8 +96,9 @@ def run(asked):
     print(report)
     if asked.markdown:
         asked.markdown.write_text(report, encoding="utf-8")
-    changed = {path for path, _ in before.items() ^ state_of(build.source).items()}
-    faults = [*faults_in(trials, reasons, everything), *(f"{path}: was changed meanwhile" for path in changed)]
+    for path in sorted({path for path, _ in before.items() ^ state_of(build.source).items()}):
+        print(f"NOTE: {path}: was changed meanwhile, by someone else or by a test")
+    faults = faults_in(trials, reasons, everything)
     if all(verdict.fate == "not tried" for verdict, _ in trials.values()):
         faults.append(f"no mutant was tried within {asked.minutes:g} minutes")
     print("".join(f"FAULT: {fault}\n" for fault in faults), end="")
