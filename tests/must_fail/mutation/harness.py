@@ -11,6 +11,7 @@ survives. The exit code is 0 if none survives, 1 if one does, 3 if nothing can b
 """
 
 import argparse
+import os
 import pathlib
 import random
 import re
@@ -87,6 +88,7 @@ def run(asked):
     reasons = read_reasons(asked.reasons)
     before = state_of(build.source)
     with tempfile.TemporaryDirectory(prefix="hyrax-mutation-", ignore_cleanup_errors=True) as folder:
+        os.chmod(folder, 0o755)  # Some tests run the programs as another user.
         copies = [BuildCopy(build, pathlib.Path(folder, str(number)), asked.test_seconds, deadline_s)
                   for number in range(asked.jobs)]
         trials = Trials(build, copies).run(mutants)
@@ -94,8 +96,9 @@ def run(asked):
     print(report)
     if asked.markdown:
         asked.markdown.write_text(report, encoding="utf-8")
-    changed = {path for path, _ in before.items() ^ state_of(build.source).items()}
-    faults = [*faults_in(trials, reasons, everything), *(f"{path}: was changed meanwhile" for path in changed)]
+    for path in sorted({path for path, _ in before.items() ^ state_of(build.source).items()}):
+        print(f"NOTE: {path}: was changed meanwhile, by someone else or by a test")
+    faults = faults_in(trials, reasons, everything)
     if all(verdict.fate == "not tried" for verdict, _ in trials.values()):
         faults.append(f"no mutant was tried within {asked.minutes:g} minutes")
     print("".join(f"FAULT: {fault}\n" for fault in faults), end="")

@@ -101,6 +101,7 @@ class Harness(unittest.TestCase):
         self.assertEqual(list(temporary.iterdir()), [], "it left something behind")
         self.assertEqual(programs_running_in(self.folder), [])
         self.assertFalse((self.source / "left").exists(), "a test wrote to the project, not to the copy")
+        self.assertNotIn("NOTE:", said)
         return tool.returncode, said
 
     def wait_for_a_program(self, tool):

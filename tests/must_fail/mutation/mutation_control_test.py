@@ -142,6 +142,7 @@ class Mutators(unittest.TestCase):
         self.assertEqual(numbers_near("1200.0"),
                          ["1200.0000000000002", "1199.9999999999998", "1212.0", "1188.0", "-1200.0"])
         self.assertEqual(numbers_near("0.0"), ["5e-324", "-5e-324", "-0.0"])
+        self.assertEqual(numbers_near("1'000.0")[2:], ["1010.0", "990.0", "-1000.0"])
         self.assertEqual(numbers_near("12"), ["13", "11"])
         self.assertEqual(numbers_near("0x9Eu"), ["0x9Fu", "0x1Eu"])
 
@@ -154,6 +155,18 @@ class Mutators(unittest.TestCase):
         self.assertEqual(self.names(text, "dropped"),
                          ["f: without c();", "f: without d();", "f: without a();", "f: without if (b) {...}"])
         self.assertEqual(self.names(text, "swapped"), ["f: d(); before c();", "f: if (b) {...} before a();"])
+
+    def test_statements_of_try_and_throw(self):
+        text = "void f() {\n  try {\n    a();\n  } catch (const Error& why) {\n    throw Failure(why);\n  }\n}\n"
+        self.assertEqual(self.names(text, "dropped"),
+                         ["f: without a();", "f: without throw Failure(why);", "f: without try {...}"])
+
+    def test_members_of_a_class_with_a_base(self):
+        text = "class A : public B {\n public:\n  void f() { a(); }\n};\n"
+        self.assertEqual(self.names(text, "dropped"), ["f: without a();"])
+
+    def test_no_text_within_a_literal(self):
+        self.assertEqual(self.names('void f() {\n  a(R"({"b": 1, "c": 2 < 3})");\n}\n', "constant"), [])
 
     def test_types_but_not_those_of_templates(self):
         text = "double f(std::optional<double> a) {\n  return static_cast<double>(a);\n}\n"
