@@ -68,12 +68,17 @@ class Colour(ProgramTest):
         """What a terminal shows as standard output."""
         keeper, terminal = pty.openpty()
         environment = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
-        done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder, stdout=terminal, stderr=subprocess.DEVNULL,
-                              stdin=subprocess.DEVNULL, env={**environment, "TERM": "xterm", **variables}, check=False)
-        os.close(terminal)
-        shown = os.read(keeper, 100_000).decode().replace("\r\n", "\n")
+        shown = b""
+        with subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder, stdout=terminal, stderr=subprocess.DEVNULL,
+                              stdin=subprocess.DEVNULL, env={**environment, "TERM": "xterm", **variables}) as process:
+            os.close(terminal)
+            try:
+                while part := os.read(keeper, 65536):
+                    shown += part
+            except OSError:
+                pass  # The terminal is closed.
         os.close(keeper)
-        return done.returncode, shown
+        return process.returncode, shown.decode().replace("\r\n", "\n")
 
     def test_only_the_verdict_has_it(self):
         path, = self.project("fling")
