@@ -217,7 +217,7 @@ class Diff(ProgramTest):
         self.expect(CANNOT_ACCESS, "diff", "none.h5", "a.h5", says="none.h5: cannot be read")
         intact = (self.folder / "a.h5").read_bytes()
         (self.folder / "b.h5").write_bytes(intact[:len(intact) // 2])
-        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is not an HDF5 file, or was cut short")
+        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is not an HDF5 file, or is truncated")
 
 
 if __name__ == "__main__":

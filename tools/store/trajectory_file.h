@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
 #include "tools/store/hdf5.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "tools/files/failure.h"
-#include "tools/files/json.h"
+#include "tools/files/json_pointer.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
 
