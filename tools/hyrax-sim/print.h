@@ -1,5 +1,5 @@
 // How commands print: as fmt::print, but with what a terminal obeys escaped, and without an exception where
-// standard output cannot be written (see standard_streams.h).
+// standard output cannot be written (see printable.h).
 #pragma once
 
 #include <fmt/format.h>
