@@ -47,7 +47,7 @@ class OneCore(unittest.TestCase):
         commands = json.loads(pathlib.Path(os.environ["HYRAX_BUILD"], "compile_commands.json").read_text())
         users = {path for folder in ("sim", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.cpp")
                  if includes_core(path)}
-        self.assertGreater(len(users), 2)
+        self.assertTrue(users)
         for control in ("altered", "contracted"):
             recompiled = {pathlib.Path(entry["file"]) for entry in commands
                           if f"control_{control}.dir" in entry["command"]}

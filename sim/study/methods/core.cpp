@@ -51,10 +51,13 @@ State core_stopped(const State& body) {
   return out(moving);
 }
 
-// In the largest window there is, most flights meet no wall. One that does flies again at the same velocity,
-// from where it ends amid the window: its speeds are those of the flight, and its position follows from them.
+// In the largest window there is, most flights meet no wall. One that does flies again at the same velocity
+// in the middle of the window: its speeds are those of the flight, and so is its distance, to the rounding of
+// such a place. If that distance is speed times dt, as the listing moves, the position is exact; else to
+// about 1e-6 px.
 State core_flight(const State& body, double dt_s) {
   constexpr int kSide_px = std::numeric_limits<int>::max();
+  constexpr double kRounding_px = 1e-6;
   const auto flown = [dt_s](const State& from) {
     physics moving = in(from);
     moving.update(dt_s, kSide_px, kSide_px, 0, 0);
@@ -65,11 +68,15 @@ State core_flight(const State& body, double dt_s) {
   if (is_inside(end.x_px) && is_inside(end.y_px)) return end;
   State way{0.0, 0.0, body.vx_px_per_s, body.vy_px_per_s};
   ListingStep(core_constants(), AllParts{}, Bounds{}).fly(way, dt_s);
-  const State amid =
-      flown({0.5 * kSide_px - way.x_px, 0.5 * kSide_px - way.y_px, body.vx_px_per_s, body.vy_px_per_s});
-  if (!is_inside(end.x_px)) end.x_px = body.x_px + amid.vx_px_per_s * dt_s;
-  if (!is_inside(end.y_px)) end.y_px = body.y_px + amid.vy_px_per_s * dt_s;
-  return {end.x_px, end.y_px, amid.vx_px_per_s, amid.vy_px_per_s};
+  const State middle{0.5 * kSide_px - way.x_px, 0.5 * kSide_px - way.y_px, body.vx_px_per_s,
+                     body.vy_px_per_s};
+  const State there = flown(middle);
+  const auto moved = [&](double from_px, double distance_px, double listing_px) {
+    return from_px + (std::fabs(distance_px - listing_px) > kRounding_px ? distance_px : listing_px);
+  };
+  if (!is_inside(end.x_px)) end.x_px = moved(body.x_px, there.x_px - middle.x_px, there.vx_px_per_s * dt_s);
+  if (!is_inside(end.y_px)) end.y_px = moved(body.y_px, there.y_px - middle.y_px, there.vy_px_per_s * dt_s);
+  return {end.x_px, end.y_px, there.vx_px_per_s, there.vy_px_per_s};
 }
 
 }  // namespace hyrax

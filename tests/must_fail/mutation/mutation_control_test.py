@@ -89,14 +89,14 @@ class Tool(unittest.TestCase):
 
     def test_a_survivor_fails_the_run(self):
         exit_code, said = self.run_tool("--scenarios", "tests/must_fail/mutation/scenarios", "--only",
-                                        "physics.h: update: without m_vx")
+                                        "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual(exit_code, 1)
         self.assertIn("0 of 1 that change a result are caught", said)
         self.assertIn("FAULT: sim/physics/physics.h: update: without m_vx *= AIR_DRAG;: survived; add a scenario", said)
 
     def test_without_scenarios_nothing_is_said_to_be_caught(self):
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: update: without m_vx")
+            exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual((exit_code, said), (3, ""))
 
     def test_every_mutant_has_a_name_of_its_own(self):

@@ -52,6 +52,18 @@ def _tokens(text):
             for match in _TOKEN.finditer(text) if match.lastgroup != "skipped"]
 
 
+def _without_template(words):
+    """A declaration's words without its template head."""
+    if words[:1] != ["template"]:
+        return words
+    depth = 0
+    for index, word in enumerate(words):
+        depth += {"<": 1, ">": -1}.get(word, 0)
+        if word == ">" and depth == 0:
+            return words[index + 1:]
+    return words
+
+
 class SourceText:
     """A source file, taken apart. Statements stand in blocks: lists of neighbours."""
 
@@ -101,14 +113,14 @@ class SourceText:
             if self._is(index, ";"):
                 header = index + 1
             elif self._is(index, "{"):
-                words = [token.text for token in self.tokens[header:index]]
+                words = _without_template([token.text for token in self.tokens[header:index]])
                 if words and words[0] in ("namespace", "class", "struct"):
                     self._find_functions(index + 1, self._partner[index])
                 elif self.tokens[index - 1].kind == "word" and words[-1] not in ("const", "noexcept", "override"):
                     index = self._partner[index] + 1  # A member initialiser, or an enumeration.
                     continue
                 elif "(" in words:
-                    name = self.tokens[header + words.index("(") - 1].text
+                    name = words[words.index("(") - 1]
                     self.functions.append(Function(name, header, index, self._partner[index]))
                 index = self._partner[index]
                 header = index + 1

@@ -51,7 +51,7 @@ SUBJECTS = (
     Subject("sim/scenario/split_mix64.h", (_FRAME_CLOCK,), likely=_JITTER),
     Subject("sim/scenario/frame_clock.h", (_FRAME_CLOCK, _SCHEDULE, _PLAYER, _REPETITION), likely=_JITTER + _EVENTS,
             units_of_layout=("sim/trajectory/stored_run.cpp", "tools/store/golden_file.cpp",
-                             "tools/store/golden_seal.cpp")),
+                             "tools/store/golden_summary.cpp")),
     Subject(_FRAME_CLOCK, (_FRAME_CLOCK,), likely=_JITTER, test="scenario_test", test_units=(_FRAME_CLOCK,)),
     # What else there is in it keeps in mind how late an event may come, to refuse one that comes after the end.
     Subject(_SCHEDULE, (_SCHEDULE,), likely=_EVENTS, test="scenario_test", test_units=(_SCHEDULE,),

@@ -90,7 +90,7 @@ TEST(Kernel, PlaysAnyCoreOfThatInterface) {
   const KernelOf<ElasticCores> kernel;
   TraceSink trace;
   const RunSummary summary = replay(fling_at(60.0, 600), trace, {.kernel = &kernel});
-  EXPECT_GT(summary.contacts.ground, 5);
+  EXPECT_GE(summary.contacts.ground, 5);
   for (const Contact& contact : trace.contacts()) {
     EXPECT_EQ(std::fabs(contact.vx_after_px_per_s), std::fabs(contact.vx_before_px_per_s));
     EXPECT_EQ(std::fabs(contact.vy_after_px_per_s), std::fabs(contact.vy_before_px_per_s));
