@@ -10,8 +10,8 @@
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
-#include "sim/trajectory/state_hash.h"
 #include "sim/trajectory/run_summary.h"
+#include "sim/trajectory/state_hash.h"
 
 namespace hyrax {
 

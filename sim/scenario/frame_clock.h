@@ -24,7 +24,8 @@ namespace hyrax {
 /// REQUIRES: a duration has a clock of dt > 0. A duration beyond kStepsMax frames gives kStepsMax + 1.
 [[nodiscard]] std::int64_t step_count(const Scenario& scenario);
 
-/// dt of frame 0, 1, 2, ... of one clock, before a hitch replaces it. Refers to the clock: it must outlive this.
+/// dt of frame 0, 1, 2, ... of one clock, before a hitch replaces it. Refers to the clock: it must outlive
+/// this.
 class FrameClock {
  public:
   explicit FrameClock(const Clock& clock);

@@ -40,5 +40,4 @@ struct Keyframe {
   bool is_held = false;
 };
 
-
 }  // namespace hyrax

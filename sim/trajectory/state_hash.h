@@ -130,8 +130,8 @@ class StateHash {
   /// Rows in order, packed or not.
   void add(const Row& row);
   void add_packed(std::span<const std::byte> rows);
-  /// Complete blocks: the digest of one, `count` times over. REQUIRES: the rows added so far fill their blocks,
-  /// or this is the last one.
+  /// Complete blocks: the digest of one, `count` times over. REQUIRES: the rows added so far fill their
+  /// blocks, or this is the last one.
   void add(const Digest& block, std::int64_t count = 1);
   /// The hash of what was added so far.
   [[nodiscard]] Digest value() const;

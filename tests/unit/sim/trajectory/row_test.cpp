@@ -5,8 +5,8 @@
 #include <set>
 
 #include "sim/motion/state.h"
-#include "sim/trajectory/columns.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/columns.h"
 #include "sim/trajectory/state_hash.h"
 
 namespace hyrax {
