@@ -12,7 +12,7 @@
 namespace hyrax {
 
 /// Colours by their part in a picture: text and lines (ink .. hairline), hues that colour-blind readers can
-/// distinguish, pale fills behind text (good, notable, bad, none).
+/// distinguish, pale fills behind text or series (good, notable, bad, shade, none).
 enum class Tone : std::uint8_t {
   ink,
   quiet,
@@ -24,9 +24,11 @@ enum class Tone : std::uint8_t {
   green,
   purple,
   sky_blue,
+  lavender,
   good,
   notable,
   bad,
+  shade,
   none
 };
 
@@ -98,14 +100,29 @@ struct PointText {
   Tone tone = Tone::quiet;
 };
 
+/// A shaded part of the x axis, behind the series.
+struct Span {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+/// A dot above the plot.
+struct TopDot {
+  double x = 0.0;
+  Tone tone = Tone::ink;
+};
+
 struct Plot {
   Axis x = {};
   Axis y = {};
   std::vector<Series> series = {};  ///< The later over the earlier.
   std::vector<Mark> marks = {};
   std::vector<PointText> texts = {};
-  bool has_equal_scales = false;  ///< One px of x is as long as one px of y.
-  double share = 1.0;             ///< Of the figure's width, relative to the plots beside it.
+  std::vector<Span> spans = {};
+  std::vector<TopDot> top_dots = {};
+  std::string when_empty = "nothing to show";  ///< Instead of a plot whose series have no points.
+  bool has_equal_scales = false;               ///< One px of x is as long as one px of y.
+  double share = 1.0;                          ///< Of the figure's width, relative to the plots beside it.
 };
 
 /// A part of a field of a grid, from `left` to `right` (0 .. 1 of its width).
@@ -153,6 +170,7 @@ struct Figure {
   std::string title = {};
   std::string subtitle = {};
   std::string note = {};  ///< At the title's right: what else a reader would take wrongly; may be empty.
+  Tone note_tone = Tone::vermilion;
   std::variant<std::vector<Plot>, Grid, Listing> body = {};  ///< Plots stand side by side.
   std::vector<LegendEntry> legend = {};
   std::vector<std::string> remarks = {};  ///< Sentences below.

@@ -8,16 +8,21 @@
 #include <filesystem>
 
 #include "tools/files/failure.h"
+#include "tools/report/figure_body.h"
+#include "tools/report/figure_script.h"
 #include "tools/report/gnuplot.h"
-#include "tools/report/plot_frame.h"
-#include "tools/report/run_plot.h"
 
 namespace hyrax {
 namespace {
 
-constexpr Canvas kCanvas = {960, 460};
-constexpr std::string_view kBand = "#eaeef2";
 constexpr std::size_t kArcsMarkedMax = 80;
+constexpr std::array<std::string_view, 4> kSuffixes = {"-energy", "-energy-drift", "-errors", "-restitution"};
+
+// The colours of walls in all pictures.
+Tone tone_of(Wall wall) {
+  constexpr std::array<Tone, 4> kTones = {Tone::sky_blue, Tone::vermilion, Tone::purple, Tone::orange};
+  return kTones[wall_index(wall)];
+}
 
 std::string note_of(const DriftPicture& picture) {
   if (picture.arcs.empty()) return "";
@@ -28,212 +33,201 @@ std::string note_of(const DriftPicture& picture) {
                      summary.contacts == 1 ? "" : "s");
 }
 
-// A frame with the name of the run.
-PlotFrame drift_frame(const DriftPicture& picture, std::string_view subtitle, std::string_view x_label,
-                      std::string_view y_label) {
-  PlotFrame frame(picture.scenario.name, subtitle, x_label, y_label, kCanvas);
-  frame.note(note_of(picture));
-  return frame;
+Figure figure_of(const DriftPicture& picture, std::string_view suffix, std::string subtitle) {
+  return {.suffix = std::string(suffix),
+          .title = picture.scenario.name,
+          .subtitle = std::move(subtitle),
+          .note = note_of(picture),
+          .note_tone = Tone::quiet};
 }
 
-// Time from 0 to the end of the last arc; every other arc has a darker band, and a dot at the top for the
-// wall that ended it. Neither if there are too many arcs to distinguish.
-void mark_arcs(PlotFrame& frame, const DriftPicture& picture) {
+// The wall's dots, by its name.
+LegendEntry wall_entry(Wall wall) {
+  return {std::string(kWallNames[wall_index(wall)]), {.form = Form::points, .tone = tone_of(wall)}};
+}
+
+// Every other arc is shaded, and has a dot at the top for the wall that ended it. Neither if there are too
+// many arcs to distinguish.
+void mark_arcs(Figure& figure, Plot& plot, const DriftPicture& picture) {
   const std::vector<ArcErrors>& arcs = picture.arcs;
-  if (picture.rows.empty()) return frame.add("set xrange [0:1]\n");
-  const double end_s = picture.rows.back().errors.t_s;
-  frame.add(fmt::format("set xrange [0:{:.10g}]\n", end_s > 0.0 ? end_s : 1.0));
   if (arcs.size() > kArcsMarkedMax) return;
-  std::array<bool, 4> has_wall{};
   std::size_t row = 0;
-  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
-    if (row == picture.rows.size()) break;
+  std::array<bool, kWalls.size()> has_wall{};
+  for (std::size_t arc = 0; arc < arcs.size() && row < picture.rows.size(); ++arc) {
     const double from_s = picture.rows[row].errors.t_s;
     while (row < picture.rows.size() && picture.rows[row].arc == arc) ++row;
     const double to_s = picture.rows[row - (row > 0)].errors.t_s;
-    if (arc % 2 == 1)
-      frame.add(
-          fmt::format("set object {} rectangle from first {:.10g}, graph 0 to first {:.10g}, graph 1 behind "
-                      "fs solid 1 noborder fc rgb '{}'\n",
-                      10 + arc, from_s, to_s, kBand));
+    if (arc % 2 == 1) plot.spans.push_back({from_s, to_s});
     const auto wall = wall_of(arcs[arc].ended_by);
     if (!wall) continue;
     has_wall[wall_index(*wall)] = true;
-    frame.add(fmt::format("set label '' at first {:.10g}, graph 1.035 point pt 7 ps 0.7 lc rgb '{}'\n", to_s,
-                          wall_colour(*wall)));
+    plot.top_dots.push_back({to_s, tone_of(*wall)});
   }
-  if (arcs.size() > 1) frame.explain_area("every other arc", kBand);
+  if (arcs.size() > 1)
+    figure.legend.push_back({"every other arc", {.form = Form::band, .tone = Tone::shade}});
   for (const Wall wall : kWalls)
-    if (has_wall[wall_index(wall)]) frame.explain_dot(kWallNames[wall_index(wall)], wall_colour(wall));
+    if (has_wall[wall_index(wall)]) figure.legend.push_back(wall_entry(wall));
 }
 
-constexpr std::string_view kNoArc = "no flight of two steps or more";
-
-// Lines "t value...", with an empty line between arcs; rows without values are left out.
-template <class Write>
-std::string lines_of(const DriftPicture& picture, const Write& write) {
-  std::string lines;
+// A series of one value a row against time, with a gap between arcs. Without a value: NaN.
+template <class Value>
+Series series_of(const DriftPicture& picture, std::string name, const Look& look, const Value& value) {
+  Series series{.name = std::move(name), .look = look};
   std::size_t arc = 0;
   for (const DrawnRow& row : picture.rows) {
     if (row.arc >= picture.arcs.size()) break;
-    if (row.arc != arc) lines += "\n";
+    if (row.arc != arc) {
+      series.x.push_back(row.errors.t_s);
+      series.y.push_back(kNotGiven);
+    }
     arc = row.arc;
-    const std::string values = write(row.errors, picture.arcs[arc]);
-    if (!values.empty()) lines += fmt::format("{:.9g} {}\n", row.errors.t_s, values);
+    series.x.push_back(row.errors.t_s);
+    series.y.push_back(value(row.errors, picture.arcs[arc]));
   }
-  return lines;
+  return series;
 }
 
-// Zero has no logarithm.
-std::string positive(double value_px) { return value_px > 0.0 ? fmt::format("{:.4g}", value_px) : "NaN"; }
+// A plot against time from 0 to the end of the last arc.
+Plot plot_over_time(const DriftPicture& picture, Axis y) {
+  const double end_s = picture.rows.empty() ? 1.0 : picture.rows.back().errors.t_s;
+  return {.x = {.label = "time, s", .low = 0.0, .high = end_s > 0.0 ? end_s : 1.0},
+          .y = std::move(y),
+          .when_empty = "no flight of two steps or more"};
+}
 
-struct Range {
-  double low = HUGE_VAL;
-  double high = -HUGE_VAL;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
+Figure over_time(Figure figure, Plot plot, const DriftPicture& picture) {
+  for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
+  mark_arcs(figure, plot, picture);
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
 
 double run_energy(const RowErrors& row) { return row.energy_px2_per_s2 + row.energy_drift_px2_per_s2; }
 
-// Thousands, millions, ... that leave one to three digits before the point.
-int exponent_of(const Range& range) {
-  const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
-  return largest >= 1e3 && std::isfinite(largest) ? 3 * static_cast<int>(std::log10(largest) / 3.0) : 0;
-}
-
-// The axis of errors: the decades that the errors cover, with a tic at every other power of ten.
-std::string decades(const DriftPicture& picture) {
-  Range range;
-  const auto add = [&range](double value_px) {
-    if (value_px > 0.0) range.add(std::log10(value_px));
-  };
-  for (const DrawnRow& row : picture.rows) {
-    add(row.errors.implementation_px);
-    add(row.errors.truncation_px);
-    add(row.errors.model_px);
-  }
-  if (range.low > range.high) range = {-1.0, 1.0};
-  const int low = 2 * static_cast<int>(std::floor(range.low / 2.0));
-  const int high = 2 * static_cast<int>(std::ceil((range.high + 0.01) / 2.0));
-  std::string tics;
-  for (int exponent = low; exponent <= high; exponent += 2)
-    tics += fmt::format("{}'{}' 1e{}", tics.empty() ? "" : ", ", power_of_ten(exponent), exponent);
-  return fmt::format("set logscale y\nset yrange [1e{}:1e{}]\nset ytics ({})\n", low, high, tics);
-}
-
-}  // namespace
-
-std::string energy_figure_script(const DriftPicture& picture) {
-  Range range;
-  for (const DrawnRow& row : picture.rows) {
-    range.add(row.errors.energy_px2_per_s2);
-    range.add(run_energy(row.errors));
-  }
-  const int exponent = exponent_of(range);
+Figure energy_figure(const DriftPicture& picture) {
+  double least = HUGE_VAL, most = 0.0;
+  for (const DrawnRow& row : picture.rows)
+    for (const double energy : {row.errors.energy_px2_per_s2, run_energy(row.errors)}) {
+      least = std::min(least, energy);
+      if (std::isfinite(energy)) most = std::max(most, std::fabs(energy));
+    }
+  // Thousands, millions, ... that leave one to three digits before the point.
+  const int exponent = most >= 1e3 ? 3 * static_cast<int>(std::log10(most) / 3.0) : 0;
   const double scale = std::pow(10.0, exponent);
   const std::string unit = exponent == 0 ? "px²/s²" : power_of_ten(exponent) + " px²/s²";
-  PlotFrame plot =
-      drift_frame(picture, "Energy in flight: the run, and the exact solution from each arc's first state",
-                  "time, s", "specific energy, " + unit);
-  plot.add_block("energy", lines_of(picture, [scale](const RowErrors& row, const ArcErrors&) {
-                   return fmt::format("{:.7g} {:.7g}", row.energy_px2_per_s2 / scale,
-                                      run_energy(row) / scale);
-                 }));
-  plot.explain_line("run", style::kBlue, 3);
-  plot.explain_line("exact", style::kInk, 1.5, "(5,4)");
-  mark_arcs(plot, picture);
-  if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
-  if (range.low >= 0.0) plot.add("set yrange [0:*]\n");
-  return plot.script(
-      fmt::format("plot $energy using 1:3 title 'run' with lines lw 3 lc rgb '{}', "
-                  "$energy using 1:2 title 'exact' with lines lw 1.5 dt (5,4) lc rgb '{}'",
-                  style::kBlue, style::kInk));
+  Axis axis{.label = "specific energy, " + unit};
+  if (least >= 0.0) axis.low = 0.0;
+  Plot plot = plot_over_time(picture, axis);
+  plot.series = {
+      series_of(picture, "run", {.tone = Tone::blue, .width_px = 3},
+                [scale](const RowErrors& row, const ArcErrors&) { return run_energy(row) / scale; }),
+      series_of(picture, "exact", {.width_px = 1.5, .dash = Dash::short_dashes},
+                [scale](const RowErrors& row, const ArcErrors&) { return row.energy_px2_per_s2 / scale; })};
+  return over_time(figure_of(picture, kSuffixes[0],
+                             "Energy in flight: the run, and the exact solution from each arc's first state"),
+                   std::move(plot), picture);
 }
 
-std::string energy_drift_figure_script(const DriftPicture& picture) {
-  PlotFrame plot = drift_frame(picture, "Energy drift of each arc: the run minus the exact solution",
-                               "time, s", "drift, % of the arc's largest energy");
-  plot.add_block("drift", lines_of(picture, [](const RowErrors& row, const ArcErrors& arc) {
-                   return fmt::format("{:.5g}",
-                                      100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2());
-                 }));
-  plot.explain_line("energy drift", style::kBlue);
-  mark_arcs(plot, picture);
-  plot.add(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 1.5 lc rgb '{}' back\n",
-                       style::kInk));
-  if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
-  return plot.script(
-      fmt::format("plot $drift using 1:2 title 'energy drift' with lines lw 2.5 lc rgb '{}'", style::kBlue));
+Figure energy_drift_figure(const DriftPicture& picture) {
+  Plot plot = plot_over_time(picture, {.label = "drift, % of the arc's largest energy"});
+  plot.series = {series_of(picture, "energy drift", {.tone = Tone::blue},
+                           [](const RowErrors& row, const ArcErrors& arc) {
+                             return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2();
+                           })};
+  plot.marks = {{.is_vertical = false, .at = 0.0}};
+  return over_time(
+      figure_of(picture, kSuffixes[1], "Energy drift of each arc: the run minus the exact solution"),
+      std::move(plot), picture);
 }
 
-std::string errors_figure_script(const DriftPicture& picture) {
-  PlotFrame plot = drift_frame(
-      picture,
-      "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt (truncation), "
-      "the step itself",
-      "time, s", "distance, px (logarithmic)");
-  plot.add_block("errors", lines_of(picture, [](const RowErrors& row, const ArcErrors&) {
-                   return positive(row.implementation_px) + " " + positive(row.truncation_px) + " " +
-                          positive(row.model_px);
-                 }));
-  plot.explain_line("model", style::kLavender, 5);
-  plot.explain_line("truncation", style::kBlue, 2);
-  plot.explain_line("implementation", style::kGreen, 2);
-  mark_arcs(plot, picture);
-  if (picture.rows.empty()) return plot.script_of_nothing(kNoArc);
-  plot.add(decades(picture));
-  return plot.script(
-      fmt::format("plot $errors using 1:4 title 'model error' with lines lw 5 lc rgb '{}', "
-                  "$errors using 1:3 title 'truncation error' with lines lw 2 lc rgb '{}', "
-                  "$errors using 1:2 title 'implementation error' with lines lw 2 lc rgb '{}'",
-                  style::kLavender, style::kBlue, style::kGreen));
+// The decades that the errors cover, from an even exponent to an even one.
+Axis error_axis(const DriftPicture& picture) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const DrawnRow& row : picture.rows)
+    for (const double error_px :
+         {row.errors.implementation_px, row.errors.truncation_px, row.errors.model_px}) {
+      if (!(error_px > 0.0) || !std::isfinite(error_px)) continue;
+      least = std::min(least, std::log10(error_px));
+      most = std::max(most, std::log10(error_px));
+    }
+  if (least > most) least = -1.0, most = 1.0;
+  return {.label = "distance, px (logarithmic)",
+          .is_logarithmic = true,
+          .low = std::pow(10.0, 2.0 * std::floor(least / 2.0)),
+          .high = std::pow(10.0, 2.0 * std::ceil((most + 0.01) / 2.0))};
 }
 
-std::string restitution_figure_script(const DriftPicture& picture) {
+Figure errors_figure(const DriftPicture& picture) {
+  const auto positive = [](double value_px) { return value_px > 0.0 ? value_px : kNotGiven; };
+  Plot plot = plot_over_time(picture, error_axis(picture));
+  plot.series = {
+      series_of(picture, "model error", {.tone = Tone::lavender, .width_px = 5},
+                [&](const RowErrors& row, const ArcErrors&) { return positive(row.model_px); }),
+      series_of(picture, "truncation error", {.tone = Tone::blue, .width_px = 2},
+                [&](const RowErrors& row, const ArcErrors&) { return positive(row.truncation_px); }),
+      series_of(picture, "implementation error", {.tone = Tone::green, .width_px = 2},
+                [&](const RowErrors& row, const ArcErrors&) { return positive(row.implementation_px); })};
+  return over_time(figure_of(picture, kSuffixes[2],
+                             "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt "
+                             "(truncation), the step itself"),
+                   std::move(plot), picture);
+}
+
+Figure restitution_figure(const DriftPicture& picture) {
+  constexpr double kPapers = 0.6;
+  constexpr std::size_t kTicksMax = 20;
   const Spread& spread = picture.summary.effective_restitution;
   std::string subtitle = "Effective restitution: speed after the contact / speed at the true impact";
   if (spread.count() > 0)
     subtitle += fmt::format("; mean {:.3f}, spread {:.3f}", spread.mean(), spread.standard_deviation());
-  PlotFrame plot = drift_frame(picture, subtitle, "contact, in order", "effective restitution");
-  std::array<std::string, 4> dots;
-  Range range{0.6, 0.6};
-  std::size_t count = 0;
-  for (const ImpactErrors& contact : picture.contacts) {
-    ++count;
-    const double value = contact.effective_restitution.value_or(0.0);
+  Figure figure = figure_of(picture, kSuffixes[3], subtitle);
+  const Look dashed{.width_px = 1.5, .dash = Dash::long_dashes};
+  figure.legend = {{"0.6, the paper's", dashed}};
+
+  std::array<Series, kWalls.size()> dots;
+  double low = kPapers, high = kPapers;
+  const std::size_t count = picture.contacts.size();
+  for (std::size_t number = 0; number < count; ++number) {
+    const double value = picture.contacts[number].effective_restitution.value_or(0.0);
     if (!(value > 0.0)) continue;  // None, or zeroed by the rest rule.
-    range.add(value);
-    dots[wall_index(contact.wall)] += fmt::format("{} {:.5g}\n", count, value);
+    low = std::min(low, value);
+    high = std::max(high, value);
+    Series& series = dots[wall_index(picture.contacts[number].wall)];
+    series.x.push_back(static_cast<double>(number + 1));
+    series.y.push_back(value);
   }
-  const double room = std::max(0.02, 0.1 * (range.high - range.low));
-  plot.add(fmt::format("set xrange [0.5:{}]\nset yrange [{:.4g}:{:.4g}]\nset format y '%.2f'\n",
-                       static_cast<double>(count) + 0.5, range.low - room, range.high + room));
-  if (count <= 20) plot.add("set xtics 1\n");
-  plot.add(
-      fmt::format("set arrow from graph 0, first 0.6 to graph 1, first 0.6 nohead lw 1.5 dt (5,4) lc rgb "
-                  "'{}' back\n",
-                  style::kInk));
-  plot.explain_line("0.6, the paper's", style::kInk, 1.5, "(5,4)");
-  std::string command;
+  const double space = std::max(0.02, 0.1 * (high - low));
+  Plot plot{.x = {.label = "contact, in order", .low = 0.5, .high = static_cast<double>(count) + 0.5},
+            .y = {.label = "effective restitution", .low = low - space, .high = high + space, .decimals = 2},
+            .marks = {{.is_vertical = false, .at = kPapers}},
+            .when_empty = "no contact that ends a flight"};
+  for (std::size_t number = 1; number <= count && count <= kTicksMax; ++number)
+    plot.x.ticks.push_back({static_cast<double>(number), std::to_string(number)});
   for (const Wall wall : kWalls) {
-    if (dots[wall_index(wall)].empty()) continue;
-    const std::string_view name = kWallNames[wall_index(wall)];
-    plot.add_block(name, dots[wall_index(wall)]);
-    plot.explain_dot(name, wall_colour(wall));
-    command += fmt::format("{0} ${1} title 'contacts: {1}' with points pt 7 ps 0.9 lc rgb '{2}'",
-                           command.empty() ? "plot" : ",", name, wall_colour(wall));
+    Series& series = dots[wall_index(wall)];
+    if (series.x.empty()) continue;
+    const LegendEntry entry = wall_entry(wall);
+    series.name = "contacts: " + entry.text;
+    series.look = entry.look;
+    series.look.marker_size = 0.9;
+    figure.legend.push_back(entry);
+    plot.series.push_back(std::move(series));
   }
-  return command.empty() ? plot.script_of_nothing("no contact that ends a flight") : plot.script(command);
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> drift_figures(const DriftPicture& picture) {
+  return {energy_figure(picture), energy_drift_figure(picture), errors_figure(picture),
+          restitution_figure(picture)};
 }
 
 std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name) {
   std::vector<std::string> paths;
-  for (const char* const what : {"energy", "energy-drift", "errors", "restitution"})
-    paths.push_back((std::filesystem::path(folder) / fmt::format("{}-{}.svg", name, what)).string());
+  for (const std::string_view suffix : kSuffixes)
+    paths.push_back((std::filesystem::path(folder) / fmt::format("{}{}.svg", name, suffix)).string());
   return paths;
 }
 
@@ -242,10 +236,9 @@ std::vector<std::string> draw_drift_figures(const std::string& folder, const Dri
   std::filesystem::create_directories(folder, error);
   if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be created: " + error.message());
   std::vector<std::string> paths = drift_figure_paths(folder, picture.scenario.name);
-  draw_figure(paths[0], energy_figure_script(picture));
-  draw_figure(paths[1], energy_drift_figure_script(picture));
-  draw_figure(paths[2], errors_figure_script(picture));
-  draw_figure(paths[3], restitution_figure_script(picture));
+  const std::vector<Figure> figures = drift_figures(picture);
+  for (std::size_t index = 0; index < figures.size(); ++index)
+    draw_figure(paths[index], figure_script(figures[index]));
   return paths;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/reference/drift.h"
+#include "sim/result/figure.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {
@@ -25,22 +26,16 @@ struct DriftPicture {
   const std::vector<DrawnRow>& rows;
 };
 
-// The gnuplot scripts. The same picture gives the same text.
-
-/// Energy of run and reference against time, the arcs marked.
-[[nodiscard]] std::string energy_figure_script(const DriftPicture& picture);
-/// Energy drift of each arc against time, in % of the arc's largest energy.
-[[nodiscard]] std::string energy_drift_figure_script(const DriftPicture& picture);
-/// The three errors against time, on a logarithmic scale.
-[[nodiscard]] std::string errors_figure_script(const DriftPicture& picture);
-/// Effective restitution of the contacts in order, with the 0.6 of the paper.
-[[nodiscard]] std::string restitution_figure_script(const DriftPicture& picture);
+/// Energy of run and reference against time; energy drift of each arc in % of the arc's largest energy; the
+/// three errors on a logarithmic scale; effective restitution of the contacts with the 0.6 of the paper.
+/// Their suffixes: -energy, -energy-drift, -errors, -restitution.
+[[nodiscard]] std::vector<Figure> drift_figures(const DriftPicture& picture);
 
 /// The paths of the figures that draw_drift_figures writes for a scenario of that name.
 [[nodiscard]] std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name);
 
-/// Draws FOLDER/NAME-energy.svg, -energy-drift.svg, -errors.svg and -restitution.svg, with the scenario's
-/// name; creates the folder. Returns the paths. ERRORS: those of draw_figure (gnuplot.h).
+/// Draws FOLDER/NAME + suffix + .svg, with the scenario's name; creates the folder. Returns the paths.
+/// ERRORS: those of draw_figure (gnuplot.h).
 std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftPicture& picture);
 
 }  // namespace hyrax

@@ -32,4 +32,7 @@ inline constexpr double kBodyTop = 118;  ///< From the canvas's upper edge to th
 [[nodiscard]] std::size_t letters_of(std::string_view text);
 inline constexpr double kLetter_px = 7.2;
 
+/// A power of ten as people write it, "10⁻¹²".
+[[nodiscard]] std::string power_of_ten(int exponent);
+
 }  // namespace hyrax

@@ -2,13 +2,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 #include <fmt/format.h>
 
 #include "tools/report/figure_body.h"
 #include "tools/report/label_placer.h"
-#include "tools/report/plot_frame.h"
 
 namespace hyrax {
 namespace {
@@ -76,7 +76,7 @@ Range ends_of(const Axis& axis, Range range) {
 std::string powers_of_ten(const Axis& axis, const Range& ends) {
   const int low = static_cast<int>(std::ceil(std::log10(ends.low) - 1e-9));
   const int high = static_cast<int>(std::floor(std::log10(ends.high) + 1e-9));
-  const int every = 1 + (high - low) / kTicsMax;
+  const int every = 1 + std::max(0, high - low - 1) / kTicsMax;
   std::string tics;
   for (int exponent = low; exponent <= high; ++exponent)
     if (exponent % every == 0 && !(std::pow(10.0, exponent) <= axis.zero_at * 1.01))
@@ -144,6 +144,14 @@ class PlotScript {
                         style::kQuietInk);
     text += fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", quoted(plot_.x.label),
                         screen(canvas_, box_.right, box_.bottom + 40), style::kQuietInk);
+    for (const Span& span : plot_.spans)
+      text += fmt::format(
+          "set object rectangle from first {:.10g}, graph 0 to first {:.10g}, graph 1 behind fs solid 1 "
+          "noborder fc rgb '{}'\n",
+          span.from, span.to, style::kShade);
+    for (const TopDot& dot : plot_.top_dots)
+      text += fmt::format("set label '' at first {:.10g}, graph 1.035 point pt 7 ps 0.7 lc rgb '{}'\n", dot.x,
+                          colour_of(dot.tone));
     for (const Mark& mark : plot_.marks) text += mark_script(mark);
     return text + bars() + texts() + plot_command();
   }
@@ -304,6 +312,14 @@ bool is_empty(const std::vector<Plot>& plots) {
 
 }  // namespace
 
+std::string power_of_ten(int exponent) {
+  constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kRaised[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
 Canvas body_size(const std::vector<Plot>& plots) {
   if (plots.size() > 1) return {kWidthOfSeveral, kHeightOfSeveral + kBelow};
   if (plots.empty()) return {kWidth, kHeight + kBelow};
@@ -320,8 +336,8 @@ std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
   if (is_empty(plots))
     return fmt::format(
         "unset xtics\nunset ytics\nset xrange [0:1]\nset yrange [0:1]\n"
-        "set label 'nothing to show' at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
-        style::kQuietInk);
+        "set label {} at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
+        quoted(plots.empty() ? "nothing to show" : plots.front().when_empty), style::kQuietInk);
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
   const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
                                         [](double sum, const Plot& plot) { return sum + plot.share; });

@@ -74,10 +74,11 @@ std::vector<std::string> lines_of(const std::vector<std::string>& remarks, doubl
 }  // namespace
 
 std::string_view colour_of(Tone tone) {
-  constexpr std::array<std::string_view, 14> kColours = {
-      style::kInk,    style::kQuietInk, style::kFaintInk, style::kHairline, style::kVermilion,
-      style::kOrange, style::kBlue,     style::kGreen,    style::kPurple,   style::kSkyBlue,
-      style::kGood,   style::kNotable,  style::kBad,      style::kPaper};
+  constexpr std::array<std::string_view, 16> kColours = {
+      style::kInk,       style::kQuietInk, style::kFaintInk, style::kHairline,
+      style::kVermilion, style::kOrange,   style::kBlue,     style::kGreen,
+      style::kPurple,    style::kSkyBlue,  style::kLavender, style::kGood,
+      style::kNotable,   style::kBad,      style::kShade,    style::kPaper};
   return kColours[static_cast<std::size_t>(tone)];
 }
 
@@ -103,7 +104,8 @@ std::string figure_script(const Figure& figure) {
   const double remarks_height =
       remarks.empty() ? 0.0 : kAboveRemarks + kRemarkLine * static_cast<double>(remarks.size());
   const Canvas canvas{body.width, kBodyTop + body.height + legend.height + remarks_height + kBelow};
-  std::string script = figure_head(canvas, figure.title, figure.subtitle, figure.note);
+  std::string script =
+      figure_head(canvas, figure.title, figure.subtitle, figure.note, colour_of(figure.note_tone));
   double y = kBodyTop + body.height + kLegendLine / 2;
   for (std::size_t index = 0; index < figure.legend.size(); ++index) {
     const auto [entry_x, entry_y] = legend.places[index];

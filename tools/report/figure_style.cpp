@@ -55,7 +55,7 @@ double title_size(const Canvas& canvas, std::string_view title) {
 }  // namespace
 
 std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
-                        std::string_view note) {
+                        std::string_view note, std::string_view note_colour) {
   std::string head = fmt::format(
       "# {} #\nset encoding utf8\n"
       "set terminal svg size {},{} fixed noenhanced rounded font '{},{}'\n"
@@ -68,7 +68,7 @@ std::string figure_head(const Canvas& canvas, std::string_view title, std::strin
                       screen(canvas, style::kMargin, 58), style::kQuietInk);
   if (!note.empty())
     head += fmt::format("set label 3 {} at {} right tc rgb '{}'\n", quoted(note),
-                        screen(canvas, canvas.width - style::kMargin, 34), style::kVermilion);
+                        screen(canvas, canvas.width - style::kMargin, 34), note_colour);
   return head;
 }
 

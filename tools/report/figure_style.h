@@ -35,6 +35,7 @@ inline constexpr std::string_view kLavender = "#aa8fd8";
 inline constexpr std::string_view kGood = "#cfe8df";
 inline constexpr std::string_view kNotable = "#f6dfa9";
 inline constexpr std::string_view kBad = "#f1b594";
+inline constexpr std::string_view kShade = "#eaeef2";
 inline constexpr std::string_view kBeads = "#26828e";  ///< The middle of viridis.
 
 inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
@@ -46,7 +47,8 @@ inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
 /// stands at the right: what the reader must know lest the figure mislead. Labels 1 .. 9 and object 1 are the
 /// head's.
 [[nodiscard]] std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
-                                      std::string_view note = {});
+                                      std::string_view note = {},
+                                      std::string_view note_colour = style::kVermilion);
 
 /// `set palette` with viridis (van der Walt and Smith, 2015) without its palest third, which would be
 /// lost on paper.

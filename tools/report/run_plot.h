@@ -43,8 +43,6 @@ struct RunPlot {
 inline constexpr std::array<std::string_view, 4> kWallColours = {style::kSkyBlue, style::kVermilion,
                                                                  style::kPurple, style::kOrange};
 
-[[nodiscard]] inline std::string_view wall_colour(Wall wall) { return kWallColours[wall_index(wall)]; }
-
 inline constexpr std::string_view kMovedDashes = "(4,4)";
 inline constexpr std::string_view kUnrecordedDashes = "(1,5)";
 

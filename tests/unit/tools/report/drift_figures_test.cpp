@@ -6,8 +6,8 @@
 #include <string>
 
 #include "tools/report/drift_figures.h"
-#include "tools/report/plot_frame.h"
-#include "tools/report/run_plot.h"
+#include "tools/report/figure_body.h"
+#include "tools/report/figure_script.h"
 
 namespace hyrax {
 namespace {
@@ -47,13 +47,19 @@ struct MeasuredRun {
   [[nodiscard]] DriftPicture picture() const { return {scenario, 10.0, summary, arcs, contacts, rows}; }
 };
 
-std::size_t count_of(const std::string& text, const std::string& words) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
-  return count;
-}
+const Plot& plot_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body).front(); }
 
-bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+Figure energy_of(const MeasuredRun& run) { return drift_figures(run.picture())[0]; }
+Figure energy_drift_of(const MeasuredRun& run) { return drift_figures(run.picture())[1]; }
+Figure errors_of(const MeasuredRun& run) { return drift_figures(run.picture())[2]; }
+Figure restitution_of(const MeasuredRun& run) { return drift_figures(run.picture())[3]; }
+
+// The value of a series at a place.
+double value_at(const Series& series, double x) {
+  for (std::size_t row = 0; row < series.x.size(); ++row)
+    if (std::fabs(series.x[row] - x) < 1e-9 && !std::isnan(series.y[row])) return series.y[row];
+  return std::nan("");
+}
 
 TEST(PowerOfTen, IsWrittenAsPeopleDo) {
   EXPECT_EQ(power_of_ten(6), "10⁶");
@@ -62,73 +68,75 @@ TEST(PowerOfTen, IsWrittenAsPeopleDo) {
 }
 
 TEST(EnergyFigure, ShowsRunAndReferenceInReadableUnits) {
-  const MeasuredRun run(2);
-  const std::string script = energy_figure_script(run.picture());
-  EXPECT_TRUE(has(script, "specific energy, 10⁶ px²/s²"));
-  EXPECT_TRUE(has(script, "0.15 1 0.991\n"));  // t, exact, run of the arc's last row.
+  const Figure figure = energy_of(MeasuredRun(2));
+  const Plot& plot = plot_of(figure);
+  EXPECT_EQ(plot.y.label, "specific energy, 10⁶ px²/s²");
+  EXPECT_NEAR(value_at(plot.series[0], 0.15), 0.991, 1e-12);  // The run, in the arc's last row.
+  EXPECT_EQ(value_at(plot.series[1], 0.15), 1.0);
 }
 
 TEST(EnergyFigure, MarksEveryOtherArcAndTheWallsThatEndThem) {
-  const MeasuredRun run(3);
-  const std::string script = energy_figure_script(run.picture());
-  EXPECT_TRUE(
-      has(script, "rectangle from first 0.1666666667, graph 0 to first 0.3166666667, graph 1 behind"));
-  EXPECT_EQ(count_of(script, "graph 1.035 point"), 3u);
+  const Figure figure = energy_of(MeasuredRun(3));
+  const Plot& plot = plot_of(figure);
+  ASSERT_EQ(plot.spans.size(), 1u);
+  EXPECT_NEAR(plot.spans[0].from, 10.0 / 60.0, 1e-12);
+  EXPECT_NEAR(plot.spans[0].to, 19.0 / 60.0, 1e-12);
+  EXPECT_EQ(plot.top_dots.size(), 3u);
 }
 
-TEST(EnergyFigure, MarksNoMoreArcsThanCanBeToldApart) {
-  const MeasuredRun run(500);
-  EXPECT_EQ(count_of(energy_figure_script(run.picture()), "graph 1.035 point"), 0u);
+TEST(EnergyFigure, MarksNoMoreArcsThanReadersCanDistinguish) {
+  EXPECT_TRUE(plot_of(energy_of(MeasuredRun(500))).top_dots.empty());
 }
 
 TEST(EnergyDriftFigure, IsInPercentOfTheArcsEnergyAndBreaksBetweenArcs) {
-  const MeasuredRun run(2);
-  const std::string script = energy_drift_figure_script(run.picture());
-  EXPECT_TRUE(has(script, "0.15 -0.9\n\n0.166666667 -0\n"));
+  const Figure figure = energy_drift_of(MeasuredRun(2));
+  const Series& series = plot_of(figure).series[0];
+  EXPECT_NEAR(value_at(series, 0.15), -0.9, 1e-12);
+  ASSERT_EQ(series.y.size(), 21u);
+  EXPECT_TRUE(std::isnan(series.y[10])) << "the gap";
 }
 
 // Of the energy of a pixel of height, where the arc has less.
 TEST(EnergyDriftFigure, IsInPercentOfAPixelOfHeightAtLeast) {
   MeasuredRun run(1);
   run.arcs[0].energy_largest_px2_per_s2 = -5.0;
-  EXPECT_TRUE(has(energy_drift_figure_script(run.picture()), "0.15 -750\n"));
+  EXPECT_NEAR(value_at(plot_of(energy_drift_of(run)).series[0], 0.15), -750.0, 1e-9);
 }
 
-TEST(ErrorsFigure, HasATicForEveryOtherDecadeAndNoLogarithmOfZero) {
-  const MeasuredRun run(1);
-  const std::string script = errors_figure_script(run.picture());
-  EXPECT_TRUE(has(script, "set yrange [1e-14:1e2]"));
-  EXPECT_TRUE(has(script, "'10⁻¹⁴' 1e-14, '10⁻¹²' 1e-12"));
-  EXPECT_TRUE(has(script, "0 NaN NaN NaN\n"));
+TEST(ErrorsFigure, CoversEvenDecadesAndHasNoLogarithmOfZero) {
+  const Figure figure = errors_of(MeasuredRun(1));
+  const Plot& plot = plot_of(figure);
+  EXPECT_NEAR(std::log10(plot.y.low), -14.0, 1e-9);
+  EXPECT_NEAR(std::log10(plot.y.high), 2.0, 1e-9);
+  for (const Series& series : plot.series) EXPECT_TRUE(std::isnan(series.y.front()));
 }
 
 TEST(ErrorsFigure, NoErrorHasTheColourOfAWall) {
-  const MeasuredRun run(2);
-  const std::string script = errors_figure_script(run.picture());
-  const std::string plotted = script.substr(script.rfind("plot "));
-  for (const Wall wall : kWalls) EXPECT_FALSE(has(plotted, std::string(wall_colour(wall))));
+  const Figure figure = errors_of(MeasuredRun(2));
+  for (const Series& series : plot_of(figure).series)
+    for (const TopDot& dot : plot_of(figure).top_dots) EXPECT_NE(series.look.tone, dot.tone);
 }
 
 TEST(RestitutionFigure, DrawsThePapersValueAndSaysTheMean) {
-  const MeasuredRun run(4);
-  const std::string script = restitution_figure_script(run.picture());
-  EXPECT_TRUE(has(script, "from graph 0, first 0.6 to graph 1, first 0.6"));
-  EXPECT_TRUE(has(script, "mean 0.590, spread 0.000"));
-  EXPECT_TRUE(has(script, "4 0.59\n"));
+  const Figure figure = restitution_of(MeasuredRun(4));
+  const Plot& plot = plot_of(figure);
+  ASSERT_EQ(plot.marks.size(), 1u);
+  EXPECT_EQ(plot.marks[0].at, 0.6);
+  EXPECT_NE(figure.subtitle.find("mean 0.590, spread 0.000"), std::string::npos);
+  EXPECT_EQ(value_at(plot.series[0], 4.0), 0.59);
 }
 
 TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
   MeasuredRun run(2);
   run.contacts[1].effective_restitution = 0.0;
-  EXPECT_FALSE(has(restitution_figure_script(run.picture()), "\n2 0\n"));
+  EXPECT_EQ(plot_of(restitution_of(run)).series[0].x, std::vector<double>{1.0});
 }
 
 TEST(DriftFigures, SayWhereThereIsNothingToShow) {
-  const MeasuredRun run(0);
-  EXPECT_TRUE(has(energy_figure_script(run.picture()), "no flight of two steps or more"));
-  EXPECT_TRUE(has(energy_drift_figure_script(run.picture()), "no flight of two steps or more"));
-  EXPECT_TRUE(has(errors_figure_script(run.picture()), "no flight of two steps or more"));
-  EXPECT_TRUE(has(restitution_figure_script(run.picture()), "no contact that ends a flight"));
+  const std::vector<Figure> figures = drift_figures(MeasuredRun(0).picture());
+  for (std::size_t figure = 0; figure < 3; ++figure)
+    EXPECT_NE(figure_script(figures[figure]).find("no flight of two steps or more"), std::string::npos);
+  EXPECT_NE(figure_script(figures[3]).find("no contact that ends a flight"), std::string::npos);
 }
 
 }  // namespace
