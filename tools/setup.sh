@@ -121,12 +121,17 @@ logged() {
 
 # timed NAME COMMAND...: runs it, then prints how long it took and whether it failed.
 timed() {
-  local name=$1 begin=${EPOCHREALTIME/[.,]/} code=0 tenths
+  local name=$1 begin=${EPOCHREALTIME/[.,]/} code=0
   shift
   "$@" || code=$?
-  tenths=$(((${EPOCHREALTIME/[.,]/} - begin + 50000) / 100000))
-  say "$(printf '%-34s %4d.%d s%s' "$name" $((tenths / 10)) $((tenths % 10)) "$(failed_mark "$code")")"
+  say_time "$name" "$begin" "$code"
   return "$code"
+}
+
+# say_time NAME BEGIN CODE: the time since BEGIN, in microseconds.
+say_time() {
+  local tenths=$(((${EPOCHREALTIME/[.,]/} - $2 + 50000) / 100000))
+  say "$(printf '%-34s %4d.%d s%s' "$1" $((tenths / 10)) $((tenths % 10)) "$(failed_mark "$3")")"
 }
 
 failed_mark() { [[ $1 -eq 0 ]] || printf '   FAILED (exit %d)' "$1"; }
@@ -160,27 +165,31 @@ forget_other_source() {
   grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$folder/CMakeCache.txt" || rm -rf -- "$folder"
 }
 
-# Takes milliseconds, so that every run can call it.
-is_up_to_date() { [[ $(ninja -n -C "$1" "$2" 2> /dev/null) == *"no work to do"* ]]; }
-
 # build FOLDER [TARGET]...: shows ninja's progress on a terminal; elsewhere silent unless it fails.
 build() {
-  local folder=$1 quiet=(--quiet)
+  local folder=$1
   shift
-  [[ ! -t 2 ]] || quiet=()
-  ninja "${quiet[@]}" -C "$folder" "$@" >&2
+  if [[ -t 2 ]]; then
+    ninja -C "$folder" "$@" >&2
+  else
+    ninja --quiet -C "$folder" "$@" | { grep -v '^ninja: no work to do' || true; } >&2
+  fi
 }
 
-# build_program FOLDER: builds hyrax-sim if a source file changed. The folder may be that of tools/test: whatever
-# it was configured for, it can build hyrax-sim.
+# build_program FOLDER: builds hyrax-sim if a source file changed, and prints nothing if none did. The folder may be
+# that of tools/test: whatever it was configured for, it can build hyrax-sim.
 build_program() {
+  local begin=${EPOCHREALTIME/[.,]/} program=$1/bin/hyrax-sim before
   hold "$1"
   is_configured "$1" || configure "$1" CMAKE_BUILD_TYPE=Release HYRAX_TESTS=OFF ||
     stop "CMake could not configure hyrax-sim; see the output above."
-  is_up_to_date "$1" hyrax-sim || timed "build hyrax-sim" build "$1" hyrax-sim ||
-    stop "hyrax-sim could not be built; see the output above."
+  before=$(time_of_change "$program")
+  build "$1" hyrax-sim || stop "hyrax-sim could not be built; see the output above."
+  [[ $(time_of_change "$program") == "$before" ]] || say_time "build hyrax-sim" "$begin" 0
   release
 }
+
+time_of_change() { stat --format %y -- "$1" 2> /dev/null || true; }
 
 can_write() { mkdir -p -- "$1" 2> /dev/null && [[ -w $1 ]]; }
 

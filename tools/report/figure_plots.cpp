@@ -250,6 +250,12 @@ class PlotScript {
           on_canvas(mark.is_vertical ? mark.at : x_ends_.high, mark.is_vertical ? y_ends_.high : mark.at));
     std::string script;
     for (const PointText& text : plot_.texts) {
+      if (!plot_.y.categories.empty()) {  // In its row, whatever is beside it.
+        const LabelPlacer::Point point = on_canvas(text.x, text.y);
+        script += fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", quoted(text.text),
+                              screen(canvas_, point.x + 8, point.y), colour_of(text.tone));
+        continue;
+      }
       const LabelPlacer::Point at =
           placer.place(text.text, LabelPlacer::centres_around(on_canvas(text.x, text.y), text.text));
       script += fmt::format("set label {} at {} center front font ',11' tc rgb '{}'\n", quoted(text.text),
