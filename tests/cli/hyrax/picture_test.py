@@ -121,7 +121,7 @@ class NoScreen(HyraxTest):
         self.assertFalse(pathlib.Path("/tmp/.X11-unix/X4711").exists())
         flight = self.end(self.start())
         self.assertEqual(flight.exit_code, 3)
-        self.assertIn("no window can be made", flight.err)
+        self.assertIn("the window cannot be created", flight.err)
         self.assertFalse(flight.path.exists())
 
 
