@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/compare/ulps.h"
-
 namespace hyrax {
 namespace {
 

@@ -52,7 +52,7 @@ class Judge {
 std::vector<Expectation> judge(const Expect& expect, const RunSummary& summary,
                                const std::optional<RunErrors>& errors) {
   Judge judge;
-  const auto count = [&](Wall wall) { return static_cast<double>(summary.contacts[wall_index(wall)]); };
+  const auto count = [&](Wall wall) { return static_cast<double>(summary.contacts[wall]); };
   judge.is("in_bounds", expect.in_bounds, !summary.out_of_bounds_step);
   judge.is("finite", expect.finite, !summary.non_finite_step);
   judge.within("final_x_px", expect.final_x_px, summary.final.x_px);

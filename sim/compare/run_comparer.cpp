@@ -23,10 +23,6 @@ bool is_same(const Columns& kept, std::size_t first, const Columns& batch) {
          is_same_column(kept.contact, first, batch.contact);
 }
 
-bool is_same_input(const Input& a, const Input& b) {
-  return a.frame == b.frame && a.kind == b.kind && same_bits(a.a, b.a) && same_bits(a.b, b.b);
-}
-
 // REQUIRES: lists of the same contacts, at the same steps.
 std::optional<Divergence> first_difference(const std::vector<Contact>& expected,
                                            const std::vector<Contact>& actual) {
@@ -136,7 +132,7 @@ std::string RunComparer::contradiction(const Played& played) const {
   if (!damage_.empty()) return damage_;
   if (kept_.state_hash != played.state_hash) return "state hash";
   if (!std::equal(kept_.inputs.begin(), kept_.inputs.end(), played.inputs.begin(), played.inputs.end(),
-                  is_same_input))
+                  [](const Input& a, const Input& b) { return same_bits(a, b); }))
     return "events";
   if (first_difference(kept_.final, played.final)) return "last row";
   const auto recorded = static_cast<std::int64_t>(contacts_.size());

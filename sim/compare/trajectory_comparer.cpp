@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/compare/ulps.h"
-
 namespace hyrax {
 namespace {
 

@@ -1,9 +1,12 @@
 // The vocabulary of motion: plain values that every folder shares.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace hyrax {
 
@@ -61,7 +64,7 @@ struct Bounds {
           static_cast<double>(window.height_px - sprite.height_px)};
 }
 
-/// All that the next step depends on, but its dt.
+/// All that the next step depends on, except its dt. A body that apply (sim/scenario/apply.h) can act on.
 struct World {
   State state;
   Size window;
@@ -69,6 +72,15 @@ struct World {
   bool is_held = false;
 
   [[nodiscard]] Bounds bounds() const { return bounds_of(window, sprite); }
+  void setPos(double x_px, double y_px) {
+    state.x_px = x_px;
+    state.y_px = y_px;
+  }
+  void setVelocity(double vx_px_per_s, double vy_px_per_s) {
+    state.vx_px_per_s = vx_px_per_s;
+    state.vy_px_per_s = vy_px_per_s;
+  }
+  void resetVelocity() { setVelocity(0.0, 0.0); }
 };
 
 /// The constants of the paper's table. Their values are those of class physics (sim/physics/physics.h).
@@ -78,6 +90,50 @@ struct Constants {
   double air_drag = 0.0;                 ///< [-], velocity factor of a step.
   double ground_friction = 0.0;          ///< [-], horizontal velocity factor of a ground contact.
   double rest_threshold_px_per_s = 0.0;  ///< Below it a ground contact sets vy to 0.
+};
+
+/// Bits of a row's contact byte; in flight it is 0.
+enum class Wall : std::uint8_t { left = 1, right = 2, top = 4, ground = 8 };
+
+/// Set beside Wall::ground where the rest rule zeroed the vertical speed.
+inline constexpr std::uint8_t kRestBit = 16;
+
+inline constexpr std::array<Wall, 4> kWalls = {Wall::left, Wall::right, Wall::top, Wall::ground};
+inline constexpr std::array<std::string_view, 4> kWallNames = {"left", "right", "top", "ground"};
+
+/// 0 .. 3, the wall's place in kWalls.
+constexpr std::size_t wall_index(Wall wall) {
+  switch (wall) {
+    case Wall::left:
+      return 0;
+    case Wall::right:
+      return 1;
+    case Wall::top:
+      return 2;
+    case Wall::ground:
+      return 3;
+  }
+  return 0;
+}
+
+constexpr bool touches(std::uint8_t contact, Wall wall) {
+  return (contact & static_cast<std::uint8_t>(wall)) != 0;
+}
+
+/// A count for each wall.
+struct WallCounts {
+  std::int64_t left = 0;
+  std::int64_t right = 0;
+  std::int64_t top = 0;
+  std::int64_t ground = 0;
+
+  [[nodiscard]] constexpr std::int64_t& operator[](Wall wall) {
+    std::int64_t* const counts[] = {&left, &right, &top, &ground};
+    return *counts[wall_index(wall)];
+  }
+  [[nodiscard]] constexpr std::int64_t operator[](Wall wall) const { return WallCounts(*this)[wall]; }
+  [[nodiscard]] constexpr std::int64_t total() const { return left + right + top + ground; }
+  bool operator==(const WallCounts&) const = default;
 };
 
 }  // namespace hyrax

@@ -1,7 +1,8 @@
 // The paper's step with its constants, its parts and its order free: what studies vary.
 //
 // With all parts, the paper's order and the constants of class physics it is physics::update bit for bit,
-// to which a test holds it. It moves no sprite in a result that is called exact.
+// to which a test holds it. It moves no sprite in a result that is called exact, but says what a step of the
+// core met on its way: which walls, how fast, how far past them.
 #pragma once
 
 #include <array>
@@ -11,7 +12,6 @@
 #include <string_view>
 
 #include "sim/motion/state.h"
-#include "sim/motion/wall.h"
 
 namespace hyrax {
 
@@ -82,6 +82,12 @@ class ListingStep {
     s.x_px += s.vx_px_per_s * dt_s;
     s.y_px += s.vy_px_per_s * dt_s;
   }
+  /// The flight of one frame, as if there were no walls.
+  [[gnu::always_inline]] void fly(State& s, double dt_s) const {
+    pull(s, dt_s);
+    drag(s);
+    move(s, dt_s);
+  }
   /// Returns the wall that clamped as a row's contact byte has it; 0: none.
   std::uint8_t meet_walls_in_x(State& s) const {
     if (parts_.has(Part::left_wall) && s.x_px < 0.0) {
@@ -115,9 +121,7 @@ class ListingStep {
 
   /// The paper's order. Returns the walls that clamped.
   [[gnu::always_inline]] std::uint8_t operator()(State& s, double dt_s) const {
-    pull(s, dt_s);
-    drag(s);
-    move(s, dt_s);
+    fly(s, dt_s);
     const std::uint8_t in_x = meet_walls_in_x(s);
     return static_cast<std::uint8_t>(in_x | meet_walls_in_y(s));
   }

@@ -24,24 +24,14 @@ class physics {
 
   /// One frame of `dt` seconds: gravity, drag, position, then collision in x and in y.
   /// The top left corner is kept within 0 .. screen - obj (sizes in px).
-  void update(double dt, int screenW, int screenH, int objW, int objH) {
-    fly(dt);
-    collide(screenW, screenH, objW, objH);
-  }
-
-  /// The first half of update: flight without walls. Public for those who watch a step, so that
-  /// "how fast did it meet the wall" is answered by the step's own arithmetic.
-  void fly(double dt) {
+  void update(double dt, int screenWidth, int screenHeight, int objWidth, int objHeight) {
     m_vy += GRAVITY * dt;
     m_vx *= AIR_DRAG;
     m_vy *= AIR_DRAG;
 
     m_x += m_vx * dt;
     m_y += m_vy * dt;
-  }
 
-  /// The second half of update: the walls, x first, then y.
-  void collide(int screenWidth, int screenHeight, int objWidth, int objHeight) {
     const double rightBound = static_cast<double>(screenWidth - objWidth);
     const double bottomBound = static_cast<double>(screenHeight - objHeight);
 

@@ -46,10 +46,11 @@ ArcCutter::ArcCutter(const Scenario& scenario, std::vector<Input> inputs, ArcVis
     : playback_(scenario, std::move(inputs)), visitor_(visitor) {}
 
 void ArcCutter::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size() && !non_finite_step_; ++index) take(batch.row(index));
+  for (std::size_t index = 0; index < batch.size() && !non_finite_step_; ++index) row(batch.row(index));
 }
 
-void ArcCutter::take(const Row& row) {
+void ArcCutter::row(const Row& row) {
+  if (non_finite_step_) return;
   if (!is_measurable(row)) {
     non_finite_step_ = row.step;
     return;
@@ -81,7 +82,7 @@ void ArcCutter::fly(const Row& row) {
 }
 
 void ArcCutter::open(const Row& start) {
-  start_ = {start, playback_.right_px(), playback_.bottom_px()};
+  start_ = {start, playback_.bounds()};
   steps_ = 0;
   is_open_ = true;
 }

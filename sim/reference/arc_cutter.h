@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/reference/input_playback.h"
 #include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {
@@ -27,8 +26,7 @@ inline constexpr std::array<std::string_view, 7> kArcEndNames = {"left",  "right
 /// The state an arc begins with: a row's, after the inputs of the next frame.
 struct ArcStart {
   Row row;
-  double right_px = 0.0;  ///< Bounds in force beside 0.
-  double bottom_px = 0.0;
+  Bounds bounds;  ///< In force.
 };
 
 /// Receives arcs of two steps and more, one after the other, and bounces between them.
@@ -57,6 +55,7 @@ class ArcCutter final : public RowSink {
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   /// Rows from row 0 on, every one, live or from a file.
   void rows(const Columns& batch) override;
+  void row(const Row& row);
   /// Ends the arc that the run's last row leaves open.
   void finish();
 
@@ -67,7 +66,6 @@ class ArcCutter final : public RowSink {
   [[nodiscard]] std::optional<std::int64_t> non_finite_step() const { return non_finite_step_; }
 
  private:
-  void take(const Row& row);
   void fly(const Row& row);
   void close(ArcEnd ended_by, const Row* clamped);
   void open(const Row& start);

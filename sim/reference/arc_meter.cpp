@@ -123,7 +123,7 @@ void ArcMeter::tell(const std::vector<ImpactErrors>& contacts, bool is_stopped) 
 double ArcMeter::energy(const Flight& flight) const {
   const double kinetic =
       0.5 * (flight.vx_px_per_s * flight.vx_px_per_s + flight.vy_px_per_s * flight.vy_px_per_s);
-  return kinetic + model_.gravity_px_per_s2 * ((start_.bottom_px - start_.row.y_px) - flight.dy_px);
+  return kinetic + model_.gravity_px_per_s2 * ((start_.bounds.bottom_px - start_.row.y_px) - flight.dy_px);
 }
 
 // e(to) - e(from) as (v - w)(v + w) / 2 - g (y - z): two large energies are never subtracted.
@@ -235,11 +235,11 @@ double ArcMeter::overshoot_px(Wall wall, double dt_s) const {
     case Wall::left:
       return larger(0.0, 0.0 - unclamped.x_px);
     case Wall::right:
-      return larger(0.0, unclamped.x_px - start_.right_px);
+      return larger(0.0, unclamped.x_px - start_.bounds.right_px);
     case Wall::top:
       return larger(0.0, 0.0 - unclamped.y_px);
     case Wall::ground:
-      return larger(0.0, unclamped.y_px - start_.bottom_px);
+      return larger(0.0, unclamped.y_px - start_.bounds.bottom_px);
   }
   return 0.0;
 }

@@ -60,9 +60,7 @@ class ArcSolution {
   };
 
   [[nodiscard]] double frames() const { return static_cast<double>(frames_); }
-  [[nodiscard]] bool is_equal(double dt_s) const {
-    return std::bit_cast<std::uint64_t>(dt_s) == std::bit_cast<std::uint64_t>(dt_s_);
-  }
+  [[nodiscard]] bool is_equal(double dt_s) const { return same_bits(dt_s, dt_s_); }
   void open_segment(double dt_s);
   void move_on(WideFlight& flight, const FramePower<DoubleDouble>& power) const;
 

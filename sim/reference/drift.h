@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/reference/arc_cutter.h"
 
 namespace hyrax {

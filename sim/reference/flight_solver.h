@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "sim/reference/flight.h"
-#include "sim/reference/impact.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
@@ -32,15 +31,10 @@ class InputPlayback {
   }
 
   [[nodiscard]] bool is_held() const { return is_held_; }
-  /// Bounds of the sprite's top left corner, beside 0.
-  [[nodiscard]] double right_px() const { return static_cast<double>(window_.width_px - sprite_.width_px); }
-  [[nodiscard]] double bottom_px() const {
-    return static_cast<double>(window_.height_px - sprite_.height_px);
-  }
+  [[nodiscard]] Bounds bounds() const { return bounds_of(window_, sprite_); }
 
  private:
   InputChange apply_due(Row& row);
-  void apply(const Input& input, Row& row, InputChange& change);
 
   Size window_;
   Size sprite_;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/reference/largest.h"
 #include "sim/trajectory/row.h"
 
@@ -39,8 +39,15 @@ void MarginMeter::rows(const Columns& batch) {
   for (std::size_t index = 0; index < batch.size() && !has_ended_; ++index) take(batch.row(index));
 }
 
+// In a state that repeats, no decision comes nearer except by what a change of the start still moves; in so
+// many steps air drag alone reduces that to 2e-9.
+void MarginMeter::repeats(const Repetition& repetition) {
+  constexpr std::int64_t kStepsUntilStartIsForgotten = 20'000;
+  last_decisive_step_ = repetition.from_step + 2 * repetition.period_steps + kStepsUntilStartIsForgotten;
+}
+
 void MarginMeter::take(const Row& row) {
-  has_ended_ = !is_finite(state_of(row));
+  has_ended_ = !is_finite(state_of(row)) || row.step > last_decisive_step_;
   if (has_ended_) return;
   if (row.step > 0 && !playback_.is_held()) step_to(row);
   last_ = row;
@@ -78,7 +85,7 @@ void MarginMeter::decide_walls(const Row& row, bool is_x, const Axis& axis, cons
   if (touches(row.contact, is_x ? Wall::left : Wall::top))
     return see(near, row, true, is_x, -inside_near_px, -1.0, axis.position);
   see(near, row, false, is_x, inside_near_px, 1.0, axis.position);
-  const double far_px = is_x ? playback_.right_px() : playback_.bottom_px();
+  const double far_px = is_x ? playback_.bounds().right_px : playback_.bounds().bottom_px;
   const double inside_far_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
   if (touches(row.contact, is_x ? Wall::right : Wall::ground))
     see(far, row, true, is_x, -inside_far_px, 1.0, axis.position);

@@ -3,14 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "sim/reference/input_playback.h"
 #include "sim/reference/model.h"
-#include "sim/scenario/scenario.h"
-#include "sim/trajectory/input.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {
@@ -55,9 +54,12 @@ class MarginMeter final : public RowSink {
   /// @param inputs of the scenario, as they were applied.
   MarginMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model = {});
 
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  [[nodiscard]] Wants wants() const override {
+    return {.rows_every = last_.step < last_decisive_step_ ? 1 : 0};
+  }
   /// Rows from row 0 on, every one, live or from a file.
   void rows(const Columns& batch) override;
+  void repeats(const Repetition& repetition) override;
   /// Of the rows so far.
   [[nodiscard]] Margin margin() const;
 
@@ -92,6 +94,7 @@ class MarginMeter final : public RowSink {
   Model model_;
   Row last_;  // With the inputs of the next frame.
   bool has_ended_ = false;
+  std::int64_t last_decisive_step_ = std::numeric_limits<std::int64_t>::max();
   Axis x_;
   Axis y_;
   double half_width_;

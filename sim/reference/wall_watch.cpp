@@ -6,9 +6,9 @@ namespace hyrax {
 
 void WallWatch::start(const ArcStart& start) {
   left_px_ = 0.0 - start.row.x_px;
-  right_px_ = start.right_px - start.row.x_px;
+  right_px_ = start.bounds.right_px - start.row.x_px;
   top_px_ = 0.0 - start.row.y_px;
-  bottom_px_ = start.bottom_px - start.row.y_px;
+  bottom_px_ = start.bounds.bottom_px - start.row.y_px;
   last_ = {0.0, 0.0, start.row.vx_px_per_s, start.row.vy_px_per_s};
   last_elapsed_s_ = 0.0;
   rate_dt_s_ = 0.0;

@@ -5,10 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/reference/arc_cutter.h"
 #include "sim/reference/flight.h"
-#include "sim/reference/impact.h"
 
 namespace hyrax {
 

@@ -1,26 +1,35 @@
 #include "sim/replay/contact_tracker.h"
 
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
 namespace hyrax {
 
-ContactTracker::ContactTracker(RowSink& sink)
-    : sink_(sink), handed_on_max_(sink.wants().contacts ? kContactsRecordedMax : 0) {}
+ContactTracker::ContactTracker(std::span<RowSink* const> sinks) {
+  std::copy_if(sinks.begin(), sinks.end(), std::back_inserter(sinks_),
+               [](const RowSink* sink) { return sink->wants().contacts; });
+  passed_max_ = sinks_.empty() ? 0 : kContactsRecordedMax;
+}
 
 void ContactTracker::begin(const Contact& contact) {
-  open_[wall_index(contact.wall)] = {is_full() ? kNone : handed_on_, contact.step};
-  ++counts_[wall_index(contact.wall)];
+  open_[wall_index(contact.wall)] = {is_full() ? kNone : passed_, contact.step};
+  ++counts_[contact.wall];
   if (is_full()) return;
-  ++handed_on_;
-  sink_.contact_began(contact);
+  ++passed_;
+  for (RowSink* const sink : sinks_) sink->contact_began(contact);
 }
 
 void ContactTracker::end(Wall wall, std::int64_t last_step) {
   Open& open = open_[wall_index(wall)];
-  if (open.index != kNone && last_step > open.step) sink_.contact_ended(open.index, last_step);
+  if (open.index != kNone && last_step > open.step)
+    for (RowSink* const sink : sinks_) sink->contact_ended(open.index, last_step);
   open.index = kNone;
 }
 
 void ContactTracker::count(const WallCounts& begun) {
-  for (std::size_t wall = 0; wall < counts_.size(); ++wall) counts_[wall] += begun[wall];
+  assert(is_full() || begun == WallCounts{});
+  for (const Wall wall : kWalls) counts_[wall] += begun[wall];
 }
 
 void ContactTracker::finish(std::int64_t last_step) {

@@ -1,17 +1,17 @@
-// Frames of one stretch through physics::update, packed into rows; and inputs through its setters.
+// What the replay asks of a core: the frames of one stretch, packed into rows, and the effect of actions.
 //
-// The one place of the replay that sees the core. A stretch has no input: its sizes and whether the
-// sprite is held do not change.
+// A stretch has no input: its sizes and whether the sprite is held do not change.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "sim/replay/rest_anchor.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/run_summary.h"
+#include "sim/trajectory/state_hash.h"
 
 namespace hyrax {
 
@@ -39,7 +39,7 @@ struct StretchLog {
   std::int64_t frames = 0;  ///< Played.
   bool met_anchor = false;
   bool had_friction = false;            ///< A ground contact met a sprite that slid.
-  std::array<std::int64_t, 32> rows{};  ///< By contact byte; of flight none are counted.
+  std::array<std::int64_t, 32> rows{};  ///< By contact byte; rows in flight are not counted.
   std::vector<ContactChange> changes;   ///< By offset; in a corner x before y.
   std::int64_t moved_offset = -1;       ///< The last row that became the anchor of rest; -1: none.
 
@@ -51,13 +51,24 @@ struct StretchLog {
   }
 };
 
-/// Plays the stretch: moves `body` and the anchor of rest, and appends a row a frame to `rows`.
-/// REQUIRES: stretch.frames <= rows.room().
-void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows, StretchLog& log);
+/// A core, called a stretch at a time so that its state stays in registers in between.
+class Kernel {
+ public:
+  Kernel() = default;
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+  virtual ~Kernel() = default;
 
-/// Inputs, as the core takes them: its setVelocity, setPos and resetVelocity.
-void fling(Row& row, const Velocity& velocity);
-void place(Row& row, const Position& position);
-void stop(Row& row);
+  /// Plays the stretch: moves `body` and the anchor of rest, and appends a row a frame to `rows`.
+  /// REQUIRES: stretch.frames <= rows.room().
+  virtual void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows,
+                    StretchLog& log) const = 0;
+  [[nodiscard]] virtual Constants constants() const = 0;
+  /// Applies an action by the core's own setters.
+  virtual void apply(const Action& action, Keyframe& now) const = 0;
+};
+
+/// The kernel of class physics, whose source is the only one of the replay that includes it.
+[[nodiscard]] const Kernel& shipped_kernel();
 
 }  // namespace hyrax

@@ -1,8 +1,9 @@
 #include "sim/replay/player.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
-#include "sim/replay/action_effect.h"
 #include "sim/scenario/schedule.h"
 
 namespace hyrax {
@@ -21,38 +22,29 @@ bool divides_a_block(std::int64_t period) { return static_cast<std::int64_t>(kBl
 
 }  // namespace
 
-Replay::Player::Player(const Scenario& scenario, RowSink& sink, ReplayOptions options, const Keyframe& from)
+Replay::Player::Player(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options,
+                       const Keyframe& from, std::int64_t first_step)
     : scenario_(scenario),
-      sink_(sink),
-      wants_(sink.wants()),
       options_(options),
+      kernel_(options.kernel != nullptr ? *options.kernel : shipped_kernel()),
       clock_(scenario.clock),
       steps_(step_count(scenario)),
       event_frames_(schedule_events(scenario, steps_).frames),
       now_(from),
-      contacts_(sink),
+      tee_(sinks, first_step),
+      contacts_(sinks),
       rest_{from.row.x_px, from.row.y_px, from.row.t_s} {
   const auto next = std::lower_bound(event_frames_.begin(), event_frames_.end(), from.row.step);
   next_event_ = static_cast<std::size_t>(next - event_frames_.begin());
   const Row& row = from.row;
   pack_row(block_.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
   block_keyframe_ = from;
-  see_bounds(row);
-}
-
-Replay::Player::Player(const Scenario& scenario, RowSink& sink, ReplayOptions options)
-    : Player(scenario, sink, options, start_of(scenario)) {
-  if (wants_.rows_every > 0) record(now_.row);
-}
-
-Replay::Player::Player(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options)
-    : Player(scenario, sink, options, from) {
-  last_recorded_step_ = from.row.step;
-  const std::int64_t every = wants_.rows_every;
-  if (every > 0) next_recorded_step_ = (from.row.step / every + 1) * every;
+  check_bounds(row);
+  if (tee_.next_row() == row.step) tee_.row(row);
 }
 
 void Replay::Player::play_to(std::int64_t step_end) {
+  assert(step_end <= steps_);
   while (step() < step_end && !summary_.non_finite_step) {
     apply_events();
     const std::int64_t stretch_end = next_event_ < event_frames_.size() ? event_frames_[next_event_] : steps_;
@@ -82,7 +74,7 @@ Stretch Replay::Player::stretch(std::int64_t frames) const {
 void Replay::Player::apply_events() {
   for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_) {
     const Action& action = scenario_.events[next_event_].action;
-    apply(action, now_);
+    kernel_.apply(action, now_);
     search_.reset();
     cycle_.reset();
     if (const auto* hitch = std::get_if<Hitch>(&action)) hitch_dt_s_ = hitch->dt_s;
@@ -92,7 +84,7 @@ void Replay::Player::apply_events() {
 // Frames that the block takes; a block's first row comes alone, so that the state stands still there
 // while its keyframe is kept.
 std::int64_t Replay::Player::room() const {
-  return block_.size() == 0 && wants_.blocks ? 1 : static_cast<std::int64_t>(block_.room());
+  return block_.size() == 0 && tee_.wants_blocks() ? 1 : static_cast<std::int64_t>(block_.room());
 }
 
 void Replay::Player::play_hitch() {
@@ -127,6 +119,7 @@ void Replay::Player::search_repetition(std::int64_t end, std::int64_t stretch_en
     if (stretch_end < steps_) return;
     summary_.periodic_from_step = search_->step;
     summary_.period_steps = period;
+    tee_.repeats({search_->step, period});
   } else if (log_.met_anchor || step() == search_end) {
     const auto window = std::min<std::int64_t>(search_->window + search_->window / 16, kBlockRows);
     search_ = {body(), step(), window};
@@ -147,7 +140,7 @@ void Replay::Player::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
   const RestAnchor rest_before = rest_;
   State moved = body();
-  play(stretch, moved, rest_, block_, log_);
+  kernel_.play(stretch, moved, rest_, block_, log_);
   if (!is_finite(moved)) {
     rest_ = rest_before;
     cut_to_first_non_finite(stretch, rows_before);
@@ -157,27 +150,27 @@ void Replay::Player::play_batch(const Stretch& stretch) {
     summary_.had_gravity |= std::any_of(dt_s_.begin(), dt_s_.end(), [](double dt_s) { return dt_s > 0.0; });
   }
   summary_.steps_computed += log_.frames;
-  take_in(rows_before);
+  pass_on(rows_before);
   if (block_.room() == 0) close_block();
 }
 
-// In a stretch nothing makes a non-finite state finite again, so its end tells of it; then the
-// stretch is played once more, just as far as it arose.
+// In a stretch nothing makes a non-finite state finite again, so the state at its end shows it; then the
+// stretch is played once more, up to the row in which it arose.
 void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_before) {
   std::size_t row = rows_before;
   while (is_finite(state_of(block_.row(row)))) ++row;
   block_.shrink(rows_before);
   stretch.frames = static_cast<std::int64_t>(row - rows_before) + 1;
   State moved = body();
-  play(stretch, moved, rest_, block_, log_);
+  kernel_.play(stretch, moved, rest_, block_, log_);
   summary_.non_finite_step = step() + stretch.frames;
 }
 
-void Replay::Player::take_in(std::size_t first_row) {
+void Replay::Player::pass_on(std::size_t first_row) {
   const std::int64_t first_step = step() + 1;
   play_time();
   count_clamps(log_, 1);
-  take_in_changes(log_, first_step);
+  pass_on_changes(log_, first_step);
   if (log_.moved_offset >= 0) rest_.t_s = time_in_batch_s(log_.moved_offset);
   const auto row_at = [&](std::int64_t offset) {
     Row row = block_.row(first_row + static_cast<std::size_t>(offset));
@@ -186,9 +179,8 @@ void Replay::Player::take_in(std::size_t first_row) {
     return row;
   };
   if (options_.checks_bounds)
-    for (std::int64_t offset = 0; offset < log_.frames; ++offset) see_bounds(row_at(offset));
-  while (wants_.rows_every > 0 && next_recorded_step_ < first_step + log_.frames)
-    record(row_at(next_recorded_step_ - first_step));
+    for (std::int64_t offset = 0; offset < log_.frames; ++offset) check_bounds(row_at(offset));
+  while (tee_.next_row() < first_step + log_.frames) tee_.row(row_at(tee_.next_row() - first_step));
   now_.row = row_at(log_.frames - 1);
   if (first_row == 0) block_keyframe_ = now_;
 }
@@ -209,7 +201,7 @@ double Replay::Player::time_in_batch_s(std::int64_t offset) const {
   return batch_times_s_[static_cast<std::size_t>(offset)];
 }
 
-void Replay::Player::take_in_changes(const StretchLog& log, std::int64_t first_step) {
+void Replay::Player::pass_on_changes(const StretchLog& log, std::int64_t first_step) {
   for (const ContactChange& change : log.changes) {
     Contact contact = change.contact;
     contact.step = contact.last_step = first_step + change.offset;
@@ -223,41 +215,29 @@ void Replay::Player::take_in_changes(const StretchLog& log, std::int64_t first_s
 
 void Replay::Player::count_clamps(const StretchLog& log, std::int64_t times) {
   for (const Wall wall : kWalls)
-    summary_.clamped_steps[wall_index(wall)] += times * log.rows_with(static_cast<std::uint8_t>(wall));
+    summary_.clamped_steps[wall] += times * log.rows_with(static_cast<std::uint8_t>(wall));
   summary_.rest_steps += times * log.rows_with(kRestBit);
   summary_.had_friction |= log.had_friction;
 }
 
-void Replay::Player::see_bounds(const Row& row) {
+void Replay::Player::check_bounds(const Row& row) {
   if (!options_.checks_bounds || summary_.out_of_bounds_step) return;
-  const bool is_inside = row.x_px >= 0.0 && row.x_px <= now_.window.width_px - now_.sprite.width_px &&
-                         row.y_px >= 0.0 && row.y_px <= now_.window.height_px - now_.sprite.height_px;
+  const Bounds bounds = bounds_of(now_.window, now_.sprite);
+  const bool is_inside =
+      row.x_px >= 0.0 && row.x_px <= bounds.right_px && row.y_px >= 0.0 && row.y_px <= bounds.bottom_px;
   if (!is_inside) summary_.out_of_bounds_step = row.step;
-}
-
-void Replay::Player::record(const Row& row) {
-  recorded_.append(row);
-  last_recorded_step_ = row.step;
-  next_recorded_step_ = row.step + wants_.rows_every;
-  if (recorded_.size() >= kBlockRows) flush_rows();
-}
-
-void Replay::Player::flush_rows() {
-  if (recorded_.size() > 0) sink_.rows(recorded_);
-  recorded_.clear();
 }
 
 void Replay::Player::close_block(std::int64_t count) {
   const Digest block_digest = digest(block_);
   hash_.add(block_digest, count);
-  if (wants_.blocks) sink_.block({block_digest, block_keyframe_, block_}, count);
+  if (tee_.wants_blocks()) tee_.block({block_digest, block_keyframe_, block_}, count);
   block_.shrink(0);
 }
 
 RunSummary Replay::Player::finish() {
   if (block_.size() > 0) close_block();
-  if (wants_.rows_every > 0 && last_recorded_step_ != step()) record(now_.row);
-  flush_rows();
+  tee_.finish(now_.row);
   contacts_.finish(step());
   summary_.steps = step();
   summary_.simulated_s = now_.row.t_s;
@@ -266,6 +246,28 @@ RunSummary Replay::Player::finish() {
   summary_.at_rest_since_s = rest_.at_rest_since_s(now_.row.t_s);
   summary_.state_hash = hash_.value();
   return summary_;
+}
+
+Replay::Replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options)
+    : player_(std::make_unique<Player>(scenario, std::move(sinks), options, start_of(scenario), 0)) {}
+Replay::Replay(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options)
+    : player_(std::make_unique<Player>(scenario, std::vector<RowSink*>{&sink}, options, from,
+                                       from.row.step + 1)) {}
+Replay::~Replay() = default;
+Replay::Replay(Replay&&) noexcept = default;
+
+std::int64_t Replay::steps() const { return player_->steps(); }
+const Keyframe& Replay::keyframe() const { return player_->now(); }
+void Replay::play_to(std::int64_t step) { player_->play_to(step); }
+RunSummary Replay::finish() { return player_->finish(); }
+
+RunSummary replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options) {
+  Replay run(scenario, std::move(sinks), options);
+  run.play_to(run.steps());
+  return run.finish();
+}
+RunSummary replay(const Scenario& scenario, RowSink& sink, ReplayOptions options) {
+  return replay(scenario, std::vector<RowSink*>{&sink}, options);
 }
 
 }  // namespace hyrax

@@ -1,6 +1,7 @@
-// The replay's inside: plays stretches, and does with every row what is wanted of it.
+// The replay's inside: plays stretches, and passes on of every row what the sinks want.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,8 +9,9 @@
 #include "sim/replay/contact_tracker.h"
 #include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/rest_anchor.h"
+#include "sim/replay/tee.h"
 #include "sim/scenario/frame_clock.h"
+#include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
 
@@ -21,14 +23,18 @@ struct Cycle {
   StretchLog log;  ///< Of one period.
 
   /// How many rows of a period come before row `step`. REQUIRES: step >= first_step.
-  [[nodiscard]] std::int64_t phase(std::int64_t step) const { return (step - first_step) % period; }
+  [[nodiscard]] std::int64_t phase(std::int64_t step) const {
+    assert(step >= first_step);
+    return (step - first_step) % period;
+  }
   [[nodiscard]] Row row(std::int64_t step) const { return rows.row(static_cast<std::size_t>(phase(step))); }
 };
 
 class Replay::Player {
  public:
-  Player(const Scenario& scenario, RowSink& sink, ReplayOptions options);
-  Player(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options);
+  /// @param first_step the first row that the sinks get.
+  Player(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options, const Keyframe& from,
+         std::int64_t first_step);
 
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] const Keyframe& now() const { return now_; }
@@ -36,8 +42,6 @@ class Replay::Player {
   RunSummary finish();
 
  private:
-  Player(const Scenario& scenario, RowSink& sink, ReplayOptions options, const Keyframe& from);
-
   // The search for a repetition: a state is compared with the anchor, which moves on by a window that
   // grows with the run, so that any period up to a block is found in the end. It lasts as long as a
   // stretch without input, however many calls of play_to that takes.
@@ -58,14 +62,12 @@ class Replay::Player {
   void play_uneven_stretch(std::int64_t end);
   void play_batch(const Stretch& stretch);
   void cut_to_first_non_finite(Stretch stretch, std::size_t rows_before);
-  void take_in(std::size_t first_row);
+  void pass_on(std::size_t first_row);
   void play_time();
   [[nodiscard]] double time_in_batch_s(std::int64_t offset) const;
-  void take_in_changes(const StretchLog& log, std::int64_t first_step);
+  void pass_on_changes(const StretchLog& log, std::int64_t first_step);
   void count_clamps(const StretchLog& log, std::int64_t times);
-  void see_bounds(const Row& row);
-  void record(const Row& row);
-  void flush_rows();
+  void check_bounds(const Row& row);
   void close_block(std::int64_t count = 1);
 
   // In repetition.cpp: frames of a stretch that repeats with the period found.
@@ -81,9 +83,8 @@ class Replay::Player {
   void repeat_blocks(const Cycle& cycle, std::int64_t end);
 
   const Scenario& scenario_;
-  RowSink& sink_;
-  RowSink::Wants wants_;
   ReplayOptions options_;
+  const Kernel& kernel_;
   FrameClock clock_;
   std::int64_t steps_;
   std::vector<std::int64_t> event_frames_;
@@ -95,14 +96,12 @@ class Replay::Player {
   Keyframe now_;
   RowBlock block_;
   Keyframe block_keyframe_;
-  std::int64_t next_recorded_step_ = 0;
-  std::int64_t last_recorded_step_ = -1;
-  Columns recorded_;
   std::vector<double> dt_s_;  // Of the batch: one for all its frames, or one a frame.
   std::vector<double> batch_times_s_;
   StretchLog log_;
 
   StateHash hash_;
+  Tee tee_;
   ContactTracker contacts_;
   RestAnchor rest_;
   RunSummary summary_;

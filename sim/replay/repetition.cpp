@@ -1,5 +1,6 @@
 // Frames of a stretch whose state repeats exactly: filled in from one period, which is computed once.
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "sim/replay/player.h"
@@ -7,7 +8,7 @@
 namespace hyrax {
 namespace {
 
-// Fills the block with whole periods, doubling what stands.
+// Fills the block with whole periods by doubling its rows.
 void multiply(RowBlock& rows) {
   while (rows.size() <= rows.room()) rows.append(rows, 0, rows.size());
 }
@@ -26,7 +27,7 @@ void append_cyclic(RowBlock& block, const Cycle& cycle, std::int64_t step, std::
 WallCounts begun_in(const StretchLog& log, std::int64_t periods) {
   WallCounts begun{};
   for (const ContactChange& change : log.changes)
-    if (change.begins) begun[wall_index(change.contact.wall)] += periods;
+    if (change.begins) begun[change.contact.wall] += periods;
   return begun;
 }
 
@@ -50,7 +51,7 @@ Cycle Replay::Player::make_cycle(std::int64_t period) const {
   cycle.first_step = step() + 1;
   State moving = body();
   RestAnchor unused;
-  play(stretch(period), moving, unused, cycle.rows, cycle.log);
+  kernel_.play(stretch(period), moving, unused, cycle.rows, cycle.log);
   multiply(cycle.rows);
   return cycle;
 }
@@ -78,15 +79,15 @@ void Replay::Player::repeat_clamps(const Cycle& cycle, std::int64_t end) {
   }
   if (options_.checks_bounds)
     for (std::int64_t at = step() + 1; at <= std::min(end, step() + cycle.period); ++at)
-      see_bounds(row_in(cycle, at));
+      check_bounds(row_in(cycle, at));
 }
 
 void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {
   if (cycle.log.changes.empty()) return;
   const std::int64_t period = cycle.period;
   std::int64_t next = step() + 1;
-  // Contacts are handed on while the list has room, and for one whole pass more, so that no contact
-  // that was handed on is still open when passes are only counted.
+  // Contacts are passed on while the list has room, and for one whole pass more, so that no contact
+  // that was passed on is still open when passes are only counted.
   for (bool is_counted_only = false; next <= end && !is_counted_only;) {
     const std::int64_t last = std::min(end, next - cycle.phase(next) + period - 1);
     is_counted_only = contacts_.is_full() && last - next + 1 == period;
@@ -100,6 +101,7 @@ void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {
 
 // REQUIRES: steps `first` .. `last` are of one pass, or there are none.
 void Replay::Player::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last) {
+  assert(first > last || cycle.phase(first) + (last - first) < cycle.period);
   const std::int64_t pass_first = first - cycle.phase(first);
   for (const ContactChange& change : cycle.log.changes) {
     Contact contact = change.contact;
@@ -120,21 +122,21 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
   const std::int64_t period = cycle.period;
   std::vector<std::int64_t> step_of_anchor(static_cast<std::size_t>(period), -1);
   std::optional<std::int64_t> anchor_step;
-  for (std::int64_t stands = step(); stands < end;) {
-    const std::int64_t rows = std::min(period, end - stands);
+  for (std::int64_t at = step(); at < end;) {
+    const std::int64_t rows = std::min(period, end - at);
     std::int64_t moved_last = -1;
     for (std::int64_t offset = 0; offset < rows; ++offset) {
-      const Row row = cycle.row(stands + 1 + offset);
+      const Row row = cycle.row(at + 1 + offset);
       if (rest_.moves_to(row.x_px, row.y_px)) moved_last = offset;
     }
     if (moved_last < 0) break;
-    anchor_step = stands + 1 + moved_last;
-    stands += rows;
+    anchor_step = at + 1 + moved_last;
+    at += rows;
     std::int64_t& seen = step_of_anchor[static_cast<std::size_t>(moved_last)];
     if (seen >= 0) {
       const std::int64_t lap = *anchor_step - seen;
-      const std::int64_t jump = (end - stands) / lap * lap;
-      stands += jump;
+      const std::int64_t jump = (end - at) / lap * lap;
+      at += jump;
       *anchor_step += jump;
     }
     seen = *anchor_step;
@@ -143,28 +145,27 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
 }
 
 void Replay::Player::repeat_rows(const Cycle& cycle, std::int64_t end) {
-  if (wants_.rows_every == 0) return;
-  while (next_recorded_step_ <= end) record(row_in(cycle, next_recorded_step_));
+  while (tee_.next_row() <= end) tee_.row(row_in(cycle, tee_.next_row()));
 }
 
 void Replay::Player::repeat_blocks(const Cycle& cycle, std::int64_t end) {
   constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
-  std::int64_t stands = step();
-  const auto take = [&](std::int64_t rows) {
-    if (block_.size() == 0) block_keyframe_ = keyframe_in(cycle, stands + 1);
-    append_cyclic(block_, cycle, stands + 1, rows);
-    stands += rows;
+  std::int64_t at = step();
+  const auto append = [&](std::int64_t rows) {
+    if (block_.size() == 0) block_keyframe_ = keyframe_in(cycle, at + 1);
+    append_cyclic(block_, cycle, at + 1, rows);
+    at += rows;
   };
-  take(std::min(end - stands, static_cast<std::int64_t>(block_.room())));
+  append(std::min(end - at, static_cast<std::int64_t>(block_.room())));
   if (block_.room() > 0) return;
   close_block();
   // The period divides a block, so whole blocks are equal.
-  if (const std::int64_t count = (end - stands) / kRows; count > 0) {
-    take(kRows);
-    stands += (count - 1) * kRows;
+  if (const std::int64_t count = (end - at) / kRows; count > 0) {
+    append(kRows);
+    at += (count - 1) * kRows;
     close_block(count);
   }
-  if (stands < end) take(end - stands);
+  if (at < end) append(end - at);
 }
 
 }  // namespace hyrax

@@ -1,8 +1,9 @@
-// A scenario through the exact physics::update, frame by frame, into a sink.
+// A scenario through the exact physics::update, frame by frame, into any number of sinks.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/row_sink.h"
@@ -10,20 +11,25 @@
 
 namespace hyrax {
 
+class Kernel;
+
 struct ReplayOptions {
   /// Stop computing where the state repeats exactly at a fixed dt; the results are the same.
   bool skips_repetition = true;
-  bool checks_bounds = false;  ///< Fills RunSummary::out_of_bounds_step.
+  bool checks_bounds = false;      ///< Fills RunSummary::out_of_bounds_step.
+  const Kernel* kernel = nullptr;  ///< Another core than class physics (sim/replay/kernel_of.h).
 };
 
 /// Plays a scenario in constant memory. Rows, contacts, blocks and the whole summary are the same bits
-/// however the run is cut into calls of play_to; only how many equal blocks are handed on at once may
+/// however the run is cut into calls of play_to; only how many equal blocks a sink gets at once may
 /// differ. Skipping repetition changes nothing but steps_computed.
 class Replay {
  public:
-  /// From the start. Row 0 goes to the sink at once. Refers to scenario and sink.
+  /// From the start. Refers to scenario and sinks.
   /// REQUIRES: a scenario within the limits of scenario.h whose events have frames.
-  Replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {});
+  Replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options = {});
+  Replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {})
+      : Replay(scenario, std::vector<RowSink*>{&sink}, options) {}
   /// Resumes after the keyframe's row, which the sink does not get again. Contacts that touch
   /// there go on uncounted; state_hash, at_rest_since_s and the search for repetition begin at the
   /// keyframe's row: periodic_from_step is never before it, and is that row if the whole run repeats
@@ -35,9 +41,9 @@ class Replay {
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] const Keyframe& keyframe() const;
 
-  /// Plays until row `step` stands, or the state became non-finite. REQUIRES: step <= steps().
+  /// Plays up to row `step`, or until the state became non-finite. REQUIRES: step <= steps().
   void play_to(std::int64_t step);
-  /// Ends the run where it stands: hands on what is left, and sums up.
+  /// Ends the run at its present row: passes on what is left, and sums up.
   RunSummary finish();
 
  private:
@@ -47,5 +53,6 @@ class Replay {
 
 /// Plays all of a scenario.
 RunSummary replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {});
+RunSummary replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options = {});
 
 }  // namespace hyrax

@@ -1,6 +1,7 @@
 #include "sim/scenario/frame_clock.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/scenario/split_mix64.h"
@@ -27,6 +28,7 @@ double missed_frames_dt_s(double dt_s, double probability, std::uint64_t seed, s
 }  // namespace
 
 double base_dt_s(const Clock& clock) {
+  assert(!std::holds_alternative<RecordedSteps>(clock.base));
   if (const auto* rate = std::get_if<FixedRate>(&clock.base)) return 1.0 / rate->rate_hz;
   return std::get<FixedStep>(clock.base).dt_s;
 }
@@ -60,6 +62,7 @@ std::int64_t step_count(const Scenario& scenario) {
   if (const auto* trace = std::get_if<RecordedSteps>(&scenario.clock.base))
     return static_cast<std::int64_t>(trace->dt_s.size());
   if (const auto* steps = std::get_if<std::int64_t>(&scenario.length)) return *steps;
+  assert(base_dt_s(scenario.clock) > 0.0);
   const double frames = std::ceil(std::get<double>(scenario.length) / base_dt_s(scenario.clock) - 1e-9);
   if (!(frames <= static_cast<double>(kStepsMax))) return kStepsMax + 1;
   return frames < 0.0 ? 0 : static_cast<std::int64_t>(frames);

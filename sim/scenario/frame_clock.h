@@ -1,6 +1,7 @@
-// The dt of every frame, before a hitch replaces it.
+// The dt of every frame, and the time that passes as frames are played.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 
 #include "sim/scenario/scenario.h"
@@ -20,10 +21,11 @@ namespace hyrax {
 [[nodiscard]] double longest_dt_s(const Clock& clock);
 
 /// Frames to play: `steps`, or ceil(duration_s / dt - 1e-9), or the trace's length.
-/// REQUIRES: a duration stands only with a dt > 0. A duration beyond kStepsMax frames gives kStepsMax + 1.
+/// REQUIRES: a duration has a clock of dt > 0. A duration beyond kStepsMax frames gives kStepsMax + 1.
 [[nodiscard]] std::int64_t step_count(const Scenario& scenario);
 
-/// dt of frame 0, 1, 2, ... of one clock. Refers to the clock: it must outlive this.
+/// dt of frame 0, 1, 2, ... of one clock, before a hitch replaces it. Refers to the clock: it must outlive
+/// this.
 class FrameClock {
  public:
   explicit FrameClock(const Clock& clock);
@@ -44,6 +46,46 @@ class FrameClock {
   double base_dt_s_ = 0.0;
   const Jitter* jitter_ = nullptr;
   const std::vector<double>* trace_ = nullptr;
+};
+
+/// Time as frames are played. Frames of bit-equal dt make a segment, within which
+/// t = (base + comp) + frames * dt; a finished segment is added to (base, comp) by Neumaier's
+/// compensated sum. Source: A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation
+/// endlicher Summen", ZAMM 54:39-51, 1974.
+struct Timeline {
+  double base_s = 0.0;
+  double comp_s = 0.0;
+  double dt_s = 0.0;        ///< Of the segment's frames.
+  std::int64_t frames = 0;  ///< Played in this segment.
+
+  /// Plays `count` frames of dt.
+  void play(double frame_dt_s, std::int64_t count = 1) {
+    assert(count >= 0);
+    if (!same_bits(frame_dt_s, dt_s)) {
+      close_segment();
+      dt_s = frame_dt_s;
+    }
+    frames += count;
+  }
+
+  /// t in s after `more` further frames of this segment's dt.
+  [[nodiscard]] double time_s(std::int64_t more = 0) const {
+    return (base_s + comp_s) + static_cast<double>(frames + more) * dt_s;
+  }
+
+  bool operator==(const Timeline&) const = default;
+
+ private:
+  void close_segment() {
+    const double length_s = static_cast<double>(frames) * dt_s;
+    const double sum_s = base_s + length_s;
+    if (base_s >= length_s)  // Neither is negative.
+      comp_s += (base_s - sum_s) + length_s;
+    else
+      comp_s += (length_s - sum_s) + base_s;
+    base_s = sum_s;
+    frames = 0;
+  }
 };
 
 }  // namespace hyrax

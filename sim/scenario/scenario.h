@@ -3,9 +3,11 @@
 // The file format `hyrax-scenario/1` says the same in JSON; tools/files reads and writes it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -80,6 +82,11 @@ struct Release {
   bool operator==(const Release&) const = default;
 };
 using Action = std::variant<Fling, Place, Stop, Resize, Hitch, Grab, Release>;
+inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActionNames = {
+    "fling", "place", "stop", "resize", "hitch", "grab", "release"};
+[[nodiscard]] constexpr std::string_view name_of(const Action& action) {
+  return kActionNames[action.index()];
+}
 
 struct Event {
   std::variant<std::int64_t, double> when;  ///< Frame number, or a time in s.

@@ -1,12 +1,12 @@
 #include "sim/scenario/schedule.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/timeline.h"
 
 namespace hyrax {
 namespace {
@@ -171,6 +171,7 @@ std::size_t timed_end(const std::vector<Event>& events) {
 }  // namespace
 
 Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max) {
+  assert(walked_frame_max > 0);
   Schedule schedule;
   Walk walk(scenario, steps, walked_frame_max);
   const std::size_t last_timed = timed_end(scenario.events);
@@ -191,6 +192,40 @@ Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int6
     if (const auto* hitch = std::get_if<Hitch>(&event.action)) walk.hitch(hitch->dt_s);
   }
   return schedule;
+}
+
+bool same_bits(const Input& a, const Input& b) {
+  const auto is_same = [&b]<class Kind>(const Kind& one) {
+    const Kind* const other = std::get_if<Kind>(&b.action);
+    if (other == nullptr) return false;
+    if constexpr (requires { one.velocity; })
+      return same_bits(one.velocity.vx_px_per_s, other->velocity.vx_px_per_s) &&
+             same_bits(one.velocity.vy_px_per_s, other->velocity.vy_px_per_s);
+    else if constexpr (requires { one.position; })
+      return same_bits(one.position.x_px, other->position.x_px) &&
+             same_bits(one.position.y_px, other->position.y_px);
+    else if constexpr (requires { one.dt_s; })
+      return same_bits(one.dt_s, other->dt_s);
+    else
+      return one == *other;
+  };
+  return a.frame == b.frame && std::visit(is_same, a.action);
+}
+
+std::vector<Input> inputs_of(const Scenario& scenario, std::int64_t frames) {
+  const std::vector<std::int64_t> event_frames = schedule_events(scenario, step_count(scenario)).frames;
+  std::vector<Input> inputs;
+  for (std::size_t event = 0; event < event_frames.size() && event_frames[event] < frames; ++event) {
+    const Action& action = scenario.events[event].action;
+    const auto* const resize = std::get_if<Resize>(&action);
+    if (resize != nullptr && resize->window && resize->sprite) {
+      inputs.push_back({event_frames[event], Resize{resize->window, {}}});
+      inputs.push_back({event_frames[event], Resize{{}, resize->sprite}});
+    } else {
+      inputs.push_back({event_frames[event], action});
+    }
+  }
+  return inputs;
 }
 
 }  // namespace hyrax

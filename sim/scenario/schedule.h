@@ -1,4 +1,4 @@
-// Which frame each event of a scenario falls on.
+// Which frame each event of a scenario falls on, and the inputs that come of it.
 #pragma once
 
 #include <cstddef>
@@ -33,5 +33,17 @@ struct Schedule {
 /// REQUIRES: numbers within the limits of scenario.h; `steps` = step_count(scenario); walked_frame_max > 0.
 [[nodiscard]] Schedule schedule_events(const Scenario& scenario, std::int64_t steps,
                                        std::int64_t walked_frame_max = kWalkedFrameMax);
+
+/// An action, as it is applied before a frame. One that resizes window and sprite is two inputs.
+struct Input {
+  std::int64_t frame = 0;
+  Action action;
+  bool operator==(const Input&) const = default;
+};
+
+[[nodiscard]] bool same_bits(const Input& a, const Input& b);
+
+/// The inputs of a run of the scenario's first `frames` frames.
+[[nodiscard]] std::vector<Input> inputs_of(const Scenario& scenario, std::int64_t frames);
 
 }  // namespace hyrax

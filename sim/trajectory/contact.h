@@ -1,10 +1,9 @@
 // A run of consecutive steps clamped by the same wall.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 
 namespace hyrax {
 
@@ -27,8 +26,5 @@ struct Contact {
 
 /// A trajectory holds no more contacts than this; they are counted all the same.
 inline constexpr std::int64_t kContactsRecordedMax = 1'000'000;
-
-/// A count for each wall, in the order of kWalls.
-using WallCounts = std::array<std::int64_t, 4>;
 
 }  // namespace hyrax

@@ -1,9 +1,10 @@
-// The recorded state after a frame.
+// The state after a frame: what is recorded, and what a replay needs to go on.
 #pragma once
 
 #include <cstdint>
 
 #include "sim/motion/state.h"
+#include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
 
@@ -28,5 +29,15 @@ inline void set_state(Row& row, const State& state) {
   row.vx_px_per_s = state.vx_px_per_s;
   row.vy_px_per_s = state.vy_px_per_s;
 }
+
+/// The state after a frame: the row, the time as the time rule holds it, the sizes in force and
+/// whether the sprite is held. What comes next follows from the scenario and the row's number.
+struct Keyframe {
+  Row row;
+  Timeline timeline;
+  Size window;
+  Size sprite;
+  bool is_held = false;
+};
 
 }  // namespace hyrax

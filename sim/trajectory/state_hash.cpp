@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 #include <vector>
 
 #define XXH_INLINE_ALL
@@ -44,6 +45,9 @@ struct ByteHash::State {
 
 ByteHash::ByteHash() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->xxh); }
 ByteHash::~ByteHash() = default;
+ByteHash::ByteHash(const ByteHash& other) : state_(std::make_unique<State>()) {
+  XXH3_copyState(&state_->xxh, &other.state_->xxh);
+}
 ByteHash::ByteHash(ByteHash&&) noexcept = default;
 ByteHash& ByteHash::operator=(ByteHash&&) noexcept = default;
 
@@ -53,11 +57,39 @@ void ByteHash::add(std::span<const std::byte> bytes) {
 
 Digest ByteHash::value() const { return canonical(XXH3_128bits_digest(&state_->xxh)); }
 
+void StateHash::add(const Row& row) {
+  std::array<std::byte, kPackedRowBytes> packed;
+  pack_row(packed.data(), row);
+  add_packed(packed);
+}
+
+void StateHash::add_packed(std::span<const std::byte> rows) {
+  assert(rows.size() % kPackedRowBytes == 0);
+  while (!rows.empty()) {
+    const std::size_t count = std::min(kBlockRows - row_count_, rows.size() / kPackedRowBytes);
+    rows_.add(rows.first(count * kPackedRowBytes));
+    rows = rows.subspan(count * kPackedRowBytes);
+    row_count_ += count;
+    if (row_count_ < kBlockRows) return;
+    row_count_ = 0;
+    add(std::exchange(rows_, ByteHash()).value());
+  }
+}
+
 void StateHash::add(const Digest& block, std::int64_t count) {
+  assert(row_count_ == 0);
   constexpr std::int64_t kBatch = 4096;
   std::vector<Digest> batch(static_cast<std::size_t>(std::min(count, kBatch)), block);
   for (; count > 0; count -= kBatch)
-    bytes_.add(std::as_bytes(std::span(batch.data(), static_cast<std::size_t>(std::min(count, kBatch)))));
+    blocks_.add(std::as_bytes(std::span(batch.data(), static_cast<std::size_t>(std::min(count, kBatch)))));
+}
+
+Digest StateHash::value() const {
+  if (row_count_ == 0) return blocks_.value();
+  ByteHash all = blocks_;
+  const Digest last = rows_.value();
+  all.add(std::as_bytes(std::span(last)));
+  return all.value();
 }
 
 }  // namespace hyrax

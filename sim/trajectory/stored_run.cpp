@@ -11,11 +11,10 @@ std::uint8_t byte_of(double value) {
 }
 
 bool is_same_but_for_time(const Keyframe& a, const Keyframe& b) {
-  return same_bits(a.row.x_px, b.row.x_px) && same_bits(a.row.y_px, b.row.y_px) &&
-         same_bits(a.row.vx_px_per_s, b.row.vx_px_per_s) && same_bits(a.row.vy_px_per_s, b.row.vy_px_per_s) &&
-         a.row.contact == b.row.contact && same_bits(a.timeline.dt_s, b.timeline.dt_s) &&
-         same_bits(a.timeline.base_s, b.timeline.base_s) && same_bits(a.timeline.comp_s, b.timeline.comp_s) &&
-         a.window == b.window && a.sprite == b.sprite && a.is_held == b.is_held;
+  return same_bits(state_of(a.row), state_of(b.row)) && a.row.contact == b.row.contact &&
+         same_bits(a.timeline.dt_s, b.timeline.dt_s) && same_bits(a.timeline.base_s, b.timeline.base_s) &&
+         same_bits(a.timeline.comp_s, b.timeline.comp_s) && a.window == b.window && a.sprite == b.sprite &&
+         a.is_held == b.is_held;
 }
 
 }  // namespace

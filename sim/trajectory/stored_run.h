@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/input.h"
-#include "sim/trajectory/keyframe.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/state_hash.h"
 

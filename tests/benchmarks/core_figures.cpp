@@ -8,7 +8,7 @@
 #include "tests/benchmarks/figure.h"
 #include "tests/benchmarks/naive_step.h"
 #include "tests/benchmarks/stopwatch.h"
-#include "tools/store/row_table.h"
+#include "tools/store/trajectory_parts.h"
 
 namespace hyrax::bench {
 namespace {

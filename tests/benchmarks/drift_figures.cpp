@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "sim/reference/drift_meter.h"
+#include "sim/reference/flight.h"
 #include "sim/reference/gsl_flight.h"
-#include "sim/reference/impact.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
 #include "tests/benchmarks/figure.h"

@@ -7,10 +7,10 @@ Runs a copy of the scripts in a project whose build folder has a ninja file of o
 import os
 import shutil
 import signal
-import subprocess
 import time
 import unittest
 
+from process import Process, run
 from program import AGREED, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
 
 
@@ -37,62 +37,56 @@ class CheckScript(ProgramTest):
 
     def check(self, *arguments):
         """Runs the script."""
-        return subprocess.run(["tools/check", *arguments], cwd=self.folder, capture_output=True, text=True, check=False,
-                              stdin=subprocess.DEVNULL, timeout=60)
+        return run("tools/check", *arguments, cwd=self.folder)
 
     def test_help_builds_nothing(self):
         done = self.check("--help")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for words in ("--watch", "Ctrl-C", "Exit code"):
-            self.assertIn(words, done.stdout)
+        self.assertEqual((done.exit_code, done.err), (0, ""))
+        for part in ("--watch", "Ctrl-C", "Exit code"):
+            self.assertIn(part, done.out)
         self.assertFalse((self.folder / "build/tools/bin").exists())
 
     def test_it_builds_then_checks(self):
         first = self.check()
-        self.assertEqual(first.returncode, AGREED, first)
-        self.assertIn("build hyrax-sim", first.stderr)
-        self.assertIn("1 agreed", first.stdout)
+        self.assertEqual(first.exit_code, AGREED, first)
+        self.assertIn("build hyrax-sim", first.err)
+        self.assertIn("1 agreed", first.out)
         again = self.check(self.scenario)
-        self.assertEqual((again.returncode, again.stderr), (AGREED, ""), "up to date: nothing is built")
-        self.assertEqual(again.stdout, first.stdout)
+        self.assertEqual((again.exit_code, again.err), (AGREED, ""), "up to date: nothing is built")
+        self.assertEqual(again.out, first.out)
 
     def test_its_exit_code_is_that_of_check(self):
-        self.assertEqual(self.check("--golden", "nowhere").returncode, GOLDEN_MISSING)
+        self.assertEqual(self.check("--golden", "nowhere").exit_code, GOLDEN_MISSING)
         self.write(self.scenario, fling(name="one", steps=299))
         done = self.check()
-        self.assertEqual(done.returncode, DISAGREED, done)
-        self.assertIn("0 agreed, 1 disagreed", done.stdout)
+        self.assertEqual(done.exit_code, DISAGREED, done)
+        self.assertIn("0 agreed, 1 disagreed", done.out)
 
     def test_a_build_that_fails_is_exit_3(self):
         self.write_build("false")
         done = self.check()
-        self.assertEqual((done.returncode, done.stdout), (CANNOT_ACCESS, ""), done)
-        self.assertIn("hyrax-sim could not be built", done.stderr)
+        self.assertEqual((done.exit_code, done.out), (CANNOT_ACCESS, ""), done)
+        self.assertIn("hyrax-sim could not be built", done.err)
 
     def test_watch_repeats_after_a_change_until_it_is_interrupted(self):
         log = self.folder / "log"
         with open(log, "wb") as stream:
-            process = subprocess.Popen(["tools/check", "--watch"], cwd=self.folder, stdout=stream, stderr=stream,
-                                       stdin=subprocess.DEVNULL, start_new_session=True,
-                                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
-        try:
+            process = Process("tools/check", "--watch", cwd=self.folder, stdout=stream, stderr=stream,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
+        with process:
             self.wait_for(log, "exit code 0; waiting")
             self.write(self.scenario, fling(name="one", steps=299))
             self.wait_for(log, "exit code 1; waiting")
             self.write("sim/source.txt", "other")
             self.wait_for(log, "exit code 1; waiting", times=2)
-            os.killpg(process.pid, signal.SIGINT)
-            self.assertEqual(process.wait(timeout=10), 0)
-        finally:
-            if process.poll() is None:
-                os.killpg(process.pid, signal.SIGKILL)
-                process.wait()
+            os.killpg(process.id, signal.SIGINT)
+            self.assertEqual(process.wait(timeout=10).exit_code, 0)
         self.assertEqual(log.read_text().count("build hyrax-sim"), 2)
 
-    def wait_for(self, log, words, times=1):
-        """Until the words are in the log that often."""
+    def wait_for(self, log, text, times=1):
+        """Until the log contains the text that often."""
         end = time.monotonic() + 30
-        while log.read_text().count(words) < times:
+        while log.read_text().count(text) < times:
             self.assertLess(time.monotonic(), end, log.read_text())
             time.sleep(0.05)
 

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
-"""`check`: verdicts, the documents that tell them, and that it changes nothing."""
+"""`check`: verdicts, the documents that report them, and that it changes nothing."""
 
 import os
 import re
 import shutil
-import subprocess
 import xml.etree.ElementTree
 
 import h5py
 import numpy
 import xxhash
 
+from process import run
 from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, Maybe, ProgramTest,
                      PROGRAM, fling, main)
 
@@ -61,9 +61,9 @@ class Verdict(CheckTest):
 
     def test_a_fault_of_one_ulp_is_found_at_its_step_and_field(self):
         golden = self.folder / "golden/third.h5"
-        whole = golden.read_bytes()
+        original = golden.read_bytes()
         for row, field in ((0, "x"), (150, "vy"), (300, "t"), (300, "vx")):
-            golden.write_bytes(whole)
+            golden.write_bytes(original)
             nudge(golden, f"trajectory/{field}", row)
             document = self.check(DISAGREED)
             self.assertEqual(self.counts(document), (2, 1, 0, 0))
@@ -72,14 +72,14 @@ class Verdict(CheckTest):
             first = entry["first_divergence"]
             self.assertEqual((first["step"], first["field"], first["ulps"]), (row, field, 1))
 
-    def test_a_difference_is_told_with_all_that_helps(self):
+    def test_a_difference_is_reported_with_values_rows_and_commands(self):
         nudge(self.folder / "golden/third.h5", "trajectory/vx", 299)
         text = self.expect(DISAGREED, "check").out
-        for words in ("scenarios/third.json: disagreed", "class      bits", "first      step 299, field vx",
-                      "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
-                      "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
-                      "3 checked: 2 agreed, 1 disagreed"):
-            self.assertIn(words, text)
+        for part in ("scenarios/third.json: disagreed", "class      bits", "first      step 299, field vx",
+                     "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
+                     "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
+                     "3 checked: 2 agreed, 1 disagreed"):
+            self.assertIn(part, text)
 
     def test_a_moved_contact_is_of_class_contacts(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
@@ -101,7 +101,7 @@ class Verdict(CheckTest):
     def test_name_description_and_expectations_are_not_part_of_the_comparison(self):
         for name in ("new-name", "third"):
             start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180.0, "vy_px_per_s": -4e2}
-            self.write("scenarios/third.json", fling(name=name, start=start, description="in other words",
+            self.write("scenarios/third.json", fling(name=name, start=start, description="another text",
                                                      expect={"finite": True}, **{"$schema": "schema.json"}))
             self.assertEqual(self.check(AGREED)["agreed"], 3)
 
@@ -130,11 +130,11 @@ class Verdict(CheckTest):
         self.write("scenarios/third.json", fling(start=start, expect={"state_hash": run["state_hash"]}))
         (self.folder / "golden/third.txt").unlink()
         text = self.expect(GOLDEN_MISSING, "check").out
-        self.assertIn("golden/third.h5 is there, but not golden/third.txt", text)
+        self.assertIn("golden/third.h5 exists, but golden/third.txt is missing", text)
         (self.folder / "golden/third.h5").unlink()
         self.check(AGREED)
 
-    def test_a_state_hash_that_is_expected_stands_for_a_missing_golden_file(self):
+    def test_an_expected_state_hash_replaces_a_missing_golden_file(self):
         run = self.expect(AGREED, "run", "scenarios/third.json", "--json").json["runs"][0]
         start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
         for state_hash, exit_code in ((run["state_hash"], AGREED), ("0" * 32, DISAGREED)):
@@ -143,9 +143,9 @@ class Verdict(CheckTest):
 
     def test_no_scenario_is_exit_2(self):
         (self.folder / "empty").mkdir()
-        outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: holds no scenario (*.json)")
+        outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: no scenario found (*.json)")
         self.assertEqual(outcome.out, "")
-        self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: there is no such folder")
+        self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: no such folder")
 
     def test_a_bad_scenario_does_not_keep_the_others_from_being_checked(self):
         self.write("scenarios/a/bad.json", fling(steps=-1))
@@ -167,7 +167,7 @@ class Verdict(CheckTest):
         (self.folder / "golden/third.h5").write_text("no HDF5 file")
         document = self.check(BAD_INPUT)
         self.assertEqual(document["results"][2]["status"], "failed")
-        self.assertIn("golden/third.h5: is no HDF5 file", document["results"][2]["error"])
+        self.assertIn("golden/third.h5: is not an HDF5 file", document["results"][2]["error"])
 
     def test_one_that_is_a_pipe_is_not_waited_for(self):
         for name in ("golden/third.txt", "golden/third.h5"):
@@ -179,7 +179,7 @@ class Verdict(CheckTest):
                 (error,) = [entry["error"] for entry in self.check(BAD_INPUT)["results"] if entry["status"] == "failed"]
                 self.assertEqual(error, f"{name}: is a pipe or a device; a golden file must be a regular file")
                 self.expect(BAD_INPUT, "run", "scenarios/third.json", "-o", "out.h5", says=error)
-                self.expect(BAD_INPUT, "bless", "scenarios/third.json", "--reason", "anew", says=error)
+                self.expect(BAD_INPUT, "bless", "scenarios/third.json", "--reason", "again", says=error)
                 path.unlink()
                 path.write_bytes(kept)
 
@@ -193,7 +193,7 @@ class Verdict(CheckTest):
         for jobs in (1, 2, 8):
             self.assertEqual(self.counts(self.check(DISAGREED, "--jobs", str(jobs))), (0, 3, 0, 0))
 
-    def test_it_looks_for_golden_files_in_another_folder_if_told(self):
+    def test_golden_names_another_folder(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
         self.check(GOLDEN_MISSING)
         self.check(AGREED, "--golden", "elsewhere")
@@ -201,7 +201,7 @@ class Verdict(CheckTest):
 
 
 class Document(CheckTest):
-    """How verdicts are told."""
+    """How verdicts are printed."""
 
     def test_json_has_the_published_keys_and_types(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
@@ -211,7 +211,7 @@ class Document(CheckTest):
             self.assert_shape(entry, RESULT)
         self.assertEqual(document["checked"], 3)
 
-    def test_json_tells_doubles_that_are_none_as_texts(self):
+    def test_json_has_non_finite_doubles_as_strings(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
             file["trajectory/y"][5] = numpy.nan
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
@@ -320,7 +320,7 @@ class OneVerdict(CheckTest):
             self.assert_all_say("disagreed", "shape", self.bless_as, **changes)
 
     def test_on_that_of_a_scenario_that_is_the_same(self):
-        for changes in ({}, {"name": "another"}, {"description": "in other words"}, {"expect": {"finite": True}},
+        for changes in ({}, {"name": "another"}, {"description": "another text"}, {"expect": {"finite": True}},
                         {"$schema": "schema.json"}, {"start": {**self.START, "x_px": 1100.0}}):
             self.assert_all_say("agreed", None, self.bless_as, **changes)
 
@@ -358,7 +358,7 @@ class OneVerdict(CheckTest):
         self.assert_all_say("missing", None, self.h5.unlink)
         self.assert_all_say("missing", None, self.txt.unlink)
 
-    def test_quick_tells_a_difference_as_fully(self):
+    def test_quick_reports_a_difference_in_full(self):
         self.scenario(steps=301)
         self.assertEqual(self.check(DISAGREED, "--quick"), self.check(DISAGREED))
 
@@ -438,9 +438,8 @@ class Suggested(CheckTest):
         binaries.mkdir(exist_ok=True)
         if not (binaries / "hyrax-sim").exists():
             (binaries / "hyrax-sim").symlink_to(PROGRAM)
-        done = subprocess.run(["bash", "-c", command], cwd=self.folder, check=False, capture_output=True, timeout=60,
-                              env={**os.environ, "PATH": f"{binaries}:{os.environ['PATH']}"}, **options)
-        return done.returncode
+        return run("bash", "-c", command, cwd=self.folder,
+                   env={**os.environ, "PATH": f"{binaries}:{os.environ['PATH']}"}, **options).exit_code
 
     def suggestions(self, out):
         """The command lines in a text."""
@@ -501,7 +500,7 @@ class Seal(CheckTest):
         self.text = self.digest.read_text()
         self.contents, self.file = self.text.splitlines()[-1].split()[1:]
 
-    def test_a_damaged_file_is_found_under_a_whole_seal(self):
+    def test_a_damaged_file_is_found_under_a_valid_seal(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
         self.assertEqual((first["step"], first["field"]), (5, "y"))
@@ -520,13 +519,13 @@ class Seal(CheckTest):
     def test_a_broken_seal_is_no_agreement(self):
         for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1],
                      self.text.replace(self.contents, 32 * "0"), self.text.replace(self.file, 32 * "z")):
-            self.assert_not_as_blessed(text, f"must be 'seal: {self.contents} {self.file}', is ")
-        self.assert_not_as_blessed(self.text + "\n", "must be nothing, is ''")
+            self.assert_not_as_blessed(text, f"; expected 'seal: {self.contents} {self.file}'")
+        self.assert_not_as_blessed(self.text + "\n", "(found ''); expected nothing")
 
     def test_a_digest_that_tells_another_run_is_no_agreement(self):
         for line, other in (("steps: 300", "steps: 301"), ("ground 8\n", "ground 7\n"), ("vy ", "vx ")):
             self.assertIn(line, self.text)
-            self.assert_not_as_blessed(self.text.replace(line, other), "must be '")
+            self.assert_not_as_blessed(self.text.replace(line, other), "; expected '")
 
     def test_the_words_of_a_digest_are_free(self):
         self.digest.write_text(self.text.replace("reason: for the test", "reason: for another test"))
@@ -539,8 +538,8 @@ class Seal(CheckTest):
 
     def test_another_provenance_is_said_and_agrees(self):
         self.change("provenance", "compiler", "another")
-        self.expect(AGREED, "check", says="golden/third.h5: agrees, but its bytes are not those that golden/third.txt "
-                    "seals: its provenance or its layout is another\n")
+        self.expect(AGREED, "check", says="golden/third.h5: agrees, but does not have the checksum in "
+                    "golden/third.txt: its provenance or its layout differs\n")
 
     def test_other_words_are_no_agreement(self):
         for place, name, value in (("trajectory/x", "units", "m"), ("contacts/t", "long_name", "time"),

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Arguments are taken literally, wherever they are; what is printed reaches its reader, or the exit code says so."""
+"""Arguments are taken literally, wherever they are; output that cannot be written is an error."""
 
 import itertools
 import os
 import re
-import subprocess
 
-from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, Outcome, ProgramTest, fling,
+from process import run
+from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling,
                      main)
 
 ESCAPE = "\x1b[31m"
@@ -189,11 +189,10 @@ class Terminal(ProgramTest):
         for name in ("a b", "it's", "-x", "$HOME", HOSTILE.removesuffix(".json"), "a\nb"):
             path = self.write(f"scenarios/{name}.json", fling(name="fling"))
             text = self.expect(AGREED, "run", path, "--golden", "my golden").out
-            hint, = re.findall("to make one: (.*)", text)
+            hint, = re.findall("to create it: (.*)", text)
             self.assertTrue(hint.startswith("hyrax-sim bless "), hint)
-            done = subprocess.run(["bash", "-c", hint.replace("hyrax-sim", str(PROGRAM), 1)], cwd=self.folder, check=False,
-                                  capture_output=True)
-            self.assertEqual(done.returncode, AGREED, done.stderr)
+            done = run("bash", "-c", hint.replace("hyrax-sim", str(PROGRAM), 1), cwd=self.folder)
+            self.assertEqual(done.exit_code, AGREED, done)
             self.expect(AGREED, "check", "--golden", "my golden", "--", path)
 
     def test_the_suggested_diff_works_when_pasted(self):
@@ -203,9 +202,8 @@ class Terminal(ProgramTest):
         for output in ("a b.h5", "a b.csv"):
             text = self.expect(DISAGREED, "run", path, "-o", output).out
             hint, = (line.split("more", 1)[1] for line in text.splitlines() if line.startswith("  more "))
-            done = subprocess.run(["bash", "-c", hint.replace("hyrax-sim", str(PROGRAM))], cwd=self.folder, check=False,
-                                  capture_output=True, text=True)
-            self.assertIn("DIFFER", done.stdout, done.stderr)
+            done = run("bash", "-c", hint.replace("hyrax-sim", str(PROGRAM)), cwd=self.folder)
+            self.assertIn("DIFFER", done.out, done.err)
 
 
 class Streams(ProgramTest):
@@ -231,17 +229,12 @@ class Streams(ProgramTest):
             self.skipTest("there is no /dev/full here")
         for arguments in self.loud:
             with open("/dev/full", "wb") as full:
-                done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE,
-                                      check=False)
-            self.assertEqual(done.returncode, CANNOT_ACCESS, (arguments, done.stderr))
-            self.assertTrue(done.stderr.endswith(b"hyrax-sim: standard output cannot be written\n"), done.stderr)
+                outcome = self.expect(CANNOT_ACCESS, *arguments, stdout=full)
+            self.assertTrue(outcome.err.endswith("hyrax-sim: standard output cannot be written\n"), outcome)
 
     def closed(self, number, *arguments):
         """Runs the program with that stream closed."""
-        done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder, check=False, preexec_fn=lambda: os.close(number),
-                              stdout=None if number == 1 else subprocess.PIPE,
-                              stderr=None if number == 2 else subprocess.PIPE)
-        return Outcome(subprocess.CompletedProcess([], done.returncode, done.stdout or b"", done.stderr or b""))
+        return self.hyrax_sim(*arguments, preexec_fn=lambda: os.close(number))
 
     def test_a_closed_standard_output_is_exit_3(self):
         for arguments in self.loud:

@@ -66,15 +66,15 @@ class Damage(ProgramTest):
     """Many copies of a scenario, each with a golden file that is damaged in one place."""
 
     def find_all(self, document):
-        """All copies are checked in one run of the program; only the whole one agrees."""
+        """All copies are checked in one run of the program; only the undamaged one agrees."""
         name = document["name"]
-        self.write(f"scenarios/{name}/whole.json", document)
+        self.write(f"scenarios/{name}/intact.json", document)
         self.bless("scenarios")
         golden = self.folder / "golden" / name
-        wanted = {f"scenarios/{name}/whole.json": "nothing"}
-        for number, (what, damage) in enumerate(damages(golden / "whole.h5")):
+        wanted = {f"scenarios/{name}/intact.json": "nothing"}
+        for number, (what, damage) in enumerate(damages(golden / "intact.h5")):
             for suffix in (".h5", ".txt"):
-                shutil.copyfile((golden / "whole").with_suffix(suffix), golden / f"{number:04}{suffix}")
+                shutil.copyfile((golden / "intact").with_suffix(suffix), golden / f"{number:04}{suffix}")
             with h5py.File(golden / f"{number:04}.h5", "r+") as copy:
                 damage(copy)
             wanted[self.write(f"scenarios/{name}/{number:04}.json", document)] = what

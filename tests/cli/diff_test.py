@@ -56,7 +56,7 @@ class Diff(ProgramTest):
                 self.diff(AGREED, "--ulps", "1")
                 self.diff(DISAGREED, "--ulps", "0")
 
-    def test_the_worst_value_is_told_beside_the_first(self):
+    def test_the_worst_value_is_reported_beside_the_first(self):
         self.change("trajectory/x", 100, lambda value: value + 0.25)
         with h5py.File(self.folder / "b.h5", "r+") as file:
             file["trajectory/x"][200] += 4.0
@@ -90,7 +90,7 @@ class Diff(ProgramTest):
         shutil.copyfile(self.folder / "b.h5", self.folder / "a.h5")
         self.assertEqual(self.diff(DISAGREED, "--abs", "1e300", "--ulps", "9000000")["class"], "bits")
 
-    def test_infinity_is_told_as_text(self):
+    def test_infinity_is_a_string(self):
         self.change("trajectory/vy", 50, -numpy.inf)
         document = self.diff(DISAGREED)
         self.assertEqual(document["first_divergence"]["actual"], "-Infinity")
@@ -111,7 +111,7 @@ class Diff(ProgramTest):
         worst = self.diff(DISAGREED)["worst"]["vy"]
         self.assertEqual((worst["step"], worst["abs"], worst["ulps"]), (50, "NaN", None))
 
-    def test_contacts_are_told_by_name(self):
+    def test_contacts_have_names(self):
         self.change("trajectory/contact", 100, 1 + 8 + 16)
         text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
         self.assertIn("field contact\n  expected   none\n  actual     left+ground+rest\n", text)
@@ -129,7 +129,7 @@ class Diff(ProgramTest):
         self.change("trajectory/contact", 100, 1)
         self.assertEqual(self.diff(DISAGREED, "--abs", "1e9")["first_divergence"]["field"], "contact")
 
-    def test_another_run_is_told_with_the_contacts_that_moved(self):
+    def test_another_run_is_reported_with_the_contacts_that_moved(self):
         self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/start/vx_px_per_s=-1200")
         document = self.diff(DISAGREED)
         self.assertEqual(document["class"], "shape")
@@ -151,14 +151,14 @@ class Diff(ProgramTest):
         self.assertIn("hyrax-physics/2", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
 
     def test_another_name_or_program_is_no_difference(self):
-        self.write("other.json", fling(name="other", description="in other words"))
+        self.write("other.json", fling(name="other", description="another text"))
         self.expect(AGREED, "run", "other.json", "-o", "b.h5")
         with h5py.File(self.folder / "b.h5", "r+") as file:
             file["provenance"].attrs["compiler"] = "another"
         self.diff(AGREED)
 
-    def test_a_difference_tells_whether_the_contracts_differ_and_what_that_means(self):
-        def change_told_as(**provenance):
+    def test_a_difference_says_whether_the_builds_differ_and_what_that_means(self):
+        def text_of_change(**provenance):
             self.change("trajectory/x", 100, lambda value: value + 0.25)
             with h5py.File(self.folder / "b.h5", "r+") as file:
                 for name, value in provenance.items():
@@ -167,20 +167,20 @@ class Diff(ProgramTest):
                         file["provenance"].attrs[name] = value
             return self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
 
-        text = change_told_as()
-        self.assertIn("contracts  are the same\n", text)
-        self.assertIn("usually the core was changed", text)
-        text = change_told_as(flags="-O3 -mfma", instruction_set="x86-64-v3")
-        self.assertIn("contracts  differ\n", text)
+        text = text_of_change()
+        self.assertIn("build settings: identical\n", text)
+        self.assertIn("usually the core changed", text)
+        text = text_of_change(flags="-O3 -mfma", instruction_set="x86-64-v3")
+        self.assertIn("build settings: differ\n", text)
         self.assertRegex(text, r"flags: '.*-ffp-contract=off' and '-O3 -mfma'\n")
         self.assertRegex(text, r"instruction_set: '.+' and 'x86-64-v3'\n")
         self.assertIn("usually one of the two fuses", text)
         self.assertNotIn("compiler", text)
-        self.assertIn("contracts  are the same, as far as both files tell\n", change_told_as(self_test=None))
+        self.assertIn("build settings: identical where recorded\n", text_of_change(self_test=None))
         self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/steps=299")
-        self.assertIn("no build explains it", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+        self.assertIn("not explained by the build", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
 
-    def test_rows_that_are_not_recorded_are_told_by_the_hash(self):
+    def test_rows_that_are_not_recorded_differ_in_the_hash(self):
         self.expect(AGREED, "run", "fling.json", "-o", "a.h5", "--set", "/record/every=100")
         shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
         with h5py.File(self.folder / "b.h5", "r+") as file:
@@ -198,7 +198,7 @@ class Diff(ProgramTest):
         self.assertIn('"actual": 0.1,', self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--json").out)
         self.assertIsInstance(first["expected"], NUMBER)
 
-    def test_a_file_that_another_program_writes_is_told_as_locked(self):
+    def test_a_file_that_another_program_writes_is_reported_as_locked(self):
         shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
         says = "b.h5: cannot be read: locked by another program, which may be writing it\n"
         with h5py.File(self.folder / "b.h5", "r+"):
@@ -212,12 +212,12 @@ class Diff(ProgramTest):
         self.expect(AGREED, "diff", "a.h5", "b.h5")
 
     def test_what_is_no_trajectory_is_refused(self):
-        outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is no HDF5 file")
+        outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is not an HDF5 file")
         self.assertEqual(outcome.out, "")
         self.expect(CANNOT_ACCESS, "diff", "none.h5", "a.h5", says="none.h5: cannot be read")
-        whole = (self.folder / "a.h5").read_bytes()
-        (self.folder / "b.h5").write_bytes(whole[:len(whole) // 2])
-        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is no HDF5 file, or was cut short")
+        intact = (self.folder / "a.h5").read_bytes()
+        (self.folder / "b.h5").write_bytes(intact[:len(intact) // 2])
+        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: is not an HDF5 file, or is truncated")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
     documentation_test.py             tests
     documentation_test.py --update    rewrites printed outputs that differ from the program's
 
-HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE tells it how.
+HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
 
 What a README may print, by the first word behind the fence:
 
@@ -33,6 +33,7 @@ import sys
 import tempfile
 import unittest
 
+from process import run
 from program import PROGRAM, SOURCE
 
 README_WORDS_MAX = 1500
@@ -61,7 +62,7 @@ class Block:
 
     @property
     def commands(self):
-        """What stands behind `$ `."""
+        """The text after `$ `."""
         return [line[2:] for line in self.body.splitlines() if line.startswith("$ ")]
 
     def comparable(self, text):
@@ -104,9 +105,8 @@ class Scratch:
 
     def run(self, command, environment):
         """Runs a command by bash; returns its exit code and its output."""
-        done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment, check=False, timeout=250,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        return done.returncode, done.stdout.decode()
+        done = run("bash", "-c", command, cwd=self.folder, env=environment, stderr=subprocess.STDOUT, timeout=250)
+        return done.exit_code, done.out
 
     def print_of(self, block):
         """What the block should print, and its exit code."""
@@ -293,8 +293,8 @@ class Controls(unittest.TestCase):
 
 
 def update(document):
-    """Replaces the output of each console block that differs from the program's; returns sentences about them."""
-    told = []
+    """Replaces the output of each console block that differs from the program's; returns a line about each."""
+    changes = []
     with Scratch() as scratch:
 
         def renewed(match):
@@ -302,19 +302,19 @@ def update(document):
             promised, came = scratch.try_out(block)
             if block.kind != "console" or promised == came:
                 return match[0]
-            told.append(f"{document}: {'; '.join(block.commands)}: "
-                        + (f"exit code {came[1]}, expected {promised[1]}" if promised[1] != came[1] else "updated"))
+            changes.append(f"{document}: {'; '.join(block.commands)}: "
+                           + (f"exit code {came[1]}, expected {promised[1]}" if promised[1] != came[1] else "updated"))
             return match[0].replace(block.body, scratch.text, 1)
 
         text = BLOCK.sub(renewed, document.read_text(encoding="utf-8"))
     document.write_text(text, encoding="utf-8")
-    return told
+    return changes
 
 
 if __name__ == "__main__":
     if "--update" in sys.argv:
         for one in DOCUMENTS:
-            for sentence in update(one):
-                print(sentence)
+            for change in update(one):
+                print(change)
     else:
         unittest.main()

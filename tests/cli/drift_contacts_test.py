@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The contacts of `drift` against the published definition, evaluated anew in 50 digits on random flights
+"""The contacts of `drift` against the published definition, evaluated independently in 50 digits on random flights
 into corners with uneven clocks."""
 
 import decimal
@@ -173,7 +173,7 @@ class Contacts(DriftTest):
             return
         time_error, speed = impact
         self.assert_near(contact["time_error_s"], time_error, D("1e-9") / max(speed, 1))
-        if speed == 0:  # It stood on the wall.
+        if speed == 0:  # It starts on the wall.
             self.assertIsNone(contact["effective_restitution"])
             return
         name = "vx" if wall in (LEFT, RIGHT) else "vy"

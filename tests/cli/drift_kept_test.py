@@ -51,7 +51,7 @@ class Stored(DriftTest):
             self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
             self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
 
-    def test_rows_stand_beside_the_trajectory_and_are_nan_where_nothing_flies(self):
+    def test_rows_are_stored_with_the_trajectory_and_are_nan_outside_of_arcs(self):
         with self.groups("--rows") as file:
             rows = len(file["trajectory/y"])
             flies = numpy.zeros(rows, bool)
@@ -67,9 +67,9 @@ class Stored(DriftTest):
 
     def test_of_a_decimated_run_its_recorded_rows_are_stored(self):
         with self.groups("--rows") as file:
-            whole = {name: file[name][:] for name in ("drift/truncation", "reference/vy")}
+            complete = {name: file[name][:] for name in ("drift/truncation", "reference/vy")}
         with self.groups("--rows", record={"every": 7}) as file:
-            for name, values in whole.items():
+            for name, values in complete.items():
                 numpy.testing.assert_array_equal(file[name][:], values[file["trajectory/step"][:]])
 
     def test_a_row_between_two_arcs_holds_the_errors_of_the_one_it_ends(self):
@@ -119,7 +119,7 @@ class Run(DriftTest):
     def test_how_to_measure_is_refused_where_nothing_is_measured(self):
         self.write("fling.json", fling())
         for option in (("--rows",), ("--reference", "gsl"), ("--tolerance", 1e-9)):
-            self.expect(BAD_INPUT, "run", "fling.json", *option, says="add --drift")
+            self.expect(BAD_INPUT, "run", "fling.json", *option, says="need --drift")
         self.assertEqual(self.names(), ["fling.json"])
 
 
@@ -189,7 +189,7 @@ class Margin(DriftTest):
         self.assertRegex(digest, r"\nmargin: any start within ±[0-9.]+ px and px/s keeps all contacts; "
                                  r"nearest decision: [a-z ]+, step [0-9]+\nreason: ")
 
-    def test_a_knife_edge_is_told_from_a_robust_run(self):
+    def test_a_knife_edge_is_reported(self):
         edge = fling(start={"x_px": 0, "y_px": 100}, steps=50)
         self.assertIn("KNIFE EDGE", self.expect(AGREED, "drift", self.write("edge.json", edge)).out)
         self.assertNotIn("KNIFE", self.expect(AGREED, "drift", self.write("fling.json", fling())).out)

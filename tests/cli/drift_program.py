@@ -1,4 +1,4 @@
-"""What the tests of `drift` share: its document's shape, a flight, and how it is asked."""
+"""What the tests of `drift` share: its document's shape, a flight, and how it is run."""
 
 from program import AGREED, NUMBER, Maybe, ProgramTest, fling
 
@@ -22,7 +22,7 @@ def flight(rate_hz, steps=None, **changes):
 
 
 class DriftTest(ProgramTest):
-    """What is asked again and again."""
+    """The commands that the tests share."""
 
     def drift(self, *arguments):
         """The measured runs, as JSON."""

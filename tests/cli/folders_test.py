@@ -88,7 +88,7 @@ class Golden(ProgramTest):
         self.expect(AGREED, "check", "real/scenarios", "--golden", "link/../golden")
 
     def test_one_that_is_there_by_name_alone_is_not_taken(self):
-        """Without the link, the same words lead to a golden file that differs."""
+        """Without the link, the same path leads to a golden file that differs."""
         self.write("scenarios/fling.json", fling(steps=7))
         self.bless("scenarios")
         self.write("real/scenarios/fling.json", fling(steps=8))
@@ -98,7 +98,7 @@ class Golden(ProgramTest):
         self.expect(AGREED, "check", "scenarios")
 
     def test_an_empty_folder_is_bad_input(self):
-        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: holds no scenario (*.json)")
+        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: no scenario found (*.json)")
 
 
 if __name__ == "__main__":

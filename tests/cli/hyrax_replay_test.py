@@ -4,9 +4,9 @@
 import os
 import pathlib
 import re
-import subprocess
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, Outcome, ProgramTest, fling, main
+from process import run
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, ProgramTest, fling, main
 
 REPLAY = os.environ["HYRAX_REPLAY"]
 DISTURBED_ARITHMETIC = os.environ["HYRAX_DISTURBED_ARITHMETIC"]
@@ -17,8 +17,7 @@ class HyraxReplay(ProgramTest):
 
     def replay(self, exit_code, *arguments, says="", **options):
         """Runs hyrax-replay in the folder; holds its exit code, and what it must say on stderr."""
-        outcome = Outcome(subprocess.run([REPLAY, *map(str, arguments)], cwd=self.folder, capture_output=True,
-                                         timeout=120, check=False, **options))
+        outcome = run(REPLAY, *arguments, cwd=self.folder, **options)
         self.assertEqual(outcome.exit_code, exit_code, str(outcome))
         self.assertIn(says, outcome.err)
         return outcome
@@ -38,10 +37,10 @@ class HyraxReplay(ProgramTest):
         self.assertIn("./a\\u001b[31m.json\n", outcome.out)
         self.assertNotIn("\x1b", outcome.out + outcome.err)
 
-    def test_another_hash_than_expected_is_told(self):
+    def test_another_hash_than_expected_is_reported(self):
         path = self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
-        outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: is " + "0" * 32 +
-                              ", but the run comes to ")
+        outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: differs from the run (found " + "0" * 32 +
+                              "); the run has ")
         self.assertIn(outcome.out.split()[0], outcome.err)
 
     def test_the_expected_hash_agrees(self):
@@ -53,11 +52,11 @@ class HyraxReplay(ProgramTest):
         outcome = self.replay(BAD_INPUT, bad, good, says="bad.json: line 1")
         self.assertEqual(outcome.out.split()[1], "good.json")
 
-    def test_bad_usage_is_told(self):
+    def test_bad_usage_is_reported(self):
         self.replay(BAD_INPUT, says="SCENARIO is missing")
-        self.replay(BAD_INPUT, "--fast", says="--fast: no such option")
+        self.replay(BAD_INPUT, "--fast", says="unknown option (found --fast); allowed: --help, --version")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")
-        self.replay(BAD_INPUT, ".", says=".: holds no scenario")
+        self.replay(BAD_INPUT, ".", says=".: no scenario found")
 
     def test_disturbed_arithmetic_is_refused(self):
         path = self.write("fling.json", fling())

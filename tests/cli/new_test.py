@@ -32,7 +32,7 @@ class New(NewTest):
 
     def test_it_is_a_valid_scenario_with_every_common_key(self):
         outcome = self.expect(AGREED, "new", "my-fling")
-        self.assertTrue(outcome.out.startswith("written my-fling.json (600 steps)"), outcome)
+        self.assertTrue(outcome.out.startswith("written: my-fling.json (600 steps)"), outcome)
         self.assertEqual(list(self.scenario()), ["$schema", "format", "name", "description", "window", "sprite", "start",
                                                  "clock", "steps", "events", "record", "expect"])
         self.assertEqual(self.scenario()["name"], "my-fling")

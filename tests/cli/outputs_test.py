@@ -39,7 +39,7 @@ class Guarded(ProgramTest):
                 [(f"other{suffix}", "would overwrite a scenario")] + [(path, "golden") for path in golden])
 
     def assert_refused(self, *arguments, says, **options):
-        """Exit 2 with a sentence, and nothing is written anywhere."""
+        """Exit 2 with a message, and nothing is written."""
         before = (self.state_of("."), self.names())
         outcome = self.expect(BAD_INPUT, *arguments, says=says, **options)
         self.assertEqual((self.state_of("."), self.names()), before, arguments)
@@ -194,7 +194,7 @@ class Names(ProgramTest):
         self.expect(BAD_INPUT, "run", "fling.json", "--drift", "--rows", "-o", "y.csv", says="--rows")
         self.assertEqual(self.names(), ["fling.json", "x.csv"])
 
-    def test_csv_is_replaced_whole_or_not_at_all(self):
+    def test_csv_is_replaced_atomically(self):
         self.write("x.csv", "before")
         self.write("bad.json", "{")
         self.expect(BAD_INPUT, "run", "bad.json", "-o", "x.csv")
@@ -220,7 +220,7 @@ class Nothing(ProgramTest):
             self.expect(exit_code, *arguments)
             self.assertEqual(self.names(), ["bad.json", "fling.json"], arguments)
 
-    def test_a_figure_without_gnuplot_is_told_once(self):
+    def test_a_figure_without_gnuplot_is_reported_once(self):
         self.write("fling.json", fling())
         (self.folder / "bin").mkdir()
         environment = {**os.environ, "PATH": str(self.folder / "bin")}

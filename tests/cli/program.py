@@ -8,12 +8,10 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.dont_write_bytecode = True  # A test leaves nothing behind in the source tree.
+from process import Process, run, run_measured
 
 SOURCE = pathlib.Path(os.environ.get("HYRAX_SOURCE_DIR", pathlib.Path(__file__).parents[2])).resolve()
 PROGRAM = pathlib.Path(os.environ.get("HYRAX_SIM", SOURCE / "build/bin/hyrax-sim")).resolve()
@@ -40,25 +38,8 @@ def fling(**changes):
     return {key: value for key, value in document.items() if value is not None}
 
 
-class Outcome:
-    """What a run of the program came to."""
-
-    def __init__(self, done):
-        self.exit_code = done.returncode
-        self.out = done.stdout.decode()
-        self.err = done.stderr.decode()
-
-    @property
-    def json(self):
-        """The one document on standard output."""
-        return json.loads(self.out)
-
-    def __str__(self):
-        return f"exit code {self.exit_code}\n--- stdout\n{self.out}\n--- stderr\n{self.err}"
-
-
 class ProgramTest(unittest.TestCase):
-    """A folder, a program, and what is asked of them."""
+    """A folder, and the program run in it."""
 
     maxDiff = None
 
@@ -70,9 +51,19 @@ class ProgramTest(unittest.TestCase):
 
     def hyrax_sim(self, *arguments, **options):
         """Runs the program in the folder."""
-        options = {"cwd": self.folder, "timeout": 60, "stdin": subprocess.DEVNULL, **options}
-        done = subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, check=False, **options)
-        return Outcome(done)
+        return run(PROGRAM, *arguments, **{"cwd": self.folder, **options})
+
+    def begin(self, *arguments, **options):
+        """Starts the program in the folder and does not wait for it."""
+        process = Process(PROGRAM, *arguments, **{"cwd": self.folder, **options})
+        self.addCleanup(process.end)
+        return process
+
+    def peak_bytes(self, exit_code, *arguments):
+        """Runs the program, which must end with this exit code; returns the most memory that it held."""
+        outcome, peak_bytes = run_measured(PROGRAM, *arguments, cwd=self.folder)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return peak_bytes
 
     def expect(self, exit_code, *arguments, says=(), **options):
         """Runs the program and holds its exit code, and what it must say on stderr, to what is wanted."""
@@ -116,7 +107,7 @@ class ProgramTest(unittest.TestCase):
                 for path in sorted((self.folder / folder).rglob("*")) if path.is_file()}
 
     def assert_shape(self, value, shape, place="document"):
-        """The value has exactly the keys of the shape, of its types. A list's shape stands for each element."""
+        """The value has exactly the keys of the shape, of its types. A list's shape is that of each element."""
         if isinstance(shape, dict):
             self.assertIsInstance(value, dict, place)
             self.assertEqual(sorted(value), sorted(shape), place)

@@ -2,12 +2,12 @@
 """Other people's readers open a run file and find axes, units and names: h5py, xarray, h5dump, h5diff."""
 
 import shutil
-import subprocess
 
 import h5py
 import numpy
 import xarray
 
+from process import succeed
 from program import AGREED, ProgramTest, fling, main
 
 UNITS = {"t": "s", "dt": "s", "x": "px", "y": "px", "vx": "px/s", "vy": "px/s"}
@@ -33,9 +33,7 @@ class Reader(ProgramTest):
         """What a command-line tool prints; its exit code is checked."""
         if shutil.which(command[0]) is None:
             self.skipTest(f"{command[0]} is not installed (package hdf5-tools)")
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 0, f"{command}: {done.stdout}{done.stderr}")
-        return done.stdout
+        return succeed(*command, cwd=self.folder).out
 
 
 class H5py(Reader):
@@ -124,7 +122,7 @@ class H5py(Reader):
             self.assertIn(rows.attrs["signal"], rows)
             self.assertEqual(rows.attrs["axes"], "t")
 
-    def test_provenance_tells_the_build_and_no_time(self):
+    def test_provenance_has_the_build_and_no_time(self):
         with h5py.File(self.path) as file:
             self.assertEqual(sorted(file["provenance"].attrs),
                              ["compiler", "flags", "instruction_set", "program", "self_test", "target"])
@@ -237,9 +235,9 @@ class Hdf5Tools(Reader):
 
     def test_h5dump_prints_units_and_values(self):
         text = self.tool("h5dump", "fling.h5")
-        for words in ('ATTRIBUTE "units"', '"px/s"', 'DATASET "overshoot"', "H5T_ENUM", '"resize-window"',
-                      'ATTRIBUTE "DIMENSION_LIST"', '"DIMENSION_SCALE"', "H5T_IEEE_F64LE", '"hyrax-trajectory/1"'):
-            self.assertIn(words, text)
+        for part in ('ATTRIBUTE "units"', '"px/s"', 'DATASET "overshoot"', "H5T_ENUM", '"resize-window"',
+                     'ATTRIBUTE "DIMENSION_LIST"', '"DIMENSION_SCALE"', "H5T_IEEE_F64LE", '"hyrax-trajectory/1"'):
+            self.assertIn(part, text)
 
     def test_h5ls_lists_every_dataset(self):
         text = self.tool("h5ls", "-r", "fling.h5")

@@ -4,14 +4,14 @@
 import json
 import pathlib
 import struct
-import subprocess
 import sys
 
+from process import succeed
 from program import AGREED, SOURCE, ProgramTest, main
 
 SECOND_PROGRAM = SOURCE / "tests/oracle/second_program.py"
 sys.path.append(str(SECOND_PROGRAM.parent))
-import replay  # noqa: E402  (the second program's own reader tells the length)
+import replay  # noqa: E402  (its reader gives the length)
 
 STEPS_MAX = 20_000
 KEYS = ("steps", "simulated_s", "contacts", "clamped_steps", "final", "at_rest_since_s", "state_hash")
@@ -31,10 +31,9 @@ class SecondProgram(ProgramTest):
         paths = sorted(map(str, pathlib.Path(SOURCE, "scenarios").rglob("*.json")))
         paths = [path for path in paths if replay.Scenario(replay.load(path)).steps <= STEPS_MAX]
         self.assertGreaterEqual(len(paths), 30)
-        printed = subprocess.run([sys.executable, str(SECOND_PROGRAM), "replay", *paths], capture_output=True,
-                                 text=True, check=True)
+        printed = succeed(sys.executable, SECOND_PROGRAM, "replay", *paths).out
         played = self.expect(AGREED, "run", *paths, "--json", "-o", "out/").out
-        expected, actual = (json.loads(text, parse_int=float)["runs"] for text in (printed.stdout, played))
+        expected, actual = (json.loads(text, parse_int=float)["runs"] for text in (printed, played))
         for second, first in zip(expected, actual, strict=True):
             self.assertEqual(second["scenario"], first["scenario"])
             for key in KEYS:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`study paper`: what it measures, how it tells, and the verdicts it is held to."""
+"""`study paper`: what it measures, what it prints, and the comparison with expected verdicts."""
 
 import csv
 import json
@@ -21,7 +21,7 @@ class Paper(ProgramTest):
         return self.expect(exit_code, "study", "paper", "--no-figures", "-o", "out", *arguments, **options)
 
     def expected(self, change=None):
-        """A file of expected verdicts, the project's own but for what `change` does to the document."""
+        """A file of expected verdicts: the project's own, changed by `change`."""
         document = json.loads(EXPECTED.read_text(encoding="utf-8"))
         if change is not None:
             change(document)
@@ -53,14 +53,14 @@ class Paper(ProgramTest):
             document["verdicts"]["2.3-energy"] = "holds"
         path = self.expected(change)
         self.study(AGREED, "--expect", path)
-        self.study(DISAGREED, "--expect", path, "--gate", says="2.3-energy: does not hold, where expected.json expects: holds")
+        self.study(DISAGREED, "--expect", path, "--gate", says="2.3-energy: does not hold, but expected.json expects: holds")
 
-    def test_a_gate_without_verdicts_holds_nothing_and_is_refused(self):
+    def test_a_gate_without_expected_verdicts_is_refused(self):
         self.study(BAD_INPUT, "--gate", says="--gate needs --expect FILE")
 
-    def test_a_claim_of_which_nothing_is_expected_breaks_it_too(self):
+    def test_a_claim_without_expected_verdict_breaks_the_gate(self):
         path = self.expected(lambda document: document["verdicts"].pop("7-fast"))
-        self.study(DISAGREED, "--expect", path, "--gate", says="7-fast: holds, of which expected.json says nothing")
+        self.study(DISAGREED, "--expect", path, "--gate", says="7-fast: holds, but expected.json has no verdict for it")
 
     def test_tables(self):
         self.study(AGREED)
@@ -70,30 +70,42 @@ class Paper(ProgramTest):
             self.assertEqual(len(rows) - 1, len(file["claims/claim"]))
             self.assertEqual(set(file["claims/verdict"].asstr()[:]) - VERDICTS, set())
 
-    def test_a_bad_file_is_told_all_its_faults(self):
-        def change(document):
+    def test_all_faults_of_a_file_are_reported_at_once(self):
+        def change_form(document):
             document["format"] = "hyrax-verdicts/2"
-            document["verdicts"]["9-moon"] = "holds"
-            document["verdicts"]["7-fast"] = "maybe"
+            document["verdicts"]["7-fast"] = 1
             document["more"] = 1
-        self.study(BAD_INPUT, "--expect", self.expected(change), says=(
-            'expected.json: /format: must be "hyrax-verdicts/1", is "hyrax-verdicts/2"',
-            "expected.json: /verdicts/9-moon: is no claim",
-            'expected.json: /verdicts/7-fast: unknown value (found maybe); allowed: holds, holds when, does not hold, not measured',
+        self.study(BAD_INPUT, "--expect", self.expected(change_form), says=(
+            'expected.json: /format: must be "hyrax-verdicts/1" (found "hyrax-verdicts/2")',
+            "expected.json: /verdicts/7-fast: must be a text (found 1)",
             "expected.json: /more: unknown key (found more); allowed: format, verdicts"))
+        def change_names(document):
+            document["verdicts"]["9-moon"] = document["verdicts"]["9-sun"] = "holds"
+            document["verdicts"]["7-fast"] = "maybe"
+        self.study(BAD_INPUT, "--expect", self.expected(change_names), says=(
+            "expected.json: /verdicts: unknown claim (found 9-moon, 9-sun)",
+            "expected.json: /verdicts/7-fast: unknown verdict (found maybe); allowed: holds, holds when, does not hold, not measured"))
+        twice = EXPECTED.read_text(encoding="utf-8").replace('"7-fast": "holds"', '"7-fast": "holds", "7-fast": "holds"')
+        self.study(BAD_INPUT, "--expect", self.write("twice.json", twice), says="/verdicts/7-fast: duplicate key")
         self.study(BAD_INPUT, "--expect", self.write("list.json", "[]"), says="list.json: /: must be an object")
         self.study(BAD_INPUT, "--expect", self.write("empty.json", "{}"), says=("/format: is missing", "/verdicts: is missing"))
         self.study(CANNOT_ACCESS, "--expect", "none.json", says="none.json: cannot be read")
         self.assertFalse((self.folder / "out").exists())
 
-    def test_scenarios_are_not_its_business(self):
+    def test_scenarios_are_refused(self):
         self.study(BAD_INPUT, SOURCE / "scenarios/hard/rest.json", says="takes no scenarios")
 
     def test_the_figure_has_a_line_for_each_claim(self):
         self.expect(AGREED, "study", "paper", "-o", "out")
         picture = (self.folder / "out/paper.svg").read_text(encoding="utf-8")
-        for words in ("does not hold", "holds when", "Stokes law", "4.3"):
-            self.assertIn(words, picture)
+        for text in ("does not hold", "holds when", "Stokes law", "4.3", "the position stands still"):
+            self.assertIn(text, picture)
+        self.assertNotIn("an expected verdict", picture)
+
+    def test_the_figure_has_a_column_of_expected_verdicts(self):
+        self.expect(AGREED, "study", "paper", "-o", "out", "--expect", EXPECTED)
+        picture = (self.folder / "out/paper.svg").read_text(encoding="utf-8")
+        self.assertIn("an expected verdict that differs is coloured", picture)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ class Rest(ProgramTest):
         """Runs the quick study without figures; its output goes into out/."""
         return self.expect(AGREED, "study", "rest", "--quick", "--no-figures", "--gate", "-o", "out", *arguments)
 
-    def test_boundaries_lie_where_theory_has_them(self):
+    def test_boundaries_are_where_theory_has_them(self):
         for entry, rate_hz in zip(self.study("--json").json["boundaries"], BOUNDARIES_HZ):
             self.assertAlmostEqual(entry["measured_hz"], rate_hz, delta=1e-6)
             self.assertTrue(entry["agrees"])
@@ -48,19 +48,23 @@ class Rest(ProgramTest):
         spread = {rate_hz: numpy.ptp(kept[rate == rate_hz]) for rate_hz in (30.0, 60.0)}
         self.assertAlmostEqual(spread[30.0] / spread[60.0], 2.0, delta=0.2)
 
-    def test_it_says_in_words_what_it_found(self):
+    def test_the_verdict_is_one_screen_in_plain_terms(self):
         text = self.study().out
-        for words in ("rest above, cycle below", "143.856000", "agrees", "effective restitution", "60 Hz"):
-            self.assertIn(words, text)
+        for part in ("The position stands still", "zero speed above, two-cycle below", "143.856000", "agrees",
+                     "residual speed, %", "effective restitution"):
+            self.assertIn(part, text)
+        self.assertNotIn("buzz", text)
         self.assertLessEqual(len(text.splitlines()), 40)
 
     def test_three_pictures(self):
         self.expect(AGREED, "study", "rest", "--quick", "-o", "out")
         self.assertEqual([name for name in self.names("out") if name.endswith(".svg")],
                          ["rest-restitution.svg", "rest-time.svg", "rest.svg"])
-        self.assertIn("143.86", (self.folder / "out/rest.svg").read_text(encoding="utf-8"))
+        picture = (self.folder / "out/rest.svg").read_text(encoding="utf-8")
+        for text in ("143.86", "The position stands still in all three", "residual speed", "two-cycle", "zero speed"):
+            self.assertIn(text, picture)
 
-    def test_scenarios_are_not_its_business(self):
+    def test_scenarios_are_refused(self):
         self.expect(BAD_INPUT, "study", "rest", SOURCE / "scenarios/hard/rest.json", says="takes no scenarios")
 
 

@@ -133,10 +133,10 @@ class Needs(StudyTest):
 class SpeedError(StudyTest):
     """study speed-error."""
 
-    def test_it_holds_and_tells_speed_error_and_order(self):
+    def test_it_holds_and_prints_cost_error_and_order(self):
         outcome = self.expect(AGREED, "study", "speed-error", "--quick", "--gate", "--no-figures")
         for words in ("the paper's step", "explicit Euler", "for an error below", "at no rate",
-                      "keeps the paper's step from converging"):
+                      "keeps the paper's step from converging", "error is 9.85 px at 60 Hz"):
             self.assertIn(words, outcome.out)
         points = self.table("speed-error.h5", "points")
         self.assertIn("gsl-rk8pd-1e-12", points["method"])
@@ -166,7 +166,7 @@ class SpeedError(StudyTest):
 
     def test_a_name_that_is_taken_is_refused(self):
         self.write("mine.json", fling())
-        self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="another problem is called fling")
+        self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="must differ from the other problems' (found fling)")
 
 
 @unittest.skipIf(WITHOUT_GNUPLOT, "gnuplot is not installed")
@@ -204,14 +204,14 @@ class Usage(StudyTest):
 
     def test_options_without_use_are_refused(self):
         self.write("fling.json", fling())
-        for arguments, words in ((("speed-error", "--within", "1px"), "speed-error: has no use for --within"),
-                                 (("speed-error", "--expect", "x.json"), "speed-error: has no use for --expect"),
+        for arguments, words in ((("speed-error", "--within", "1px"), "speed-error: takes no --within"),
+                                 (("speed-error", "--expect", "x.json"), "speed-error: takes no --expect"),
                                  (("needs",), "a scenario must be given"),
                                  (("needs", "fling.json", "--within", "1 mm"), "--within: must be a length of at least 0, "
-                                                                               "as 1px, is '1 mm'"),
+                                                                               "as 1px (found '1 mm')"),
                                  (("needs", "fling.json", "--within=-1px"), "--within"),
                                  (("needs", "fling.json", "--within", "nan"), "--within"),
-                                 (("needs", "fling.json", "fling.json"), "another scenario is called fling")):
+                                 (("needs", "fling.json", "fling.json"), "fling.json: /name: duplicate scenario name (found fling)")):
             self.expect(BAD_INPUT, "study", *arguments, says=words)
         self.assertEqual(self.names(), ["fling.json"])
 

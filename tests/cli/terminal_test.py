@@ -1,13 +1,11 @@
 #!/usr/bin/python3
-"""What a run comes to does not depend on whether someone watches it: stderr is a terminal here, with progress."""
+"""The result of a run does not depend on progress: stderr is a terminal here."""
 
 import os
 import pty
-import subprocess
 import threading
-import unittest
 
-from program import AGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, ProgramTest, fling, main
 
 
 class Terminal(ProgramTest):
@@ -28,21 +26,20 @@ class Terminal(ProgramTest):
         watcher = threading.Thread(target=watch)
         watcher.start()
         try:
-            done = subprocess.run([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=terminal,
-                                  stdin=subprocess.DEVNULL, cwd=self.folder, check=False, timeout=60)
+            outcome = self.hyrax_sim(*arguments, stderr=terminal)
         finally:
             os.close(terminal)
             watcher.join()
             os.close(keeper)
-        self.assertEqual(done.returncode, AGREED, b"".join(shown))
-        return done.stdout
+        self.assertEqual(outcome.exit_code, AGREED, b"".join(shown))
+        return outcome.out
 
     def assert_same_when_watched(self, **scenario):
         """The same summary and the same file."""
         path = self.write("long.json", fling(**scenario))
         unwatched = self.expect(AGREED, "run", path, "-o", "run.h5", "--json").out
         rows = (self.folder / "run.h5").read_bytes()
-        self.assertEqual(self.run_watched("run", path, "-o", "run.h5", "--json").decode(), unwatched)
+        self.assertEqual(self.run_watched("run", path, "-o", "run.h5", "--json"), unwatched)
         self.assertEqual((self.folder / "run.h5").read_bytes(), rows)
         return unwatched
 

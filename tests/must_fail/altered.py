@@ -6,9 +6,9 @@ HYRAX_CONTROLS is the folder of the programs that are wrong on purpose.
 import functools
 import os
 import pathlib
-import subprocess
 
-from program import SOURCE, Outcome, ProgramTest
+from process import run
+from program import SOURCE, ProgramTest
 
 CONTROLS = pathlib.Path(os.environ["HYRAX_CONTROLS"])
 ALTERED = CONTROLS / "control_altered"
@@ -16,9 +16,7 @@ ALTERED = CONTROLS / "control_altered"
 
 def run_altered(core, *arguments):
     """The program with that core, in the project's folder."""
-    done = subprocess.run([str(ALTERED), *map(str, arguments)], cwd=SOURCE, capture_output=True, check=False,
-                          stdin=subprocess.DEVNULL, timeout=120, env={**os.environ, "HYRAX_ALTERED_CORE": core})
-    return Outcome(done)
+    return run(ALTERED, *arguments, cwd=SOURCE, env={**os.environ, "HYRAX_ALTERED_CORE": core})
 
 
 @functools.cache

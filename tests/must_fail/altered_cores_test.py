@@ -4,9 +4,14 @@
 `study hard-cases --gate` is red on every one that changes results, except those that are named here with the reason.
 """
 
-import subprocess
+import json
+import os
+import pathlib
+import re
+import unittest
 
 from altered import ALTERED, StudyControl, altered_cores, run_altered
+from process import succeed
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
 
 # The same arithmetic in another order: no bit of any run changes.
@@ -25,6 +30,33 @@ CHECKED = CASES + ["scenarios/flings/corner-fling.json", "scenarios/paper/exact-
 # A bounce from the floor that leaves the threshold itself: 5 px/s, to the bit.
 THRESHOLD = fling(name="threshold", steps=20,
                   start={"x_px": 896, "y_px": 952, "vx_px_per_s": 0, "vy_px_per_s": -11.658324991658324})
+
+
+SHIPPED = "sim/physics/physics.h"
+
+
+def includes_core(path):
+    """Whether a source file includes the shipped core."""
+    return re.search(f'^#include "{SHIPPED}"', path.read_text(encoding="utf-8"), re.MULTILINE) is not None
+
+
+class OneCore(unittest.TestCase):
+    """No program has two definitions of class physics."""
+
+    def test_each_source_that_includes_the_core_is_compiled_with_the_altered_one(self):
+        commands = json.loads(pathlib.Path(os.environ["HYRAX_BUILD"], "compile_commands.json").read_text())
+        users = {path for folder in ("sim", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.cpp")
+                 if includes_core(path)}
+        self.assertTrue(users)
+        for control in ("altered", "contracted"):
+            recompiled = {pathlib.Path(entry["file"]) for entry in commands
+                          if f"control_{control}.dir" in entry["command"]}
+            self.assertEqual({path for path in recompiled if path.is_relative_to(SOURCE) and
+                              "altered_cores" not in path.parts}, users, control)
+
+    def test_no_header_includes_the_core(self):
+        headers = [path for folder in ("sim", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.h")]
+        self.assertEqual([path for path in headers if includes_core(path)], [])
 
 
 class List(StudyControl):
@@ -79,8 +111,8 @@ class EveryCore(StudyControl):
 
     def test_none_is_the_shipped_core(self):
         for program, core in ((PROGRAM, "none"), (ALTERED, "none")):
-            subprocess.run([str(program), "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/"],
-                           cwd=SOURCE, check=True, capture_output=True, env={"HYRAX_ALTERED_CORE": core})
+            succeed(program, "run", "scenarios/flings", "-o", f"{self.folder}/{program.name}/", cwd=SOURCE,
+                    env={"HYRAX_ALTERED_CORE": core})
         runs = [sorted((self.folder / program.name).rglob("*.h5")) for program in (PROGRAM, ALTERED)]
         self.assertGreater(len(runs[0]), 10)
         self.assertEqual([path.read_bytes() for path in runs[0]], [path.read_bytes() for path in runs[1]])

@@ -79,7 +79,7 @@ class ProjectsGolden(ProgramTest):
     def test_an_empty_folder_is_no_pass(self):
         shutil.rmtree(self.folder / "scenarios")
         (self.folder / "scenarios/flings").mkdir(parents=True)
-        self.expect(BAD_INPUT, "check", says="scenarios: holds no scenario")
+        self.expect(BAD_INPUT, "check", says="scenarios: no scenario found")
 
 
 if __name__ == "__main__":

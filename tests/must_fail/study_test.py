@@ -60,7 +60,7 @@ class HardCases(StudyControl):
                             for sentence in sentences), json.dumps(sentences[:3]))
 
 
-# Cores, and the claims that each turns. Every claim is turned by one of them, but for those of NEVER_FLIPPED.
+# Cores, and the claims that each flips. Every claim except those of NEVER_FLIPPED is flipped by one of them.
 FLIPS = {
     "gravity_by_one_ulp": {"5-gravity": "does not hold"},
     "gravity_none": {"1-axes": "does not hold", "2.3-energy": "holds", "2.4-explicit": "does not hold"},
@@ -104,7 +104,7 @@ NEVER_FLIPPED = {
 
 
 class Paper(StudyControl):
-    """A changed core flips the verdicts that its change is about, and the author is told which."""
+    """A changed core flips the verdicts that its change is about, and the program reports which."""
 
     EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
 
@@ -133,7 +133,7 @@ class Paper(StudyControl):
         self.assertEqual(set(expected) - flipped, set(NEVER_FLIPPED))
 
     def remark(self, control, claim):
-        """What is said of a claim, beside its verdict."""
+        """The remark on a claim."""
         claims = self.study(control, "paper", "--expect", self.EXPECTED).json["claims"]
         return next(entry["remark"] for entry in claims if entry["claim"] == claim)
 
@@ -143,6 +143,7 @@ class Paper(StudyControl):
                 ("5-energy-retention", "the ratio of speeds, 0.6, squared", "side_walls_softer", "nor its square"),
                 ("3.2.2-signed", "it is |vy| that is compared", "rest_rule_gone", "|vy| is not compared, either"),
                 ("2.2-exponential", "until it sticks at", "no_motion_in_x", "until it sticks at"),
+                ("3.2.2-infinite-bounce", "but the position stands still", "bounce_gains", "some drops keep bouncing"),
                 ("6.1-reset", "in the air gravity starts it again", "reset_keeps_vy", "it leaves (0, -300) px/s"),
                 ("3-x-first", "nothing penetrates in either order", "y_before_x", "is not the listing's")):
             with self.subTest(claim=claim):
@@ -152,7 +153,7 @@ class Paper(StudyControl):
                 if other != words:
                     self.assertNotIn(words, remark)
 
-    def test_constants_are_told_as_they_are(self):
+    def test_constants_are_printed_with_all_digits(self):
         outcome = self.study("gravity_by_one_ulp", "paper", "--expect", self.EXPECTED)
         self.assertIn("1200.0000000000002", outcome.json["broken"][0])
         self.assertEqual(self.remark("gravity_by_one_ulp", "5-gravity"), "the paper has 1200")
@@ -192,12 +193,12 @@ class FrameRate(StudyControl):
     def test_a_core_that_takes_drag_by_time_itself_is_told(self):
         outcome = self.study("drag_by_time", "frame-rate")
         self.assertEqual(outcome.exit_code, DISAGREED, outcome)
-        self.assertIn("make it no more independent of the frame rate", outcome.json["broken"][0])
+        self.assertIn("are no more independent of the frame rate", outcome.json["broken"][0])
 
     def test_a_core_that_remembers_is_told(self):
         outcome = self.study("hidden_state", "frame-rate")
         self.assertEqual(outcome.exit_code, DISAGREED, outcome)
-        self.assertIn("is not the core, bit for bit", outcome.json["broken"][0])
+        self.assertIn("differs from the core", outcome.json["broken"][0])
 
 
 class SpeedError(StudyControl):

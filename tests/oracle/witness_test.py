@@ -1,21 +1,23 @@
 #!/usr/bin/python3
 """Holds the C++ replay to the second program: every row and contact of short runs, bit for bit, and the vectors.
 
-Usage: witness_test.py PRINT_ROWS SCENARIO_DIR...
+HYRAX_PRINT_ROWS names the program of print_rows.cpp.
 """
 
 import io
 import json
+import os
 import pathlib
 import struct
-import subprocess
-import sys
 import unittest
 
-sys.dont_write_bytecode = True  # A test should leave nothing behind in the source tree.
+from process import succeed
+from program import SOURCE
+import replay
+import vectors
 
-import replay  # noqa: E402
-import vectors  # noqa: E402
+PRINT_ROWS = os.environ["HYRAX_PRINT_ROWS"]
+FOLDERS = (SOURCE / "scenarios", SOURCE / "tests/oracle/scenarios")
 
 STEPS_MAX = 3000
 ROW_KEYS = ("t", "dt", "x", "y", "vx", "vy")
@@ -53,16 +55,14 @@ class Witness(unittest.TestCase):
 
     def test_every_row_and_contact_agrees(self):
         runs = {str(path): replay.Scenario(replay.load(path))
-                for folder in FOLDERS for path in sorted(pathlib.Path(folder).rglob("*.json"))}
+                for folder in FOLDERS for path in sorted(folder.rglob("*.json"))}
         short = {path: scenario for path, scenario in runs.items() if scenario.steps <= STEPS_MAX}
         self.assertGreaterEqual(len(short), 30)
         expected = [line for path, scenario in short.items() for line in lines_of(path, scenario)]
-        printed = subprocess.run([PRINT_ROWS, *short], capture_output=True, text=True, check=False)
-        self.assertEqual(printed.returncode, 0, printed.stderr)
-        self.assertIsNone(first_difference(expected, printed.stdout.splitlines()))
+        self.assertIsNone(first_difference(expected, succeed(PRINT_ROWS, *short).out.splitlines()))
 
     def test_a_difference_of_one_bit_is_seen(self):
-        path = sorted(pathlib.Path(FOLDERS[0]).rglob("first-fling.json"))[0]
+        path = sorted(FOLDERS[0].rglob("first-fling.json"))[0]
         expected = list(lines_of(str(path), replay.Scenario(replay.load(path))))
         actual = list(expected)
         actual[7] = actual[7][:-3] + ("0" if actual[7][-3] != "0" else "1") + actual[7][-2:]
@@ -76,5 +76,4 @@ class Witness(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PRINT_ROWS, FOLDERS = sys.argv[1], sys.argv[2:]
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()

@@ -1,22 +1,9 @@
 """Builds hyrax-replay as a row wants it."""
 
-import subprocess
-
+from process import succeed
 from rows import PROJECT
 
 TIMEOUT_S = 1800
-
-
-class BuildFailed(Exception):
-    """What the compiler or CMake said."""
-
-
-def command(*arguments, **options):
-    """Runs a command without a word; raises what it said where it failed."""
-    done = subprocess.run([str(argument) for argument in arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          stdin=subprocess.DEVNULL, timeout=TIMEOUT_S, check=False, **options)
-    if done.returncode != 0:
-        raise BuildFailed(done.stdout.decode(errors="replace"))
 
 
 def settings_of(row, folder):
@@ -42,10 +29,10 @@ def build(row, folder):
     """Configures and builds; returns the program. A row that must not compile is built up to the core."""
     folder.mkdir(parents=True, exist_ok=True)
     if row.is_blind:
-        command(row.compiler, "-std=c++20", "-O2", f"-I{PROJECT}", "-c", PROJECT / "tests/platforms/no_self_test.cpp",
+        succeed(row.compiler, "-std=c++20", "-O2", f"-I{PROJECT}", "-c", PROJECT / "tests/platforms/no_self_test.cpp",
                 "-o", folder / "no_self_test.o")
-    command("cmake", "--log-level=WARNING", "-S", row.source, "-B", folder, "-G", "Ninja",
-            *(f"-D{setting}" for setting in settings_of(row, folder)))
+    succeed("cmake", "--log-level=WARNING", "-S", row.source, "-B", folder, "-G", "Ninja",
+            *(f"-D{setting}" for setting in settings_of(row, folder)), timeout=TIMEOUT_S)
     target = "hyrax_physics" if row.must.kind == "compiles" else "hyrax-replay"
-    command("ninja", "-C", folder, "-j1", target)
+    succeed("ninja", "-C", folder, "-j1", target, timeout=TIMEOUT_S)
     return folder / row.program

@@ -1,10 +1,9 @@
 """hyrax-sim's `check`, which has HDF5 and threads: by one thread and by many, and in every variant of this build."""
 
-import json
 import os
-import subprocess
 
 from preloading import environment_for
+from process import run
 from result import Result, hindrance_of
 from rows import NOT_STRICT, PROJECT, THIS_BUILD
 
@@ -14,9 +13,8 @@ TIMEOUT_S = 600
 
 def check(program, golden, environment, jobs=MANY):
     """`check --json` over the library."""
-    return subprocess.run([str(program), "check", "scenarios", "--golden", str(golden), "--jobs", str(jobs), "--json"],
-                          cwd=PROJECT, env={**os.environ, **environment}, capture_output=True,
-                          stdin=subprocess.DEVNULL, timeout=TIMEOUT_S, check=False)
+    return run(program, "check", "scenarios", "--golden", golden, "--jobs", jobs, "--json", cwd=PROJECT,
+               env={**os.environ, **environment}, timeout=TIMEOUT_S)
 
 
 def line(name, verdict, is_bad, details=""):
@@ -24,21 +22,21 @@ def line(name, verdict, is_bad, details=""):
     return Result(f"hyrax-sim check, {name}", runs_on="this machine", verdict=verdict, is_bad=is_bad, details=details)
 
 
-def agreement(name, done):
+def agreement(name, outcome):
     """The line of a check in which every scenario must agree."""
-    if not done.stdout:
-        return line(name, f"FAILED: exit code {done.returncode}", True, done.stderr.decode())
-    counts = json.loads(done.stdout)
+    if not outcome.out:
+        return line(name, f"FAILED: exit code {outcome.exit_code}", True, outcome.err)
+    counts = outcome.json
     is_bad = counts["agreed"] != counts["checked"] or counts["checked"] == 0
-    return line(name, f"{counts['agreed']} of {counts['checked']} agree", is_bad, done.stdout.decode())
+    return line(name, f"{counts['agreed']} of {counts['checked']} agree", is_bad, outcome.out)
 
 
-def refusal(name, done, sentence):
+def refusal(name, outcome, sentence):
     """The line of a check that must be refused."""
-    is_refused = done.returncode == NOT_STRICT and not done.stdout and sentence in done.stderr.decode()
+    is_refused = outcome.exit_code == NOT_STRICT and not outcome.out and sentence in outcome.err
     if is_refused:
         return line(name, f"refused at start, exit code 5: {sentence}", False)
-    return line(name, f"NOT REFUSED: exit code {done.returncode}", True, done.stderr.decode())
+    return line(name, f"NOT REFUSED: exit code {outcome.exit_code}", True, outcome.err)
 
 
 def lines_of(program, golden, folder):
@@ -46,16 +44,16 @@ def lines_of(program, golden, folder):
     alone, together = check(program, golden, {}, 1), check(program, golden, {})
     yield agreement("1 thread", alone)
     yield agreement(f"{MANY} threads", together)
-    if alone.stdout != together.stdout:
-        yield line("1 thread and many", "NOT ALIKE", True, together.stdout.decode())
+    if alone.out != together.out:
+        yield line("1 thread and many", "NOT ALIKE", True, together.out)
     for variant in THIS_BUILD:
         if variant.is_reversed:
             continue
         if hindrance := hindrance_of(variant, f"hyrax-sim check, {variant.name}", runs_on="this machine"):
             yield hindrance
             continue
-        done = check(program, golden, environment_for(variant, folder))
+        outcome = check(program, golden, environment_for(variant, folder))
         if variant.must.kind == "starts":
-            yield refusal(variant.name, done, variant.must.sentence)
+            yield refusal(variant.name, outcome, variant.must.sentence)
         else:
-            yield agreement(variant.name, done)
+            yield agreement(variant.name, outcome)

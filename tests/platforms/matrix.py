@@ -1,16 +1,22 @@
 """The rows, built and played."""
 
 import concurrent.futures
-import subprocess
+import functools
+import os
 import sys
+import threading
 import time
 
-from building import BuildFailed, build
+from building import build
 from library import library
 from playing import compiler_of, judge
 from preloading import environment_for
+from process import Failed, TimedOut, run
 from result import Result, hindrance_of
+from rows import PROJECT
 from wine import Wine
+
+TIMEOUT_S = 600
 
 
 def tell(text):
@@ -29,13 +35,30 @@ class Matrix:
     def __init__(self, folder, golden):
         self.folder = folder
         self.scenarios = library(golden)
-        self.wine = Wine(folder / "wine")
+        self._wine = None
+        self._wine_lock = threading.Lock()
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.wine.close()
+        if self._wine is not None:
+            self._wine.end()
+
+    def wine(self):
+        """A prefix that all rows share, made when it is first wanted."""
+        with self._wine_lock:
+            if self._wine is None:
+                self._wine = Wine(self.folder / "wine")
+                self._wine.make()
+            return self._wine
+
+    def starter(self, program, row, environment):
+        """A function that runs a program of the row with arguments, and returns its outcome."""
+        options = {"cwd": PROJECT, "timeout": TIMEOUT_S}
+        if row.runs_on == "Wine":
+            return functools.partial(self.wine().run, program, **options)
+        return functools.partial(run, *row.runner, program, env={**os.environ, **environment}, **options)
 
     def play(self, rows, jobs):
         """The lines of these rows, in their order, `jobs` rows at a time."""
@@ -47,7 +70,7 @@ class Matrix:
         begin = time.monotonic()
         try:
             lines = list(self.lines_of(row))
-        except (BuildFailed, subprocess.SubprocessError, OSError) as error:
+        except (Failed, TimedOut, OSError) as error:
             verdict = "FAILED to build or run"
             lines = [Result(row.name, row.compiler, flags_of(row), row.runs_on, verdict, True, str(error))]
         tell(f"{row.name:<32}{time.monotonic() - begin:6.1f} s  {lines[0].verdict}")
@@ -63,23 +86,22 @@ class Matrix:
 
     def lines_of_program(self, program, row):
         """The lines of a program that stands: as it is, and in all variants."""
-        environment = self.wine.environment() if row.runs_on == "Wine" else {}
-        told = (compiler_of(program, row, environment), flags_of(row), row.runs_on)
-        yield Result(row.name, *told, *judge(program, row, self.scenarios, environment, row.must))
+        start = self.starter(program, row, {})
+        told = (compiler_of(start, row), flags_of(row), row.runs_on)
+        yield Result(row.name, *told, *judge(start, row, self.scenarios, row.must))
         for variant in row.variants:
             if hindrance := hindrance_of(variant, variant.name, *told):
                 yield hindrance
                 continue
-            environment = environment_for(variant, self.folder / "preloaded")
-            yield Result(variant.name, *told,
-                         *judge(program, row, self.scenarios, environment, variant.must, variant.is_reversed))
+            start = self.starter(program, row, environment_for(variant, self.folder / "preloaded"))
+            yield Result(variant.name, *told, *judge(start, row, self.scenarios, variant.must, variant.is_reversed))
 
     def line_of_refused_build(self, row):
         """The line of a row whose core must not compile."""
         told = (row.name, row.compiler, flags_of(row), "")
         try:
             build(row, self.folder / row.folder)
-        except BuildFailed as failure:
+        except Failed as failure:
             if row.must.sentence in str(failure):
                 return Result(*told, f"refused by the compiler: {row.must.sentence}")
             return Result(*told, "FAILED for another reason", True, str(failure))

@@ -8,21 +8,13 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.dont_write_bytecode = True
-
-HERE = pathlib.Path(__file__).resolve().parent
-PROJECT = HERE.parents[1]
-sys.path.insert(0, str(HERE))
-
-# pylint: disable=wrong-import-position
 import result
 from machine import processor_features
-from rows import BUILDS, CONTROLS, MASKED, THIS_BUILD, Needs, Row
+from process import run, succeed
+from rows import BUILDS, CONTROLS, HERE, MASKED, PROJECT, THIS_BUILD, Needs, Row
 
 AS_MUST_BE, NOT_AS_MUST_BE, BAD_INPUT = 0, 1, 2
 SCENARIO = "flings/first-fling"
@@ -47,11 +39,10 @@ class Matrix(unittest.TestCase):
 
     def play(self, exit_code, *options, program=os.environ.get("HYRAX_REPLAY", "")):
         """Plays a program; returns its table and what was told beside it."""
-        done = subprocess.run(
-            [str(HERE / "run"), "--program", program, "--golden", str(self.folder / "golden"), "--folder",
-             str(self.scratch), *options], capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual(done.returncode, exit_code, done.stdout + done.stderr)
-        return done.stdout, done.stderr
+        outcome = run(HERE / "run", "--program", program, "--golden", self.folder / "golden", "--folder", self.scratch,
+                      *options)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return outcome.out, outcome.err
 
     def test_the_golden_hashes_agree(self):
         table, errors = self.play(AS_MUST_BE)
@@ -92,8 +83,7 @@ class Rows(unittest.TestCase):
     @unittest.skipUnless(os.path.exists(LOADER) and "avx2" in processor_features(), "no processor features to mask")
     def test_the_mask_of_processor_features_is_one_that_glibc_follows(self):
         def levels(**environment):
-            told = subprocess.run([LOADER, "--list-diagnostics"], env={**os.environ, **environment}, check=True,
-                                  capture_output=True, text=True).stdout
+            told = succeed(LOADER, "--list-diagnostics", env={**os.environ, **environment}).out
             return re.search(r"^dl_hwcaps_subdirs_active=(.*)$", told, re.MULTILINE).group(1)
 
         self.assertNotEqual(levels(), levels(GLIBC_TUNABLES=MASKED))

@@ -1,9 +1,8 @@
 """Libraries and a locale that variants are run with."""
 
 import functools
-import subprocess
 
-from building import BuildFailed, command
+from process import Failed, succeed
 from rows import HERE, PROJECT
 
 SOURCES = {"locale": HERE / "preloaded/locale.c", "fast_math": HERE / "preloaded/fast_math.c",
@@ -18,12 +17,12 @@ def build_library(name, folder):
         return library
     compile_it = ("gcc", "-shared", "-fPIC", "-O2", SOURCES[name], "-o", library, "-lm")
     if name != "fast_math":
-        command(*compile_it)
+        succeed(*compile_it)
         return library
     try:
-        command(*compile_it, "-ffast-math", "-mdaz-ftz")
-    except BuildFailed:
-        command(*compile_it, "-ffast-math")
+        succeed(*compile_it, "-ffast-math", "-mdaz-ftz")
+    except Failed:
+        succeed(*compile_it, "-ffast-math")
     return library
 
 
@@ -31,8 +30,7 @@ def build_library(name, folder):
 def build_locale(folder):
     """A folder of locales with one in it, which has a decimal comma."""
     if not (folder / "de_DE").exists():
-        subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE")], check=True,
-                       capture_output=True)
+        succeed("localedef", "-i", "de_DE", "-f", "UTF-8", folder / "de_DE")
     return folder
 
 

@@ -112,7 +112,7 @@ def level(number, cpu):
 def windows(flags):
     """MinGW, under Wine."""
     return Row(f"Windows {flags}", "x86_64-w64-mingw32-g++-posix", flags, toolchain="mingw.cmake",
-               program="bin/hyrax-replay.exe", runner=("wine",), runs_on="Wine",
+               program="bin/hyrax-replay.exe", runs_on="Wine",
                needs=(Needs("x86_64-w64-mingw32-g++-posix", "g++-mingw-w64-x86-64-posix"), Needs("wine", "wine")))
 
 

@@ -1,4 +1,4 @@
-// A file that is there whole or not at all.
+// Writes a file atomically: it is complete or unchanged.
 #pragma once
 
 #include <string>
@@ -6,32 +6,34 @@
 
 namespace hyrax {
 
-/// A new file is written beside its place, as `.NAME.part`, and renamed when it is whole. What is
-/// given up, by an exception too, leaves the file at its place as it was, and so does a process that
-/// is killed.
+/// The content is written to a part file beside the target, which replaces the target on commit. Without a
+/// commit, because of an exception or a killed process too, the target is unchanged.
+///
+/// The part file is `.NAME.part`, or `.NAME.2.part` and so on while others write theirs. One left by a killed
+/// writer is recognised by the lock that it lost, and is replaced. (On Windows its name has the process id.)
 class AtomicFile {
  public:
-  /// Makes the part file, empty. A symbolic link at `path` is followed: its target is replaced.
-  /// ERRORS: Failure(cannot_access) where `path` is a folder, a device or a pipe, or its folder
-  /// cannot be written to.
+  /// Creates the part file, empty. A symbolic link at `path` is followed: its target is replaced.
+  /// ERRORS: Failure(cannot_access) if `path` is a folder, a device or a pipe, its folder cannot be written
+  /// to, or 100 writers have part files there.
   explicit AtomicFile(const std::string& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
   [[nodiscard]] const std::string& part_path() const { return part_path_; }
-  /// Fills the part file. ERRORS: Failure(cannot_access).
+  /// Writes the content of the part file. ERRORS: Failure(cannot_access).
   void write(std::string_view text) const;
-  /// Puts the part file in its place. ERRORS: Failure(cannot_access).
+  /// Replaces the target by the part file. ERRORS: Failure(cannot_access).
   void commit();
-  /// Puts the part file in its place if no file has that name yet. ERRORS: Failure(cannot_access), also
-  /// where one has: it stays as it is.
+  /// Renames the part file to the target. ERRORS: Failure(cannot_access), also if the target exists already;
+  /// it is then unchanged.
   void commit_as_new();
 
  private:
   std::string path_;
   std::string part_path_;
-  [[maybe_unused]] int lock_ = -1;  // Tells other writers that the part file has an owner.
+  [[maybe_unused]] int lock_ = -1;  // Shows other writers that the part file is in use.
 };
 
 /// "PATH: cannot be written: REASON" for the error number that the system gave.

@@ -10,12 +10,12 @@
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/file_name.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
 
-// Whoever reads the old file at this moment, as a virus scanner does, keeps it from being replaced.
+// While another program, such as a virus scanner, reads the old file, it cannot be replaced.
 bool rename_to(const std::string& from, const std::string& to, DWORD how) {
   constexpr int kTries = 20;
   constexpr DWORD kPause_ms = 10;
@@ -42,7 +42,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
     fail_to_write(path, EISDIR);
   const FileName name = file_name(path);
   part_path_.append(name.folder).append(".").append(name.stem).append(name.extension);
-  part_path_ += "." + std::to_string(_getpid()) + ".part";
+  part_path_.append(".").append(std::to_string(_getpid())).append(".part");
   std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
   if (file == nullptr) fail_to_write(path, errno);
   std::fclose(file);
@@ -55,7 +55,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::write(std::string_view text) const {
   std::FILE* const file = std::fopen(part_path_.c_str(), "wb");
   if (file == nullptr) fail_to_write(path_, errno);
-  // On the disk before it takes its place, so that a power cut leaves the old file or the new one.
+  // On the disk before the rename, so that a power cut leaves the old file or the new one.
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
                           std::fflush(file) == 0 && _commit(_fileno(file)) == 0;
   if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);

@@ -3,7 +3,7 @@
 namespace hyrax {
 namespace {
 
-// The compiler tells it by what it defines; all of the program is built with the same flags.
+// From what the compiler defines; all files of the program are built with the same flags.
 constexpr std::string_view instruction_set() {
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) && \
     defined(__AVX512VL__)

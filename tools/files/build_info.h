@@ -1,11 +1,11 @@
-// What this program was built from and with.
+// Version, compiler and flags of this build.
 #pragma once
 
 #include <string_view>
 
 namespace hyrax {
 
-/// What the self-test of arithmetic comes to in every program that computes: the others refuse to.
+/// The result of the self-test of arithmetic. Programs whose self-test has another one refuse to compute.
 inline constexpr std::string_view kStrictArithmetic = "strict IEEE-754 double arithmetic";
 
 struct BuildInfo {
@@ -13,7 +13,7 @@ struct BuildInfo {
   std::string_view compiler;
   std::string_view flags;
   std::string_view target;
-  std::string_view instruction_set;  ///< That it was built for; this machine may have more.
+  std::string_view instruction_set;  ///< Of the build; this machine may have more.
 };
 
 [[nodiscard]] BuildInfo build_info();

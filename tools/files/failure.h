@@ -1,6 +1,7 @@
 // How a command ends: the exit codes, and the one exception that carries them.
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -13,15 +14,20 @@ enum class ExitCode {
   bad_input = 2,        ///< Or bad usage.
   cannot_access = 3,    ///< Cannot read or write.
   golden_missing = 4,   ///< Never a pass.
-  not_strict_ieee = 5,  ///< This machine or build does not do strict IEEE-754 double arithmetic.
-  program_fault = 70,   ///< A fault of the program itself.
+  not_strict_ieee = 5,  ///< Arithmetic is not strict IEEE-754.
+  program_fault = 70,   ///< Internal error.
 };
 
 /// The more serious of two outcomes: 5, 70, 3, 2, 4, 1, 0.
-[[nodiscard]] ExitCode more_serious(ExitCode a, ExitCode b);
+[[nodiscard]] constexpr ExitCode more_serious(ExitCode a, ExitCode b) {
+  for (const ExitCode code : {ExitCode::not_strict_ieee, ExitCode::program_fault, ExitCode::cannot_access,
+                              ExitCode::bad_input, ExitCode::golden_missing, ExitCode::disagreed})
+    if (a == code || b == code) return code;
+  return ExitCode::agreed;
+}
 
-/// The input or the machine is wrong. `what()` is whole sentences that name file, place, value,
-/// rule and remedy, one a line. Caught once, in main, or where each scenario stands alone.
+/// The input or the machine is wrong. `what()` has a line for each error, with file, place, value, rule and
+/// remedy. Caught in main, or for each scenario where one must not stop the others.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode exit_code, const std::string& sentences)

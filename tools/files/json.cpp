@@ -1,17 +1,15 @@
 #include "tools/files/json.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tools/files/failure.h"
-#include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
-
-constexpr int kNestingMax = 100;
 
 struct Place {
   std::size_t line = 1;
@@ -38,8 +36,8 @@ Place place_of(std::string_view text, std::size_t end) {
                                          std::to_string(place.column) + ": " + sentence);
 }
 
-// The parser quotes all of the token it was reading, however long and whatever its bytes: what is
-// told of it is the end, and readable.
+// The parser quotes the whole token it was reading, of any length and with any bytes. Only its end is
+// reported, in printable characters.
 std::string with_short_quote(std::string reason) {
   constexpr std::string_view kQuote = "last read: '";
   constexpr std::size_t kShownMax = 40;
@@ -71,7 +69,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool null() override { return add(Json()); }
   bool boolean(bool value) override { return add(value); }
-  // The only integer text that is signed and zero is "-0": the double it means keeps its sign.
+  // The only signed integer text of value 0 is "-0": as a double it keeps its sign.
   bool number_integer(std::int64_t value) override { return value == 0 ? add(-0.0) : add(value); }
   bool number_unsigned(std::uint64_t value) override { return add(value); }
   bool number_float(double value, const std::string&) override { return add(value); }
@@ -96,9 +94,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool open(Json container) {
-    if (open_.size() >= kNestingMax)
+    if (open_.size() >= kJsonNestingMax)
       throw Failure(ExitCode::bad_input,
-                    source_ + ": nested more than " + std::to_string(kNestingMax) + " levels");
+                    source_ + ": nested more than " + std::to_string(kJsonNestingMax) + " levels");
     open_.push_back(place(std::move(container)));
     return true;
   }
@@ -106,7 +104,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     open_.pop_back();
     return true;
   }
-  // Elements never move while their parent's last element is open, so the address stays good.
+  // Elements do not move while the last element of their parent is open, so the address stays valid.
   Json* place(Json value) {
     if (open_.empty()) {
       document_ = std::move(value);
@@ -186,49 +184,10 @@ class Writer {
   std::string text_;
 };
 
-[[noreturn]] void fail_at(std::string_view pointer, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, printable(std::string(pointer) + ": " + sentence));
-}
-
-std::vector<std::string> tokens_of(std::string_view pointer) {
-  if (std::count(pointer.begin(), pointer.end(), '/') > kNestingMax)
-    fail_at(pointer.substr(0, 40), "nested more than " + std::to_string(kNestingMax) + " levels");
-  std::vector<std::string> tokens;
-  for (std::size_t at = 0; at < pointer.size(); ++at) {
-    const std::string_view escape = pointer.substr(at, 2);
-    const bool is_escape = escape == "~1" || escape == "~0";
-    if (pointer[at] == '/')
-      tokens.emplace_back();
-    else if (tokens.empty())
-      fail_at(pointer, "is no JSON Pointer; it begins with '/', as in /clock/rate_hz");
-    else
-      tokens.back() += !is_escape ? pointer[at] : escape == "~1" ? '/' : '~';
-    if (is_escape) ++at;
-  }
-  return tokens;
-}
-
-Json* element_at(Json::Array& array, const std::string& token) {
-  if (token == "-") return &array.emplace_back();
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  const bool is_index = error == std::errc() && end == token.data() + token.size();
-  return is_index && index < array.size() ? &array[index] : nullptr;
-}
-
-Json* member_at(Json& parent, const std::string& token) {
-  if (parent.is_null()) parent = Json::Object();
-  if (auto* array = parent.get<Json::Array>()) return element_at(*array, token);
-  auto* object = parent.get<Json::Object>();
-  if (object == nullptr) return nullptr;
-  for (auto& [key, value] : *object)
-    if (key == token) return &value;
-  return &object->emplace_back(token, Json()).second;
-}
-
 }  // namespace
 
 double Json::number() const {
+  assert(is_number());
   if (const auto* value = get<double>()) return *value;
   if (const auto* value = get<std::int64_t>()) return static_cast<double>(*value);
   return static_cast<double>(*get<std::uint64_t>());
@@ -245,7 +204,7 @@ const Json* Json::find(std::string_view key) const {
 Json parse_json(std::string_view text, const std::string& source) {
   if (text.starts_with("\xEF\xBB\xBF"))
     fail(text, source, 1, "begins with a byte-order mark; save it as UTF-8 without one");
-  // The parser takes a zero byte for the end of its input, and would not see what follows.
+  // The parser would stop at a zero byte and ignore the rest.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     fail(text, source, zero + 1, "not JSON: holds a zero byte; save it as UTF-8");
   Builder builder(text, source);
@@ -265,26 +224,11 @@ std::string to_text(double value) {
   return std::string(text, end);
 }
 
-std::string pointer_to(const std::string& pointer, std::string_view token) {
-  std::string text = pointer + "/";
-  for (const char c : token) {
-    if (c == '~')
-      text += "~0";
-    else if (c == '/')
-      text += "~1";
-    else
-      text += c;
-  }
-  return text;
-}
-
-void set_at(Json& document, std::string_view pointer, Json value) {
-  Json* at = &document;
-  for (const std::string& token : tokens_of(pointer)) {
-    at = member_at(*at, token);
-    if (at == nullptr) fail_at(pointer, "leads nowhere: there is no '" + token + "'");
-  }
-  *at = std::move(value);
+std::string hex_float(double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, std::fabs(value), std::chars_format::hex);
+  const std::string text(digits, end.ptr);
+  return std::string(std::signbit(value) ? "-" : "") + (std::isfinite(value) ? "0x" : "") + text;
 }
 
 }  // namespace hyrax

@@ -1,7 +1,7 @@
 // A JSON document as it was written: order of keys, repeated keys and the sign of zero are kept.
 //
-// Numbers are read correctly rounded and written shortest-round-trip, whatever the locale. The
-// parsing itself is nlohmann-json's, seen by json.cpp alone.
+// Numbers are read correctly rounded and written shortest-round-trip in any locale. Only json.cpp includes
+// the parser, nlohmann-json.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class Json {
   Json(Array value) : value_(std::move(value)) {}
   Json(Object value) : value_(std::move(value)) {}
 
-  /// The value, if it is of that type; else nullptr.
+  /// The value if it is of that type, else nullptr.
   template <class T>
   [[nodiscard]] const T* get() const {
     return std::get_if<T>(&value_);
@@ -47,7 +47,7 @@ class Json {
   /// REQUIRES: is_number().
   [[nodiscard]] double number() const;
 
-  /// The first member of that key; nullptr where there is none or this is no object.
+  /// The first member of that key; nullptr if there is none or this is not an object.
   [[nodiscard]] const Json* find(std::string_view key) const;
 
  private:
@@ -56,13 +56,16 @@ class Json {
   std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value_;
 };
 
-/// Reads a whole document.
+/// The deepest nesting that is read.
+inline constexpr int kJsonNestingMax = 100;
+
+/// Parses a document.
 /// ERRORS: Failure(bad_input) "SOURCE: line L, column C: ..." for anything that is not one JSON
-/// text in UTF-8 without byte-order mark, a number beyond binary64, or nesting beyond 100 levels.
+/// text in UTF-8 without byte-order mark, a number beyond binary64, or deeper nesting.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& source);
 
-/// How a document is laid out: everything in one line, or members and elements on lines of their
-/// own down to a depth, the rest in one line.
+/// Layout of a document: members and elements down to a depth have lines of their own, the rest is in one
+/// line.
 struct JsonLayout {
   int depth_indented = 0;
 };
@@ -74,12 +77,8 @@ struct JsonLayout {
 /// Shortest decimal text that reads back to the same double.
 [[nodiscard]] std::string to_text(double value);
 
-/// A JSON Pointer (RFC 6901) with one reference token more.
-[[nodiscard]] std::string pointer_to(const std::string& pointer, std::string_view token);
-
-/// Sets the value at a JSON Pointer; missing objects on the way are made, "-" appends to an array.
-/// ERRORS: Failure(bad_input) for what is no pointer, is deeper than a document may nest, or leads
-/// through something that has no members.
-void set_at(Json& document, std::string_view pointer, Json value);
+/// The exact value, as `printf("%a")` writes it in the C locale, "-0x1.b0187ccff2edbp+4", whatever the locale
+/// is.
+[[nodiscard]] std::string hex_float(double value);
 
 }  // namespace hyrax

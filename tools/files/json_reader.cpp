@@ -1,9 +1,11 @@
 #include "tools/files/json_reader.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <unordered_set>
 
+#include "tools/files/json_pointer.h"
 #include "tools/files/unknown_word.h"
 
 namespace hyrax {
@@ -11,7 +13,7 @@ namespace {
 
 constexpr std::size_t kShownMax = 60;
 
-// The value as it is told in a sentence.
+// The value as printed in a message.
 std::string shown(const Json& json) {
   std::string text = to_text(json);
   if (text.size() <= kShownMax) return text;
@@ -37,7 +39,10 @@ void JsonPlace::wrong(const std::string& sentence) const {
   if (problems_->count++ < JsonProblems::kListedMax) problems_->listed.push_back({pointer_, sentence});
 }
 
-void JsonPlace::breaks_rule(const std::string& rule) const { wrong(rule + ", is " + shown(*json_)); }
+void JsonPlace::breaks_rule(const std::string& rule) const {
+  assert(is_there());
+  wrong(rule + " (found " + shown(*json_) + ")");
+}
 
 bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const {
   if (!is_there()) return false;
@@ -73,6 +78,7 @@ const Json::Array* JsonPlace::array() const {
 }
 
 JsonPlace JsonPlace::element(std::size_t index) const {
+  assert(array() != nullptr && index < array()->size());
   return {&(*json_->get<Json::Array>())[index], pointer_to(pointer_, std::to_string(index)), *problems_};
 }
 
@@ -95,7 +101,7 @@ std::optional<std::int64_t> JsonPlace::integer(std::int64_t low, std::int64_t hi
   if (!is_there()) return std::nullopt;
   const std::string rule = "must be a whole number " + std::to_string(low) + " .. " + std::to_string(high);
   const bool is_whole = json_->is_number() && std::floor(json_->number()) == json_->number();
-  // Bounds are far below 2^53, so a double tells whether it is within them.
+  // The bounds are far below 2^53, so they are exact as doubles.
   if (!is_whole || json_->number() < static_cast<double>(low) ||
       json_->number() > static_cast<double>(high)) {
     breaks_rule(rule);

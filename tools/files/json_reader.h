@@ -1,4 +1,4 @@
-// Reads values out of a Json document and keeps a list of everything that is wrong with it.
+// Reads values from a Json document, and lists all errors in it.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@
 
 namespace hyrax {
 
-/// A wrong place: its JSON Pointer, and a sentence with rule, value and remedy.
+/// An error: its JSON Pointer, and a sentence with rule, value and remedy.
 struct JsonProblem {
   std::string pointer;
   std::string sentence;
 };
 
-/// Everything that is wrong with a document; of very many places the first ones, so that a document
-/// of nothing but errors does not make a report many times its size.
+/// All errors in a document; of very many the first ones, so that the report is not many times larger than
+/// the document.
 struct JsonProblems {
   static constexpr std::size_t kListedMax = 200'000;
   std::vector<JsonProblem> listed;
   std::size_t count = 0;
 };
 
-/// Which numbers may stand.
+/// Which numbers are allowed.
 struct NumberRule {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool excludes_low = false;
 };
 
-/// One place of a document. What is not there is not wrong: ask `is_there`.
+/// One place of a document. A missing one is not an error; see `is_there`.
 class JsonPlace {
  public:
   JsonPlace(const Json* json, std::string pointer, JsonProblems& problems)
@@ -42,21 +42,22 @@ class JsonPlace {
 
   [[nodiscard]] bool is_there() const { return json_ != nullptr; }
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
-  /// Says what is wrong here; appends ", is VALUE" where the sentence is a rule.
+  /// Adds an error: a sentence, or a rule, to which " (found VALUE)" is appended.
   void wrong(const std::string& sentence) const;
+  /// REQUIRES: is_there().
   void breaks_rule(const std::string& rule) const;
 
-  /// Whether this is an object; complains of that, and of unknown and repeated keys.
+  /// Whether this is an object; if not, and for unknown and duplicate keys, adds an error.
   [[nodiscard]] bool is_object_of(std::initializer_list<std::string_view> keys) const;
   [[nodiscard]] JsonPlace member(std::string_view key) const;
-  /// The member, of which a complaint is made if it is missing.
+  /// The member; adds an error if it is missing.
   [[nodiscard]] JsonPlace required(std::string_view key) const;
-  /// The array; nullptr, and a complaint, if this is anything else.
+  /// The array; nullptr, and an error, if this is anything else.
   [[nodiscard]] const Json::Array* array() const;
   /// REQUIRES: this is an array of more than `index` elements.
   [[nodiscard]] JsonPlace element(std::size_t index) const;
 
-  // Values; nothing, and a complaint, where they break the rule. Nothing where nothing is there.
+  // Values; nothing, and an error, if they break the rule. Nothing if the place is missing.
   [[nodiscard]] std::optional<double> number(const NumberRule& rule = {}) const;
   [[nodiscard]] std::optional<std::int64_t> integer(std::int64_t low, std::int64_t high) const;
   [[nodiscard]] std::optional<std::uint64_t> seed() const;

@@ -1,6 +1,7 @@
 #include "tools/files/printable.h"
 
-#include "tools/files/utf8.h"
+#include <cassert>
+#include <cstdio>
 
 namespace hyrax {
 namespace {
@@ -29,8 +30,34 @@ std::string escaped(std::string_view text, std::string_view kept) {
 
 }  // namespace
 
+Utf8Character utf8_character(std::string_view text, std::size_t at) {
+  assert(at < text.size());
+  const auto lead = static_cast<unsigned char>(text[at]);
+  if (lead < 0x80) return {1, lead};
+  const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || at + bytes > text.size()) return {};
+  std::int32_t code = lead & (0x7F >> bytes);
+  for (std::size_t next = at + 1; next < at + bytes; ++next) {
+    const auto byte = static_cast<unsigned char>(text[next]);
+    if ((byte & 0xC0) != 0x80) return {};
+    code = code << 6 | (byte & 0x3F);
+  }
+  constexpr std::int32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (code < kLeast[bytes] || code > 0x10FFFF || is_surrogate) return {};
+  return {bytes, code};
+}
+
 std::string printable(std::string_view text) { return escaped(text, ""); }
 
 std::string printable_lines(std::string_view text) { return escaped(text, "\n\t"); }
+
+void print_text(std::string_view text) { std::fputs(printable_lines(text).c_str(), stdout); }
+
+bool is_all_printed() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
+
+void print_error(std::string_view sentences) {
+  std::fputs((printable_lines(sentences) + "\n").c_str(), stderr);
+}
 
 }  // namespace hyrax

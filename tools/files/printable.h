@@ -1,16 +1,38 @@
-// Text that others wrote (paths, JSON keys, messages of the system) on its way to a terminal.
+// Text of any origin (paths, JSON keys, messages of the system) made safe for a terminal, and printed.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace hyrax {
 
+/// One character of a text.
+struct Utf8Character {
+  std::size_t bytes = 1;   ///< 1 to 4; 1 if no character begins there.
+  std::int32_t code = -1;  ///< Its code point; -1 if the byte is not UTF-8.
+};
+
+/// The character that begins at `at`: shortest form, no surrogate, at most U+10FFFF (RFC 3629).
+/// REQUIRES: at < text.size().
+[[nodiscard]] Utf8Character utf8_character(std::string_view text, std::size_t at);
+
 /// The text in one line that does nothing to a terminal: control characters (C0, DEL, C1) as in JSON,
-/// "\u001b", bytes that are no UTF-8 as "\x9b".
+/// "\u001b", bytes that are not UTF-8 as "\x9b".
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same, with its line ends and tabs kept. JSON text keeps its meaning.
+/// The same, with line ends and tabs kept. JSON text keeps its meaning.
 [[nodiscard]] std::string printable_lines(std::string_view text);
+
+/// Prints text on standard output, control characters escaped. A failure is not reported: the command
+/// completes, and main asks is_all_printed at the end.
+void print_text(std::string_view text);
+
+/// Flushes standard output. Whether all that was printed is written.
+[[nodiscard]] bool is_all_printed();
+
+/// Prints text and a line end on standard error, control characters escaped. A failure is ignored.
+void print_error(std::string_view sentences);
 
 }  // namespace hyrax

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tools/files/failure.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
@@ -21,18 +21,18 @@ class Walk {
   void enter(const fs::path& folder) {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
-    // A link to a folder above it leads to nothing new.
+    // A link to a folder above it has been visited already.
     if (std::find(above_.begin(), above_.end(), real) != above_.end()) return;
     above_.push_back(real);
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-      see(entry->path());
+      add(entry->path());
     if (error)
       throw Failure(ExitCode::cannot_access, folder.string() + ": cannot be read: " + error.message());
     above_.pop_back();
   }
 
  private:
-  void see(const fs::path& path) {
+  void add(const fs::path& path) {
     if (++entries_ > kEntriesMax)
       throw Failure(ExitCode::bad_input, path.string() + ": more than " + std::to_string(kEntriesMax) +
                                              " files; name the folders one by one");
@@ -40,7 +40,7 @@ class Walk {
     const fs::file_status status = fs::status(path, unknown);
     const bool is_named_scenario = path.extension() == ".json";
     if (fs::is_directory(status)) return enter(path);
-    // Reading a link that leads nowhere says so; without a suffix it may have been a folder of scenarios.
+    // Reading a broken link reports it; without a suffix it may have been a folder of scenarios.
     const bool is_broken_link = !fs::exists(status) && (is_named_scenario || !path.has_extension());
     if (is_broken_link || (is_named_scenario && fs::is_regular_file(status)))
       paths.push_back(path.generic_string());
@@ -55,7 +55,7 @@ class Walk {
 std::vector<std::string> scenarios_in(const std::string& folder) {
   Walk walk;
   walk.enter(folder);
-  if (walk.paths.empty()) throw Failure(ExitCode::bad_input, folder + ": holds no scenario (*.json)");
+  if (walk.paths.empty()) throw Failure(ExitCode::bad_input, folder + ": no scenario found (*.json)");
   std::sort(walk.paths.begin(), walk.paths.end());
   return std::move(walk.paths);
 }

@@ -1,15 +1,15 @@
 #include "tools/files/scenario_reader.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "sim/scenario/frame_clock.h"
-#include "tools/files/event_reader.h"
-#include "tools/files/expect_reader.h"
 #include "tools/files/failure.h"
-#include "tools/files/file_name.h"
+#include "tools/files/json_pointer.h"
 #include "tools/files/json_reader.h"
+#include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/quantity_reader.h"
+#include "tools/files/scenario_members.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
 
@@ -17,8 +17,8 @@ namespace hyrax {
 namespace {
 
 bool is_name(const std::string& name) {
-  const auto may_stand = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-  return !name.empty() && name.size() <= kNameLengthMax && std::all_of(name.begin(), name.end(), may_stand);
+  const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+  return !name.empty() && name.size() <= kNameLengthMax && std::all_of(name.begin(), name.end(), is_allowed);
 }
 
 void read_format(const JsonPlace& here) {
@@ -33,8 +33,8 @@ std::string read_name(const JsonPlace& here, const std::string& fallback) {
     return name.value_or("");
   }
   if (!is_name(fallback))
-    here.wrong("is missing, and the file's name '" + fallback +
-               "' cannot stand for it; a name is 1 .. 64 of the characters a-z, 0-9 and -");
+    here.wrong("is missing, and the file name is not a name (found " + fallback +
+               "); a name is 1 .. 64 of the characters a-z, 0-9 and -");
   return fallback;
 }
 
@@ -62,7 +62,7 @@ std::vector<std::string_view> jitter_kinds() {
   return kinds;
 }
 
-// Where the kind is not known, any kind's keys may stand, each under its own rule.
+// If the kind is unknown, the keys of all kinds are allowed, each with its own rule.
 Jitter read_jitter_of_unknown_kind(const JsonPlace& here) {
   static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
   for (const JitterRule& rule : kJitterRules)
@@ -87,11 +87,12 @@ Jitter read_jitter(const JsonPlace& here) {
   return {rule->value, here.required(rule->amount_key).number(rule->amount).value_or(0.0), seed.value_or(0)};
 }
 
-// REQUIRES: an array. It may hold millions of frames, so that no list of their places is made.
+// REQUIRES: an array. It may have millions of frames, so no list of their places is made.
 RecordedSteps read_trace(const JsonPlace& here) {
+  assert(here.array() != nullptr);
   RecordedSteps trace;
   const std::size_t frames = here.array()->size();
-  if (frames == 0) here.wrong("must hold at least one dt, is []");
+  if (frames == 0) here.wrong("must hold at least one dt (found [])");
   trace.dt_s.reserve(frames);
   for (std::size_t frame = 0; frame < frames; ++frame)
     trace.dt_s.push_back(here.element(frame).number(kFrameRule).value_or(0.0));
@@ -115,11 +116,11 @@ void read_clock(const JsonPlace& here, Clock& clock) {
   const JsonPlace jitter = here.member("jitter");
   if (!jitter.is_there()) return;
   if (std::holds_alternative<RecordedSteps>(clock.base))
-    jitter.wrong("cannot stand beside an array dt_s, which says every dt already");
+    jitter.wrong("not allowed with an array dt_s, which gives every dt");
   clock.jitter = read_jitter(jitter);
 }
 
-// The number of frames, where it can be told: of a duration only if the clock is good.
+// The number of frames if it is known: of a duration only if the clock is valid.
 std::optional<std::int64_t> read_length(const JsonPlace& document, bool is_clock_good, Scenario& scenario) {
   const JsonPlace steps = document.member("steps");
   const JsonPlace duration = document.member("duration_s");
@@ -128,13 +129,14 @@ std::optional<std::int64_t> read_length(const JsonPlace& document, bool is_clock
   if (count) scenario.length = *count;
   if (const auto* trace = std::get_if<RecordedSteps>(&scenario.clock.base)) {
     const auto frames = static_cast<std::int64_t>(trace->dt_s.size());
-    if (duration.is_there()) duration.wrong("cannot stand beside an array dt_s, whose length says it");
+    if (duration.is_there())
+      duration.wrong("not allowed with an array dt_s, whose length gives the number of steps");
     if (count && *count != frames)
       steps.breaks_rule("must be the length of the array dt_s, " + std::to_string(frames));
     return frames;
   }
   const bool is_one = steps.is_there() != duration.is_there();
-  // Beside a clock that says nothing the two may be missing: an array would give the number of frames.
+  // If the clock is empty both may be missing: an array would give the number of frames.
   const JsonPlace clock = document.member("clock");
   const bool is_clock_given = clock.member("rate_hz").is_there() || clock.member("dt_s").is_there();
   if (!is_one && (is_clock_given || steps.is_there()))
@@ -180,7 +182,7 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
   return scenario;
 }
 
-// A value given as text: JSON where it is JSON, else the text itself.
+// JSON if it is valid JSON, else the text itself.
 Json value_of(const Override& given) {
   try {
     return parse_json(given.value, given.pointer);
@@ -205,7 +207,7 @@ Scenario to_scenario(const Json& document, const std::string& source, const std:
   throw Failure(ExitCode::bad_input, sentences);
 }
 
-void put_over(Json& document, const Override& given, const std::string& source) {
+void replace_value(Json& document, const Override& given, const std::string& source) {
   try {
     set_at(document, given.pointer, value_of(given));
   } catch (const Failure& failure) {
@@ -214,9 +216,10 @@ void put_over(Json& document, const Override& given, const std::string& source) 
 }
 
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {
-  Json document = parse_json(read_text_file(path), path);
-  for (const Override& given : overrides) put_over(document, given, path);
-  return to_scenario(document, path, std::string(file_name(path).stem));
+  const bool is_stdin = path == "-";
+  Json document = parse_json(read_text_file(is_stdin ? "/dev/stdin" : path), path);
+  for (const Override& given : overrides) replace_value(document, given, path);
+  return to_scenario(document, path, is_stdin ? "stdin" : std::string(file_name(path).stem));
 }
 
 Scenario parse_scenario(std::string_view text, const std::string& source) {

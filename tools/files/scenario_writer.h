@@ -1,4 +1,4 @@
-// Scenario values to JSON, `hyrax-scenario/1`.
+// Writes scenarios in the format `hyrax-scenario/1`.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace hyrax {
 
-/// Keys in the format's order, numbers shortest-round-trip; reading it gives the same value back.
+/// Keys in the format's order, numbers shortest-round-trip; reading it gives the same value again.
 [[nodiscard]] Json to_json(const Scenario& scenario);
 
-/// A file's text: one top-level member a line, with a last newline.
+/// A file's text: one top-level member per line, with a final newline.
 [[nodiscard]] std::string scenario_file_text(const Scenario& scenario);
 
 }  // namespace hyrax

@@ -7,12 +7,12 @@
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
 
-// A trace of ten million frames is a good half of it; a device may have no end.
+// A recorded clock of ten million frames takes half of it; a device may never end.
 constexpr std::size_t kTextMax = 256 << 20;
 
 struct Close {
@@ -35,8 +35,7 @@ std::string read_text_file(const std::string& path) {
   for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, file.get())) > 0;) {
     text.append(part, size);
     if (text.size() > kTextMax)
-      throw Failure(ExitCode::bad_input,
-                    path + ": holds more than 256 MiB, as no file does that is read here");
+      throw Failure(ExitCode::bad_input, path + ": is too large; a text file has at most 256 MiB");
   }
   if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
   return text;

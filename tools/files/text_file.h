@@ -1,4 +1,4 @@
-// Whole text files: reading, and writing that leaves the old file or the whole new one.
+// Reads text files, and writes them atomically.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace hyrax {
 /// ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON"; Failure(bad_input) beyond 256 MiB.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
-/// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it was.
+/// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` is then unchanged.
 void write_text_file(const std::string& path, std::string_view text);
 
 }  // namespace hyrax

@@ -7,7 +7,7 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kShownMax = 60;
-constexpr std::size_t kSuggestedMax = 40;  // Longer words are compared with nothing: the time is quadratic.
+constexpr std::size_t kSuggestedMax = 40;  // Longer words get no suggestion: the time is quadratic.
 
 char lower(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;

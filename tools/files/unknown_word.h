@@ -1,4 +1,4 @@
-// The message for a word that is none of the allowed ones: a key, a value, an option, a command.
+// The message for a word that is not allowed: a key, a value, an option, a command.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 namespace hyrax {
 
 /// "unknown KIND (found WORD); allowed: A, B (did you mean B?)". The suggestion is the first of the words
-/// with the fewest typing errors, if they are few for its length; a word cut short counts as one error. None
-/// where only one word is allowed.
+/// with the fewest typing errors, if they are few for its length; a truncated word counts as one error. None
+/// if only one word is allowed.
 [[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view found,
                                        const std::vector<std::string_view>& allowed);
 

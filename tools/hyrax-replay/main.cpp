@@ -8,9 +8,10 @@
 #include "sim/replay/replay.h"
 #include "tools/files/build_info.h"
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/files/standard_streams.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
@@ -19,22 +20,21 @@ constexpr char kHelp[] =
     "hyrax-replay replays scenarios and prints the hash of every row of each.\n\n"
     "  hyrax-replay scenarios/flings/first-fling.json\n\n"
     "Usage: hyrax-replay SCENARIO...\n\n"
-    "A folder stands for every *.json in it. A line of the output is HASH, two blanks, SCENARIO. A\n"
-    "scenario whose `expect` holds a `state_hash` must come to it. `--version` tells version, compiler,\n"
+    "Of a folder every *.json in it is replayed. Each line of output is HASH, two blanks, SCENARIO. If the\n"
+    "`expect` of a scenario has a `state_hash`, it must be equal. `--version` prints version, compiler,\n"
     "flags, target and instruction set.\n"
-    "Exit codes: 0 done, 1 another hash than expected, or a state that is not finite, 2 bad usage or\n"
-    "input, 3 cannot read, 5 arithmetic is not strict IEEE-754, 70 internal error.\n";
+    "Exit codes: 0 done, 1 a hash differs or a state is not finite, 2 bad usage or input, 3 cannot read,\n"
+    "5 arithmetic is not strict IEEE-754, 70 internal error.\n";
 
 ExitCode judge(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   if (summary.non_finite_step) {
-    print_error(path + ": the state is not finite from step " + std::to_string(*summary.non_finite_step) +
-                " on");
+    print_error(path + ": the state is not finite from step " + std::to_string(*summary.non_finite_step));
     return ExitCode::disagreed;
   }
   const std::string hash = hex(summary.state_hash);
   if (scenario.expect && scenario.expect->state_hash && *scenario.expect->state_hash != hash) {
-    print_error(path + ": /expect/state_hash: is " + *scenario.expect->state_hash +
-                ", but the run comes to " + hash);
+    print_error(path + ": /expect/state_hash: differs from the run (found " + *scenario.expect->state_hash +
+                "); the run has " + hash);
     return ExitCode::disagreed;
   }
   return ExitCode::agreed;
@@ -42,8 +42,8 @@ ExitCode judge(const std::string& path, const Scenario& scenario, const RunSumma
 
 ExitCode replay_file(const std::string& path) try {
   const Scenario scenario = load_scenario(path);
-  RowSink nobody;  // The hash covers every row without showing one.
-  const RunSummary summary = replay(scenario, nobody);
+  RowSink sink;  // Discards all rows; the hash covers them.
+  const RunSummary summary = replay(scenario, sink);
   print_text(hex(summary.state_hash) + "  " + path + "\n");
   return judge(path, scenario, summary);
 } catch (const Failure& failure) {
@@ -72,13 +72,13 @@ ExitCode run(const std::vector<std::string>& arguments) {
       return ExitCode::agreed;
     }
     if (argument.starts_with('-'))
-      throw Failure(ExitCode::bad_input, "hyrax-replay: " + argument +
-                                             ": no such option; `hyrax-replay --help` tells all there are");
+      throw Failure(ExitCode::bad_input,
+                    "hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
   }
   if (arguments.empty())
     throw Failure(
         ExitCode::bad_input,
-        "hyrax-replay: SCENARIO is missing; as in `hyrax-replay scenarios/flings/first-fling.json`");
+        "hyrax-replay: SCENARIO is missing; for example `hyrax-replay scenarios/flings/first-fling.json`");
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax-replay: " + std::string(*fault));
   ExitCode exit_code = ExitCode::agreed;

@@ -7,33 +7,118 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "tools/files/standard_streams.h"
-#include "tools/hyrax-sim/commands.h"
+#include "sim/physics/strict_arithmetic.h"
+#include "tools/files/build_info.h"
+#include "tools/files/unknown_word.h"
+#include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/print.h"
+
+// All commands, in the order of the help. commands/NAME.cpp defines NAME_command().
+#define HYRAX_COMMANDS(COMMAND) \
+  COMMAND(run)                  \
+  COMMAND(check)                \
+  COMMAND(bless)                \
+  COMMAND(diff)                 \
+  COMMAND(drift)                \
+  COMMAND(study)                \
+  COMMAND(new)                  \
+  COMMAND(validate)             \
+  COMMAND(schema)               \
+  COMMAND(info)
+
+namespace hyrax {
+
+#define HYRAX_DECLARE(name) Command name##_command();
+HYRAX_COMMANDS(HYRAX_DECLARE)
 
 namespace {
 
-// Else the first file that is opened would be in the place of a closed stream, and be printed into. Writing
-// to what is open for reading only fails as writing to a closed stream does.
-void hold_closed_streams() {
+std::vector<Command> all_commands() {
+#define HYRAX_CALL(name) name##_command(),
+  return {HYRAX_COMMANDS(HYRAX_CALL)};
+}
+
+std::string command_list(const std::vector<Command>& commands, bool is_common) {
+  std::string text;
+  for (const Command& command : commands)
+    if (command.is_common == is_common) text += fmt::format("  {:<9} {}\n", command.name, command.summary);
+  return text;
+}
+
+std::string first_screen(const std::vector<Command>& commands) {
+  return "hyrax-sim replays flings of the hyrax bit for bit, and reports what changed and how exact they "
+         "are.\n\n"
+         "  hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
+         "  hyrax-sim check\n\n"
+         "Usage: hyrax-sim COMMAND [OPTION]... [FILE]...\n\n"
+         "Commands:\n" +
+         command_list(commands, true) + "\nMore:\n" + command_list(commands, false) +
+         "\n`hyrax-sim COMMAND --help` describes a command, with an example; `--version` (`-V`) "
+         "prints the version.\n"
+         "Exit codes: 0 agreed or done, 1 disagreed, 2 bad usage or input, 3 cannot read or write,\n"
+         "4 golden file missing, 5 arithmetic is not strict IEEE-754, 70 internal error.\n";
+}
+
+ExitCode print_help(const std::string& text) {
+  print_text(text);
+  return ExitCode::agreed;
+}
+
+[[noreturn]] void refuse(const std::string& command, const std::string& what) {
+  throw Failure(ExitCode::bad_input, command + ": " + what + "; see `" + command + " --help`");
+}
+
+const Command& find(const std::vector<Command>& commands, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  refuse("hyrax-sim", unknown_word("command", name, names));
+}
+
+ExitCode run_command_line(const std::vector<std::string>& arguments) {
+  const std::vector<Command> commands = all_commands();
+  const std::string name = arguments.empty() ? "--help" : arguments.front();
+  if (name == "--help" || name == "-h" || name == "help") return print_help(first_screen(commands));
+  if (name == "--version" || name == "-V")
+    return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
+  const Command& command = find(commands, name);
+  Options options;
+  const std::function<ExitCode()> act = command.declare(options);
+  try {
+    if (!options.parse({arguments.begin() + 1, arguments.end()}))
+      return print_help(command.summary + "\n" + options.help(name) + "\nExample:\n  " + command.example +
+                        "\n");
+  } catch (const Failure& failure) {
+    refuse("hyrax-sim " + name, failure.what());
+  }
+  if (command.needs_strict_ieee)
+    if (const auto fault = arithmetic_fault())
+      throw Failure(ExitCode::not_strict_ieee, "hyrax-sim: " + std::string(*fault));
+  return act();
+}
+
+// Otherwise the first file that is opened would get the number of a closed stream, and be printed into.
+// Writing to a stream that is open for reading only fails, as writing to a closed one does.
+void open_closed_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(number, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));
 }
 
 }  // namespace
+}  // namespace hyrax
 
 int main(int argc, char** argv) {
   using namespace hyrax;
-  hold_closed_streams();
-  // A file that may not grow further is an error like a full disk, and no end of the process.
+  open_closed_streams();
+  // A file that may not grow further is an error like a full disk; it does not end the process.
   std::signal(SIGXFSZ, SIG_IGN);
-  // Where a parent left it ignored, the outcome of a child process would be lost.
+  // If a parent process left it ignored, the exit status of a child process would be lost.
   std::signal(SIGCHLD, SIG_DFL);
   ExitCode exit_code = ExitCode::program_fault;
   try {
-    exit_code = run_command_line(
-        std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc),
-        {run_command(), check_command(), bless_command(), diff_command(), drift_command(), study_command(),
-         new_command(), validate_command(), schema_command(), info_command()});
+    exit_code = run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const Failure& failure) {
     print_error(failure.what());
     exit_code = failure.exit_code();

@@ -2,19 +2,16 @@
 
 #include <limits>
 
-#include "tools/files/atomic_file.h"
+#include "sim/scenario/split_mix64.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax/arithmetic_pin.h"
-#include "tools/hyrax/monitor.h"
 #include "tools/hyrax/report.h"
-#include "tools/hyrax/resource_ids.h"
 
 namespace hyrax {
 namespace {
 
-constexpr wchar_t kClass[] = L"hyrax";
-constexpr wchar_t kTitle[] = L"Hyrax";
 constexpr UINT kTrayMessage = WM_APP + 1;
+constexpr UINT_PTR kMonitorTimer = Window::kModalTimer + 1;
 
 std::int64_t end_of(const Options& options) {
   if (!options.seconds) return std::numeric_limits<std::int64_t>::max();
@@ -22,50 +19,36 @@ std::int64_t end_of(const Options& options) {
          static_cast<std::int64_t>(*options.seconds * static_cast<double>(clock_ticks_per_s()));
 }
 
-HWND make_window(HINSTANCE instance, WNDPROC take_message, void* app) {
-  WNDCLASSEXW kind{};
-  kind.cbSize = sizeof kind;
-  kind.lpfnWndProc = take_message;
-  kind.hInstance = instance;
-  kind.hIcon = LoadIconW(instance, MAKEINTRESOURCEW(HYRAX_ICON));
-  kind.hCursor = LoadCursorW(nullptr, IDC_HAND);
-  kind.lpszClassName = kClass;
-  RegisterClassExW(&kind);
-  const HWND window = CreateWindowExW(WS_EX_LAYERED | WS_EX_TOPMOST | WS_EX_TOOLWINDOW | WS_EX_NOACTIVATE,
-                                      kClass, kTitle, WS_POPUP, 0, 0, 1, 1, nullptr, nullptr, instance, app);
-  if (window == nullptr)
-    throw Failure(ExitCode::cannot_access, "hyrax: no window can be made (error " +
-                                               std::to_string(GetLastError()) +
-                                               "); it needs a screen, as of a user who is logged in");
-  return window;
+// Up and to one side.
+Velocity random_throw(std::uint64_t seed) {
+  const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
+  return {side * (600.0 + 1400.0 * split_mix64_unit(seed, 1)), -800.0 - 900.0 * split_mix64_unit(seed, 2)};
 }
 
 }  // namespace
 
 App::App(const Options& options, HINSTANCE instance)
-    : home_(monitor_under({0, 0})),
-      pet_(home_.desk, clock_ticks_per_s(), clock_ticks()),
-      end_ticks_(end_of(options)) {
-  if (options.log_path) log_.emplace(*options.log_path);
-  if (options.replay_path) scenario_ = load_scenario(*options.replay_path);
-  window_ = make_window(instance, &App::take_message, this);
-  settle_on(home_);
-  if (options.record_path) start_recording(*options.record_path);
+    : monitor_(monitor_under({0, 0})),
+      pet_(monitor_.desk, clock_ticks_per_s(), clock_ticks()),
+      recorder_(pet_, [this](const std::string& sentence) { notify(sentence); }),
+      log_(options.log_path ? std::optional<FrameLog>(*options.log_path) : std::nullopt),
+      scenario_(options.replay_path ? std::optional(load_scenario(*options.replay_path)) : std::nullopt),
+      end_ticks_(end_of(options)),
+      window_(instance,
+              [this](UINT message, WPARAM wide, LPARAM low) { return on_message(message, wide, low); }) {
+  use_monitor(monitor_);
+  if (options.record_path) recorder_.start(*options.record_path);
   if (scenario_) {
     playback_.emplace(*scenario_, clock_ticks_per_s(), clock_ticks());
-    show(playback_->now(), Pose::fly, false);
+    window_.show({Pose::fly, false, playback_->now().sprite},
+                 on_screen(monitor_.desk, playback_->position()));
   } else {
     pet_.skip_time(clock_ticks());
-    show(pet_.session().now(), pet_.pose(), pet_.faces_left());
+    window_.show({pet_.pose(), pet_.faces_left(), monitor_.desk.sprite}, pet_.place());
   }
-  ShowWindow(window_, SW_SHOWNOACTIVATE);
-  tray_ = std::make_unique<TrayIcon>(window_, kTrayMessage);
+  ShowWindow(window_.handle(), SW_SHOWNOACTIVATE);
+  tray_ = std::make_unique<TrayIcon>(window_.handle(), kTrayMessage);
   taskbar_created_ = RegisterWindowMessageW(L"TaskbarCreated");
-}
-
-App::~App() {
-  tray_.reset();
-  if (window_ != nullptr) DestroyWindow(window_);
 }
 
 ExitCode App::run() {
@@ -75,36 +58,20 @@ ExitCode App::run() {
     while (!exit_code_ && PeekMessageW(&message, nullptr, 0, 0, PM_REMOVE) != 0) {
       if (message.message == WM_QUIT) exit_code_ = ExitCode::agreed;
       DispatchMessageW(&message);
-      if (fault_) std::rethrow_exception(fault_);
+      window_.rethrow_failure();
     }
     if (!exit_code_ && is_frame_due_) play_frame();
     if (clock_ticks() >= end_ticks_) exit_code_ = exit_code_.value_or(ExitCode::agreed);
     if (!exit_code_) wait_for_work();
   }
-  finish_recording();
+  recorder_.finish();
   return *exit_code_;
-}
-
-LRESULT CALLBACK App::take_message(HWND window, UINT message, WPARAM wide, LPARAM low) {
-  if (message == WM_NCCREATE)
-    SetWindowLongPtrW(window, GWLP_USERDATA,
-                      reinterpret_cast<LONG_PTR>(reinterpret_cast<CREATESTRUCTW*>(low)->lpCreateParams));
-  auto* const app = reinterpret_cast<App*>(GetWindowLongPtrW(window, GWLP_USERDATA));
-  // Messages that come while the window is made or gone concern nobody.
-  if (app == nullptr || app->window_ == nullptr) return DefWindowProcW(window, message, wide, low);
-  try {
-    return app->on_message(message, wide, low);
-  } catch (...) {
-    app->fault_ = std::current_exception();
-    PostMessageW(window, WM_NULL, 0, 0);
-    return 0;
-  }
 }
 
 LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
   switch (message) {
     case WM_MOUSEACTIVATE:
-      return MA_NOACTIVATE;  // The window that the user types into keeps the keyboard, and the drag goes on.
+      return MA_NOACTIVATE;  // Another window keeps the keyboard, and the drag continues.
     case WM_LBUTTONDOWN:
       on_button_down();
       return 0;
@@ -112,7 +79,7 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
       on_mouse_move();
       return 0;
     case WM_LBUTTONUP:
-      on_button_up();
+      if (pet_.is_held()) let_go(pointer_of_message());
       return 0;
     case WM_CAPTURECHANGED:
       on_capture_lost(reinterpret_cast<HWND>(low));
@@ -124,7 +91,9 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
       if (low == WM_RBUTTONUP || low == WM_LBUTTONUP) open_menu();
       return 0;
     case WM_TIMER:
-      wide == kLookTimer ? look_again_at_screen() : play_frame();
+      if (wide != kMonitorTimer) return play_frame(), 0;
+      KillTimer(window_.handle(), kMonitorTimer);
+      check_monitor();
       return 0;
     case WM_DISPLAYCHANGE:
     case WM_SETTINGCHANGE:
@@ -135,16 +104,15 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
       on_power(wide);
       return TRUE;
     case WM_ENDSESSION:
-      if (wide != 0) finish_recording();
+      if (wide != 0) recorder_.finish();
       return 0;
     case WM_DESTROY:
       tray_.reset();
-      window_ = nullptr;
       PostQuitMessage(0);
       return 0;
     default:
       if (message == taskbar_created_ && tray_) tray_->show();
-      return DefWindowProcW(window_, message, wide, low);
+      return DefWindowProcW(window_.handle(), message, wide, low);
   }
 }
 
@@ -167,47 +135,153 @@ DWORD App::ms_to_end() const {
 void App::play_frame() {
   if (is_suspended_) return;
   pin_arithmetic();
-  if (playback_) return play_replayed_frame();
   pacer_.arm();
+  if (playback_) return play_replayed_frame();
   follow_hand();
-  if (clock_ticks() >= next_look_ticks_) look_at_screen();
+  if (clock_ticks() >= next_check_ticks_) check_monitor();
   if (pet_.is_asleep()) return;
   pet_.frame(clock_ticks());
   const Keyframe& now = pet_.session().now();
-  show(now, pet_.pose(), pet_.faces_left());
-  log(now, pet_.inputs_of_frame());
+  show(now, pet_.pose(), pet_.faces_left(), pet_.inputs_of_frame());
   if (pet_.is_asleep() && log_) log_->sleep(now);
-  save_if_due();
+  recorder_.save_if_due();
 }
 
 void App::play_replayed_frame() {
-  pacer_.arm();
   playback_->play(clock_ticks());
   const Keyframe& now = playback_->now();
-  show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0);
-  log(now, {});
+  show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0, {});
   if (!playback_->is_over()) return;
   const Verdict verdict = playback_->finish();
-  say(verdict);
+  report(verdict);
   exit_code_ = verdict.exit_code;
 }
 
-void App::show(const Keyframe& now, Pose pose, bool faces_left) {
-  sprite_.show(window_, {pose, faces_left, now.sprite});
-  const ScreenPoint at = on_screen(home_.desk, {now.row.x_px, now.row.y_px});
-  if (at == shown_at_) return;
-  shown_at_ = at;
-  SetWindowPos(window_, nullptr, at.x_px, at.y_px, 0, 0,
-               SWP_NOSIZE | SWP_NOZORDER | SWP_NOACTIVATE | SWP_NOOWNERZORDER);
+void App::show(const Keyframe& now, Pose pose, bool faces_left, const std::vector<Action>& inputs) {
+  window_.show({pose, faces_left, now.sprite}, on_screen(monitor_.desk, {now.row.x_px, now.row.y_px}));
+  if (log_) log_->frame(now, monitor_.desk, inputs, window_.rect());
 }
 
-void App::log(const Keyframe& now, const std::vector<Action>& inputs) {
-  if (!log_) return;
-  RECT rect{};
-  GetWindowRect(window_, &rect);
-  log_->frame(now, home_.desk, inputs,
-              {static_cast<std::int32_t>(rect.left), static_cast<std::int32_t>(rect.top),
-               static_cast<std::int32_t>(rect.right), static_cast<std::int32_t>(rect.bottom)});
+void App::use_monitor(const Monitor& monitor) {
+  monitor_ = monitor;
+  pacer_.set_rate(refresh_hz(monitor.handle));
+}
+
+void App::check_monitor() {
+  constexpr std::int64_t kChecksPerSecond = 4;  // A check costs more than a frame.
+  if (playback_) return;
+  next_check_ticks_ = clock_ticks() + clock_ticks_per_s() / kChecksPerSecond;
+  if (const auto desk = desk_of(monitor_.handle)) {
+    monitor_.desk = *desk;
+  } else {
+    const Size sprite = monitor_.desk.sprite;
+    const ScreenPoint corner = pet_.place();
+    use_monitor(monitor_under({corner.x_px + sprite.width_px / 2, corner.y_px + sprite.height_px / 2}));
+  }
+  if (pet_.desk() == monitor_.desk) return;
+  pet_.move_to(monitor_.desk, clock_ticks());
+  is_frame_due_ = true;
+}
+
+// When the system reports another size, it may still return the old work area.
+void App::on_screen_change() {
+  constexpr UINT kLater_ms = 300;
+  check_monitor();
+  SetTimer(window_.handle(), kMonitorTimer, kLater_ms, nullptr);
+}
+
+// Time that the machine slept does not count.
+void App::on_power(WPARAM change) {
+  if (change == PBT_APMSUSPEND) {
+    is_suspended_ = true;
+    if (pet_.session().is_recording()) pet_.session().recording().save();
+  }
+  if (change != PBT_APMRESUMEAUTOMATIC) return;
+  is_suspended_ = false;
+  pet_.skip_time(clock_ticks());
+  is_frame_due_ = true;
+}
+
+void App::on_button_down() {
+  if (playback_ || pet_.is_held()) return;
+  SetCapture(window_.handle());
+  pet_.grab(pointer_of_message(), clock_ticks());
+  is_frame_due_ = true;
+}
+
+void App::on_mouse_move() {
+  if (!pet_.is_held()) return;
+  const bool was_asleep = pet_.is_asleep();
+  pet_.drag(pointer_of_message(), clock_ticks());
+  if (was_asleep) is_frame_due_ = true;
+}
+
+// Polled at every frame of a drag: a window in the background may get no message when the pointer leaves it,
+// and then would never get that of the released button.
+void App::follow_hand() {
+  if (!pet_.is_held()) return;
+  const auto hand = pointer();
+  if (!hand) return;
+  is_button_down() ? pet_.drag(*hand, clock_ticks()) : let_go(*hand);
+}
+
+void App::let_go(ScreenPoint hand) {
+  use_monitor(monitor_under(hand));
+  pet_.let_go(hand, clock_ticks(), monitor_.desk);
+  ReleaseCapture();  // It is no longer held, so the message of the lost capture has no effect.
+  pacer_.arm();
+}
+
+void App::on_capture_lost(HWND taker) {
+  if (taker == window_.handle() || !pet_.is_held()) return;
+  pet_.drop(clock_ticks());
+  pacer_.arm();
+}
+
+void App::open_menu() {
+  if (pet_.is_held()) return;
+  Choice choice = Choice::none;
+  {
+    const Window::Modal modal(window_);
+    choice = choose_from_menu(window_.handle(),
+                              {playback_.has_value(), pet_.is_paused(), pet_.session().is_recording()});
+  }
+  try {
+    execute(choice);
+  } catch (const Failure& failure) {  // A file that cannot be written does not end the program.
+    notify(failure.what());
+  }
+  is_frame_due_ = true;
+}
+
+void App::execute(Choice choice) {
+  switch (choice) {
+    case Choice::none:
+      return;
+    case Choice::throw_it:
+      return pet_.fling(random_throw(static_cast<std::uint64_t>(clock_ticks())), clock_ticks());
+    case Choice::pause:
+      return pet_.is_paused() ? pet_.resume(clock_ticks()) : pet_.pause();
+    case Choice::reset:
+      return pet_.reset(clock_ticks());
+    case Choice::start_recording:
+      return recorder_.start_new();
+    case Choice::save_recording:
+      return recorder_.save();
+    case Choice::save_just_happened:
+      return recorder_.save_just_happened();
+    case Choice::about: {
+      const Window::Modal modal(window_);
+      return show_about(window_.handle());
+    }
+    case Choice::quit:
+      return window_.close();
+  }
+}
+
+// The icon is gone if the window was closed while a message box is open.
+void App::notify(const std::string& sentence) const {
+  if (tray_) tray_->notify(sentence);
 }
 
 }  // namespace hyrax

@@ -5,7 +5,7 @@
 namespace hyrax {
 namespace {
 
-// Nothing on a screen is farther away than this; a position may be, and windows cannot follow it.
+// Positions may be farther away than any window can be.
 constexpr double kScreenMax_px = 1e6;
 
 std::int32_t nearest(double offset_px) {

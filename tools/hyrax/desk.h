@@ -1,4 +1,4 @@
-// The part of the screen that the hyrax lives in, and where it stands there.
+// The part of the screen that the hyrax moves in, and its position there.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct ScreenPoint {
   bool operator==(const ScreenPoint&) const = default;
 };
 
-/// The work area of a monitor, and the sprite's size on it. The model's coordinates count from `origin`.
+/// The work area of a monitor, and the sprite's size on it. The model's coordinates are relative to `origin`.
 struct Desk {
   ScreenPoint origin;
   Size work_area;
@@ -23,11 +23,11 @@ struct Desk {
   bool operator==(const Desk&) const = default;
 };
 
-/// The point of the screen next to a position; halves are rounded away from zero.
+/// The point of the screen nearest to a position; halves are rounded away from zero.
 [[nodiscard]] ScreenPoint on_screen(const Desk& desk, const Position& position);
 
-/// The inputs by which a hyrax at `position` comes from one desk to another: its new sizes, and, where
-/// the origin is another, the same point of the screen counted from there.
+/// The inputs that move a hyrax at `position` from one desk to another: the new sizes and, if the origin
+/// differs, the same point of the screen relative to the new one.
 [[nodiscard]] std::vector<Action> inputs_of_move(const Desk& from, const Desk& to, const Position& position);
 
 }  // namespace hyrax

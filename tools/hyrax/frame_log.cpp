@@ -2,11 +2,10 @@
 
 #include <cerrno>
 
-#include "sim/trajectory/input.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
@@ -17,9 +16,12 @@ Json::Array numbers(std::initializer_list<std::int64_t> values) {
 
 Json::Array names_of(const std::vector<Action>& actions) {
   Json::Array names;
-  for (const Action& action : actions)
-    for (const Input& input : inputs_of(action, 0))
-      names.emplace_back(kInputKindNames[static_cast<std::size_t>(input.kind)]);
+  for (const Action& action : actions) {
+    const auto* const resize = std::get_if<Resize>(&action);
+    if (resize == nullptr) names.emplace_back(name_of(action));
+    if (resize != nullptr && resize->window) names.emplace_back("resize-window");
+    if (resize != nullptr && resize->sprite) names.emplace_back("resize-sprite");
+  }
   return names;
 }
 
@@ -27,7 +29,7 @@ Json::Array names_of(const std::vector<Action>& actions) {
 
 FrameLog::FrameLog(const std::string& path) {
   if (is_regular_file(path))
-    throw Failure(ExitCode::bad_input, path + ": exists already; give another name, or remove it first");
+    throw Failure(ExitCode::bad_input, path + ": exists already; name another file, or remove it first");
   file_.reset(std::fopen(path.c_str(), "wb"));
   if (!file_) fail_to_write(path, errno);
 }
@@ -55,7 +57,7 @@ void FrameLog::sleep(const Keyframe& now) {
   line(to_text(Json::Object{{"asleep_after_frame", now.row.step - 1}}));
 }
 
-// Flushed at once: the line is there when the program is ended from outside.
+// Flushed at once, so that the line is written even if the program is killed.
 void FrameLog::line(const std::string& text) {
   std::fputs((text + "\n").c_str(), file_.get());
   std::fflush(file_.get());

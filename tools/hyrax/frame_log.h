@@ -1,4 +1,4 @@
-// What was shown, one line of JSON a frame, for tests and for whoever looks into a strange flight.
+// A log of the frames that were shown, one line of JSON per frame, for tests and debugging.
 #pragma once
 
 #include <cstdio>
@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/trajectory/keyframe.h"
+#include "sim/trajectory/row.h"
 #include "tools/hyrax/desk.h"
 
 namespace hyrax {
 
-/// Sides of a rectangle of the screen, px; right and bottom are the first that lie outside.
+/// Sides of a rectangle of the screen, px; right and bottom are the first px outside.
 struct ScreenRect {
   std::int32_t left_px = 0;
   std::int32_t top_px = 0;
@@ -24,7 +24,7 @@ class FrameLog {
   /// ERRORS: Failure(bad_input) if the file exists; Failure(cannot_access) "PATH: cannot be written: REASON".
   explicit FrameLog(const std::string& path);
 
-  /// A frame as it was played, what was done before it, and where the system says that the window is:
+  /// A frame, its inputs, and the position of the window as the system reports it:
   /// {"frame", "t_s", "dt_s", "x_px", "y_px", "vx_px_per_s", "vy_px_per_s", "held", "window_rect_px": [left,
   /// top, right, bottom], "work_area_px": [left, top, right, bottom], "sprite_px": [width, height],
   /// "inputs": [NAME...]}.

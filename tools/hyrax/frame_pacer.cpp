@@ -9,7 +9,7 @@
 namespace hyrax {
 namespace {
 
-// Before version 1803 timers keep to the system's ticks of up to 15.6 ms: 64 frames a second.
+// Before version 1803 timers have the resolution of the system's ticks, up to 15.6 ms.
 HANDLE make_timer() {
   const HANDLE precise =
       CreateWaitableTimerExW(nullptr, nullptr, CREATE_WAITABLE_TIMER_HIGH_RESOLUTION, TIMER_ALL_ACCESS);

@@ -1,4 +1,4 @@
-// When the next frame is due.
+// The timer of frames.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace hyrax {
 [[nodiscard]] std::int64_t clock_ticks();
 [[nodiscard]] std::int64_t clock_ticks_per_s();
 
-/// A timer that is signalled once a frame; to wait for it costs nothing.
+/// A timer that is signalled once per frame.
 class FramePacer {
  public:
   FramePacer();
@@ -21,8 +21,8 @@ class FramePacer {
 
   void set_rate(int hz) { period_ticks_ = clock_ticks_per_s() / hz; }
   [[nodiscard]] HANDLE handle() const { return timer_; }
-  /// Sets the timer to the next due time: a period after the one before, so that the rate is kept; or, late,
-  /// a period from now. A late frame is never followed by a short one: there a hyrax at rest would hop.
+  /// Sets the timer to one period after the last due time, so that the rate is kept; after a late frame to
+  /// one period from now. A short frame after a late one would make a settled hyrax hop.
   void arm();
 
  private:

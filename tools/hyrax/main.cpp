@@ -28,14 +28,14 @@ std::vector<std::string> command_line() {
 ExitCode run(HINSTANCE instance) {
   const Options options = parse_options(command_line());
   if (options.wants_help || options.wants_version) {
-    say(options.wants_help ? std::string(help_text()) : "hyrax " + std::string(build_info().version));
+    report(options.wants_help ? std::string(help_text()) : "hyrax " + std::string(build_info().version));
     return ExitCode::agreed;
   }
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
   if (options.only_exits) {
     const Verdict verdict = replayed(load_scenario(*options.replay_path));
-    say(verdict);
+    report(verdict);
     return verdict.exit_code;
   }
   return App(options, instance).run();
@@ -49,12 +49,12 @@ int WINAPI wWinMain(HINSTANCE instance, HINSTANCE, wchar_t*, int) {
   try {
     return static_cast<int>(run(instance));
   } catch (const Failure& failure) {
-    say_error(failure.what());
+    report_error(failure.what());
     return static_cast<int>(failure.exit_code());
   } catch (const std::bad_alloc&) {
-    say_error("hyrax: out of memory");
+    report_error("hyrax: out of memory");
   } catch (const std::exception& error) {
-    say_error(std::string("hyrax: a fault of the program itself: ") + error.what());
+    report_error(std::string("hyrax: internal error: ") + error.what());
   }
   return static_cast<int>(ExitCode::program_fault);
 }

@@ -31,8 +31,10 @@ std::optional<Desk> desk_of(HMONITOR monitor) {
       sprite_at(static_cast<int>(dpi_y))};
 }
 
-HMONITOR monitor_at(ScreenPoint point) {
-  return MonitorFromPoint({point.x_px, point.y_px}, MONITOR_DEFAULTTONEAREST);
+Monitor monitor_under(ScreenPoint point) {
+  constexpr Desk kNoScreen{{0, 0}, {1024, 768}, {128, 128}};  // No window can be created then.
+  const HMONITOR handle = MonitorFromPoint({point.x_px, point.y_px}, MONITOR_DEFAULTTONEAREST);
+  return {handle, desk_of(handle).value_or(kNoScreen)};
 }
 
 int refresh_hz(HMONITOR monitor) {
@@ -45,6 +47,22 @@ int refresh_hz(HMONITOR monitor) {
       EnumDisplaySettingsW(info.szDevice, ENUM_CURRENT_SETTINGS, &mode) == 0 || mode.dmDisplayFrequency <= 1)
     return kUsual_hz;
   return std::clamp(static_cast<int>(mode.dmDisplayFrequency), 30, 240);
+}
+
+ScreenPoint pointer_of_message() {
+  const DWORD place = GetMessagePos();
+  return {static_cast<std::int16_t>(LOWORD(place)), static_cast<std::int16_t>(HIWORD(place))};
+}
+
+std::optional<ScreenPoint> pointer() {
+  POINT place{};
+  if (GetCursorPos(&place) == 0) return std::nullopt;
+  return ScreenPoint{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)};
+}
+
+bool is_button_down() {
+  const bool is_left_handed = GetSystemMetrics(SM_SWAPBUTTON) != 0;
+  return GetAsyncKeyState(is_left_handed ? VK_RBUTTON : VK_LBUTTON) < 0;
 }
 
 }  // namespace hyrax

@@ -3,15 +3,16 @@
 #include <cstdlib>
 
 #include "tools/files/failure.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, "hyrax: " + sentence + "; hyrax --help lists the options");
+  throw Failure(ExitCode::bad_input, "hyrax: " + sentence + "; see `hyrax --help`");
 }
 
-// The arguments one by one, an option's value beside it or behind `=`.
+// Reads the arguments one by one; a value follows its option, as the next argument or after `=`.
 class Arguments {
  public:
   explicit Arguments(const std::vector<std::string>& arguments) : arguments_(arguments) {}
@@ -32,7 +33,7 @@ class Arguments {
     return *value_;
   }
   bool flag() const {
-    if (value_) refuse(option_ + " takes no value, is given '" + *value_ + "'");
+    if (value_) refuse(option_ + " takes no value (found " + *value_ + ")");
     return true;
   }
 
@@ -48,14 +49,14 @@ double seconds_of(const std::string& text) {
   char* end = nullptr;
   const double seconds = std::strtod(text.c_str(), &end);
   if (*end != '\0' || !(seconds >= 0.0 && seconds <= kSecondsMax))
-    refuse("--seconds must be a number 0 .. 1e9, is '" + text + "'");
+    refuse("--seconds must be a number 0 .. 1e9 (found " + text + ")");
   return seconds;
 }
 
 void check(const Options& options) {
   if (options.only_exits && !options.replay_path) refuse("--exit needs --replay FILE");
   if (options.record_path && options.replay_path)
-    refuse("--record and --replay cannot stand together: a replay is recorded already");
+    refuse("--record is not allowed with --replay: a replay is recorded already");
 }
 
 }  // namespace
@@ -79,31 +80,32 @@ Options parse_options(const std::vector<std::string>& arguments) {
     else if (option == "--version")
       options.wants_version = given.flag();
     else
-      refuse("'" + option + "' is no option");
+      refuse(unknown_word("option", option,
+                          {"--record", "--replay", "--log", "--seconds", "--exit", "--help", "--version"}));
   }
   check(options);
   return options;
 }
 
 std::string_view help_text() {
-  return R"(hyrax: a hyrax for your desktop. Grab it, drag it, let go: it flies, bounces and comes to rest.
+  return R"(hyrax: a hyrax for your desktop. Grab it, drag it, let go: it flies, bounces and settles.
 Right-click it, or its icon beside the clock: pause, throw, reset, recording, quit.
 
 hyrax [OPTION]...
 
-  --record FILE    record everything from start to end; the file is a scenario that hyrax-sim replays
-                   to the same bits, and at most a second behind, however the program ends. FILE must
-                   not exist yet; after some five hours of motion FILE-2, FILE-3, ... continue it
+  --record FILE    record everything from start to end as a scenario, which hyrax-sim replays to the same
+                   bits. At most the last second is lost, however the program ends. FILE must not exist;
+                   after about five hours of motion FILE-2, FILE-3, ... continue it
   --replay FILE    play a scenario, then end: exit code 0 if its state hash agrees, 1 if it differs
-  --exit           with --replay: no window, the exit code alone
-  --log FILE       a line a frame, as JSON; FILE must not exist yet
+  --exit           with --replay: no window, only the exit code
+  --log FILE       write one line of JSON per frame; FILE must not exist
   --seconds N      end after N seconds
   --help, --version
 
 Example: hyrax --record my-fling.json
 
 Exit codes: 0 done, 1 the hash differs, 2 bad usage or input, 3 a file or the screen cannot be used,
-5 this machine does not compute strictly, 70 a fault of the program itself.
+5 arithmetic is not strict IEEE-754, 70 internal error.
 )";
 }
 

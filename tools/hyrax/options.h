@@ -11,14 +11,14 @@ namespace hyrax {
 struct Options {
   std::optional<std::string> record_path;  ///< Record from start to end.
   std::optional<std::string> replay_path;  ///< Play this scenario, then end.
-  std::optional<std::string> log_path;     ///< A line a frame.
-  std::optional<double> seconds;           ///< End by itself; >= 0.
-  bool only_exits = false;                 ///< With a replay: no window, the exit code alone.
+  std::optional<std::string> log_path;     ///< One line per frame.
+  std::optional<double> seconds;           ///< End after so many; >= 0.
+  bool only_exits = false;                 ///< With a replay: no window, only the exit code.
   bool wants_help = false;
   bool wants_version = false;
 };
 
-/// ERRORS: Failure(bad_input) with a sentence that names the option, the value and the rule.
+/// ERRORS: Failure(bad_input) that names the option, the value and the rule.
 [[nodiscard]] Options parse_options(const std::vector<std::string>& arguments);
 
 [[nodiscard]] std::string_view help_text();

@@ -6,9 +6,16 @@
 namespace hyrax {
 namespace {
 
-constexpr double kTurns_px_per_s = 20.0;  // So that it does not turn about over a trembling speed.
-constexpr int kStandsFrames = 3;          // A bounce touches the ground for one.
-constexpr double kStands_px = 1.0;        // Rest on a display that drops frames hops by less.
+constexpr std::int64_t kSpansPerSecond = 10;  // 100 ms.
+constexpr std::int64_t kShortestSpansPerSecond = 100;
+
+double speed_px_per_s(std::int64_t distance_px, std::int64_t ticks_per_s, std::int64_t span_ticks) {
+  return static_cast<double>(distance_px * ticks_per_s) / static_cast<double>(span_ticks);
+}
+
+constexpr double kTurns_px_per_s = 20.0;  // It does not turn around at lower speeds.
+constexpr int kStandsFrames = 3;          // A bounce touches the ground for one frame.
+constexpr double kStands_px = 1.0;        // A settled hyrax on a display that drops frames hops by less.
 
 Position start_on(const Desk& desk) { return {(desk.work_area.width_px - desk.sprite.width_px) / 2.0, 0.0}; }
 
@@ -23,10 +30,37 @@ Keyframe start_of(const Desk& desk) {
 
 }  // namespace
 
+Hand::Hand(std::int64_t ticks_per_s, ScreenPoint at, std::int64_t ticks)
+    : ticks_per_s_(ticks_per_s), grabbed_ticks_(ticks), samples_{{at, ticks}} {
+  assert(ticks_per_s > 0);
+}
+
+void Hand::move(ScreenPoint to, std::int64_t ticks) {
+  assert(ticks >= samples_.back().ticks);
+  samples_.push_back({to, ticks});
+  // The last sample before the span is the position at its beginning.
+  const std::int64_t begin_ticks = ticks - ticks_per_s_ / kSpansPerSecond;
+  while (samples_.size() > 1 && samples_[1].ticks <= begin_ticks) samples_.pop_front();
+}
+
+Velocity Hand::velocity(std::int64_t ticks) const {
+  const std::int64_t longest_ticks = ticks_per_s_ / kSpansPerSecond;
+  const std::int64_t shortest_ticks = std::max<std::int64_t>(ticks_per_s_ / kShortestSpansPerSecond, 1);
+  const std::int64_t span_ticks = std::clamp(ticks - grabbed_ticks_, shortest_ticks, longest_ticks);
+  const std::int64_t begin_ticks = ticks - span_ticks;
+  ScreenPoint begin = samples_.front().at;
+  for (const Sample& sample : samples_)
+    if (sample.ticks <= begin_ticks) begin = sample.at;
+  const ScreenPoint end = samples_.back().at;
+  return {speed_px_per_s(std::int64_t{end.x_px} - begin.x_px, ticks_per_s_, span_ticks),
+          speed_px_per_s(std::int64_t{end.y_px} - begin.y_px, ticks_per_s_, span_ticks)};
+}
+
 Pet::Pet(const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
     : desk_(desk), ticks_per_s_(ticks_per_s), timer_(ticks_per_s, ticks), session_(start_of(desk)) {}
 
 void Pet::grab(ScreenPoint hand, std::int64_t ticks) {
+  assert(!is_held());
   wake(ticks);
   apply(Grab{});
   hold_ = {.hand = Hand(ticks_per_s_, hand, ticks),
@@ -36,6 +70,7 @@ void Pet::grab(ScreenPoint hand, std::int64_t ticks) {
 }
 
 void Pet::drag(ScreenPoint hand, std::int64_t ticks) {
+  assert(is_held());
   if (hand == hold_->at) return;
   wake(ticks);
   hold_->hand.move(hand, ticks);
@@ -51,6 +86,7 @@ void Pet::let_go(ScreenPoint hand, std::int64_t ticks, const Desk& desk) {
 }
 
 void Pet::drop(std::int64_t ticks) {
+  assert(is_held());
   follow_hand();
   release({}, ticks);
 }
@@ -103,7 +139,7 @@ Pose Pet::pose() const {
 
 Position Pet::position() const { return {session_.now().row.x_px, session_.now().row.y_px}; }
 
-// Time that was slept through is no frame's.
+// The time it was asleep belongs to no frame.
 void Pet::wake(std::int64_t ticks) {
   if (is_asleep()) timer_.restart(ticks);
   session_.wake();
@@ -122,7 +158,7 @@ void Pet::follow_hand() {
                hold_->offset.y_px + (hold_->at.y_px - desk_.origin.y_px)}});
 }
 
-// The first frame of flight begins here: its time is not that since the last frame before.
+// The first frame of flight begins here, not at the last frame.
 void Pet::release(const Velocity& velocity, std::int64_t ticks) {
   wake(ticks);
   apply(Release{velocity});

@@ -1,53 +1,102 @@
 // The hyrax on a desk: what hand, menu, clock and screen do to it.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
 #include "tools/hyrax/desk.h"
-#include "tools/hyrax/frame_timer.h"
-#include "tools/hyrax/hand.h"
 #include "tools/hyrax/session.h"
 
 namespace hyrax {
 
-/// How it is drawn.
+/// The time between frames, in ticks of a clock that the caller reads.
+class FrameTimer {
+ public:
+  /// REQUIRES: ticks_per_s > 0.
+  FrameTimer(std::int64_t ticks_per_s, std::int64_t ticks) : ticks_per_s_(ticks_per_s), last_ticks_(ticks) {
+    assert(ticks_per_s > 0);
+  }
+
+  /// The next frame begins here; the time before belongs to no frame.
+  void restart(std::int64_t ticks) { last_ticks_ = ticks; }
+
+  /// Seconds since the last frame; 0 if the clock stopped or went backwards. A frame ends here.
+  [[nodiscard]] double elapsed_s(std::int64_t ticks) {
+    const std::int64_t elapsed_ticks = ticks > last_ticks_ ? ticks - last_ticks_ : 0;
+    last_ticks_ = ticks;
+    return static_cast<double>(elapsed_ticks) / static_cast<double>(ticks_per_s_);
+  }
+
+ private:
+  std::int64_t ticks_per_s_;
+  std::int64_t last_ticks_;
+};
+
+/// The hand that drags the hyrax. Positions are whole pixels and times are ticks of a clock, so that the
+/// velocity is rounded only once.
+class Hand {
+ public:
+  /// @param ticks when the drag began.
+  /// REQUIRES: ticks_per_s > 0.
+  Hand(std::int64_t ticks_per_s, ScreenPoint at, std::int64_t ticks);
+
+  /// REQUIRES: ticks do not go backwards.
+  void move(ScreenPoint to, std::int64_t ticks);
+
+  /// Mean velocity of the pointer over the last 100 ms before `ticks`, or over all of a shorter drag; 0 if it
+  /// did not move. A drag shorter than 10 ms counts as 10 ms, so that a click is not a throw.
+  [[nodiscard]] Velocity velocity(std::int64_t ticks) const;
+
+ private:
+  struct Sample {
+    ScreenPoint at;
+    std::int64_t ticks;
+  };
+
+  std::int64_t ticks_per_s_;
+  std::int64_t grabbed_ticks_;
+  std::deque<Sample> samples_;  // The oldest is the first one that still counts.
+};
+
+/// How the hyrax is drawn.
 enum class Pose { fly, held, stand, sleep };
 
-/// Turns what happens on a screen into inputs and frames of a session. Knows no system: points come in
-/// px of the screen, time in ticks of a clock that its owner reads.
+/// Turns events on a screen into inputs and frames of a session. Independent of the system: points are in px
+/// of the screen, times in ticks of a clock that the caller reads.
 class Pet {
  public:
-  /// It begins at the top of its desk, in the middle, and falls.
+  /// It starts at the top of its desk, in the middle, and falls.
   /// REQUIRES: ticks_per_s > 0.
   Pet(const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks);
 
   // The hand. REQUIRES: grab while not held, the others while held.
   void grab(ScreenPoint hand, std::int64_t ticks);
   void drag(ScreenPoint hand, std::int64_t ticks);
-  /// It flies from here on with the hand's velocity, on the desk that it was let go over.
+  /// It flies with the hand's velocity, on the desk below the pointer.
   void let_go(ScreenPoint hand, std::int64_t ticks, const Desk& desk);
-  /// The hand was taken away: it falls from where it is.
+  /// The drag was interrupted: it falls from where it is.
   void drop(std::int64_t ticks);
 
   // The menu.
   void fling(const Velocity& velocity, std::int64_t ticks);
-  /// To where it began, and still. Whoever holds it, holds it no longer.
+  /// Back to its start, at zero speed, and no longer held.
   void reset(std::int64_t ticks);
   void pause() { is_paused_ = true; }
   void resume(std::int64_t ticks);
 
-  /// The screen: a desk of another size or place. The same desk is no input.
+  /// The desk changed in size or place. The same desk is no input.
   void move_to(const Desk& desk, std::int64_t ticks);
 
-  /// The hyrax's time stood still until now, as the machine's did while it was suspended.
+  /// The time until now does not count, as while the machine was suspended.
   void skip_time(std::int64_t ticks) { timer_.restart(ticks); }
 
-  /// Plays a frame, if it is awake.
+  /// Plays a frame unless it is asleep.
   void frame(std::int64_t ticks);
 
-  /// Whether no frame is to be played until an input comes: it is paused, or has kept its place for
+  /// Whether no frame is played until the next input: it is paused, or has not moved for
   /// Session::kStillFrames frames.
   [[nodiscard]] bool is_asleep() const { return is_paused_ || session_.is_still(); }
   [[nodiscard]] bool is_paused() const { return is_paused_; }
@@ -57,7 +106,7 @@ class Pet {
   [[nodiscard]] const Desk& desk() const { return desk_; }
   /// Its top left corner.
   [[nodiscard]] ScreenPoint place() const { return on_screen(desk_, position()); }
-  /// What was done to it before the last frame that was played.
+  /// The inputs of the last frame that was played.
   [[nodiscard]] const std::vector<Action>& inputs_of_frame() const { return inputs_of_frame_; }
   [[nodiscard]] Session& session() { return session_; }
   [[nodiscard]] const Session& session() const { return session_; }
@@ -83,8 +132,8 @@ class Pet {
   std::optional<Hold> hold_;
   bool is_paused_ = false;
   bool faces_left_ = false;
-  int ground_frames_ = 0;       // On the ground, as the eye sees it, in a row.
-  std::vector<Action> inputs_;  // Of the frame to come.
+  int ground_frames_ = 0;       // Consecutive frames on the ground, to the eye.
+  std::vector<Action> inputs_;  // Of the next frame.
   std::vector<Action> inputs_of_frame_;
 };
 

@@ -1,5 +1,7 @@
 #include "tools/hyrax/playback.h"
 
+#include <cassert>
+
 namespace hyrax {
 namespace {
 
@@ -12,22 +14,24 @@ Verdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   const std::string name = scenario.name + ": ";
   if (run.non_finite_step)
     return {ExitCode::disagreed,
-            name + "the state became non-finite at step " + std::to_string(*run.non_finite_step)};
+            name + "the state is not finite from step " + std::to_string(*run.non_finite_step)};
   if (!scenario.expect || !scenario.expect->state_hash)
-    return {ExitCode::agreed, name + "state hash " + hash + "; the scenario has none to compare it with"};
+    return {ExitCode::agreed, name + "state hash " + hash + "; the scenario expects none"};
   if (*scenario.expect->state_hash != hash)
     return {ExitCode::disagreed,
-            name + "state hash " + hash + " differs from the scenario's, " + *scenario.expect->state_hash};
+            name + "state hash differs (found " + hash + "); expected " + *scenario.expect->state_hash};
   return {ExitCode::agreed, name + "state hash " + hash + " agrees"};
 }
 
 Verdict replayed(const Scenario& scenario) {
-  RowSink nobody;
-  return verdict_on(scenario, replay(scenario, nobody));
+  RowSink sink;
+  return verdict_on(scenario, replay(scenario, sink));
 }
 
 Playback::Playback(const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks)
-    : scenario_(scenario), ticks_per_s_(ticks_per_s), begin_ticks_(ticks), replay_(scenario, nobody_) {}
+    : scenario_(scenario), ticks_per_s_(ticks_per_s), begin_ticks_(ticks), replay_(scenario, sink_) {
+  assert(ticks_per_s > 0);
+}
 
 void Playback::play(std::int64_t ticks) {
   const double elapsed_s = static_cast<double>(ticks - begin_ticks_) / static_cast<double>(ticks_per_s_);

@@ -1,4 +1,4 @@
-// A scenario played before the eyes of a user, at the pace of its own clock.
+// Replays a scenario in the time of its own clock, to be watched.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace hyrax {
 
-/// What a replay came to, for a program that ends with it.
+/// The result of a replay, with which the program ends.
 struct Verdict {
   ExitCode exit_code = ExitCode::agreed;
   std::string sentence;
 };
 
-/// Whether the run has the state hash that its scenario carries; one that carries none agrees.
+/// Whether the run has the state hash that its scenario expects; without one it agrees.
 [[nodiscard]] Verdict verdict_on(const Scenario& scenario, const RunSummary& run);
 
-/// The verdict on a scenario, played at once.
+/// Plays a scenario at once.
 [[nodiscard]] Verdict replayed(const Scenario& scenario);
 
 class Playback {
@@ -26,19 +26,19 @@ class Playback {
   /// Refers to the scenario. REQUIRES: as Replay; ticks_per_s > 0.
   Playback(const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks);
 
-  /// Plays the frames whose time has come. Of a scenario whose frames are too short for that, so many at
-  /// once that the program stays awake.
+  /// Plays the frames that are due, at most so many at once that the program stays responsive.
   void play(std::int64_t ticks);
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] const Keyframe& now() const { return replay_.keyframe(); }
-  /// The verdict; plays what is left.
+  [[nodiscard]] Position position() const { return {now().row.x_px, now().row.y_px}; }
+  /// Plays the remaining frames.
   [[nodiscard]] Verdict finish();
 
  private:
   const Scenario& scenario_;
   std::int64_t ticks_per_s_;
   std::int64_t begin_ticks_;
-  RowSink nobody_;
+  RowSink sink_;  // Discards everything.
   Replay replay_;
   bool is_non_finite_ = false;
 };

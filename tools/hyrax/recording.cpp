@@ -1,18 +1,22 @@
 #include "tools/hyrax/recording.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdio>
+#include <exception>
+#include <utility>
 
+#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/file_name.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
 
 char name_character(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<char>(c - 'A' + 'a');
-  const bool may_stand = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-  return may_stand ? c : '-';
+  const bool is_allowed = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+  return is_allowed ? c : '-';
 }
 
 std::string numbered_path(const std::string& path, std::size_t number) {
@@ -25,10 +29,91 @@ std::string numbered_path(const std::string& path, std::size_t number) {
 
 }  // namespace
 
+ScenarioSaver::ScenarioSaver(std::function<std::string(const Scenario&)> text_of)
+    : text_of_(std::move(text_of)), thread_([this] { work(); }) {}
+
+ScenarioSaver::~ScenarioSaver() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void ScenarioSaver::save(const std::string& path, Scenario scenario) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!jobs_.empty() && jobs_.back().path == path) jobs_.pop_back();
+    jobs_.push_back({path, std::move(scenario)});
+  }
+  changed_.notify_all();
+}
+
+void ScenarioSaver::write(const std::string& path, const Scenario& scenario) {
+  const std::string text = text_of_(scenario);
+  AtomicFile file(path);
+  file.write(text);
+  std::unique_lock lock(mutex_);
+  const bool is_new = written_.insert(path).second;
+  lock.unlock();
+  try {
+    is_new ? file.commit_as_new() : file.commit();
+  } catch (const Failure&) {
+    lock.lock();
+    if (is_new) written_.erase(path);
+    throw;
+  }
+}
+
+bool ScenarioSaver::has_written(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  return written_.contains(path);
+}
+
+void ScenarioSaver::remove(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  if (written_.erase(path) > 0) std::remove(path.c_str());
+}
+
+void ScenarioSaver::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return jobs_.empty() && !is_busy_; });
+}
+
+std::optional<std::string> ScenarioSaver::take_failure() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(failure_, std::nullopt);
+}
+
+void ScenarioSaver::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return !jobs_.empty() || is_ending_; });
+    if (jobs_.empty()) return;
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    is_busy_ = true;
+    lock.unlock();
+    std::optional<std::string> failure;
+    try {
+      write(job.path, job.scenario);
+    } catch (const Failure& refused) {
+      failure = refused.what();
+    } catch (const std::exception& error) {  // Such as out of memory: the program continues.
+      failure = job.path + ": cannot be written: " + error.what();
+    }
+    lock.lock();
+    is_busy_ = false;
+    if (failure) failure_ = failure;
+    changed_.notify_all();
+  }
+}
+
 Recording::Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
-    : first_path_(path), path_(path), saver_(saver), whole_(start), part_(start), part_paths_{path} {
+    : first_path_(path), path_(path), saver_(saver), all_(start), part_(start), part_paths_{path} {
   if (is_there(path))
-    throw Failure(ExitCode::bad_input, path + ": exists already; give another name, or remove it first");
+    throw Failure(ExitCode::bad_input, path + ": exists already; name another file, or remove it first");
 }
 
 Recording Recording::next(const Keyframe& start) const {
@@ -38,12 +123,13 @@ Recording Recording::next(const Keyframe& start) const {
 }
 
 void Recording::add_input(const Action& action) {
-  whole_.add_input(action);
+  all_.add_input(action);
   part_.add_input(action);
 }
 
 void Recording::add_frame(const Keyframe& now) {
-  whole_.add_frame(now.row);
+  assert(!is_full());
+  all_.add_frame(now.row);
   part_.add_frame(now.row);
   is_saved_ = false;
   if (part_.frames() < kPartFrames) return;
@@ -55,15 +141,15 @@ void Recording::add_frame(const Keyframe& now) {
 void Recording::save() {
   if (is_saved_) return;
   std::string& path = part_paths_.back();
-  while (is_there(path) && !saver_.has_made(path)) path = numbered_path(path_, ++part_number_);
+  while (is_there(path) && !saver_.has_written(path)) path = numbered_path(path_, ++part_number_);
   saver_.save(path, part_.scenario(scenario_name_of(path)));
   is_saved_ = true;
 }
 
 void Recording::finish() {
   saver_.wait();
-  if (whole_.frames() == 0) return;
-  saver_.write(path_, whole_.scenario(scenario_name_of(path_)));
+  if (all_.frames() == 0) return;
+  saver_.write(path_, all_.scenario(scenario_name_of(path_)));
   for (const std::string& path : part_paths_)
     if (path != path_) saver_.remove(path);
 }

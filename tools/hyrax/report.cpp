@@ -7,7 +7,7 @@ namespace {
 
 bool is_good(HANDLE handle) { return handle != nullptr && handle != INVALID_HANDLE_VALUE; }
 
-// A program with windows is started without a console; it may use that of whoever started it.
+// A program with windows starts without a console; it may use that of its parent.
 HANDLE output(DWORD which) {
   const HANDLE given = GetStdHandle(which);
   if (is_good(given)) return given;
@@ -15,7 +15,7 @@ HANDLE output(DWORD which) {
   return CreateFileW(L"CONOUT$", GENERIC_WRITE, FILE_SHARE_WRITE, nullptr, OPEN_EXISTING, 0, nullptr);
 }
 
-void say_on(DWORD which, std::string_view text, UINT icon) {
+void report_on(DWORD which, std::string_view text, UINT icon) {
   std::string line(text);
   if (!line.ends_with('\n')) line += '\n';
   DWORD written = 0;
@@ -28,12 +28,12 @@ void say_on(DWORD which, std::string_view text, UINT icon) {
 
 }  // namespace
 
-void say(std::string_view text) { say_on(STD_OUTPUT_HANDLE, text, MB_ICONINFORMATION); }
+void report(std::string_view text) { report_on(STD_OUTPUT_HANDLE, text, MB_ICONINFORMATION); }
 
-void say_error(std::string_view text) { say_on(STD_ERROR_HANDLE, text, MB_ICONERROR); }
+void report_error(std::string_view text) { report_on(STD_ERROR_HANDLE, text, MB_ICONERROR); }
 
-void say(const Verdict& verdict) {
-  verdict.exit_code == ExitCode::agreed ? say(verdict.sentence) : say_error(verdict.sentence);
+void report(const Verdict& verdict) {
+  verdict.exit_code == ExitCode::agreed ? report(verdict.sentence) : report_error(verdict.sentence);
 }
 
 std::wstring to_wide(std::string_view utf8) {

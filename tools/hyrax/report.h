@@ -1,4 +1,4 @@
-// What the program says to whoever started it.
+// Messages to the user.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace hyrax {
 
-/// On standard output or the console that it was started from; a message box where there is neither.
-void say(std::string_view text);
+/// On standard output or the console that the program was started from; in a message box if there is neither.
+void report(std::string_view text);
 
 /// On standard error, the console, or in a message box.
-void say_error(std::string_view text);
+void report_error(std::string_view text);
 
-/// Good news as `say`, bad news as `say_error`.
-void say(const Verdict& verdict);
+/// As `report` if it agreed, else as `report_error`.
+void report(const Verdict& verdict);
 
 [[nodiscard]] std::wstring to_wide(std::string_view utf8);
 [[nodiscard]] std::string to_utf8(std::wstring_view wide);

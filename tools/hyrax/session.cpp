@@ -1,8 +1,8 @@
 #include "tools/hyrax/session.h"
 
+#include <cassert>
 #include <exception>
 
-#include "sim/replay/action_effect.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
@@ -10,13 +10,17 @@ namespace hyrax {
 Session::Session(const Keyframe& start) : now_(start), ring_(start) {}
 
 void Session::apply(const Action& action) {
-  hyrax::apply(action, now_);
+  assert(!std::holds_alternative<Hitch>(action));
+  assert(!std::holds_alternative<Grab>(action) || !now_.is_held);
+  assert(!std::holds_alternative<Release>(action) || now_.is_held);
+  shipped_kernel().apply(action, now_);
   wake();
   ring_.add_input(action);
   if (recording_) recording_->add_input(action);
 }
 
 void Session::advance(double dt_s) {
+  assert(dt_s >= 0.0 && dt_s <= kFrameMax_s);
   const Row before = now_.row;
   const Stretch frame{.window = now_.window,
                       .sprite = now_.sprite,
@@ -26,7 +30,7 @@ void Session::advance(double dt_s) {
                       .frames = 1};
   State body = state_of(before);
   row_.shrink(0);
-  play(frame, body, rest_, row_, log_);
+  shipped_kernel().play(frame, body, rest_, row_, log_);
   now_.timeline.play(dt_s);
   now_.row = row_.row(0);
   now_.row.step = before.step + 1;
@@ -39,17 +43,19 @@ void Session::advance(double dt_s) {
 }
 
 void Session::finish_recording() {
+  assert(is_recording());
   Recording finished = std::move(*recording_);
   recording_.reset();
   finished.finish();
 }
 
 void Session::continue_recording() {
+  assert(is_recording());
   Recording finished = std::move(*recording_);
   recording_.reset();
   std::exception_ptr failure;
   try {
-    finished.finish();  // First, so that the names of its parts are free again.
+    finished.finish();  // First, to free the names of its parts.
   } catch (const Failure&) {
     failure = std::current_exception();
   }

@@ -1,58 +1,62 @@
-// The hyrax's life, frame by frame, in exactly the words of a scenario.
+// Plays frames one by one, as a replay of the resulting scenario does.
 #pragma once
 
+#include <cassert>
 #include <optional>
 
 #include "sim/replay/kernel.h"
-#include "sim/trajectory/keyframe.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/state_hash.h"
 #include "tools/hyrax/recording.h"
-#include "tools/hyrax/ring.h"
 
 namespace hyrax {
 
-/// Plays frames that are not known beforehand by the replay's own step and the replay's own effect of
-/// inputs, and hands each to those who keep it. So what is shown is what a replay of it computes.
+/// Plays frames that are not known beforehand with the step and the inputs of a replay, and records them. So
+/// a replay computes what was shown.
 class Session {
  public:
-  /// A hyrax that kept its place for so many frames may sleep.
+  /// After so many frames without motion the hyrax may sleep.
   static constexpr int kStillFrames = 60;
 
   explicit Session(const Keyframe& start);
 
-  /// The state as the next frame finds it.
+  /// The state before the next frame.
   [[nodiscard]] const Keyframe& now() const { return now_; }
 
-  /// An input of the frame to come. REQUIRES: no hitch; no grab while held, no release while not.
+  /// An input of the next frame. REQUIRES: no hitch; no grab while held, no release while not.
   void apply(const Action& action);
   /// Plays a frame of `dt_s` seconds, 0 .. kFrameMax_s.
   void advance(double dt_s);
 
-  /// Whether x and y kept the same bits for the last kStillFrames frames, without input. Frames of no
-  /// time are not counted: they are no sign of rest.
+  /// Whether x and y kept the same bits for the last kStillFrames frames, without input. Zero-length frames
+  /// are not counted.
   [[nodiscard]] bool is_still() const { return still_frames_ >= kStillFrames; }
-  /// Counts the frames without motion anew, as an input does.
+  /// Restarts the count of frames without motion, as an input does.
   void wake() { still_frames_ = 0; }
 
   /// The last minutes.
   [[nodiscard]] Tape just_happened() const { return ring_.tape(); }
 
-  /// Records from here on. REQUIRES: it records nothing yet. ERRORS: Failure(bad_input) if the file exists.
+  /// Starts a recording. REQUIRES: !is_recording(). ERRORS: Failure(bad_input) if the file exists.
   void start_recording(const std::string& path, ScenarioSaver& saver) {
+    assert(!is_recording());
     recording_.emplace(path, now_, saver);
   }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
   /// REQUIRES: is_recording().
-  [[nodiscard]] Recording& recording() { return *recording_; }
-  /// REQUIRES: is_recording(). ERRORS: Failure(cannot_access); it is ended all the same.
+  [[nodiscard]] Recording& recording() {
+    assert(is_recording());
+    return *recording_;
+  }
+  /// REQUIRES: is_recording(). ERRORS: Failure(cannot_access); the recording has ended nevertheless.
   void finish_recording();
-  /// Ends the file of a recording and goes on in a new one beside it. REQUIRES: is_recording().
-  /// ERRORS: Failure(cannot_access) for the file that ended; the new recording has begun all the same.
+  /// Finishes the file of a recording and continues in a new one beside it. REQUIRES: is_recording().
+  /// ERRORS: Failure(cannot_access) for the finished file; the new recording has begun nevertheless.
   void continue_recording();
 
  private:
   Keyframe now_;
-  RowBlock row_;  // Of the frame that is played.
+  RowBlock row_;  // Of the frame being played.
   StretchLog log_;
   RestAnchor rest_;
   Ring ring_;

@@ -1,6 +1,7 @@
 #include "tools/hyrax/tape.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 namespace hyrax {
@@ -8,12 +9,11 @@ namespace {
 
 void pack(std::vector<std::byte>& rows, const Row& row) {
   rows.resize(rows.size() + kPackedRowBytes);
-  pack_row(&*rows.end() - kPackedRowBytes, row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s,
-           row.contact);
+  pack_row(&*rows.end() - kPackedRowBytes, row);
 }
 
-// A scenario begins with a sprite that nobody holds: who holds it from the first frame on, grabs it there,
-// which stops it, so that a speed set while it was held is set again.
+// A scenario starts with a sprite that is not held. If it is held here, it is grabbed at the first frame,
+// which stops it, so that a speed set while it was held must be set again.
 std::vector<Event> first_inputs(const Keyframe& start) {
   if (!start.is_held) return {};
   std::vector<Event> inputs = {{std::int64_t{0}, Grab{}}};
@@ -35,6 +35,8 @@ Tape::Tape(const Keyframe& start) : start_(start) {
 void Tape::add_frame(const Row& row) { pack(rows_, row); }
 
 void Tape::append(const Tape& next) {
+  // x, y, vx and vy of the last row and of the first.
+  assert(std::equal(next.rows_.begin() + 8, next.rows_.begin() + 40, rows_.end() - kPackedRowBytes + 8));
   const std::int64_t frames_before = frames();
   for (const Event& input : next.inputs_)
     inputs_.push_back({std::get<std::int64_t>(input.when) + frames_before, input.action});
@@ -42,14 +44,13 @@ void Tape::append(const Tape& next) {
 }
 
 Digest Tape::state_hash() const {
-  constexpr std::size_t kBlockBytes = kBlockRows * kPackedRowBytes;
   StateHash hash;
-  for (std::size_t at = 0; at < rows_.size(); at += kBlockBytes)
-    hash.add(digest(std::span(rows_).subspan(at, std::min(kBlockBytes, rows_.size() - at))));
+  hash.add_packed(rows_);
   return hash.value();
 }
 
 Scenario Tape::scenario(const std::string& name) const {
+  assert(frames() > 0);
   Scenario scenario;
   scenario.name = name;
   scenario.window = start_.window;

@@ -1,22 +1,75 @@
 #include "tools/report/drift_figures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 
-#include <fmt/format.h>
-
 #include "tools/files/failure.h"
-#include "tools/report/drift_frame.h"
 #include "tools/report/gnuplot.h"
+#include "tools/report/plot_frame.h"
+#include "tools/report/run_plot.h"
 
 namespace hyrax {
 namespace {
 
+constexpr Canvas kCanvas = {960, 460};
+constexpr std::string_view kBand = "#eaeef2";
+constexpr std::size_t kArcsMarkedMax = 80;
+
+std::string note_of(const DriftPicture& picture) {
+  if (picture.arcs.empty()) return "";
+  const DriftSummary& summary = picture.summary;
+  if (summary.arcs > static_cast<std::int64_t>(picture.arcs.size()))
+    return fmt::format("the first {} of {} arcs", picture.arcs.size(), summary.arcs);
+  return fmt::format("{} arc{}, {} contact{}", summary.arcs, summary.arcs == 1 ? "" : "s", summary.contacts,
+                     summary.contacts == 1 ? "" : "s");
+}
+
+// A frame with the name of the run.
+PlotFrame drift_frame(const DriftPicture& picture, std::string_view subtitle, std::string_view x_label,
+                      std::string_view y_label) {
+  PlotFrame frame(picture.scenario.name, subtitle, x_label, y_label, kCanvas);
+  frame.note(note_of(picture));
+  return frame;
+}
+
+// Time from 0 to the end of the last arc; every other arc has a darker band, and a dot at the top for the
+// wall that ended it. Neither if there are too many arcs to distinguish.
+void mark_arcs(PlotFrame& frame, const DriftPicture& picture) {
+  const std::vector<ArcErrors>& arcs = picture.arcs;
+  if (picture.rows.empty()) return frame.add("set xrange [0:1]\n");
+  const double end_s = picture.rows.back().errors.t_s;
+  frame.add(fmt::format("set xrange [0:{:.10g}]\n", end_s > 0.0 ? end_s : 1.0));
+  if (arcs.size() > kArcsMarkedMax) return;
+  std::array<bool, 4> has_wall{};
+  std::size_t row = 0;
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    if (row == picture.rows.size()) break;
+    const double from_s = picture.rows[row].errors.t_s;
+    while (row < picture.rows.size() && picture.rows[row].arc == arc) ++row;
+    const double to_s = picture.rows[row - (row > 0)].errors.t_s;
+    if (arc % 2 == 1)
+      frame.add(
+          fmt::format("set object {} rectangle from first {:.10g}, graph 0 to first {:.10g}, graph 1 behind "
+                      "fs solid 1 noborder fc rgb '{}'\n",
+                      10 + arc, from_s, to_s, kBand));
+    const auto wall = wall_of(arcs[arc].ended_by);
+    if (!wall) continue;
+    has_wall[wall_index(*wall)] = true;
+    frame.add(fmt::format("set label '' at first {:.10g}, graph 1.035 point pt 7 ps 0.7 lc rgb '{}'\n", to_s,
+                          wall_colour(*wall)));
+  }
+  if (arcs.size() > 1) frame.explain_area("every other arc", kBand);
+  for (const Wall wall : kWalls)
+    if (has_wall[wall_index(wall)]) frame.explain_dot(kWallNames[wall_index(wall)], wall_colour(wall));
+}
+
 constexpr std::string_view kNoArc = "no flight of two steps or more";
 
-// Lines "t value...", an empty one between two arcs, of the rows for which there is something to write.
+// Lines "t value...", with an empty line between arcs; rows without values are left out.
 template <class Write>
 std::string lines_of(const DriftPicture& picture, const Write& write) {
   std::string lines;
@@ -37,7 +90,7 @@ std::string positive(double value_px) { return value_px > 0.0 ? fmt::format("{:.
 struct Range {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
-  void see(double value) {
+  void add(double value) {
     if (!std::isfinite(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
@@ -52,16 +105,16 @@ int exponent_of(const Range& range) {
   return largest >= 1e3 && std::isfinite(largest) ? 3 * static_cast<int>(std::log10(largest) / 3.0) : 0;
 }
 
-// The axis of errors: a tic at every other power of ten, and the decades that the errors need.
+// The axis of errors: the decades that the errors cover, with a tic at every other power of ten.
 std::string decades(const DriftPicture& picture) {
   Range range;
-  const auto see = [&range](double value_px) {
-    if (value_px > 0.0) range.see(std::log10(value_px));
+  const auto add = [&range](double value_px) {
+    if (value_px > 0.0) range.add(std::log10(value_px));
   };
   for (const DrawnRow& row : picture.rows) {
-    see(row.errors.implementation_px);
-    see(row.errors.truncation_px);
-    see(row.errors.model_px);
+    add(row.errors.implementation_px);
+    add(row.errors.truncation_px);
+    add(row.errors.model_px);
   }
   if (range.low > range.high) range = {-1.0, 1.0};
   const int low = 2 * static_cast<int>(std::floor(range.low / 2.0));
@@ -77,8 +130,8 @@ std::string decades(const DriftPicture& picture) {
 std::string energy_figure_script(const DriftPicture& picture) {
   Range range;
   for (const DrawnRow& row : picture.rows) {
-    range.see(row.errors.energy_px2_per_s2);
-    range.see(run_energy(row.errors));
+    range.add(row.errors.energy_px2_per_s2);
+    range.add(run_energy(row.errors));
   }
   const int exponent = exponent_of(range);
   const double scale = std::pow(10.0, exponent);
@@ -152,8 +205,8 @@ std::string restitution_figure_script(const DriftPicture& picture) {
   for (const ImpactErrors& contact : picture.contacts) {
     ++count;
     const double value = contact.effective_restitution.value_or(0.0);
-    if (!(value > 0.0)) continue;  // None, or put to rest.
-    range.see(value);
+    if (!(value > 0.0)) continue;  // None, or zeroed by the rest rule.
+    range.add(value);
     dots[wall_index(contact.wall)] += fmt::format("{} {:.5g}\n", count, value);
   }
   const double room = std::max(0.02, 0.1 * (range.high - range.low));

@@ -1,4 +1,4 @@
-// Pictures of a run against the reference.
+// Pictures of a run compared with the reference.
 #pragma once
 
 #include <string>
@@ -15,8 +15,7 @@ struct DrawnRow {
   RowErrors errors;
 };
 
-/// What the pictures show: arcs and contacts from the first on, rows of the arcs, all of them or every
-/// K-th.
+/// What the pictures show: the first arcs and contacts, and all or every K-th row of the arcs.
 struct DriftPicture {
   const Scenario& scenario;
   double simulated_s = 0.0;
@@ -34,15 +33,14 @@ struct DriftPicture {
 [[nodiscard]] std::string energy_drift_figure_script(const DriftPicture& picture);
 /// The three errors against time, on a logarithmic scale.
 [[nodiscard]] std::string errors_figure_script(const DriftPicture& picture);
-/// Effective restitution of the contacts, in their order, beside the paper's 0.6.
+/// Effective restitution of the contacts in order, with the 0.6 of the paper.
 [[nodiscard]] std::string restitution_figure_script(const DriftPicture& picture);
 
-/// Where draw_drift_figures puts the figures of a scenario of that name.
+/// The paths of the figures that draw_drift_figures writes for a scenario of that name.
 [[nodiscard]] std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name);
 
-/// Draws them into FOLDER/NAME-energy.svg, -energy-drift.svg, -errors.svg and -restitution.svg, with the
-/// scenario's name; makes the folder. Returns the paths.
-/// ERRORS: those of draw_figure (gnuplot.h).
+/// Draws FOLDER/NAME-energy.svg, -energy-drift.svg, -errors.svg and -restitution.svg, with the scenario's
+/// name; creates the folder. Returns the paths. ERRORS: those of draw_figure (gnuplot.h).
 std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftPicture& picture);
 
 }  // namespace hyrax

@@ -31,6 +31,10 @@ inline constexpr std::string_view kOrange = "#e69f00";
 inline constexpr std::string_view kSkyBlue = "#56b4e9";
 // Unlike every colour of a wall, and lighter than what is drawn over it.
 inline constexpr std::string_view kLavender = "#aa8fd8";
+// Pale, behind text.
+inline constexpr std::string_view kGood = "#cfe8df";
+inline constexpr std::string_view kNotable = "#f6dfa9";
+inline constexpr std::string_view kBad = "#f1b594";
 inline constexpr std::string_view kBeads = "#26828e";  ///< The middle of viridis.
 
 inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.

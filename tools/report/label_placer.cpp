@@ -1,9 +1,8 @@
 #include "tools/report/label_placer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace hyrax {
 
@@ -16,19 +15,19 @@ void LabelPlacer::avoid(Point from, Point to) {
     avoided_.push_back({from.x + (to.x - from.x) * part / parts, from.y + (to.y - from.y) * part / parts});
 }
 
-double LabelPlacer::width(std::string_view words) { return 6.6 * static_cast<double>(words.size()) + 4.0; }
+double LabelPlacer::width(std::string_view text) { return 6.6 * static_cast<double>(text.size()) + 4.0; }
 
-LabelPlacer::Area LabelPlacer::area(std::string_view words, Point centre) {
+LabelPlacer::Area LabelPlacer::area(std::string_view text, Point centre) {
   constexpr double kHalfHeight = 7.5;
-  const double half = width(words) / 2;
+  const double half = width(text) / 2;
   return {centre.x - half, centre.y - kHalfHeight, centre.x + half, centre.y + kHalfHeight};
 }
 
 double LabelPlacer::cost(const Area& label) const {
   constexpr double kOther = 1e4;  // More than any path.
   double cost = 0.0;
-  if (label.left < RunPlot::kLeft || label.right > RunPlot::kLeft + RunPlot::kWidth ||
-      label.top < RunPlot::kTop || label.bottom > RunPlot::kTop + plot_.height)
+  if (label.left < inside_.left || label.right > inside_.right || label.top < inside_.top ||
+      label.bottom > inside_.bottom)
     cost += kOther;
   for (const Area& other : labels_)
     if (label.left < other.right && other.left < label.right && label.top < other.bottom &&
@@ -40,13 +39,28 @@ double LabelPlacer::cost(const Area& label) const {
   return cost;
 }
 
-std::string LabelPlacer::put(std::string_view words, const std::vector<Point>& centres) {
+LabelPlacer::Point LabelPlacer::place(std::string_view text, const std::vector<Point>& centres) {
+  assert(!centres.empty());
   const Point best = *std::min_element(centres.begin(), centres.end(), [&](const Point& a, const Point& b) {
-    return cost(area(words, a)) < cost(area(words, b));
+    return cost(area(text, a)) < cost(area(text, b));
   });
-  labels_.push_back(area(words, best));
-  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", quoted(words),
-                     screen(plot_.canvas, best.x, best.y), style::kInk);
+  labels_.push_back(area(text, best));
+  return best;
+}
+
+std::vector<LabelPlacer::Point> LabelPlacer::centres_around(Point at, std::string_view text) {
+  const double half = width(text) / 2 + 6;
+  std::vector<Point> centres;
+  for (const double away : {14.0, 28.0, 42.0, 56.0})
+    centres.insert(centres.end(), {{at.x + half, at.y},
+                                   {at.x - half, at.y},
+                                   {at.x, at.y - away},
+                                   {at.x, at.y + away},
+                                   {at.x + half, at.y - away},
+                                   {at.x - half, at.y - away},
+                                   {at.x + half, at.y + away},
+                                   {at.x - half, at.y + away}});
+  return centres;
 }
 
 }  // namespace hyrax

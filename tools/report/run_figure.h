@@ -13,12 +13,12 @@ namespace hyrax {
 
 /// The gnuplot script that draws a run: the path of the sprite's centre coloured by speed, the
 /// sprite's outline at the start, at the first bounces and at the end, the walls where it touched
-/// them, and an arrow for every velocity it was given. Every pixel of the window has the same size
-/// in x and y. The same run gives the same text; its length has a bound, however long the run is.
-/// @param rows in order of steps, with row 0 first; rows that are not finite are left out. Where rows
-/// are missing, their way is dotted.
-/// @param contacts_counted all contacts by wall, where `contacts` holds only the first of them: 30
-/// are drawn. Counted from `contacts` where left out.
+/// them, and an arrow for every velocity that it was given. x and y have the same scale. The same run gives
+/// the same text; its length has a bound, however long the run is.
+/// @param rows in order of steps, with row 0 first; rows that are not finite are left out. Missing rows are
+/// drawn as a dotted line.
+/// @param contacts_counted all contacts by wall, if `contacts` has only the first of them: 30 are drawn.
+/// Counted from `contacts` if left out.
 /// REQUIRES: rows and contacts are of this scenario, whose events have frames.
 [[nodiscard]] std::string run_figure_script(const Scenario& scenario, const Columns& rows,
                                             const std::vector<Contact>& contacts,

@@ -32,13 +32,13 @@ std::string place(const Box& sprite) {
 }
 
 // How far it is from x, y along dx, dy (a direction of length 1) to the edge of the plot.
-double way_to_edge(const RunPlot& plot, double x, double y, double dx, double dy) {
+double distance_to_edge(const RunPlot& plot, double x, double y, double dx, double dy) {
   const double to_x = (dx > 0 ? RunPlot::kLeft + RunPlot::kWidth : RunPlot::kLeft) - x;
   const double to_y = (dy > 0 ? RunPlot::kTop + plot.height : RunPlot::kTop) - y;
   return std::min(dx == 0 ? HUGE_VAL : to_x / dx, dy == 0 ? HUGE_VAL : to_y / dy);
 }
 
-// Its length tells the speed, but it neither vanishes nor covers the picture.
+// Its length shows the speed, within limits, so that it neither vanishes nor covers the picture.
 std::pair<double, double> arrow_span(const RunPlot& plot, const Throw& one, double speed_px_per_s_max) {
   constexpr double kLengthMin = 28;
   constexpr double kLengthMax = 112;
@@ -46,7 +46,7 @@ std::pair<double, double> arrow_span(const RunPlot& plot, const Throw& one, doub
   const double dx = one.velocity.vx_px_per_s / speed, dy = one.velocity.vy_px_per_s / speed;
   const double x = plot.x(one.x_px), y = plot.y(one.y_px);
   const double length = kLengthMin + (kLengthMax - kLengthMin) * std::min(1.0, speed / speed_px_per_s_max);
-  const double shown = std::max(kLengthMin, std::min(length, way_to_edge(plot, x, y, dx, dy)));
+  const double shown = std::max(kLengthMin, std::min(length, distance_to_edge(plot, x, y, dx, dy)));
   return {shown * dx, shown * dy};
 }
 
@@ -61,19 +61,24 @@ std::string arrows(const RunPlot& plot, const RunScene& scene) {
 
 using Point = LabelPlacer::Point;
 
-// Inside the sprite's outline where the word fits, or beside it.
+std::string label_at(const RunPlot& plot, std::string_view text, Point centre) {
+  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", quoted(text),
+                     screen(plot.canvas, centre.x, centre.y), style::kInk);
+}
+
+// Inside the sprite's outline if the label fits, else beside it.
 std::string caption(LabelPlacer& placer, const RunPlot& plot, const std::optional<Box>& sprite,
-                    std::string_view word) {
+                    std::string_view label) {
   constexpr double kLine = 9;
   if (!sprite || is_outside(sprite, plot.view)) return "";
   const double left = plot.x(sprite->left_px), right = plot.x(sprite->right_px);
   const double top = plot.y(sprite->top_px), bottom = plot.y(sprite->bottom_px);
-  const double x = (left + right) / 2, y = (top + bottom) / 2, half = LabelPlacer::width(word) / 2 + 2;
+  const double x = (left + right) / 2, y = (top + bottom) / 2, half = LabelPlacer::width(label) / 2 + 2;
   std::vector<Point> centres;
   if (right - left >= 2 * half && bottom - top >= 4 * kLine)
     centres = {{x, bottom - kLine}, {x, top + kLine}};
   centres.insert(centres.end(), {{x, top - kLine}, {x, bottom + kLine}, {left - half, y}, {right + half, y}});
-  return placer.put(word, centres);
+  return label_at(plot, label, placer.place(label, centres));
 }
 
 std::string captions(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
@@ -85,25 +90,16 @@ std::string captions(LabelPlacer& placer, const RunPlot& plot, const RunScene& s
 std::string times_of_inputs(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
   std::string commands;
   for (const TimedInput& input : scene.inputs) {
-    const std::string words = fmt::format("{} {:.3g} s", input.what, input.t_s);
-    const double x = plot.x(input.x_px), y = plot.y(input.y_px), half = LabelPlacer::width(words) / 2 + 6;
-    std::vector<Point> centres;
-    for (const double away : {14.0, 28.0, 42.0, 56.0})
-      centres.insert(centres.end(), {{x + half, y},
-                                     {x - half, y},
-                                     {x, y - away},
-                                     {x, y + away},
-                                     {x + half, y - away},
-                                     {x - half, y - away},
-                                     {x + half, y + away},
-                                     {x - half, y + away}});
-    commands += placer.put(words, centres);
+    const std::string label = fmt::format("{} {:.3g} s", input.what, input.t_s);
+    const Point at{plot.x(input.x_px), plot.y(input.y_px)};
+    commands += label_at(plot, label, placer.place(label, LabelPlacer::centres_around(at, label)));
   }
   return commands;
 }
 
 LabelPlacer placer_of(const RunPlot& plot, const RunScene& scene) {
-  LabelPlacer placer(plot);
+  LabelPlacer placer(
+      {RunPlot::kLeft, RunPlot::kTop, RunPlot::kLeft + RunPlot::kWidth, RunPlot::kTop + plot.height});
   for (const Stroke& stroke : scene.path.strokes)
     for (std::size_t i = 1; i < stroke.points.size(); ++i)
       placer.avoid({plot.x(stroke.points[i - 1].x_px), plot.y(stroke.points[i - 1].y_px)},
@@ -149,8 +145,8 @@ std::string run_note(const Scenario& scenario, const Columns& rows, const RunSce
 
 std::string run_labels(const RunPlot& plot, const RunScene& scene) {
   LabelPlacer placer = placer_of(plot, scene);
-  const std::string words = captions(placer, plot, scene) + times_of_inputs(placer, plot, scene);
-  return arrows(plot, scene) + words;
+  const std::string labels = captions(placer, plot, scene) + times_of_inputs(placer, plot, scene);
+  return arrows(plot, scene) + labels;
 }
 
 }  // namespace hyrax

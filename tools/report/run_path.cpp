@@ -7,7 +7,7 @@
 namespace hyrax {
 namespace {
 
-constexpr double kCoarsest = 8.0;  // Times the detail asked for.
+constexpr double kCoarsest = 8.0;  // Times the requested detail.
 
 PathPoint centre_of(const Row& row, const Size& sprite) {
   return {row.x_px + sprite.width_px / 2.0, row.y_px + sprite.height_px / 2.0,
@@ -18,8 +18,7 @@ double distance_px(const PathPoint& a, const PathPoint& b) {
   return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
 }
 
-// A round number of frames that take a tenth of a second or more; 0 where rows are missing from the
-// first on.
+// A round number of frames that take a tenth of a second or more; 0 if the first rows are not consecutive.
 std::int64_t frames_per_bead(const Columns& rows) {
   if (rows.size() < 2 || rows.step[1] != rows.step[0] + 1) return 0;
   const double mean_dt_s = rows.t_s.back() / static_cast<double>(rows.step.back());
@@ -35,8 +34,8 @@ class PathMaker {
     path_.frames_per_bead = frames_per_bead;
   }
 
-  // False where there is no room for more.
-  bool take(const Row& row) {
+  // Returns false if there are too many points.
+  bool add_row(const Row& row) {
     if (!is_finite(state_of(row))) {
       end_stroke();
       return true;
@@ -53,7 +52,7 @@ class PathMaker {
     last_point_ = point;
     if (distance_px(point, path_.strokes.back().points.back()) >= (is_corner ? detail_px_ / 3 : detail_px_))
       keep_last();
-    thread_bead(row);
+    add_bead(row);
     return count_ < kPathPointsMax;
   }
 
@@ -66,8 +65,8 @@ class PathMaker {
   }
 
  private:
-  // Whether the sprite's own speed brought it here from the last row, as far as rows can tell. A
-  // wall takes speed away within a step, so the greater of the two speeds counts.
+  // Whether the sprite's own speed explains the distance from the last row. A wall reduces the speed within a
+  // step, so the greater of the two speeds is used.
   [[nodiscard]] StrokeKind kind_of(const Row& row, const PathPoint& point) const {
     constexpr double kSlack_px = 2.0;
     const double moved_px = distance_px(point, last_point_);
@@ -89,7 +88,7 @@ class PathMaker {
     path_.speed_px_per_s_max = std::max(path_.speed_px_per_s_max, point.speed_px_per_s);
     ++count_;
   }
-  void thread_bead(const Row& row) {
+  void add_bead(const Row& row) {
     if (path_.frames_per_bead == 0 || row.step % path_.frames_per_bead != 0) return;
     if (path_.strokes.back().kind != StrokeKind::flown || path_.beads.size() >= kBeadsMax) return;
     const bool has_room =
@@ -125,7 +124,7 @@ double low_end_of_colours(const RunPath& path) {
 RunPath path_in_detail(const Columns& rows, const SizesInForce& sizes, double detail_px) {
   PathMaker maker(sizes, detail_px, frames_per_bead(rows));
   bool has_room = true;
-  for (std::size_t i = 0; i < rows.size() && has_room; ++i) has_room = maker.take(rows.row(i));
+  for (std::size_t i = 0; i < rows.size() && has_room; ++i) has_room = maker.add_row(rows.row(i));
   return maker.result(!has_room);
 }
 

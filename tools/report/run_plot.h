@@ -1,7 +1,9 @@
-// Where on the canvas the view of a run stands, to scale.
+// The canvas of a run's picture: the plot to scale, axes, colour bar and legend.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "tools/report/figure_style.h"
 #include "tools/report/run_scene.h"
@@ -16,7 +18,7 @@ struct RunPlot {
   static constexpr double kHeightMin = 150;
   static constexpr double kHeightMax = 600;
 
-  /// Fits the view into the room there is; what is too slender gets paper on both sides.
+  /// Fits the view into the plot; a narrow one gets blank space on both sides.
   explicit RunPlot(const Box& wanted);
 
   Canvas canvas;
@@ -33,8 +35,20 @@ struct RunPlot {
 /// The commands that set margins, ranges and tics.
 [[nodiscard]] std::string run_axes(const RunPlot& plot);
 
-/// The commands that set the range of speeds and draw the colour bar beside the plot; no bar where
-/// nothing moves.
+/// The commands that set the range of speeds and draw the colour bar beside the plot; no bar if nothing
+/// moves.
 [[nodiscard]] std::string run_colour_bar(const RunPlot& plot, const RunPath& path);
+
+/// In the order of kWalls.
+inline constexpr std::array<std::string_view, 4> kWallColours = {style::kSkyBlue, style::kVermilion,
+                                                                 style::kPurple, style::kOrange};
+
+[[nodiscard]] inline std::string_view wall_colour(Wall wall) { return kWallColours[wall_index(wall)]; }
+
+inline constexpr std::string_view kMovedDashes = "(4,4)";
+inline constexpr std::string_view kUnrecordedDashes = "(1,5)";
+
+/// The commands that draw the legend below the plot, with entries only for what the picture shows.
+[[nodiscard]] std::string run_legend(const RunPlot& plot, const RunScene& scene);
 
 }  // namespace hyrax

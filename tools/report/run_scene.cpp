@@ -120,7 +120,7 @@ RunScene make_run_scene(const Scenario& scenario, const Columns& rows, const std
   scene.inputs.resize(std::min(scene.inputs.size(), kInputsLabelledMax));
   scene.bounces = bounces_of(contacts, sizes);
   scene.ghosts = ghosts_of(scene.bounces);
-  for (const Contact& contact : contacts) ++scene.contacts[wall_index(contact.wall)];
+  for (const Contact& contact : contacts) ++scene.contacts[contact.wall];
   if (rows.size() > 0) {
     scene.start = outline_at(rows, 0, sizes);
     scene.end = outline_at(rows, rows.size() - 1, sizes);

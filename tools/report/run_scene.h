@@ -1,4 +1,4 @@
-// What a picture of a run shows, in px of its window. Nothing of it is text: run_figure.h draws it.
+// What a picture of a run shows, in px of its window, without drawing it.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ struct Box {
 
   [[nodiscard]] double width_px() const { return right_px - left_px; }
   [[nodiscard]] double height_px() const { return bottom_px - top_px; }
-  /// Whether it holds the point; points that are not finite are in no box.
+  /// Whether the point is inside; false if it is not finite.
   [[nodiscard]] bool holds(double x_px, double y_px) const {
     return x_px >= left_px && x_px <= right_px && y_px >= top_px && y_px <= bottom_px;
   }
 };
 
-/// Whether two outlines differ by less than the part `tolerance` of the first one's sides.
+/// Whether two outlines differ by less than `tolerance` times the sides of the first.
 [[nodiscard]] bool nearly_cover(const Box& a, const Box& b, double tolerance);
 
 /// The sprite's outline at a moment.
@@ -37,7 +37,7 @@ struct Bounce {
 };
 
 struct RunScene {
-  std::vector<Size> windows;  ///< Each once, as they came; of many, some, with the first and the last.
+  std::vector<Size> windows;  ///< Each once, in order; of many some, with the first and the last.
   std::optional<Box> start, end;
   std::vector<Bounce> bounces;     ///< The first kBouncesShownMax.
   std::vector<Box> ghosts;         ///< Their outlines, without those that nearly cover one another.
@@ -45,7 +45,7 @@ struct RunScene {
   std::vector<Throw> throws;       ///< The first kThrowsShownMax.
   std::vector<TimedInput> inputs;  ///< The first kInputsLabelledMax.
   RunPath path;
-  Box view;  ///< Holds the windows, and the sprite as long as it stays near them.
+  Box view;  ///< Contains the windows, and the sprite while it is near them.
 };
 
 inline constexpr std::size_t kBouncesShownMax = 30;
@@ -53,8 +53,7 @@ inline constexpr std::size_t kThrowsShownMax = 12;
 inline constexpr std::size_t kInputsLabelledMax = 12;
 inline constexpr std::size_t kWindowsShownMax = 12;
 
-/// @param view_parts how fine the picture is: the path shows what is larger than the view's longer
-/// side divided by it.
+/// @param view_parts the resolution: the path shows details larger than the view's longer side divided by it.
 /// REQUIRES: rows and contacts are of this scenario, whose events have frames.
 [[nodiscard]] RunScene make_run_scene(const Scenario& scenario, const Columns& rows,
                                       const std::vector<Contact>& contacts, double view_parts);

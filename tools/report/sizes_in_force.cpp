@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sim/scenario/apply.h"
+
 namespace hyrax {
 
 SizesInForce::SizesInForce(const Scenario& scenario, const std::vector<std::int64_t>& frames)
     : changes_{{0, scenario.window, scenario.sprite}} {
+  World world{.state = {}, .window = scenario.window, .sprite = scenario.sprite};
   for (std::size_t i = 0; i < scenario.events.size(); ++i) {
-    const auto* const resize = std::get_if<Resize>(&scenario.events[i].action);
-    if (resize == nullptr) continue;
-    const Change& before = changes_.back();
-    changes_.push_back(
-        {frames[i] + 1, resize->window.value_or(before.window), resize->sprite.value_or(before.sprite)});
+    apply(scenario.events[i].action, world);
+    if (world.window != changes_.back().window || world.sprite != changes_.back().sprite)
+      changes_.push_back({frames[i] + 1, world.window, world.sprite});
   }
 }
 

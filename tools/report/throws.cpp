@@ -5,6 +5,8 @@
 #include <iterator>
 #include <optional>
 
+#include "sim/scenario/apply.h"
+
 namespace hyrax {
 namespace {
 
@@ -15,11 +17,18 @@ std::optional<Row> row_at(const Columns& rows, std::int64_t step) {
   return rows.row(static_cast<std::size_t>(std::distance(rows.step.begin(), found)));
 }
 
-std::optional<Velocity> velocity_given(const Action& action) {
-  if (const auto* const fling = std::get_if<Fling>(&action)) return fling->velocity;
-  if (const auto* const release = std::get_if<Release>(&action)) return release->velocity;
-  return std::nullopt;
-}
+// The body that the events of one frame are applied to.
+struct Thrown {
+  void setPos(double x_px, double y_px) { position = Position{x_px, y_px}; }
+  void setVelocity(double vx_px_per_s, double vy_px_per_s) { velocity = Velocity{vx_px_per_s, vy_px_per_s}; }
+  void resetVelocity() {}
+
+  Size window;
+  Size sprite;
+  bool is_held = false;
+  std::optional<Position> position;
+  std::optional<Velocity> velocity;
+};
 
 Throw thrown_from(const Position& corner, const Size& sprite, const Velocity& velocity) {
   return {corner.x_px + sprite.width_px / 2.0, corner.y_px + sprite.height_px / 2.0, velocity};
@@ -30,15 +39,15 @@ Throw thrown_from(const Position& corner, const Size& sprite, const Velocity& ve
 std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::int64_t>& frames,
                              const Columns& rows, const SizesInForce& sizes) {
   std::vector<Throw> throws = {thrown_from(scenario.start, scenario.sprite, scenario.start_velocity)};
-  std::optional<Position> placed;
+  Thrown thrown;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0 && frames[i] != frames[i - 1]) placed.reset();
-    if (const auto* const place = std::get_if<Place>(&scenario.events[i].action)) placed = place->position;
-    const auto velocity = velocity_given(scenario.events[i].action);
+    if (i > 0 && frames[i] != frames[i - 1]) thrown.position.reset();
+    thrown.velocity.reset();
+    apply(scenario.events[i].action, thrown);
     const auto row = row_at(rows, frames[i]);
-    if (velocity && row)
-      throws.push_back(thrown_from(placed.value_or(Position{row->x_px, row->y_px}),
-                                   sizes.at(frames[i]).sprite, *velocity));
+    if (thrown.velocity && row)
+      throws.push_back(thrown_from(thrown.position.value_or(Position{row->x_px, row->y_px}),
+                                   sizes.at(frames[i]).sprite, *thrown.velocity));
   }
   return throws;
 }

@@ -1,4 +1,4 @@
-// Golden files: a run as a trajectory file, every row of a short one, block digests of a long one.
+// Golden files: a run as a trajectory file, with every row of a short run, block hashes of a long one.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,15 @@ namespace hyrax {
 /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON".
 void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run);
 
-/// REQUIRES: as read_on_trial.
+/// REQUIRES: as read_isolated.
 /// ERRORS: as TrajectoryFile's.
 [[nodiscard]] StoredRun read_golden(const std::string& path);
 
-/// Where a golden file says in words, its provenance aside, what write_golden does not: in its attributes,
-/// which hold no run, or in what stands in it besides. Nothing where it does not.
-/// REQUIRES: as read_on_trial.
-/// ERRORS: as TrajectoryFile's.
-[[nodiscard]] std::optional<std::string> golden_words_fault(const std::string& path);
+/// The first object or attribute of a golden file, /provenance aside, that bless would not write for the
+/// run: what no comparison of rows or contents covers. Nothing if there is none.
+/// @param run as read from the file.
+/// REQUIRES: as read_isolated.
+/// ERRORS: as read_isolated's.
+[[nodiscard]] std::optional<std::string> attribute_difference(const std::string& path, const StoredRun& run);
 
 }  // namespace hyrax

@@ -3,14 +3,14 @@
 #include <filesystem>
 
 #include "tools/files/failure.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 namespace {
 
 namespace fs = std::filesystem;
 
-// As the user wrote it where that is enough: a path below the current folder stays relative.
+// A path below the current folder stays relative, as the user wrote it.
 fs::path nearest_scenarios_folder(const fs::path& scenario_path) {
   for (fs::path folder = scenario_path.parent_path(); !folder.empty(); folder = folder.parent_path()) {
     if (folder.filename() == "scenarios") return folder;
@@ -19,7 +19,7 @@ fs::path nearest_scenarios_folder(const fs::path& scenario_path) {
   return {};
 }
 
-// As lexically_normal, but behind a link to a folder `..` is the parent of what it links to.
+// As lexically_normal, but after a link to a folder `..` is the parent of the folder linked to.
 fs::path without_dots(const fs::path& path) {
   fs::path plain;
   std::error_code unknown;
@@ -30,7 +30,7 @@ fs::path without_dots(const fs::path& path) {
   return plain;
 }
 
-// The file's path without dots, and the folder named `scenarios` in it; that is empty where there is none.
+// The file's path without dots, and the folder named `scenarios` in it; empty if there is none.
 struct ScenarioPlace {
   fs::path path;
   fs::path scenarios;

@@ -1,4 +1,4 @@
-// Where a scenario's golden file stands.
+// The paths of a scenario's golden file.
 #pragma once
 
 #include <optional>
@@ -8,23 +8,23 @@ namespace hyrax {
 
 struct GoldenPlace {
   std::string h5_path;   ///< The trajectory file.
-  std::string txt_path;  ///< Its digest, made for review in a diff.
+  std::string txt_path;  ///< Its summary, for review in a diff.
 };
 
-/// By the scenario's path, `..` resolved as the system does behind links, below the nearest folder named
-/// `scenarios`, in `golden_folder` or in the `golden` beside that folder; else by its file name in
-/// `golden_folder`. Nothing where neither says a place.
-/// @param golden_folder empty where none was given.
+/// The scenario's path relative to the nearest folder named `scenarios`, in `golden_folder` or in the
+/// `golden` beside that folder; without such a folder its file name in `golden_folder`. Nothing without
+/// either folder.
+/// `..` is resolved as the system does after links.
+/// @param golden_folder empty if none was given.
 [[nodiscard]] std::optional<GoldenPlace> golden_place(const std::string& scenario_path,
                                                       const std::string& golden_folder);
 
-/// The `golden` beside the nearest folder named `scenarios` that the file is below; empty where there is
-/// none.
+/// The `golden` beside the nearest folder named `scenarios` above the file; empty without such a folder.
 [[nodiscard]] std::string golden_folder_of(const std::string& scenario_path);
 
-/// Whether a golden file is there: both of its parts. One without the other is a missing golden file.
-/// ERRORS: Failure(bad_input) "PATH: is a pipe or a device ..." where it or its digest is one, for reading
-/// that might never come to an end.
+/// Whether both files exist. One without the other is a missing golden file.
+/// ERRORS: Failure(bad_input) "PATH: is a pipe or a device ..." if one of them is, since reading it might
+/// never end.
 [[nodiscard]] bool has_golden_file(const GoldenPlace& place);
 
 }  // namespace hyrax

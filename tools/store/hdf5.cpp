@@ -2,6 +2,7 @@
 
 #include <hdf5_hl.h>
 
+#include <cassert>
 #include <filesystem>
 #include <numeric>
 #include <system_error>
@@ -9,11 +10,11 @@
 namespace hyrax::h5 {
 namespace {
 
-// Before any other call. At the end of the process HDF5 would go once more over what it could not
-// write, and 1.10 can crash on it; all that is to be written was closed long before.
-void begin() {
-  static const herr_t is_left_alone = H5dont_atexit();
-  static_cast<void>(is_left_alone);
+// Must be called before any other function. At the end of the process HDF5 1.10 would try again to write what
+// it could not write before, and can crash; all files are closed by then.
+void initialize() {
+  static const herr_t result = H5dont_atexit();
+  static_cast<void>(result);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -25,8 +26,7 @@ Handle object_list(hid_t list_class) {
 
 constexpr std::size_t kGrowth = 64 << 10;  // Of a file in memory, in bytes.
 
-// A small file is held in memory and read or written in one piece, in place of some seventy short
-// system calls.
+// A small file is kept in memory, and read or written at once instead of with some seventy system calls.
 Handle access_list(std::uint64_t bytes) {
   constexpr std::uint64_t kSmall = 4 << 20;
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -37,7 +37,7 @@ Handle access_list(std::uint64_t bytes) {
 Handle create(const std::string& path, const Handle& access) {
   const Handle creation = object_list(H5P_FILE_CREATE);
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
-  H5Pset_file_locking(access, false, true);  // It belongs to this process alone until it is whole.
+  H5Pset_file_locking(access, false, true);  // No other process knows it until it is complete.
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose};
 }
 
@@ -48,25 +48,28 @@ Handle dataset_list() {
 }
 
 hssize_t length_of(hid_t dataset) {
-  return H5Sget_simple_extent_npoints(Handle(H5Dget_space(dataset), H5Sclose));
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  assert(H5Sget_simple_extent_ndims(space) == 1);
+  return H5Sget_simple_extent_npoints(space);
 }
 
 }  // namespace
 
 Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
-  begin();
+  initialize();
   return create(path, access_list(expected_bytes));
 }
 
 Handle create_file_in_memory() {
-  begin();
+  initialize();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access, kGrowth, false);
-  return create("/dev/null/in-memory", access);  // The library looks for a file of this name; there is none.
+  return create("/dev/null/in-memory",
+                access);  // The library looks for a file of this name, which must not exist.
 }
 
 Handle open_file(const std::string& path) {
-  begin();
+  initialize();
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   const Handle access = access_list(error ? 0 : bytes);
@@ -81,6 +84,13 @@ Handle create_group(hid_t parent, const char* name) {
 Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
   return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, dataset_list(), H5P_DEFAULT), H5Dclose};
+}
+
+Handle write_dataset(hid_t parent, const char* name, hid_t type, hid_t memory_type, std::size_t length,
+                     const void* data) {
+  Handle dataset = create_dataset(parent, name, type, {length});
+  if (length > 0 && H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) return {};
+  return dataset;
 }
 
 Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {
@@ -122,6 +132,7 @@ bool share_axis(hid_t group, const char* scale) {
 
 void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
                  std::span<const std::string_view> meanings) {
+  assert(values.size() == meanings.size());
   const hsize_t count = values.size();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Handle attribute(H5Acreate2(dataset, codes, H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);

@@ -8,8 +8,7 @@
 #include <sys/stat.h>
 
 #include "tools/files/failure.h"
-#include "tools/files/file_name.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 #include "tools/store/golden_place.h"
 
@@ -31,7 +30,7 @@ bool holds_scenario(const std::string& path) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     return begin != std::string::npos && text[begin] == '{' && text.find("\"hyrax-scenario/") != text.npos;
   } catch (const Failure&) {
-    return false;  // Too large for a scenario, or not to be read as one.
+    return false;  // Too large for a scenario, or unreadable.
   }
 }
 
@@ -57,7 +56,7 @@ void require_suffix(const std::string& option, const std::string& path,
 
 }  // namespace
 
-// Where a path leads, and whether it or a link on the way is in a folder of that kind.
+// The target of a path, and whether it, or a link on the way to it, is in a folder of that kind.
 struct OutputGuard::Route {
   std::string end;  // The file's absolute path, without links and dots; it need not exist.
   bool is_in_golden = false;
@@ -72,7 +71,7 @@ OutputGuard::Route OutputGuard::route_to(const std::string& path) const {
   std::set<std::string> golden_folders = golden_folders_;
   fs::path here;
   Route route;
-  const auto look_around = [&] {
+  const auto check_folders = [&] {
     for (fs::path folder = here; folder.has_relative_path(); folder = folder.parent_path()) {
       if (is_beside_scenarios(folder) || golden_folders.count(folder.string()) > 0) route.is_in_golden = true;
       if (folder.filename() == "scenarios") route.is_in_scenarios = true;
@@ -86,7 +85,7 @@ OutputGuard::Route OutputGuard::route_to(const std::string& path) const {
     if (part == "..") {
       here = here.parent_path();
     } else if (fs::is_symlink(next, unknown) && ++links <= kLinksMax) {
-      look_around();
+      check_folders();
       if (is_beside_scenarios(next)) golden_folders.insert(fs::weakly_canonical(next, unknown).string());
       const fs::path target = fs::read_symlink(next, unknown);
       if (target.is_absolute()) here.clear();
@@ -95,7 +94,7 @@ OutputGuard::Route OutputGuard::route_to(const std::string& path) const {
       here = next;
     }
   }
-  look_around();
+  check_folders();
   route.end = here.string();
   return route;
 }
@@ -118,7 +117,7 @@ void OutputGuard::admit(const std::string& option, const std::string& path,
                         const std::vector<std::string>& suffixes) {
   require_suffix(option, path, suffixes);
   admit_scenario(option, path);
-  spare_scenarios(option, path);
+  refuse_scenarios(option, path);
 }
 
 void OutputGuard::admit_scenario(const std::string& option, const std::string& path) {
@@ -127,21 +126,21 @@ void OutputGuard::admit_scenario(const std::string& option, const std::string& p
   if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))
     throw Failure(ExitCode::bad_input, option + ": is a golden file or in a golden folder (found " + path +
                                            "); only `hyrax-sim bless` writes there");
-  spare_inputs(option, path);
+  refuse_inputs(option, path);
   if (!outputs_.insert(route.end).second) refuse(option, "another output of this command", path);
 }
 
 void OutputGuard::admit_golden(const std::string& option, const std::string& path) const {
-  spare_inputs(option, path);
-  spare_scenarios(option, path);
+  refuse_inputs(option, path);
+  refuse_scenarios(option, path);
 }
 
-void OutputGuard::spare_inputs(const std::string& option, const std::string& path) const {
+void OutputGuard::refuse_inputs(const std::string& option, const std::string& path) const {
   const auto identity = identity_of(path);
   if (identity && inputs_.count(*identity) > 0) refuse(option, "an input of this command", path);
 }
 
-void OutputGuard::spare_scenarios(const std::string& option, const std::string& path) const {
+void OutputGuard::refuse_scenarios(const std::string& option, const std::string& path) const {
   const Route route = route_to(path);
   const bool is_scenario_by_name =
       route.is_in_scenarios && identity_of(path) && fs::path(route.end).extension() == ".json";

@@ -1,4 +1,4 @@
-// Which files a command may write: none that it reads, no golden file and no scenario.
+// Which files a command may write: none of its inputs, no golden file and no scenario.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace hyrax {
 
-/// Every output of a command passes admit() before anything is written. Files are compared by what they are
-/// (device and inode), whatever leads to them: links, hard links and `..`. An output may not be
+/// Every output of a command passes admit() before anything is written. Files are compared by device and
+/// inode, so that links, hard links and `..` make no difference. An output may not be
 ///   an input, or an input's golden file;
 ///   in a golden folder: one given by --golden, one beside a folder `scenarios`, or that of an input;
 ///   an existing scenario: JSON text with the format's name, or a *.json in a folder `scenarios`;
 ///   an output that was admitted before.
 class OutputGuard {
  public:
-  /// @param inputs the files that the command reads. @param golden_folder empty where none was given.
+  /// @param inputs the files that the command reads. @param golden_folder empty if none was given.
   explicit OutputGuard(const std::vector<std::string>& inputs, const std::string& golden_folder = "");
 
   /// @param option for the message, as "hyrax-sim run: --figure".
@@ -29,7 +29,7 @@ class OutputGuard {
   /// The same for a scenario file: it may replace a scenario.
   void admit_scenario(const std::string& option, const std::string& path);
 
-  /// The same for what goes into a golden folder on purpose; it may be admitted several times.
+  /// The same for a golden file that is written on purpose; it may be admitted several times.
   void admit_golden(const std::string& option, const std::string& path) const;
 
  private:
@@ -37,12 +37,12 @@ class OutputGuard {
   struct Route;
 
   [[nodiscard]] Route route_to(const std::string& path) const;
-  void spare_inputs(const std::string& option, const std::string& path) const;
-  void spare_scenarios(const std::string& option, const std::string& path) const;
+  void refuse_inputs(const std::string& option, const std::string& path) const;
+  void refuse_scenarios(const std::string& option, const std::string& path) const;
 
   std::set<Identity> inputs_;
   std::set<Identity> golden_files_;
-  std::set<std::string> golden_folders_;  // Where they are, their links followed.
+  std::set<std::string> golden_folders_;  // Their paths without links.
   std::set<std::string> outputs_;
 };
 

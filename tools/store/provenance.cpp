@@ -7,7 +7,7 @@ namespace hyrax {
 
 Provenance own_provenance() {
   const BuildInfo build = build_info();
-  const auto text = [](std::string_view words) { return std::string(words); };
+  const auto text = [](std::string_view view) { return std::string(view); };
   return {.program = "hyrax-sim " + text(build.version),
           .compiler = text(build.compiler),
           .flags = text(build.flags),

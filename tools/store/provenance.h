@@ -1,5 +1,4 @@
-// Which build made a file: the floating-point contract that its run was made under. No part of any
-// comparison of runs.
+// The build that wrote a file, with its floating-point settings. Not part of any comparison of runs.
 #pragma once
 
 #include <hdf5.h>
@@ -10,14 +9,14 @@
 
 namespace hyrax {
 
-/// The attributes of /provenance; nothing where a file does not tell.
+/// The attributes of /provenance; nothing where a file lacks one.
 struct Provenance {
   std::optional<std::string> program;
   std::optional<std::string> compiler;
   std::optional<std::string> flags;
   std::optional<std::string> target;
-  std::optional<std::string> instruction_set;  ///< That it was built for, not that of the machine.
-  std::optional<std::string> self_test;        ///< The verdict on its arithmetic.
+  std::optional<std::string> instruction_set;  ///< Of the build, not of the machine.
+  std::optional<std::string> self_test;        ///< The result of the test of its arithmetic.
 };
 
 struct ProvenanceField {

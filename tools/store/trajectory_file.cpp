@@ -9,10 +9,11 @@
 #include <unistd.h>
 
 #include "tools/files/failure.h"
-#include "tools/files/presence.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/store/input_record.h"
+#include "tools/store/isolated_read.h"
 #include "tools/store/trajectory_format.h"
-#include "tools/store/trial_reading.h"
 
 namespace hyrax {
 namespace {
@@ -21,7 +22,7 @@ namespace {
   throw Failure(ExitCode::bad_input, path + ": " + sentence);
 }
 
-// As HDF5 locks what it opens. A file that cannot be locked at all is not locked.
+// By the kind of lock that HDF5 takes. A file that cannot be locked at all counts as not locked.
 bool is_locked(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
@@ -33,18 +34,18 @@ bool is_locked(const std::string& path) {
 h5::Handle open_readable(const std::string& path) {
   if (access(path.c_str(), R_OK) != 0)
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
-  if (!is_regular_file(path)) refuse_file(path, "is no file");
+  if (!is_regular_file(path)) refuse_file(path, "is not a regular file");
   h5::Handle file = h5::open_file(path);
   if (!file.is_open() && is_locked(path))
     throw Failure(ExitCode::cannot_access,
                   path + ": cannot be read: locked by another program, which may be writing it");
-  if (!file.is_open()) refuse_file(path, "is no HDF5 file, or was cut short");
+  if (!file.is_open()) refuse_file(path, "is not an HDF5 file, or is truncated");
   return file;
 }
 
-bool is_usual_number(hid_t type) {
-  for (const hid_t usual : {H5T_IEEE_F64LE, H5T_IEEE_F64BE, H5T_STD_I64LE, H5T_STD_I64BE, H5T_STD_U8LE})
-    if (H5Tequal(type, usual) > 0) return true;
+bool has_common_format(hid_t type) {
+  for (const hid_t common : {H5T_IEEE_F64LE, H5T_IEEE_F64BE, H5T_STD_I64LE, H5T_STD_I64BE, H5T_STD_U8LE})
+    if (H5Tequal(type, common) > 0) return true;
   return false;
 }
 
@@ -68,20 +69,20 @@ NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::strin
   if (!dataset_.is_open()) throw Failure(ExitCode::bad_input, place_ + ": is missing");
   const h5::Handle type(H5Dget_type(dataset_), H5Tclose);
   if (H5Tget_class(type) != type_class || H5Tget_size(type) != element_bytes)
-    throw Failure(ExitCode::bad_input, place_ + ": is of a wrong type");
+    throw Failure(ExitCode::bad_input, place_ + ": is of the wrong type");
   const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
   hsize_t length = 0;
   if (H5Sget_simple_extent_ndims(space) != 1 || H5Sget_simple_extent_dims(space, &length, nullptr) != 1)
     throw Failure(ExitCode::bad_input, place_ + ": must have one axis");
-  const bool is_in_one_piece = is_contiguous(dataset_);
-  if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_in_one_piece)
-    throw Failure(ExitCode::bad_input, place_ + ": was never written to its end");
+  const bool is_contiguous_dataset = is_contiguous(dataset_);
+  if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_contiguous_dataset)
+    throw Failure(ExitCode::bad_input, place_ + ": is incomplete");
   length_ = static_cast<std::int64_t>(length);
-  is_plain_ = is_in_one_piece && is_usual_number(type);
+  is_plain_ = is_contiguous_dataset && has_common_format(type);
 }
 
 void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const {
-  const std::string damage = place_ + ": cannot be read; the file was cut short or damaged";
+  const std::string damage = place_ + ": cannot be read: the file is truncated or damaged";
   if (count == length_) {
     if (H5Dread(dataset_, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
       throw Failure(ExitCode::bad_input, damage);
@@ -107,7 +108,7 @@ TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)
 }
 
 TrajectoryFile TrajectoryFile::open(const std::string& path, const Read& read) {
-  read_on_trial(path, [&] { read(TrajectoryFile(path, Parsing::off)); });
+  read_isolated(path, [&] { read(TrajectoryFile(path, Parsing::off)); });
   return TrajectoryFile(path);
 }
 
@@ -116,7 +117,7 @@ void TrajectoryFile::read_all() const {
   const bool is_plain =
       step_.is_plain() && contact_.is_plain() &&
       std::all_of(columns_.begin(), columns_.end(), [](const auto& c) { return c.is_plain(); });
-  // Of plain columns the first and the last row stand for all.
+  // Of plain columns it is enough to read the first and the last row.
   const std::int64_t stride = is_plain ? std::max<std::int64_t>(1, row_count() - 1) : kBatch;
   for (std::int64_t first = 0; first < row_count(); first += stride)
     static_cast<void>(rows(first, is_plain ? 1 : std::min(kBatch, row_count() - first)));
@@ -129,8 +130,8 @@ void TrajectoryFile::read_all() const {
 FileHead TrajectoryFile::read_head(Parsing parsing) const {
   const auto format = h5::read_text_attribute(file_, "format");
   if (format != kTrajectoryFormat)
-    refuse("is of format '" + format.value_or("none") + "'; this program reads " +
-           std::string(kTrajectoryFormat));
+    refuse("attribute format: unknown format (found " + format.value_or("none") +
+           "); allowed: " + std::string(kTrajectoryFormat));
   FileHead head;
   const std::string scenario = text("scenario");
   if (parsing == Parsing::on) head.scenario = parse_scenario(scenario, path_ + ": attribute scenario");
@@ -138,22 +139,22 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   head.state_hash = text("state_hash");
   const auto steps = h5::read_integer_attribute(file_, "steps");
   if (!steps || *steps < 0 || *steps > kStepsMax)
-    refuse("attribute steps: is missing or no whole number 0 .. 1e12");
+    refuse("attribute steps: is missing or not an integer 0 .. 1e12");
   head.steps = *steps;
   return head;
 }
 
 std::string TrajectoryFile::text(const char* attribute) const {
   const auto text = h5::read_text_attribute(file_, attribute);
-  if (!text) refuse(std::string("attribute ") + attribute + ": is missing or no text");
+  if (!text) refuse(std::string("attribute ") + attribute + ": is missing or not text");
   return *text;
 }
 
 void TrajectoryFile::check_lengths() const {
   const auto require = [&](std::int64_t length, const char* name) {
     if (length != row_count())
-      refuse(std::string("/trajectory/") + name + ": has " + std::to_string(length) +
-             " rows, /trajectory/step has " + std::to_string(row_count()));
+      refuse(std::string("/trajectory/") + name + ": has the wrong length (found " + std::to_string(length) +
+             "); /trajectory/step has " + std::to_string(row_count()));
   };
   for (std::size_t column = 0; column < columns_.size(); ++column)
     require(columns_[column].length(), kRowColumns[column].name);
@@ -161,8 +162,8 @@ void TrajectoryFile::check_lengths() const {
   if (row_count() == 0) refuse("/trajectory: has no rows");
   const auto last = step_.read<std::int64_t>(H5T_NATIVE_INT64, row_count() - 1, 1);
   if (last.front() != head_.steps)
-    refuse("/trajectory/step: ends at row " + std::to_string(last.front()) + ", the attribute steps says " +
-           std::to_string(head_.steps));
+    refuse("/trajectory/step: ends at the wrong row (found " + std::to_string(last.front()) +
+           "); the attribute steps is " + std::to_string(head_.steps));
 }
 
 Columns TrajectoryFile::rows(std::int64_t first, std::int64_t count) const {
@@ -179,7 +180,7 @@ std::vector<Contact> TrajectoryFile::contacts() const {
   const std::int64_t count = step.length();
   const auto same_length = [&](NumberColumn other, const char* name) {
     if (other.length() != count)
-      refuse(std::string("/contacts/") + name + ": has another length than /contacts/step");
+      refuse(std::string("/contacts/") + name + ": differs in length from /contacts/step");
     return other;
   };
   const auto steps = step.read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
@@ -191,7 +192,8 @@ std::vector<Contact> TrajectoryFile::contacts() const {
   std::vector<Contact> contacts(static_cast<std::size_t>(count));
   for (std::size_t index = 0; index < contacts.size(); ++index) {
     if (walls[index] != 1 && walls[index] != 2 && walls[index] != 4 && walls[index] != 8)
-      refuse("/contacts/wall: must hold 1, 2, 4 or 8, holds " + std::to_string(walls[index]));
+      refuse("/contacts/wall: unknown code (found " + std::to_string(walls[index]) +
+             "); allowed: 1, 2, 4, 8");
     contacts[index].step = steps[index];
     contacts[index].last_step = last_steps[index];
     contacts[index].wall = static_cast<Wall>(walls[index]);
@@ -210,7 +212,7 @@ std::vector<Contact> TrajectoryFile::contacts() const {
 std::int64_t TrajectoryFile::contacts_total() const {
   const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
   const auto total = h5::read_integer_attribute(group, "total");
-  if (!total) refuse("/contacts: attribute total is missing or no whole number");
+  if (!total) refuse("/contacts: attribute total: is missing or not an integer");
   return *total;
 }
 
@@ -232,8 +234,12 @@ std::vector<Input> TrajectoryFile::inputs() const {
   std::vector<Input> inputs;
   for (std::size_t index = 0; index < frames.size(); ++index) {
     if (kinds[index] >= kInputKindNames.size())
-      refuse("/events/kind: must hold 0 .. 7, holds " + std::to_string(kinds[index]));
-    inputs.push_back({frames[index], static_cast<InputKind>(kinds[index]), as[index], bs[index]});
+      refuse("/events/kind: unknown code (found " + std::to_string(kinds[index]) + "); allowed: 0 .. 7");
+    const auto input = input_of({frames[index], kinds[index], as[index], bs[index]});
+    if (!input)
+      refuse("/events: input " + std::to_string(index) + ": its numbers do not fit its kind, " +
+             std::string(kInputKindNames[kinds[index]]));
+    inputs.push_back(*input);
   }
   return inputs;
 }

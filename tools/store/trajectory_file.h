@@ -1,33 +1,35 @@
-// Reads `hyrax-trajectory/1` files, and refuses what is not whole.
+// Reads `hyrax-trajectory/1` files, and rejects damaged or incomplete ones.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
-#include "sim/trajectory/input.h"
-#include "tools/store/file_head.h"
 #include "tools/store/hdf5.h"
 #include "tools/store/provenance.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 
-/// One dataset of numbers, checked: of that class and element size, one axis, all of it stored.
+/// One dataset of numbers, checked: its class and element size, one axis, completely stored.
 class NumberColumn {
  public:
-  /// ERRORS: Failure(bad_input) that names file and dataset.
+  /// ERRORS: Failure(bad_input) "PATH: DATASET: ...".
   NumberColumn(hid_t file, const std::string& path, const std::string& dataset, H5T_class_t type_class,
                std::size_t element_bytes);
 
   [[nodiscard]] std::int64_t length() const { return length_; }
-  /// Whether it stands in one piece, in a usual format of numbers: the library has nothing to decode.
+  /// Whether it is contiguous, in a common number format, so that the library decodes nothing.
   [[nodiscard]] bool is_plain() const { return is_plain_; }
-  /// Elements `first` .. `first + count - 1`. REQUIRES: first + count <= length().
+  /// Elements `first` .. `first + count - 1`. REQUIRES: 0 <= first, first + count <= length().
   template <class Value>
   [[nodiscard]] std::vector<Value> read(hid_t memory_type, std::int64_t first, std::int64_t count) const {
+    assert(first >= 0 && count >= 0 && first + count <= length_);
     std::vector<Value> values(static_cast<std::size_t>(count));
     if (count > 0) read_into(memory_type, first, count, values.data());
     return values;
@@ -42,31 +44,31 @@ class NumberColumn {
   bool is_plain_ = false;
 };
 
-/// ERRORS: opening and reading throw Failure(cannot_access) where the file cannot be read, and
-/// Failure(bad_input) "PATH: ..." where it is truncated, of another format, or a dataset is missing,
-/// of a wrong type or of a length that differs from its neighbours'.
+/// ERRORS: opening and reading throw Failure(cannot_access) if the file cannot be read, and
+/// Failure(bad_input) "PATH: ..." if it is truncated or of another format, or if a dataset is missing, of the
+/// wrong type, or of another length than its neighbours.
 class TrajectoryFile {
  public:
   using Read = std::function<void(const TrajectoryFile&)>;
 
-  /// Opens a file of any origin, after a trial in a child process (read_on_trial).
-  /// @param read what the caller will read of it; the trial does the same. The trial does not parse the
+  /// Opens a file of any origin, after reading it in a child process (read_isolated).
+  /// @param read what the caller will read of it; the child reads the same. The child does not parse the
   /// scenario: that is this program's own code, needs no HDF5, and its cost depends on the scenario and
   /// not on the file's size.
-  /// REQUIRES: as read_on_trial.
+  /// REQUIRES: as read_isolated.
   [[nodiscard]] static TrajectoryFile open(const std::string& path,
                                            const Read& read = &TrajectoryFile::read_all);
-  /// Opens a file without a trial: a damaged one may crash the HDF5 library.
+  /// Opens a file in this process only: a damaged one may crash the HDF5 library.
   explicit TrajectoryFile(const std::string& path) : TrajectoryFile(path, Parsing::on) {}
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const FileHead& head() const { return head_; }
-  /// Recorded rows.
+  /// The number of recorded rows.
   [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
   /// Recorded rows `first` .. `first + count - 1`. REQUIRES: first + count <= row_count().
   [[nodiscard]] Columns rows(std::int64_t first, std::int64_t count) const;
   [[nodiscard]] std::vector<Contact> contacts() const;
-  /// Counts contacts beyond those recorded as well.
+  /// The number of contacts, with those that are not recorded.
   [[nodiscard]] std::int64_t contacts_total() const;
   [[nodiscard]] std::vector<Input> inputs() const;
   [[nodiscard]] Provenance provenance() const { return read_provenance(file_); }
@@ -75,7 +77,7 @@ class TrajectoryFile {
   /// A dataset of this file.
   [[nodiscard]] NumberColumn column(const std::string& dataset, H5T_class_t type_class,
                                     std::size_t element_bytes) const;
-  /// ERRORS: throws Failure(bad_input) "PATH: SENTENCE".
+  /// Throws Failure(bad_input) "PATH: SENTENCE".
   [[noreturn]] void refuse(const std::string& sentence) const;
 
  private:

@@ -1,4 +1,4 @@
-// What reader and writer of `hyrax-trajectory/1` files agree on.
+// The format `hyrax-trajectory/1`, as golden/README.md describes it: what reader and writers share.
 #pragma once
 
 #include <hdf5.h>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
 
@@ -16,21 +16,23 @@ namespace hyrax {
 inline constexpr std::string_view kTrajectoryFormat = "hyrax-trajectory/1";
 inline constexpr std::string_view kPhysicsModel = "hyrax-physics/1";
 
-/// A column of doubles: its dataset, its unit, what it is, and where it stands in a batch.
+/// A column of doubles: its dataset, unit and description, and its place in a batch of rows and in one row.
+/// A new one is added to Row and Columns, and here: every reader and writer of rows uses this list.
 struct RowColumn {
   const char* name;
   const char* unit;
   const char* long_name;
   std::vector<double> Columns::*values;
+  double Row::*value;
 };
 
 inline constexpr std::array<RowColumn, 6> kRowColumns = {{
-    {"t", "s", "time since the start", &Columns::t_s},
-    {"dt", "s", "duration of the frame", &Columns::dt_s},
-    {"x", "px", "left edge of the sprite, to the right", &Columns::x_px},
-    {"y", "px", "top edge of the sprite, downwards", &Columns::y_px},
-    {"vx", "px/s", "velocity to the right", &Columns::vx_px_per_s},
-    {"vy", "px/s", "velocity downwards", &Columns::vy_px_per_s},
+    {"t", "s", "time since the start", &Columns::t_s, &Row::t_s},
+    {"dt", "s", "duration of the frame", &Columns::dt_s, &Row::dt_s},
+    {"x", "px", "left edge of the sprite, to the right", &Columns::x_px, &Row::x_px},
+    {"y", "px", "top edge of the sprite, downwards", &Columns::y_px, &Row::y_px},
+    {"vx", "px/s", "velocity to the right", &Columns::vx_px_per_s, &Row::vx_px_per_s},
+    {"vy", "px/s", "velocity downwards", &Columns::vy_px_per_s, &Row::vy_px_per_s},
 }};
 
 /// The flags of a row's contact byte; the first four are the codes of a contact's wall.
@@ -55,5 +57,13 @@ inline constexpr std::array<ContactColumn, 8> kContactColumns = {{
     {"vy_after", "px/s", "velocity downwards after it", &Contact::vy_after_px_per_s},
     {"overshoot", "px", "how far past the wall the unclamped position was", &Contact::overshoot_px},
 }};
+
+/// The attributes of `/`.
+struct FileHead {
+  Scenario scenario;
+  std::int64_t steps = 0;
+  std::string physics;
+  std::string state_hash;  ///< 32 hex digits.
+};
 
 }  // namespace hyrax

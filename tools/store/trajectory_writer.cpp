@@ -6,30 +6,40 @@
 #include <system_error>
 
 #include "tools/files/failure.h"
+#include "tools/files/json.h"
 
 namespace hyrax {
 namespace {
 
-constexpr std::uint64_t kRowBytes = 57;      // step, t, dt, x, y, vx, vy and contact.
-constexpr std::uint64_t kContactBytes = 81;  // step, last_step, wall and kContactColumns.
+constexpr std::uint64_t kRowBytes = 8 + 8 * kRowColumns.size() + 1;  // step, columns, contact.
+constexpr std::uint64_t kContactBytes =
+    2 * 8 + 1 + 8 * kContactColumns.size();  // step, last_step, wall, columns.
 
-// How many bytes of contacts a run can have at most: two in each step, in a corner.
+// At most two contacts in each step, in a corner.
 std::uint64_t contact_bytes_max(std::int64_t steps) {
   return kContactBytes * static_cast<std::uint64_t>(std::min(2 * steps, kContactsRecordedMax));
 }
 
-// Refuses at once what cannot end well, instead of filling the disk first.
-std::uint64_t row_bytes_that_fit(const std::string& path, std::int64_t rows) {
+// Fails at once if the disk is too small, instead of filling it first.
+std::uint64_t require_disk_space(const std::string& path, std::int64_t rows) {
   const std::uint64_t bytes = kRowBytes * static_cast<std::uint64_t>(rows);
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
   if (!error && bytes > space.available)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows take " +
-                                               std::to_string(bytes >> 20) + " MiB, " +
+    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows need " +
+                                               std::to_string(bytes >> 20) + " MiB (found " +
                                                std::to_string(space.available >> 20) +
-                                               " MiB are free; record fewer with /record/every");
+                                               " MiB free); record fewer with /record/every");
   return bytes;
+}
+
+// A column's name and unit, as "vx_px_per_s".
+std::string header_of(const RowColumn& column) {
+  std::string text = std::string(column.name) + "_";
+  for (const char letter : std::string_view(column.unit))
+    text += letter == '/' ? "_per_" : std::string(1, letter);
+  return text;
 }
 
 }  // namespace
@@ -38,7 +48,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scen
     : path_(path),
       rows_every_(scenario.record_every),
       target_(path),
-      file_(h5::create_file(target_.part_path(), row_bytes_that_fit(path, row_count(steps, rows_every_)) +
+      file_(h5::create_file(target_.part_path(), require_disk_space(path, row_count(steps, rows_every_)) +
                                                      contact_bytes_max(steps))),
       trajectory_(h5::create_group(file_, "trajectory")),
       contacts_(h5::create_group(file_, "contacts")),
@@ -73,6 +83,37 @@ void TrajectoryWriter::finish(const FileHead& head, const std::vector<Input>& in
 
 void TrajectoryWriter::require(bool is_written) const {
   if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
+}
+
+TrajectoryCsv::TrajectoryCsv(const std::string& path, std::int64_t rows_every)
+    : path_(path),
+      rows_every_(rows_every),
+      target_(path),
+      file_(std::fopen(target_.part_path().c_str(), "wb")) {
+  if (!file_) fail_to_write(path_, errno);
+  std::string header = "step";
+  for (const RowColumn& column : kRowColumns) header.append(",").append(header_of(column));
+  write(header + ",contact\n");
+}
+
+void TrajectoryCsv::rows(const Columns& batch) {
+  std::string text;
+  for (std::size_t index = 0; index < batch.size(); ++index) {
+    text += std::to_string(batch.step[index]);
+    for (const RowColumn& column : kRowColumns)
+      text.append(",").append(to_text((batch.*column.values)[index]));
+    text.append(",").append(std::to_string(batch.contact[index])).append("\n");
+  }
+  write(text);
+}
+
+void TrajectoryCsv::finish() {
+  if (std::fclose(file_.release()) != 0) fail_to_write(path_, errno);
+  target_.commit();
+}
+
+void TrajectoryCsv::write(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail_to_write(path_, errno);
 }
 
 }  // namespace hyrax

@@ -1,25 +1,26 @@
-// Writes a run into a `hyrax-trajectory/1` file as it is played.
+// Writes a run as it is played: to a `hyrax-trajectory/1` file, or as comma-separated values.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/trajectory/row_sink.h"
 #include "tools/files/atomic_file.h"
-#include "tools/store/contact_table.h"
-#include "tools/store/file_head.h"
-#include "tools/store/row_table.h"
+#include "tools/store/trajectory_parts.h"
 
 namespace hyrax {
 
-/// Takes the rows that the scenario's record.every asks for, and all contacts. Memory does not
-/// grow with the run. The file stands in its place only after finish().
-/// ERRORS: every call may throw Failure(cannot_access) "PATH: cannot be written: REASON".
+/// Writes every record.every-th row and all contacts. Memory does not grow with the run. The file is at
+/// `path` only after finish(). ERRORS: every call may throw Failure(cannot_access) "PATH: cannot be written:
+/// REASON".
 class TrajectoryWriter : public RowSink {
  public:
-  /// @param steps that will be played.
+  /// @param steps of the run.
   TrajectoryWriter(const std::string& path, const Scenario& scenario, std::int64_t steps);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = true}; }
@@ -27,14 +28,17 @@ class TrajectoryWriter : public RowSink {
   void contact_began(const Contact& contact) override;
   void contact_ended(std::int64_t index, std::int64_t last_step) override;
 
-  /// @param contacts_total of the run, handed on or not.
-  /// @param write_more called, if it is set, once all else stands in the file, to add groups of its own;
-  /// says whether they could be written.
+  /// For groups that are written as the run is played; whoever makes them closes them before `finish` ends.
+  [[nodiscard]] hid_t file() const { return file_; }
+  /// @param contacts_total of the run, with those that are not recorded.
+  /// @param write_more if set, adds further groups to the complete file; returns false if they could not be
+  /// written.
   void finish(const FileHead& head, const std::vector<Input>& inputs, std::int64_t contacts_total,
               const std::function<bool(hid_t file)>& write_more = {});
 
-  /// How many rows a run of `steps` has with every K-th and the last recorded.
+  /// The number of recorded rows of a run: every K-th, and the last one. REQUIRES: every > 0.
   [[nodiscard]] static std::int64_t row_count(std::int64_t steps, std::int64_t every) {
+    assert(every > 0);
     return steps / every + 1 + (steps % every != 0 ? 1 : 0);
   }
 
@@ -49,6 +53,31 @@ class TrajectoryWriter : public RowSink {
   h5::Handle contacts_;
   RowTable row_table_;
   ContactTable contact_table_;
+};
+
+/// The header "step,t_s,dt_s,x_px,y_px,vx_px_per_s,vy_px_per_s,contact", then every record.every-th row.
+/// Numbers are shortest-round-trip; contact has the bits of a trajectory file. Memory does not grow with the
+/// run. The file is at `path` only after finish(). ERRORS: every call may throw
+/// Failure(cannot_access) "PATH: cannot be written: REASON".
+class TrajectoryCsv : public RowSink {
+ public:
+  TrajectoryCsv(const std::string& path, std::int64_t rows_every);
+
+  [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = false}; }
+  void rows(const Columns& batch) override;
+  void finish();
+
+ private:
+  void write(const std::string& text);
+
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::string path_;
+  std::int64_t rows_every_;
+  AtomicFile target_;
+  std::unique_ptr<std::FILE, Close> file_;
 };
 
 }  // namespace hyrax

@@ -3,12 +3,10 @@
 
 import pathlib
 import signal
-import subprocess
-import sys
 import unittest
 
-from hyrax_program import FLING, HyraxTest
-from wine import FLINGER, skip_without
+from hyrax_program import FLING, FLINGER, HyraxTest
+from process import skip_without, succeed
 
 SPRITE_PX = 128
 SCREEN = [1024, 768]
@@ -99,7 +97,7 @@ class Disturbance(HyraxTest):
         for wait_ms in (100, 500, 900):
             process = self.start_and_fling()
             self.hand("sleep", wait_ms)
-            process.kill()
+            process.send(signal.SIGKILL)
             flight = self.end(process)
             self.assertEqual(flight.exit_code, -signal.SIGKILL)
             recorded = flight.document["clock"]["dt_s"]
@@ -123,8 +121,8 @@ class StandingClock(HyraxTest):
     def test_frames_of_no_time_are_played_and_recorded(self):
         stop = self.folder / "clock-stands"
         clock = self.folder / "standing_clock.so"
-        subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", clock,
-                        pathlib.Path(__file__).with_name("standing_clock.c"), "-ldl"], check=True)
+        succeed("cc", "-shared", "-fPIC", "-O1", "-o", clock, pathlib.Path(__file__).with_name("standing_clock.c"),
+                "-ldl")
         self.wine.run(FLINGER, "sleep", 0)  # Starts Wine's server, whose clock goes on.
         self.wine.environment.update(LD_PRELOAD=str(clock), HYRAX_CLOCK_STANDS=str(stop))
         process = self.start_and_fling()
@@ -138,6 +136,5 @@ class StandingClock(HyraxTest):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without("wine", "cc")
     unittest.main()

@@ -6,12 +6,11 @@ import os
 import pathlib
 import re
 import struct
-import subprocess
-import sys
 import tempfile
 import unittest
 
-from wine import FOLDER, HYRAX, HYRAX_REPLAY, skip_without
+from hyrax_program import FOLDER, HYRAX, HYRAX_REPLAY
+from process import skip_without, succeed
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
 TOOLS = "x86_64-w64-mingw32-"
@@ -27,24 +26,19 @@ HYRAX_SIM = pathlib.Path(os.environ.get("HYRAX_SIM", "hyrax-sim"))
 RT_ICON, RT_RCDATA, RT_GROUP_ICON, RT_VERSION, RT_MANIFEST = 3, 10, 14, 16, 24
 
 
-def run(*command, **options):
-    """What a program says."""
-    return subprocess.run([*map(str, command)], check=True, capture_output=True, **options).stdout
-
-
 def imports(path):
     """The DLLs that a program names."""
-    return {name.lower() for name in re.findall(r"DLL Name: (\S+)", run(TOOLS + "objdump", "-p", path).decode())}
+    return {name.lower() for name in re.findall(r"DLL Name: (\S+)", succeed(TOOLS + "objdump", "-p", path).out)}
 
 
 def resources(path):
     """Its resources, as {type: {name: bytes}}. They lie in the section .rsrc as a tree of three levels."""
-    sections = run(TOOLS + "objdump", "-h", path).decode()
+    sections = succeed(TOOLS + "objdump", "-h", path).out
     size, address = (int(text, 16) for text in re.search(r"\.rsrc\s+(\w+)\s+(\w+)", sections).groups())
-    base = int(re.search(r"ImageBase\s+(\w+)", run(TOOLS + "objdump", "-p", path).decode()).group(1), 16)
+    base = int(re.search(r"ImageBase\s+(\w+)", succeed(TOOLS + "objdump", "-p", path).out).group(1), 16)
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder, "rsrc")
-        run(TOOLS + "objcopy", "-O", "binary", "--only-section=.rsrc", "--set-section-flags",
+        succeed(TOOLS + "objcopy", "-O", "binary", "--only-section=.rsrc", "--set-section-flags",
             ".rsrc=alloc,load,contents", path, copy)
         tree = copy.read_bytes()[:size]
 
@@ -74,8 +68,9 @@ class Executable(unittest.TestCase):
     def test_a_dll_of_the_compiler_would_be_found(self):
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder, "needy.exe")
-            run(TOOLS + "g++-posix", "-x", "c++", "-", "-o", program,
-                input=b"#include <string>\nint main(int n, char**) { return std::to_string(n).size(); }")
+            source = pathlib.Path(folder, "needy.cpp")
+            source.write_text("#include <string>\nint main(int n, char**) { return std::to_string(n).size(); }")
+            succeed(TOOLS + "g++-posix", source, "-o", program)
             self.assertFalse(imports(program) <= WINDOWS_DLLS)
 
     def test_it_is_small(self):
@@ -83,15 +78,15 @@ class Executable(unittest.TestCase):
 
     def test_it_is_protected(self):
         for program in (HYRAX, HYRAX_REPLAY):
-            head = run(TOOLS + "objdump", "-p", program).decode()
+            head = succeed(TOOLS + "objdump", "-p", program).out
             flags = int(re.search(r"DllCharacteristics\s+(\w+)", head).group(1), 16)
             for flag in (HIGH_ENTROPY, DYNAMIC_BASE, NX_COMPATIBLE):
                 self.assertTrue(flags & flag, f"{flags:#x} lacks {flag:#x}")
             self.assertIn("[.reloc]", head)
 
     def test_it_opens_no_console(self):
-        self.assertIn("Windows GUI", run(TOOLS + "objdump", "-p", HYRAX).decode())
-        self.assertIn("Windows CUI", run(TOOLS + "objdump", "-p", HYRAX_REPLAY).decode())
+        self.assertIn("Windows GUI", succeed(TOOLS + "objdump", "-p", HYRAX).out)
+        self.assertIn("Windows CUI", succeed(TOOLS + "objdump", "-p", HYRAX_REPLAY).out)
 
     def test_it_has_icon_version_manifest_and_sprites(self):
         found = resources(HYRAX)
@@ -119,9 +114,9 @@ class Executable(unittest.TestCase):
     def test_built_again_it_is_the_same_bytes(self):
         with tempfile.TemporaryDirectory() as folder:
             again = pathlib.Path(folder, "again")
-            run("cmake", "--log-level=ERROR", "-S", SOURCE, "-B", again, "--preset", "mingw", "-DHYRAX_WERROR=OFF",
+            succeed("cmake", "--log-level=ERROR", "-S", SOURCE, "-B", again, "--preset", "mingw", "-DHYRAX_WERROR=OFF",
                 env={**os.environ, "CCACHE_DISABLE": "1"})
-            run("ninja", "-C", again, "hyrax", "hyrax-replay")
+            succeed("ninja", "-C", again, "hyrax", "hyrax-replay", timeout=900)
             for name in (HYRAX.name, HYRAX_REPLAY.name):
                 digests = {hashlib.sha256((place / "bin" / name).read_bytes()).hexdigest()
                            for place in (again, FOLDER / "mingw")}
@@ -129,6 +124,5 @@ class Executable(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without(TOOLS + "objdump", TOOLS + "g++-posix")
     unittest.main()

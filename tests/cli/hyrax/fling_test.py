@@ -3,12 +3,11 @@
 
 import json
 import multiprocessing
-import sys
 import unittest
 
 from hyrax_program import HyraxTest
+from process import skip_without
 from program import AGREED
-from wine import skip_without
 
 REPEATS = 10
 BURNERS = 4
@@ -83,6 +82,5 @@ class Fling(HyraxTest):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without("wine")
     unittest.main()

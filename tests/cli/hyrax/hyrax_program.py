@@ -1,20 +1,24 @@
 """hyrax.exe as a user has it: started under Wine, dragged, flung, disturbed, ended; what it wrote, held to the model.
 
-HYRAX_REPLAY is the console twin of this machine; see wine.py and program.py for the others.
+HYRAX_REPLAY is the console twin of this machine; HYRAX_WINE names the folder that prepare.py made.
 """
 
 import json
 import os
 import pathlib
-import subprocess
 import time
 
 import h5py
 import numpy
 
-from program import AGREED, DISAGREED, Outcome, ProgramTest
-from wine import FLINGER, HYRAX, HYRAX_REPLAY, Wine
+from process import run
+from program import AGREED, DISAGREED, ProgramTest
+from wine import Wine
 
+FOLDER = pathlib.Path(os.environ.get("HYRAX_WINE", "no-such-folder")).resolve()
+FLINGER = FOLDER / "flinger.exe"
+HYRAX = FOLDER / "mingw/bin/hyrax.exe"
+HYRAX_REPLAY = FOLDER / "mingw/bin/hyrax-replay.exe"
 REPLAY = pathlib.Path(os.environ.get("HYRAX_REPLAY", "hyrax-replay")).resolve()
 
 WM_CLOSE = 0x10
@@ -62,7 +66,8 @@ class HyraxTest(ProgramTest):
 
     def setUp(self):
         super().setUp()
-        self.wine = Wine(self.display)
+        self.wine = Wine(FOLDER / ("prefix" if self.display is None else "prefix-x11"), self.display)
+        self.wine.end()
         self.addCleanup(self.wine.end)
 
     # --- doing
@@ -71,12 +76,9 @@ class HyraxTest(ProgramTest):
         """Starts the program, recording and logging into the folder."""
         for name in ("flight.json", "flight.log"):
             (self.folder / name).unlink(missing_ok=True)
-        with open(self.folder / "stderr", "wb") as err:
-            process = self.wine.start(HYRAX, "--record", "flight.json", "--log", "flight.log", "--seconds",
-                                      ENDS_BY_ITSELF_S, *options, cwd=self.folder, stdout=subprocess.DEVNULL,
-                                      stderr=err)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
+        process = self.wine.start(HYRAX, "--record", "flight.json", "--log", "flight.log", "--seconds",
+                                  ENDS_BY_ITSELF_S, *options, cwd=self.folder)
+        self.addCleanup(process.end)
         return process
 
     def hand(self, *words):
@@ -116,8 +118,8 @@ class HyraxTest(ProgramTest):
 
     def end(self, process):
         """Waits until the program has ended; returns what it left behind."""
-        exit_code = process.wait(TIMEOUT_S)
-        return Flight(self.folder, exit_code, (self.folder / "stderr").read_text(errors="replace"))
+        outcome = process.wait(TIMEOUT_S)
+        return Flight(self.folder, outcome.exit_code, outcome.err)
 
     def close(self, process):
         """Ends the program as its user does; returns what it left behind."""
@@ -167,8 +169,7 @@ class HyraxTest(ProgramTest):
         document["clock"]["dt_s"][-1] = float(numpy.nextafter(document["clock"]["dt_s"][-1], numpy.inf))
         nudged.write_text(json.dumps(document))
         for path, exit_code in ((flight.path, AGREED), (nudged, DISAGREED)):
-            native = Outcome(subprocess.run([REPLAY, path.name], cwd=self.folder, check=False, capture_output=True,
-                                            timeout=60))
+            native = run(REPLAY, path.name, cwd=self.folder)
             twin = self.wine.run(HYRAX_REPLAY, path.name, cwd=self.folder)
             window = self.wine.run(HYRAX, "--replay", path.name, "--exit", cwd=self.folder)
             for done in (native, twin, window):

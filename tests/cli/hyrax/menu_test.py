@@ -2,13 +2,12 @@
 """The menu of the hyrax, by a right click and a key: what it does is an input of the scene, or a file that replays."""
 
 import shutil
-import sys
 import time
 import unittest
 
-from hyrax_program import HyraxTest, read_log
+from hyrax_program import FOLDER, HYRAX, HyraxTest, read_log
+from process import skip_without
 from program import AGREED
-from wine import FOLDER, HYRAX, skip_without
 
 ESCAPE, RETURN = 27, 13
 TRAY_MESSAGE, RIGHT_BUTTON_UP = 0x8001, 0x205
@@ -30,8 +29,7 @@ class Menu(HyraxTest):
     def start_without_recording(self):
         """Starts the program as a user does who has not thought of recording."""
         process = self.wine.start(HYRAX, "--log", "flight.log", "--seconds", 600, cwd=self.folder)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
+        self.addCleanup(process.end)
         return process
 
     def choose(self, letters, has_come):
@@ -72,14 +70,14 @@ class Menu(HyraxTest):
         self.choose("J", lambda: self.saved("just-happened"))
         path, = self.saved("just-happened")
         self.expect(AGREED, "run", path, "-o", self.folder / "happened.h5")
-        self.choose("Q", lambda: process.poll() is not None)
-        self.assertEqual(process.returncode, 0)
+        self.choose("Q", lambda: not process.is_running)
+        self.assertEqual(process.wait().exit_code, 0)
 
     def test_a_recording_is_begun_and_saved(self):
         process = self.start_without_recording()
         self.choose("CT", lambda: self.saved("recording"))
         self.choose("S", lambda: True)
-        self.choose("Q", lambda: process.poll() is not None)
+        self.choose("Q", lambda: not process.is_running)
         path, = self.saved("recording")
         self.expect(AGREED, "run", path, "-o", self.folder / "recorded.h5")
         self.assertIn('"fling"', path.read_text())
@@ -94,7 +92,7 @@ class Menu(HyraxTest):
         for letter, proof, inputs in (("C", "T", ["fling"]), ("J", "R", ["place", "stop"])):
             self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord(letter))
             self.choose(proof, lambda inputs=inputs: self.has_input(*inputs))
-            self.assertIsNone(process.poll())
+            self.assertTrue(process.is_running)
 
     def test_a_menu_inside_the_about_box_leaves_the_frames_running(self):
         process = self.start_without_recording()
@@ -105,17 +103,16 @@ class Menu(HyraxTest):
         self.wait_for_input("fling")
         self.wait_for_sleep()
         self.hand("key", RETURN)
-        self.choose("Q", lambda: process.poll() is not None)
+        self.choose("Q", lambda: not process.is_running)
 
     def test_about_waits_for_its_reader_and_quit_ends_it(self):
         process = self.start_without_recording()
         self.wait_for_sleep()
         self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord("A"), "sleep", OPENS_MS, "key", RETURN)
-        self.choose("Q", lambda: process.poll() is not None)
-        self.assertEqual(process.returncode, 0)
+        self.choose("Q", lambda: not process.is_running)
+        self.assertEqual(process.wait().exit_code, 0)
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without("wine")
     unittest.main()

@@ -3,15 +3,15 @@
 
 import pathlib
 import subprocess
-import sys
 import time
 import unittest
 
 import numpy
 
 from hyrax_program import HyraxTest, read_log
+from process import Process, skip_without, succeed
 from sprite_test import SPRITE, read_png
-from wine import skip_without
+from wine import Screen
 
 SIZE_PX = (1280, 720)
 DESKTOP = (0x20, 0xA0, 0xC0)
@@ -19,28 +19,21 @@ BELOW_TRAY_PX = 100  # Where there is no taskbar, Wine shows the tray icon in a 
 LEVELS_OFF_MAX = 5  # Two roundings of 8 bits, in GDI+ and in the compositor, and one of ours.
 
 
-class Screen:
-    """An X server that nobody sees, of one colour, with a compositor."""
+class Desktop(Screen):
+    """A screen of one colour, with a compositor."""
 
     def __init__(self):
-        self.programs = []
-        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", f"{SIZE_PX[0]}x{SIZE_PX[1]}x24",
-                                   "-noreset", "-nolisten", "tcp"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        self.programs.append(server)
-        self.display = f":{server.stdout.readline().decode().strip()}"
-        colour = "#%02x%02x%02x" % DESKTOP
-        subprocess.run(["hsetroot", "-solid", colour], env={"DISPLAY": self.display}, check=True, capture_output=True,
-                       timeout=60)
-        self.programs.append(subprocess.Popen(["picom", "--backend", "xrender", "--config", "/dev/null"],
-                                              env={"DISPLAY": self.display, "PATH": "/usr/bin:/bin"},
-                                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
+        super().__init__(*SIZE_PX)
+        succeed("hsetroot", "-solid", "#%02x%02x%02x" % DESKTOP, env={"DISPLAY": self.display})
+        self._compositor = Process("picom", "--backend", "xrender", "--config", "/dev/null",
+                                   env={"DISPLAY": self.display, "PATH": "/usr/bin:/bin"},
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def pixels(self):
         """What is to be seen, as an array [row, column, channel]."""
-        done = subprocess.run(["import", "-display", self.display, "-window", "root", "-depth", "8", "rgb:-"],
-                              check=True, capture_output=True, timeout=60,
-                              env={"PATH": "/usr/bin:/bin", "HOME": "/nonexistent"})
-        return numpy.frombuffer(done.stdout, numpy.uint8).reshape(SIZE_PX[1], SIZE_PX[0], 3).astype(int)
+        outcome = succeed("import", "-display", self.display, "-window", "root", "-depth", "8", "rgb:-",
+                          env={"PATH": "/usr/bin:/bin", "HOME": "/nonexistent"})
+        return numpy.frombuffer(outcome.out_bytes, numpy.uint8).reshape(SIZE_PX[1], SIZE_PX[0], 3).astype(int)
 
     def drag(self, x_px, y_px, steps):
         """The left button at a point, then steps, 12 ms each: by the server's pointer, which knows what is clear."""
@@ -49,15 +42,12 @@ class Screen:
             x_px, y_px = x_px + dx_px, y_px + dy_px
             words += ["mousemove", x_px, y_px, "sleep", 0.012]
         words += ["sleep", 0.3, "mouseup", 1, "sleep", 0.3]
-        subprocess.run(["xdotool", *map(str, words)], check=True, timeout=60,
-                       env={"DISPLAY": self.display})
+        succeed("xdotool", *words, env={"DISPLAY": self.display})
 
     def end(self):
         """Ends compositor and server."""
-        for program in reversed(self.programs):
-            program.terminate()
-            program.wait(30)
-        self.programs[0].stdout.close()
+        self._compositor.end()
+        super().end()
 
 
 def blended(picture, desktop):
@@ -70,7 +60,7 @@ class Picture(HyraxTest):
     """The hyrax asleep on the ground of a coloured desktop."""
 
     def setUp(self):
-        self.screen = Screen()
+        self.screen = Desktop()
         self.addCleanup(self.screen.end)
         self.display = self.screen.display
         super().setUp()
@@ -136,6 +126,5 @@ class NoScreen(HyraxTest):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without("wine", "Xvfb", "picom", "hsetroot", "import", "xdotool")
     unittest.main()

@@ -3,15 +3,13 @@
 
 import pathlib
 import struct
-import subprocess
-import sys
 import tempfile
 import unittest
 import zlib
 
 import numpy
 
-from wine import skip_without
+from process import skip_without, succeed
 
 SPRITE = pathlib.Path(__file__).resolve().parents[3] / "tools/hyrax/sprite"
 POSES = ("stand", "fly", "held", "sleep")
@@ -85,9 +83,9 @@ class Sprite(unittest.TestCase):
         with tempfile.NamedTemporaryFile("w", suffix=".css") as style:
             style.write(f".pose {{ display: none }} #{pose} {{ display: inline }}")
             style.flush()
-            done = subprocess.run(["rsvg-convert", "--stylesheet", style.name, "--width", str(side_px), "--height",
-                                   str(side_px), str(SPRITE / "hyrax.svg")], check=True, capture_output=True)
-        return read_png(done.stdout)
+            outcome = succeed("rsvg-convert", "--stylesheet", style.name, "--width", side_px, "--height", side_px,
+                              SPRITE / "hyrax.svg")
+        return read_png(outcome.out_bytes)
 
     def test_every_picture_is_its_drawing(self):
         for pose in POSES:
@@ -125,6 +123,5 @@ class Sprite(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     skip_without("rsvg-convert")
     unittest.main()

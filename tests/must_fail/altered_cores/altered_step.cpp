@@ -1,5 +1,7 @@
 // The listing's step, its operations taken from the altered core in use.
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "tests/must_fail/altered_cores/altered_core.h"
@@ -185,8 +187,22 @@ void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_
     }
 }
 
+// Prints how many updates the program made, if HYRAX_COUNT_UPDATES is set.
+class UpdateCount {
+ public:
+  ~UpdateCount() {
+    if (std::getenv("HYRAX_COUNT_UPDATES") != nullptr) std::fprintf(stderr, "updates: %ld\n", count_);
+  }
+  void add() { ++count_; }
+
+ private:
+  long count_ = 0;
+};
+
 void update(AlteredBody& body, double dt, int screen_width, int screen_height, int sprite_width,
             int sprite_height) {
+  static UpdateCount count;
+  count.add();
   static long steps = 0;
   for (const char half : altered_step().update) switch (half) {
       case 'F':

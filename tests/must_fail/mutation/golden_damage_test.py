@@ -7,7 +7,6 @@ HYRAX_DAMAGE=all flips thousands of bits instead of a sample, and prints what be
 import collections
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -15,6 +14,7 @@ import unittest
 from damage import damaged_rows, flipped, region_of, regions, some_flips
 from damage_test import LONG, SHORT
 from golden_pair import GoldenPair
+from process import run
 from program import DISAGREED, BAD_INPUT, PROGRAM
 
 _IS_ALL = os.environ.get("HYRAX_DAMAGE") == "all"
@@ -46,9 +46,8 @@ def contents(files):
             path.write_bytes(content)
         said = []
         while len(said) < len(paths):
-            done = subprocess.run([sys.executable, _READER, *paths[len(said):]], capture_output=True, text=True,
-                                  check=False, timeout=300)
-            said += [tuple(line.split()) for line in done.stdout.splitlines()]
+            printed = run(sys.executable, _READER, *paths[len(said):], timeout=300).out
+            said += [tuple(line.split()) for line in printed.splitlines()]
             if len(said) < len(paths):
                 said.append(("died", "died"))
         return said
@@ -116,8 +115,7 @@ class Damage(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
             for name, content in (("a.h5", whole), ("b.h5", damaged)):
                 pathlib.Path(folder, name).write_bytes(content)
-            return subprocess.run([PROGRAM, "diff", "a.h5", "b.h5"], cwd=folder, capture_output=True, check=False,
-                                  timeout=60).returncode
+            return run(PROGRAM, "diff", "a.h5", "b.h5", cwd=folder).exit_code
 
     def test_diff_finds_damaged_rows_and_survives_damaged_bits(self):
         whole = self.pairs["rows"].h5

@@ -3,15 +3,14 @@
 import json
 import pathlib
 import shutil
-import subprocess
 import tempfile
 
+from process import TimedOut, run, succeed
 from program import PROGRAM
 
 # What the published exit codes can be of a golden file that is damaged; a signal is none of them.
 EXIT_CODES = {0, 1, 2, 3, 4}
 _BATCH = 250
-_PATIENCE_S = 120
 
 
 class GoldenPair:
@@ -23,8 +22,7 @@ class GoldenPair:
             scenario = pathlib.Path(folder, "scenarios/whole.json")
             scenario.parent.mkdir()
             scenario.write_text(self.document, encoding="utf-8")
-            subprocess.run([PROGRAM, "bless", "scenarios", "--reason", "for the test"], cwd=folder, check=True,
-                           capture_output=True)
+            succeed(PROGRAM, "bless", "scenarios", "--reason", "for the test", cwd=folder)
             self.h5 = pathlib.Path(folder, "golden/whole.h5").read_bytes()
             self.txt = pathlib.Path(folder, "golden/whole.txt").read_bytes()
 
@@ -57,14 +55,13 @@ class GoldenPair:
                     if content is not None:
                         (folder / f"golden/{number:04}.{suffix}").write_bytes(content)
             try:
-                done = subprocess.run([PROGRAM, "check", "--json"], cwd=folder, capture_output=True, check=False,
-                                      timeout=_PATIENCE_S)
-            except subprocess.TimeoutExpired:
+                outcome = run(PROGRAM, "check", "--json", cwd=folder)
+            except TimedOut:
                 return None
-            if done.returncode not in EXIT_CODES:
+            if outcome.exit_code not in EXIT_CODES:
                 return None
-            noted = {line.partition(": agrees, but ")[0] for line in done.stderr.decode().splitlines()}
+            noted = {line.partition(": agrees, but ")[0] for line in outcome.err.splitlines()}
             return ["noted" if f"golden/{number:04}.h5" in noted else entry["class"] or entry["status"]
-                    for number, entry in enumerate(json.loads(done.stdout)["results"])]
+                    for number, entry in enumerate(outcome.json["results"])]
         finally:
             shutil.rmtree(folder)

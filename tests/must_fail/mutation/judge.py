@@ -1,26 +1,29 @@
 """Builds a mutant and asks `hyrax-sim check` whether it is the program that the golden files were made with."""
 
+import concurrent.futures
 import dataclasses
-import json
 import pathlib
 import shutil
-import subprocess
 
+from process import TimedOut, run
 from workshop import CannotBuild
 
+_JOBS = 2
 # A check of all scenarios takes some hundredths of a second; with sanitizers, some tenths.
 _SECONDS_MAX = 1
 _SECONDS_MAX_SANITIZED = 5
 _MEMORY_MAX_KIB = 4 << 20
-_PATIENCE_S = 120
 
 
 @dataclasses.dataclass(frozen=True)
 class Verdict:
-    """What became of a mutant: caught, survived, or refused by the compiler; and how it was caught."""
+    """What became of a mutant: caught, survived, or refused by the compiler; and how it was caught.
+
+    caught_by: the scenario, or the test.
+    """
 
     fate: str
-    scenario: str = ""
+    caught_by: str = ""
     step: str = ""
     difference: str = ""
 
@@ -37,9 +40,11 @@ class Judge:
 
     def prepare(self):
         """Builds the unchanged units; the program made of them must be green, or mutants would be red for no reason."""
-        self.workshop.prepare(self._units, self.subject_of)
         place = self.workshop.folder / "unchanged"
-        self._original = {unit: self.workshop.compile(unit, place) for unit in self._units}
+        with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:
+            self.workshop.prepare(self._units, self.subject_of, pool)
+            objects = pool.map(lambda unit: self.workshop.compile(unit, place), self._units)
+            self._original = dict(zip(self._units, objects))
         self.workshop.link("hyrax-sim", self._original, place / "hyrax-sim")
         verdict = self._check(place / "hyrax-sim", [self.scenarios])
         if verdict is not None:
@@ -59,7 +64,9 @@ class Judge:
     def prepare_unit_tests(self, mutants):
         """Makes ready to ask unit tests about these mutants; unchanged, each must pass within the time of a mutant."""
         subjects = {self.subject_of[mutant.path] for mutant in mutants}
-        self.workshop.prepare(sorted({unit for subject in subjects for unit in subject.test_units}), self.subject_of)
+        units = sorted({unit for subject in subjects for unit in subject.test_units})
+        with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:
+            self.workshop.prepare(units, self.subject_of, pool)
         for subject in subjects:
             if self._fails(subject, self.workshop.folder / f"unchanged-{subject.test}"):
                 raise CannotBuild(f"{subject.test} fails, or takes too long, without any change")
@@ -73,7 +80,7 @@ class Judge:
             objects = {unit: self.workshop.compile(unit, place, mutant) for unit in subject.test_units}
             self.workshop.link(subject.test, objects, place / subject.test)
             done = self._limited([place / subject.test, "--gtest_brief=1", "--gtest_fail_fast"])
-            return done is None or done.returncode != 0
+            return done is None or done.exit_code != 0
         finally:
             shutil.rmtree(place, ignore_errors=True)
 
@@ -91,13 +98,13 @@ class Judge:
     def _check(self, program, paths):
         """How a check of these scenarios goes red; None where it does not."""
         done = self._limited([program, "check", "--json", "--jobs", "1", *paths])
-        if done is None or done.returncode < 0 or done.returncode > 128:
+        if done is None or done.exit_code < 0 or done.exit_code > 128:
             return Verdict("caught", difference="hangs" if done is None or self._is_late(done) else "crashes")
-        if done.returncode == 0:
+        if done.exit_code == 0:
             return None
-        if not done.stdout:
+        if not done.out:
             return Verdict("caught", difference="fails")
-        entries = json.loads(done.stdout)["results"]
+        entries = done.json["results"]
         by_path = {entry["scenario"]: entry for entry in entries}
         order = [str(path) for path in paths if str(path) in by_path] or list(by_path)
         entry = by_path[next(path for path in order if by_path[path]["status"] != "agreed")]
@@ -112,11 +119,10 @@ class Judge:
         seconds = _SECONDS_MAX_SANITIZED if self.workshop.is_sanitized else _SECONDS_MAX
         script = f'ulimit -c 0; ulimit -t {seconds}; {memory}exec "$@"'
         try:
-            return subprocess.run(["sh", "-c", script, "sh", *map(str, command)], cwd=self.workshop.source,
-                                  capture_output=True, text=True, check=False, timeout=_PATIENCE_S)
-        except subprocess.TimeoutExpired:
+            return run("sh", "-c", script, "sh", *command, cwd=self.workshop.source)
+        except TimedOut:
             return None
 
     @staticmethod
     def _is_late(done):
-        return done.returncode in (-24, -9, 128 + 24, 128 + 9)  # SIGXCPU, then SIGKILL.
+        return done.exit_code in (-24, -9, 128 + 24, 128 + 9)  # SIGXCPU, then SIGKILL.

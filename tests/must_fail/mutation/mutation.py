@@ -3,7 +3,7 @@
 
     mutation.py --build build/release                     # all mutants, in a table
     mutation.py --build build/release --some 20           # twenty of them, spread over all
-    mutation.py --build build/release --only 'collide: .* <= '
+    mutation.py --build build/release --only 'update: .* <= '
 
 A mutant is caught (by a scenario, at a step, as a class of difference), or survives. One that survives must
 have its reason in reasons.json; where that says that a unit test tells it, the unit test is run. The exit
@@ -17,6 +17,8 @@ import re
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cli"))
+# pylint: disable=wrong-import-position
 from judge import Judge
 from reasons import faults_of, read_reasons
 from subjects import SUBJECTS

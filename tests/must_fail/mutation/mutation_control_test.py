@@ -6,7 +6,6 @@ HYRAX_BUILD is a build of the project.
 
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -14,6 +13,7 @@ from unittest import mock
 
 from judge import Judge, Verdict
 from mutators import Mutant, mutants_of, numbers_near
+from process import run
 from program import SOURCE
 from reasons import Reason, faults_of
 from subjects import SUBJECTS
@@ -50,7 +50,7 @@ class Fates(unittest.TestCase):
     def test_a_change_of_a_bit_is_caught_with_its_scenario_step_and_class(self):
         verdict = self.fate("m_x = std::nextafter(rightBound, 0.0);")
         self.assertEqual((verdict.fate, verdict.difference), ("caught", "contacts"))
-        self.assertTrue((SOURCE / "scenarios" / f"{verdict.scenario}.json").exists(), verdict)
+        self.assertTrue((SOURCE / "scenarios" / f"{verdict.caught_by}.json").exists(), verdict)
         self.assertGreater(int(verdict.step), 0)
 
     def test_a_change_of_nothing_survives(self):
@@ -84,20 +84,19 @@ class Tool(unittest.TestCase):
 
     def run_tool(self, *options):
         """Exit code and standard output."""
-        done = subprocess.run([sys.executable, TOOL, "--build", BUILD, "--source", SOURCE, *options],
-                              capture_output=True, text=True, check=False)
-        return done.returncode, done.stdout
+        outcome = run(sys.executable, TOOL, "--build", BUILD, "--source", SOURCE, *options)
+        return outcome.exit_code, outcome.out
 
     def test_a_survivor_fails_the_run(self):
         exit_code, said = self.run_tool("--scenarios", "tests/must_fail/mutation/scenarios", "--only",
-                                        "physics.h: fly: without m_vx")
+                                        "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual(exit_code, 1)
         self.assertIn("0 of 1 that change a result are caught", said)
-        self.assertIn("FAULT: sim/physics/physics.h: fly: without m_vx *= AIR_DRAG;: survived; add a scenario", said)
+        self.assertIn("FAULT: sim/physics/physics.h: update: without m_vx *= AIR_DRAG;: survived; add a scenario", said)
 
     def test_without_scenarios_nothing_is_said_to_be_caught(self):
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: fly: without m_vx")
+            exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual((exit_code, said), (3, ""))
 
     def test_every_mutant_has_a_name_of_its_own(self):
@@ -143,6 +142,7 @@ class Mutators(unittest.TestCase):
         self.assertEqual(numbers_near("1200.0"),
                          ["1200.0000000000002", "1199.9999999999998", "1212.0", "1188.0", "-1200.0"])
         self.assertEqual(numbers_near("0.0"), ["5e-324", "-5e-324", "-0.0"])
+        self.assertEqual(numbers_near("1'000.0")[2:], ["1010.0", "990.0", "-1000.0"])
         self.assertEqual(numbers_near("12"), ["13", "11"])
         self.assertEqual(numbers_near("0x9Eu"), ["0x9Fu", "0x1Eu"])
 
@@ -155,6 +155,18 @@ class Mutators(unittest.TestCase):
         self.assertEqual(self.names(text, "dropped"),
                          ["f: without c();", "f: without d();", "f: without a();", "f: without if (b) {...}"])
         self.assertEqual(self.names(text, "swapped"), ["f: d(); before c();", "f: if (b) {...} before a();"])
+
+    def test_statements_of_try_and_throw(self):
+        text = "void f() {\n  try {\n    a();\n  } catch (const Error& why) {\n    throw Failure(why);\n  }\n}\n"
+        self.assertEqual(self.names(text, "dropped"),
+                         ["f: without a();", "f: without throw Failure(why);", "f: without try {...}"])
+
+    def test_members_of_a_class_with_a_base(self):
+        text = "class A : public B {\n public:\n  void f() { a(); }\n};\n"
+        self.assertEqual(self.names(text, "dropped"), ["f: without a();"])
+
+    def test_no_text_within_a_literal(self):
+        self.assertEqual(self.names('void f() {\n  a(R"({"b": 1, "c": 2 < 3})");\n}\n', "constant"), [])
 
     def test_types_but_not_those_of_templates(self):
         text = "double f(std::optional<double> a) {\n  return static_cast<double>(a);\n}\n"

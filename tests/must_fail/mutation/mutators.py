@@ -18,6 +18,7 @@ _PAIRS = [("m_x", "m_y"), ("m_vx", "m_vy"), ("x", "y"), ("vx", "vy"), ("x_px", "
           ("screenWidth", "screenHeight"), ("objWidth", "objHeight"), ("rightBound", "bottomBound"),
           ("window", "sprite"), ("seed", "frame"), ("seed", "index"), ("seed", "k"), ("base_s", "comp_s"),
           ("base_s", "length_s"), ("dt_s", "nominal_dt_s"), ("early", "late"), ("base_dt_s_", "dt_s")]
+_LEAVES = ("break;", "return;", "throw ", "throw;")  # These leave no value behind, so they can be dropped.
 _FLAGS_FUSED = ("-O2", "-ffp-contract=fast", "-mfma")  # g++ fuses from -O2 on.
 
 
@@ -32,6 +33,7 @@ class Mutant:
     end: int = 0
     replacement: str = ""
     flags: tuple = ()
+    line: int = 1
 
     def text_of(self, original):
         """The changed file."""
@@ -76,7 +78,8 @@ class _Mutators:
             text = self.source.text
             before, after = _one_line(text[first:last]), _one_line(text[first:begin] + replacement + text[end:last])
             name = f"{before} -> {after}"
-        self.found.append(Mutant(self.path, kind, f"{place}: {name}", begin, end, replacement))
+        line = self.source.text.count("\n", 0, begin) + 1
+        self.found.append(Mutant(self.path, kind, f"{place}: {name}", begin, end, replacement, line=line))
 
     def _replace(self, kind, index, replacement):
         token = self.source.tokens[index]
@@ -125,7 +128,7 @@ class _Mutators:
         for number, statement in enumerate(block):
             if self._is_outside(statement):
                 continue
-            if statement.kind in ("plain", "compound") or self._text(statement) in ("break;", "return;"):
+            if statement.kind in ("plain", "compound") or self._text(statement).startswith(_LEAVES):
                 begin, end = self._ends(statement)
                 self._add("dropped", statement.begin, begin, end, ";", f"without {self._text(statement)}")
             if number > 0:
@@ -182,7 +185,8 @@ def numbers_near(literal):
         digits, suffix = re.fullmatch(r"([\d']+)([uUlL]*)", literal).groups()
         value = int(digits.replace("'", ""))
         return [f"{value + 1}{suffix}", f"{value - 1}{suffix}" if value > 0 else f"-1{suffix}"]
-    value = float.fromhex(literal) if literal[:2] in ("0x", "0X") else float(literal)
+    digits = literal.replace("'", "")
+    value = float.fromhex(digits) if digits[:2] in ("0x", "0X") else float(digits)
     near = [math.nextafter(value, math.inf), math.nextafter(value, -math.inf)]
     if value != 0.0:
         near += [value * 1.01, value * 0.99]

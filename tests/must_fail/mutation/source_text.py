@@ -9,7 +9,7 @@ import re
 
 _TOKEN = re.compile(r"""
     (?P<skipped>\s+|//[^\n]*|/\*.*?\*/|^[ \t]*\#[^\n]*)
-  | (?P<text>"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*')
+  | (?P<text>R"(?P<fence>[^(\s]*)\(.*?\)(?P=fence)"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*')
   | (?P<number>0[xX][0-9A-Fa-f.']+(?:[pP][+-]?\d+)?[uUlL]*|\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?[uUlLfF]*)
   | (?P<word>[A-Za-z_]\w*)
   | (?P<operator><<=|>>=|->|\+\+|--|<=|>=|==|!=|&&|\|\||\+=|-=|\*=|/=|\^=|\|=|&=|<<|>>|::|.)
@@ -50,6 +50,18 @@ class Statement:
 def _tokens(text):
     return [Token(match.lastgroup, match.group(), match.start(), match.end())
             for match in _TOKEN.finditer(text) if match.lastgroup != "skipped"]
+
+
+def _without_template(words):
+    """A declaration's words without its template head."""
+    if words[:1] != ["template"]:
+        return words
+    depth = 0
+    for index, word in enumerate(words):
+        depth += {"<": 1, ">": -1}.get(word, 0)
+        if word == ">" and depth == 0:
+            return words[index + 1:]
+    return words
 
 
 class SourceText:
@@ -101,18 +113,18 @@ class SourceText:
             if self._is(index, ";"):
                 header = index + 1
             elif self._is(index, "{"):
-                words = [token.text for token in self.tokens[header:index]]
+                words = _without_template([token.text for token in self.tokens[header:index]])
                 if words and words[0] in ("namespace", "class", "struct"):
                     self._find_functions(index + 1, self._partner[index])
                 elif self.tokens[index - 1].kind == "word" and words[-1] not in ("const", "noexcept", "override"):
                     index = self._partner[index] + 1  # A member initialiser, or an enumeration.
                     continue
                 elif "(" in words:
-                    name = self.tokens[header + words.index("(") - 1].text
+                    name = words[words.index("(") - 1]
                     self.functions.append(Function(name, header, index, self._partner[index]))
                 index = self._partner[index]
                 header = index + 1
-            elif self._is(index, "public", "private", "protected"):
+            elif self._is(index, "public", "private", "protected") and self._is(index + 1, ":"):
                 index += 1
                 header = index + 1
             index += 1
@@ -138,6 +150,11 @@ class SourceText:
             if self._is(index, "else"):
                 index = self._body(index + 1)
             return index
+        if self._is(index, "try"):
+            index = self._statement(index + 1)
+            while self._is(index, "catch"):
+                index = self._statement(self._partner[index + 1] + 1)
+            return index
         if self._is(index, "case", "default"):
             while not self._is(index, ":"):
                 index += 1
@@ -161,9 +178,9 @@ class SourceText:
 
     def _kind(self, begin, end):
         first, second = self.tokens[begin], self.tokens[min(begin + 1, end - 1)]
-        if first.text in ("if", "while", "for", "switch", "{"):
+        if first.text in ("if", "while", "for", "switch", "try", "{"):
             return "compound"
-        if first.text in ("return", "break", "continue"):
+        if first.text in ("return", "break", "continue", "throw"):
             return "jump"
         if first.text in ("case", "default"):
             return "label"

@@ -35,7 +35,7 @@ class Subject:
 
 
 _KERNEL = "sim/replay/kernel.cpp"
-_ACTION_EFFECT = "sim/replay/action_effect.cpp"
+_KERNEL_OF = "sim/replay/kernel_of.h"
 _PLAYER = "sim/replay/player.cpp"
 _REPETITION = "sim/replay/repetition.cpp"
 _FRAME_CLOCK = "sim/scenario/frame_clock.cpp"
@@ -49,17 +49,17 @@ SUBJECTS = (
     Subject("sim/physics/physics.h", (_KERNEL,), likely=_FLINGS, test="physics_test",
             test_units=("tests/unit/sim/physics/interface_test.cpp",)),
     Subject("sim/scenario/split_mix64.h", (_FRAME_CLOCK,), likely=_JITTER),
-    Subject("sim/scenario/frame_clock.h", (_FRAME_CLOCK, _SCHEDULE, _PLAYER), likely=_JITTER),
+    Subject("sim/scenario/frame_clock.h", (_FRAME_CLOCK, _SCHEDULE, _PLAYER, _REPETITION), likely=_JITTER + _EVENTS,
+            units_of_layout=("sim/trajectory/stored_run.cpp", "tools/store/golden_file.cpp",
+                             "tools/store/golden_summary.cpp")),
     Subject(_FRAME_CLOCK, (_FRAME_CLOCK,), likely=_JITTER, test="scenario_test", test_units=(_FRAME_CLOCK,)),
     # What else there is in it keeps in mind how late an event may come, to refuse one that comes after the end.
     Subject(_SCHEDULE, (_SCHEDULE,), likely=_EVENTS, test="scenario_test", test_units=(_SCHEDULE,),
             functions=("declarations", "is_due", "play_to", "jump_to", "play_to_time", "hitch", "is_even", "play",
                        "even_frames_to", "go_to", "timed_end", "schedule_events")),
-    Subject("sim/scenario/timeline.h", (_SCHEDULE, _PLAYER, _REPETITION), likely=_EVENTS,
-            units_of_layout=("sim/trajectory/stored_run.cpp", "tools/store/golden_file.cpp",
-                             "tools/store/golden_seal.cpp")),
     Subject(_PLAYER, (_PLAYER,), likely=_EVENTS,
             functions=("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
-    Subject(_ACTION_EFFECT, (_ACTION_EFFECT,), likely=_EVENTS),
-    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("core_of", "state_of", "fling", "place", "stop")),
+    Subject("sim/scenario/apply.h", (_KERNEL,), likely=_EVENTS),
+    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("make",)),
+    Subject(_KERNEL_OF, (_KERNEL,), likely=_EVENTS, functions=("apply", "state_of")),
 )

@@ -24,7 +24,7 @@ def _cut(line, first, last):
     return ("..." if first > 0 else "") + line[first:last] + ("..." if last < len(line) else "")
 
 
-def _short(name):
+def short(name):
     """A mutant's name; of long lines just what is about the change."""
     name, number = re.fullmatch(r"(.*?)( \[\d+\])?", name).groups(default="")
     place, _, change = name.partition(": ")
@@ -42,13 +42,14 @@ def table_of(verdicts, reasons):
     lines = ["| file | mutant | caught by | step | class |", "|---|---|---|---|---|"]
     for mutant, verdict in verdicts.items():
         fate = _fate(mutant, verdict, reasons)
-        caught_by = verdict.scenario if fate == "caught" else fate
-        name = _short(mutant.name).replace("|", "\\|")
-        lines.append(_row((mutant.path.rpartition("/")[2], f"`{name}`", caught_by, verdict.step, verdict.difference)))
+        caught_by = verdict.caught_by if fate == "caught" else fate
+        name = short(mutant.name).replace("|", "\\|")
+        lines.append(row((mutant.path.rpartition("/")[2], f"`{name}`", caught_by, verdict.step, verdict.difference)))
     return "\n".join(lines) + "\n"
 
 
-def _row(cells):
+def row(cells):
+    """A line of a table in Markdown."""
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 
 
@@ -59,12 +60,12 @@ def summary_of(verdicts, reasons):
     columns = ("caught", "unit test", "equivalent", "refused", "survived")
     head = ("file", "mutants", "caught by check", "told by a unit test", "equivalent", "refused by the compiler",
             "survived")
-    lines = [_row(head), "|---" * len(head) + "|"]
+    lines = [row(head), "|---" * len(head) + "|"]
     for path in dict.fromkeys(mutant.path for mutant in verdicts):
         cells = [count[path, column] for column in columns]
-        lines.append(_row((f"`{path}`", sum(cells), *cells)))
+        lines.append(row((f"`{path}`", sum(cells), *cells)))
     total = [sum(1 for fate in fates.values() if fate == column) for column in columns]
-    lines += [_row(("all", sum(total), *total)), ""]
+    lines += [row(("all", sum(total), *total)), ""]
     lines += [_by_kind(verdicts, fates), _by_class(verdicts, fates), _by_scenario(verdicts, fates)]
     to_be_caught = sum(total) - total[2] - total[3]
     lines.append(f"{total[0] + total[1]} of {to_be_caught} that change a result are caught.")
@@ -72,11 +73,11 @@ def summary_of(verdicts, reasons):
 
 
 def _by_kind(verdicts, fates):
-    lines = [_row(("change", "mutants", "caught", "equivalent")), "|---|---|---|---|"]
+    lines = [row(("change", "mutants", "caught", "equivalent")), "|---|---|---|---|"]
     for kind in _KINDS:
         of_kind = [fates[mutant] for mutant in verdicts if mutant.kind == kind]
         caught = sum(1 for fate in of_kind if fate in ("caught", "unit test"))
-        lines.append(_row((kind, len(of_kind), caught, of_kind.count("equivalent"))))
+        lines.append(row((kind, len(of_kind), caught, of_kind.count("equivalent"))))
     return "\n".join(lines) + "\n"
 
 
@@ -87,6 +88,6 @@ def _by_class(verdicts, fates):
 
 
 def _by_scenario(verdicts, fates):
-    scenarios = collections.Counter(verdict.scenario for mutant, verdict in verdicts.items()
-                                    if fates[mutant] == "caught" and verdict.scenario)
+    scenarios = collections.Counter(verdict.caught_by for mutant, verdict in verdicts.items()
+                                    if fates[mutant] == "caught" and verdict.caught_by)
     return "First red: " + ", ".join(f"{name} {count}" for name, count in scenarios.most_common()) + ".\n"

@@ -9,9 +9,11 @@ import pathlib
 import re
 import shlex
 import shutil
-import subprocess
+
+from process import Failed, succeed
 
 _INCLUDE = re.compile(r'^#include (<[\w/.]+>|"[\w/.]+")', re.MULTILINE)
+_CORE = '"sim/physics/physics.h"'
 _LEFT_OUT = re.compile(r"-O.|-O|-g\d?|-W.*|-M[MDP]*|-flto.*")
 
 
@@ -20,9 +22,10 @@ class CannotBuild(Exception):
 
 
 def _run(command, folder):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise CannotBuild(f"{shlex.join(command)}\n{done.stderr}")
+    try:
+        succeed(*command, cwd=folder)
+    except Failed as failure:
+        raise CannotBuild(str(failure)) from failure
 
 
 class Workshop:
@@ -39,9 +42,10 @@ class Workshop:
         quick = [name for name in ("lld", "gold") if shutil.which(f"ld.{name}")]
         self._linker = [f"-fuse-ld={name}" for name in quick[:1]]
 
-    def prepare(self, units, changed):
-        """Precompiles the headers of the units, which is most of the work; but for those that hold what is changed."""
+    def prepare(self, units, changed, pool):
+        """Precompiles the headers of the units, most of the work, except those that include what is changed."""
         changed = {f'"{path}"' for path in changed}
+        commands = []
         for flags in {tuple(self._flags(unit)) for unit in units} - set(self._prepared):
             header = self.folder / f"prepared-{len(self._prepared)}" / "prepared.h"
             header.parent.mkdir(parents=True)
@@ -49,8 +53,9 @@ class Workshop:
             included = set().union(*map(self._reach, own)) - own
             names = sorted(name for name in included if changed.isdisjoint(self._reach(name)))
             header.write_text("".join(f"#include {name}\n" for name in names), encoding="utf-8")
-            _run([*flags, "-x", "c++-header", str(header), "-o", f"{header}.gch"], self.build)
+            commands.append([*flags, "-x", "c++-header", str(header), "-o", f"{header}.gch"])
             self._prepared[flags] = header
+        list(pool.map(lambda command: _run(command, self.build), commands))
 
     def compile(self, unit, place, mutant=None):
         """The unit's object file in the folder `place`, with the mutant's file in the original's stead."""
@@ -115,7 +120,9 @@ class Workshop:
         for option in ("-o", "-c", "-MF", "-MT"):
             if option in command:
                 del command[command.index(option):command.index(option) + 2]
-        return [word for word in command if not _LEFT_OUT.fullmatch(word)] + ["-O1", "-w"]
+        command = [word for word in command if not _LEFT_OUT.fullmatch(word)] + ["-O1", "-w"]
+        # The other objects of the program keep the shipped class; under its name no second one may be defined.
+        return [*command, "-Dphysics=mutated_physics"] if _CORE in self._reach(f'"{unit}"') else command
 
     def _link_command(self, target):
         if target not in self._links:
@@ -124,9 +131,8 @@ class Workshop:
         return self._links[target]
 
     def _ninja_link(self, target):
-        done = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", target], capture_output=True,
-                              text=True, check=True)
-        command = [word for word in shlex.split(done.stdout.splitlines()[-1]) if word not in (":", "&&")]
+        commands = succeed("ninja", "-C", self.build, "-t", "commands", target).out
+        command = [word for word in shlex.split(commands.splitlines()[-1]) if word not in (":", "&&")]
         return command, self.build
 
     def _make_link(self, target):

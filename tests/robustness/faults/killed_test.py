@@ -8,14 +8,13 @@ moments are tried beside.
 import os
 import random
 import shutil
-import subprocess
+import signal
 import time
 
-from program import AGREED, DISAGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, DISAGREED, ProgramTest, fling, main
 
 LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
 KILLS = int(os.environ.get("HYRAX_KILLS", "24"))
-SIGKILLED = -9
 
 ANOTHER_START = {"x_px": 900, "y_px": 100, "vx_px_per_s": 300, "vy_px_per_s": 0}
 
@@ -42,8 +41,7 @@ class Killed(ProgramTest):
         """The command in a fresh copy of the folder as it was; returns the process."""
         shutil.rmtree(self.folder / folder, ignore_errors=True)
         shutil.copytree(self.folder / "before", self.folder / folder)
-        return subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder / folder, stdout=subprocess.DEVNULL,
-                                stderr=subprocess.DEVNULL, **options)
+        return self.begin(*arguments, cwd=self.folder / folder, **options)
 
     def environment(self, at):
         """In which the program is killed at a call that changes files."""
@@ -53,7 +51,7 @@ class Killed(ProgramTest):
 
     def calls_of(self, *arguments):
         """How many calls that change files the whole command makes; leaves its outcome in `after`."""
-        self.assertEqual(self.try_in("after", *arguments, env=self.environment(0)).wait(), 0)
+        self.assertEqual(self.try_in("after", *arguments, env=self.environment(0)).wait().exit_code, AGREED)
         return int((self.folder / "calls").read_text())
 
     def assert_old_or_new(self, what):
@@ -71,8 +69,7 @@ class Killed(ProgramTest):
 
     def assert_mended_by(self, *arguments):
         """The same command once more does what it would have done, and leaves no part behind."""
-        done = subprocess.run([str(PROGRAM), *arguments], cwd=self.folder / "now", capture_output=True, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect(AGREED, *arguments, cwd=self.folder / "now")
         new, _ = self.files("after")
         now, parts = self.files("now")
         self.assertEqual((sorted(now), parts), (sorted(new), []))
@@ -84,21 +81,21 @@ class Killed(ProgramTest):
         calls = self.calls_of(*arguments)
         self.assertGreater(calls, 3)
         for at in sorted({1 + index * (calls - 1) // (tries_max - 1) for index in range(tries_max)}):
-            code = self.try_in("now", *arguments, env=self.environment(at)).wait()
-            self.assertEqual(code, SIGKILLED, f"at call {at} of {calls}")
+            code = self.try_in("now", *arguments, env=self.environment(at)).wait().exit_code
+            self.assertEqual(code, -signal.SIGKILL, f"at call {at} of {calls}")
             self.assert_old_or_new(f"killed at call {at} of {calls}")
             yield at
 
     def kill_at_random(self, *arguments, kills=None):
         """Kills the command at random moments, from its start to shortly after its end."""
         begin = time.monotonic()
-        self.assertEqual(self.try_in("after", *arguments).wait(), 0)
+        self.assertEqual(self.try_in("after", *arguments).wait().exit_code, AGREED)
         duration_s = time.monotonic() - begin
         moments = random.Random(20)
         for kill in range(kills or KILLS):
             process = self.try_in("now", *arguments)
             time.sleep(moments.uniform(0.0, 1.1 * duration_s))
-            process.kill()
+            process.send(signal.SIGKILL)
             process.wait()
             self.assert_old_or_new(f"kill {kill}")
             yield kill
@@ -129,7 +126,7 @@ class Trajectory(Killed):
         self.assert_mended_by("run", "long.json", "-o", "out.h5")
 
     def test_a_file_that_is_cut_short_would_be_found(self):
-        self.assertEqual(self.try_in("after", "run", "fling.json", "-o", "out.h5").wait(), 0)
+        self.assertEqual(self.try_in("after", "run", "fling.json", "-o", "out.h5").wait().exit_code, AGREED)
         self.try_in("now", "--version").wait()
         self.assert_old_or_new("nothing written")
         whole = (self.folder / "after/out.h5").read_bytes()

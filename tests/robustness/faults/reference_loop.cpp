@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
 #include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/trajectory/state_hash.h"
@@ -13,15 +13,21 @@
 namespace hyrax {
 namespace {
 
+State flight_of(const physics& body, double dt_s) {
+  const double vx = body.vx() * physics::AIR_DRAG;
+  const double vy = (body.vy() + physics::GRAVITY * dt_s) * physics::AIR_DRAG;
+  return {body.x() + vx * dt_s, body.y() + vy * dt_s, vx, vy};
+}
+
 // The walls that the paper's conditions clamp at, told from a flight without walls.
-std::uint8_t contact_of(const physics& flight, double right_px, double bottom_px) {
+std::uint8_t contact_of(const State& flight, double right_px, double bottom_px) {
   std::uint8_t contact = 0;
-  if (flight.x() < 0.0) contact |= static_cast<std::uint8_t>(Wall::left);
-  if (flight.x() > right_px) contact |= static_cast<std::uint8_t>(Wall::right);
-  if (flight.y() < 0.0) contact |= static_cast<std::uint8_t>(Wall::top);
-  if (flight.y() > bottom_px) {
+  if (flight.x_px < 0.0) contact |= static_cast<std::uint8_t>(Wall::left);
+  if (flight.x_px > right_px) contact |= static_cast<std::uint8_t>(Wall::right);
+  if (flight.y_px < 0.0) contact |= static_cast<std::uint8_t>(Wall::top);
+  if (flight.y_px > bottom_px) {
     contact |= static_cast<std::uint8_t>(Wall::ground);
-    if (std::fabs(flight.vy() * physics::RESTITUTION) < physics::REST_THRESHOLD) contact |= kRestBit;
+    if (std::fabs(flight.vy_px_per_s * physics::RESTITUTION) < physics::REST_THRESHOLD) contact |= kRestBit;
   }
   return contact;
 }
@@ -58,8 +64,7 @@ std::string play(const Scenario& scenario) {
       const Velocity& velocity = std::get<Fling>(event->action).velocity;
       body.setVelocity(velocity.vx_px_per_s, velocity.vy_px_per_s);
     }
-    physics flight = body;
-    flight.fly(dt_s);
+    const State flight = flight_of(body, dt_s);
     body.update(dt_s, width_px, height_px, sprite_width_px, sprite_height_px);
     hasher.add(dt_s, body, contact_of(flight, width_px - sprite_width_px, height_px - sprite_height_px));
   }

@@ -7,10 +7,10 @@ printed, not judged.
 
 import os
 import pathlib
-import subprocess
 import time
 
-from program import AGREED, PROGRAM, ProgramTest, fling, main
+from process import succeed
+from program import AGREED, ProgramTest, fling, main
 
 LOOP = os.environ["HYRAX_REFERENCE_LOOP"]
 STEPS = int(os.environ.get("HYRAX_SOAK_STEPS", "1000000000"))
@@ -24,7 +24,7 @@ GROWTH_MAX = 4 * MEGABYTE
 def resident_bytes(process):
     """Of a running process; 0 where it has ended."""
     try:
-        pages = int(pathlib.Path(f"/proc/{process.pid}/statm").read_text().split()[1])
+        pages = int(pathlib.Path(f"/proc/{process.id}/statm").read_text().split()[1])
     except (OSError, IndexError):
         return 0
     return pages * os.sysconf("SC_PAGESIZE")
@@ -45,28 +45,28 @@ class Soak(ProgramTest):
         """Runs the program; returns its state hash, and the memory in the first and the last part of its run."""
         begin = time.monotonic()
         samples = []
-        process = subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder, stdout=subprocess.PIPE, text=True)
-        while process.poll() is None:
+        process = self.begin(*arguments)
+        while process.is_running:
             samples.append(resident_bytes(process))
             time.sleep(0.05)
         duration_s = time.monotonic() - begin
-        out = process.communicate()[0]
-        self.assertEqual(process.returncode, AGREED, out)
+        outcome = process.wait()
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
         samples = [sample for sample in samples if sample > 0]
         half = len(samples) // 2
         first, last = max(samples[:half], default=0), max(samples[half:], default=0)
         print(f"{' '.join(arguments)}: {duration_s:.1f} s, {first / MEGABYTE:.1f} MiB at most in its first half, "
               f"{last / MEGABYTE:.1f} MiB in its second")
-        return out.split("state hash")[1].split()[0], first, last
+        return outcome.out.split("state hash")[1].split()[0], first, last
 
     def test_memory_is_flat_and_the_bits_are_those_of_a_plain_loop(self):
         self.write("soak.json", fling(name="soak", steps=STEPS, events=flings(), record={"every": 1_000_000}))
         skipping, _, last_skipping = self.watch("run", "soak.json")
         computing, first, last = self.watch("run", "--no-skip", "soak.json", "-o", "computed.h5")
         begin = time.monotonic()
-        plain = subprocess.run([LOOP, "soak.json"], cwd=self.folder, capture_output=True, text=True, check=True)
+        plain = succeed(LOOP, "soak.json", cwd=self.folder, timeout=600).out.strip()
         print(f"plain loop: {time.monotonic() - begin:.1f} s")
-        self.assertEqual((skipping, computing), (plain.stdout.strip(), plain.stdout.strip()))
+        self.assertEqual((skipping, computing), (plain, plain))
         self.assertEqual((self.folder / "soak.h5").read_bytes(), (self.folder / "computed.h5").read_bytes())
         self.assertLess(last, first + GROWTH_MAX, "memory grows with the run")
         if "-fsanitize" not in self.expect(AGREED, "info").out:
@@ -77,10 +77,10 @@ class Soak(ProgramTest):
         for speed in (100, 101):
             self.write("short.json", fling(name="short", steps=5000, events=[
                 {"step": 3000, "fling": {"vx_px_per_s": speed, "vy_px_per_s": -900}}]))
-            plain = subprocess.run([LOOP, "short.json"], cwd=self.folder, capture_output=True, text=True, check=True)
-            hashes.add(plain.stdout)
+            plain = succeed(LOOP, "short.json", cwd=self.folder).out.strip()
+            hashes.add(plain)
             self.assertEqual(self.expect(AGREED, "run", "short.json", "--json").json["runs"][0]["state_hash"],
-                             plain.stdout.strip())
+                             plain)
         self.assertEqual(len(hashes), 2)
 
 

@@ -6,8 +6,8 @@ HYRAX_RACY names that program, racy.cpp.
 
 import os
 import shutil
-import subprocess
 
+from process import run
 from program import AGREED, SOURCE, ProgramTest, fling, main
 
 RACY = os.environ["HYRAX_RACY"]
@@ -38,9 +38,9 @@ class Threads(ProgramTest):
         self.assertEqual(outcome.err, "")
 
     def test_a_race_is_caught(self):
-        done = subprocess.run([RACY], capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, RACE_FOUND, done.stderr)
-        self.assertIn("WARNING: ThreadSanitizer: data race", done.stderr)
+        outcome = run(RACY)
+        self.assertEqual(outcome.exit_code, RACE_FOUND, outcome)
+        self.assertIn("WARNING: ThreadSanitizer: data race", outcome.err)
 
 
 if __name__ == "__main__":

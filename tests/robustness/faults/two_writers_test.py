@@ -3,10 +3,9 @@
 
 import pathlib
 import signal
-import subprocess
 import time
 
-from program import AGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, ProgramTest, fling, main
 
 SPEEDS = (100, 900, 1700)
 
@@ -23,11 +22,6 @@ class TwoWriters(ProgramTest):
             self.expect(AGREED, "run", f"{speed}.json")
             self.whole.append((self.folder / "same.h5").read_bytes())
 
-    def start(self, *arguments):
-        """A process of its own."""
-        return subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
-                                stderr=subprocess.PIPE, text=True)
-
     def is_locked(self, name):
         """Whether a process has made the file its own, which it does just after it created it."""
         path = self.folder / name
@@ -36,25 +30,23 @@ class TwoWriters(ProgramTest):
 
     def assert_done(self, process):
         """It ended well."""
-        _, err = process.communicate()
-        self.assertEqual(process.returncode, AGREED, err)
+        outcome = process.wait()
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
 
     def test_of_many_at_once_each_succeeds_and_one_file_stands(self):
         for _ in range(8):
-            for process in [self.start("run", f"{speed}.json", "-o", "out.h5") for speed in SPEEDS for _ in range(2)]:
+            for process in [self.begin("run", f"{speed}.json", "-o", "out.h5") for speed in SPEEDS for _ in range(2)]:
                 self.assert_done(process)
             self.assertIn((self.folder / "out.h5").read_bytes(), self.whole)
         self.assertEqual([name for name in self.names() if name.endswith(".part")], [])
 
     def test_one_that_is_stopped_half_way_does_not_hold_up_the_next(self):
         self.write("endless.json", fling(name="endless", steps=1_000_000_000_000, record={"every": 1_000_000_000}))
-        stopped = self.start("run", "--no-skip", "endless.json", "-o", "out.h5")
-        self.addCleanup(stopped.communicate)
-        self.addCleanup(stopped.kill)
+        stopped = self.begin("run", "--no-skip", "endless.json", "-o", "out.h5")
         while not self.is_locked(".out.h5.part"):
             time.sleep(0.01)
-        stopped.send_signal(signal.SIGSTOP)
-        self.assert_done(self.start("run", "900.json", "-o", "out.h5"))
+        stopped.send(signal.SIGSTOP)
+        self.assert_done(self.begin("run", "900.json", "-o", "out.h5"))
         self.assertEqual((self.folder / "out.h5").read_bytes(), self.whole[1])
         self.assertIn(".out.h5.part", self.names(), "the part of a process that lives is not for others to remove")
 
@@ -62,26 +54,26 @@ class TwoWriters(ProgramTest):
         start = {"x_px": 0, "y_px": 500, "vx_px_per_s": 100, "vy_px_per_s": -400}
         self.write("scenarios/same.json", fling(name="same", start=start))
         for _ in range(8):
-            for process in [self.start("bless", "scenarios", "--reason", "x") for _ in range(3)]:
+            for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]:
                 self.assert_done(process)
             self.expect(AGREED, "check")
         self.assertEqual(self.names("golden"), ["same.h5", "same.txt"])
 
     def test_a_part_that_a_killed_writer_left_goes_with_the_next_write(self):
         self.write("endless.json", fling(name="endless", steps=1_000_000_000_000, record={"every": 1_000_000_000}))
-        killed = self.start("run", "--no-skip", "endless.json", "-o", "out.h5")
+        killed = self.begin("run", "--no-skip", "endless.json", "-o", "out.h5")
         while not self.is_locked(".out.h5.part"):
             time.sleep(0.01)
-        killed.kill()
-        killed.communicate()
+        killed.send(signal.SIGKILL)
+        killed.wait()
         self.assertIn(".out.h5.part", self.names())
-        self.assert_done(self.start("run", "900.json", "-o", "out.h5"))
+        self.assert_done(self.begin("run", "900.json", "-o", "out.h5"))
         self.assertEqual([name for name in self.names() if name.endswith(".part")], [])
 
     def test_a_part_file_that_is_in_the_way_is_not_followed(self):
         (self.folder / ".out.h5.part").symlink_to("victim")
         self.write("victim", "somebody else's")
-        self.assert_done(self.start("run", "900.json", "-o", "out.h5"))
+        self.assert_done(self.begin("run", "900.json", "-o", "out.h5"))
         self.assertEqual((self.folder / "victim").read_text(), "somebody else's")
         self.assertEqual((self.folder / "out.h5").read_bytes(), self.whole[1])
 

@@ -5,8 +5,8 @@ tells most, for `bless` and `check --junit`, with limits, other users and links.
 import os
 import resource
 import shutil
-import subprocess
 
+from process import run
 from program import AGREED, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 # HDF5 1.10 loses what it held of a file that it could not write to its end; that is no fault of ours.
@@ -106,8 +106,7 @@ class Place(Unwritable):
             return []
         command = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
         self.folder.chmod(0o755)
-        if shutil.which("setpriv") is None or subprocess.run([*command, str(PROGRAM), "--version"], check=False,
-                                                             capture_output=True, cwd="/").returncode != 0:
+        if shutil.which("setpriv") is None or run(*command, PROGRAM, "--version", cwd="/").exit_code != 0:
             self.skipTest("nobody else can run the program here (setpriv --reuid=65534)")
         return command
 
@@ -117,8 +116,7 @@ class Place(Unwritable):
         for path in [self.folder, *self.folder.rglob("*")]:
             path.chmod(0o555 if path.is_dir() else 0o444)
         try:
-            return subprocess.run([*command, str(PROGRAM), *arguments], cwd=self.folder, capture_output=True, text=True,
-                                  check=False, env=ENVIRONMENT)
+            return run(*command, PROGRAM, *arguments, cwd=self.folder, env=ENVIRONMENT)
         finally:
             for path in [self.folder, *self.folder.rglob("*")]:
                 path.chmod(0o755 if path.is_dir() else 0o644)
@@ -128,17 +126,16 @@ class Place(Unwritable):
                                  (("bless", "scenarios", "--reason", "x"), "golden/fling."),
                                  (("check", "--junit", "report.xml"), "report.xml")):
             done = self.as_other(*arguments)
-            self.assertEqual(done.returncode, CANNOT_ACCESS, done.stderr)
-            self.assertIn(place, done.stderr)
-            self.assertIn("cannot be written: Permission denied", done.stderr)
+            self.assertEqual(done.exit_code, CANNOT_ACCESS, done.err)
+            self.assertIn(place, done.err)
+            self.assertIn("cannot be written: Permission denied", done.err)
             self.assert_untouched()
 
     def test_what_may_not_be_read(self):
         command = self.unprivileged()
         (self.folder / "golden/fling.h5").chmod(0)
-        done = subprocess.run([*command, str(PROGRAM), "diff", "golden/fling.h5", "fling.h5"], cwd=self.folder,
-                              capture_output=True, text=True, check=False)
-        self.assertEqual((done.returncode, done.stderr),
+        done = run(*command, PROGRAM, "diff", "golden/fling.h5", "fling.h5", cwd=self.folder)
+        self.assertEqual((done.exit_code, done.err),
                          (CANNOT_ACCESS, "golden/fling.h5: cannot be read: Permission denied\n"))
 
 
@@ -152,13 +149,11 @@ class FullDisk(Unwritable):
                             "echo exit $code: $(ls -A disk)"])
         (self.folder / "disk").mkdir()
         unshare = ["unshare", "--mount", "--map-root-user"]
-        if subprocess.run([*unshare, "mount", "-t", "tmpfs", "tmpfs", str(self.folder / "disk")], check=False,
-                          capture_output=True).returncode != 0:
+        if run(*unshare, "mount", "-t", "tmpfs", "tmpfs", self.folder / "disk").exit_code != 0:
             self.skipTest("no file system can be mounted here (unshare --mount --map-root-user)")
-        done = subprocess.run([*unshare, "sh", "-ec", script, "sh", str(PROGRAM)], cwd=self.folder, capture_output=True,
-                              text=True, check=False, env=ENVIRONMENT)
-        self.assertIn("exit 3: fling.h5 fling.txt\n", done.stdout, done.stderr)
-        self.assertIn("cannot be written: No space left on device", done.stderr)
+        done = run(*unshare, "sh", "-ec", script, "sh", PROGRAM, cwd=self.folder, env=ENVIRONMENT)
+        self.assertIn("exit 3: fling.h5 fling.txt\n", done.out, done.err)
+        self.assertIn("cannot be written: No space left on device", done.err)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,8 @@
-// The reader of golden files, of their words too, and the comparison with what it read: the input is an
-// HDF5 file.
+// Reads golden files and their attributes, and compares with what it read: the input is an HDF5 file.
 #include "sim/scenario/frame_clock.h"
 #include "tests/robustness/fuzz/fuzz_target.h"
 #include "tests/robustness/fuzz/input_file.h"
-#include "tools/hyrax-sim/golden_check.h"
+#include "tools/hyrax-sim/golden/golden_check.h"
 #include "tools/store/golden_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,6 +13,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   hold(run.rows.size() != 0 || !run.blocks.empty(), "a golden file holds rows or blocks");
   constexpr std::int64_t kStepsPlayed = 20'000;
   if (step_count(run.scenario) <= kStepsPlayed) static_cast<void>(compare_with(run, run.scenario));
-  static_cast<void>(accepts([&] { static_cast<void>(golden_words_fault(file.path())); }));
+  static_cast<void>(accepts([&] { static_cast<void>(attribute_difference(file.path(), run)); }));
   return 0;
 }

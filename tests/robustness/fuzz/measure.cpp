@@ -37,8 +37,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Columns rows = rows_in(data, size);
   if (rows.size() < 2) return 0;
   const Scenario scenario = scenario_of(static_cast<std::int64_t>(rows.size()) - 1);
-  const std::vector<Input> inputs = {{1, InputKind::fling, 900.0, -600.0},
-                                     {2, InputKind::resize_window, 0.0, 0.0}};
+  const std::vector<Input> inputs = {{1, Fling{{900.0, -600.0}}}, {2, Resize{Size{0, 0}, {}}}};
   DriftSink sink;
   DriftMeter drift(scenario, inputs, sink);
   drift.rows(rows);

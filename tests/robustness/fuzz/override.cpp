@@ -35,7 +35,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Json document = parse_json(kScenario, "any.json");
   Scenario scenario;
   const auto read = [&] {
-    for (const Override& given : overrides_in(text_of(data, size))) put_over(document, given, "any.json");
+    for (const Override& given : overrides_in(text_of(data, size)))
+      replace_value(document, given, "any.json");
     scenario = to_scenario(document, "any.json", "any");
   };
   if (accepts(read)) hold_accepted(scenario);

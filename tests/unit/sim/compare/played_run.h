@@ -81,10 +81,6 @@ class FaultySink : public RowSink {
   Fault fault_;
 };
 
-inline std::vector<Input> inputs_taken(const Scenario& scenario, std::int64_t steps) {
-  return inputs_of(scenario, schedule_events(scenario, step_count(scenario)).frames, steps);
-}
-
 /// The run as a golden file keeps it.
 inline StoredRun kept_run(const Scenario& scenario) {
   RunRecorder recorder(step_count(scenario));
@@ -96,7 +92,7 @@ inline StoredRun kept_run(const Scenario& scenario) {
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;
   run.contacts_total = static_cast<std::int64_t>(run.contacts.size());
-  run.inputs = inputs_taken(scenario, summary.steps);
+  run.inputs = inputs_of(scenario, summary.steps);
   return run;
 }
 
@@ -138,7 +134,7 @@ inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const
     summary = replay(scenario, comparer, options);
   }
   return comparer.finish({scenario, summary.steps, playing.physics, hex(summary.state_hash), summary.final,
-                          inputs_taken(scenario, summary.steps)});
+                          inputs_of(scenario, summary.steps)});
 }
 
 }  // namespace hyrax

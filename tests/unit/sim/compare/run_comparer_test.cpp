@@ -163,7 +163,7 @@ TEST_F(ShortRun, ThatContradictsItselfDoesNotAgree) {
   };
   kept_.state_hash.front() ^= 1;
   EXPECT_TRUE(differs("state hash"));
-  kept_.inputs.front().a += 1.0;
+  kept_.inputs.front().action = Fling{{1.0, 2.0}};
   EXPECT_TRUE(differs("events"));
   kept_.contacts_total += 1;
   EXPECT_TRUE(differs("number of contacts"));

@@ -1,5 +1,5 @@
 // The distance of doubles in units in the last place.
-#include "sim/compare/ulps.h"
+#include "sim/compare/comparison.h"
 
 #include <gtest/gtest.h>
 

@@ -79,16 +79,4 @@ TEST(PhysicsInterface, ResetStopsTheBodyWhereItIs) {
   EXPECT_EQ(body.vy(), 0.0);
 }
 
-TEST(PhysicsInterface, TheTwoHalvesOfAStepAreTheStep) {
-  physics whole(1850.0, 900.0, 2400.0, 700.0);
-  physics halves = whole;
-  whole.update(1.0 / 60.0, 1920, 1080, 128, 128);
-  halves.fly(1.0 / 60.0);
-  halves.collide(1920, 1080, 128, 128);
-  EXPECT_EQ(whole.x(), halves.x());
-  EXPECT_EQ(whole.y(), halves.y());
-  EXPECT_EQ(whole.vx(), halves.vx());
-  EXPECT_EQ(whole.vy(), halves.vy());
-}
-
 }  // namespace

@@ -155,9 +155,9 @@ TEST(ArcCutter, DoesNotTakeAHitchForAnInput) { EXPECT_EQ(cut(interrupted_by(Hitc
 TEST(ArcCutter, FollowsTheSizesInForce) {
   const Cut c = cut(interrupted_by(Resize{Size{900'000, 800'000}, std::nullopt}));
   ASSERT_EQ(c.arcs.size(), 2u);
-  EXPECT_EQ(c.arcs[0].start.right_px, 1'000'000.0 - 128.0);
-  EXPECT_EQ(c.arcs[1].start.right_px, 900'000.0 - 128.0);
-  EXPECT_EQ(c.arcs[1].start.bottom_px, 800'000.0 - 128.0);
+  EXPECT_EQ(c.arcs[0].start.bounds.right_px, 1'000'000.0 - 128.0);
+  EXPECT_EQ(c.arcs[1].start.bounds.right_px, 900'000.0 - 128.0);
+  EXPECT_EQ(c.arcs[1].start.bounds.bottom_px, 800'000.0 - 128.0);
 }
 
 TEST(ArcCutter, KnowsNoArcWhileTheSpriteIsHeld) {

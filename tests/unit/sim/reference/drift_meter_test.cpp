@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/reference/margin.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tests/unit/sim/reference/wide.h"
 
@@ -212,6 +213,32 @@ TEST(DriftMeter, SaysNothingOfARunWithoutArcs) {
   EXPECT_EQ(measured.summary.arcs, 0);
   EXPECT_FALSE(measured.summary.truncation_px);
   EXPECT_EQ(measured.summary.skipped_arcs, 1);
+}
+
+// Of a run that repeats itself a meter takes the beginning, and sums up the same.
+TEST(DriftMeter, NeedsNoRowsOfPeriodsWithoutAnArc) {
+  for (const double rate_hz : {60.0, 100.0, 240.0}) {
+    Scenario scenario = open_sky({900.0, -900.0}, rate_hz, 250'000);
+    scenario.window = {1920, 1080};
+    scenario.start = {300.0, 500.0};
+    Measured all;
+    measure(scenario, all);
+    Measured beginning;
+    DriftMeter meter(scenario, inputs_of(scenario), beginning);
+    MarginMeter margin(scenario, inputs_of(scenario));
+    replay(scenario, {&meter, &margin});
+    EXPECT_EQ(meter.wants().rows_every, 0) << rate_hz;
+    EXPECT_EQ(margin.wants().rows_every, 0) << rate_hz;
+    const DriftSummary summary = meter.finish();
+    EXPECT_EQ(summary.arcs, all.summary.arcs) << rate_hz;
+    EXPECT_EQ(summary.contacts, all.summary.contacts) << rate_hz;
+    EXPECT_EQ(summary.skipped_arcs, all.summary.skipped_arcs) << rate_hz;
+    EXPECT_EQ(summary.truncation_px->value, all.summary.truncation_px->value) << rate_hz;
+    MarginMeter of_all(scenario, inputs_of(scenario));
+    of_all.rows(rows_of(scenario));
+    EXPECT_EQ(margin.margin().half_width, of_all.margin().half_width) << rate_hz;
+    EXPECT_EQ(margin.margin().nearest->step, of_all.margin().nearest->step) << rate_hz;
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sim/reference/impact.h"
+#include "sim/reference/flight.h"
 
 #include <gtest/gtest.h>
 

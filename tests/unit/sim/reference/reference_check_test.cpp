@@ -34,8 +34,7 @@ double kinetic(const Flight& flight) {
 // A throw up from the floor and to the right, until it comes down again.
 std::string_view fault_of(const Closed& closed) {
   ArcStart start{.row = {.y_px = kHeight_px, .vx_px_per_s = 300.0, .vy_px_per_s = -600.0},
-                 .right_px = 1000.0,
-                 .bottom_px = kHeight_px};
+                 .bounds = {1000.0, kHeight_px}};
   GslFlight gsl;
   ReferenceCheck check({}, gsl);
   ArcSolution solution({.model_rate_hz = closed.model_rate_hz});

@@ -10,7 +10,6 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/trajectory/input.h"
 
 namespace hyrax {
 
@@ -41,8 +40,7 @@ struct Recorded : RowSink {
 };
 
 inline std::vector<Input> inputs_of(const Scenario& scenario) {
-  const std::int64_t steps = step_count(scenario);
-  return inputs_of(scenario, schedule_events(scenario, steps).frames, steps);
+  return inputs_of(scenario, step_count(scenario));
 }
 
 inline Columns rows_of(const Scenario& scenario) {

@@ -99,8 +99,8 @@ TEST(Contact, OfRestIsOneThatDoesNotEnd) {
   ASSERT_EQ(played.contacts().size(), 1u);
   EXPECT_EQ(played.contacts()[0].step, 1);
   EXPECT_EQ(played.contacts()[0].last_step, 100);
-  EXPECT_EQ(played.summary.contacts[3], 1);
-  EXPECT_EQ(played.summary.clamped_steps[3], 100);
+  EXPECT_EQ(played.summary.contacts.ground, 1);
+  EXPECT_EQ(played.summary.clamped_steps.ground, 100);
   EXPECT_EQ(played.summary.rest_steps, 100);
   EXPECT_EQ(played.trace.rows()[50].contact, 24);
   // Told of its first step, in which the speed of one frame's fall was zeroed.

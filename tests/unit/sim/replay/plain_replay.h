@@ -13,7 +13,6 @@
 #include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/scenario/timeline.h"
 #include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
@@ -101,8 +100,10 @@ class PlainReplay {
 
   // One update; notes what touched and returns the contact byte.
   std::uint8_t step(std::int64_t number) {
-    physics flight = body_;
-    flight.fly(dt_s_);
+    // The listing's flight, written out.
+    const double vx = body_.vx() * physics::AIR_DRAG;
+    const double vy = (body_.vy() + physics::GRAVITY * dt_s_) * physics::AIR_DRAG;
+    const physics flight(body_.x() + vx * dt_s_, body_.y() + vy * dt_s_, vx, vy);
     body_.update(dt_s_, window_.width_px, window_.height_px, sprite_.width_px, sprite_.height_px);
     const double right_px = window_.width_px - sprite_.width_px;
     const double bottom_px = window_.height_px - sprite_.height_px;

@@ -102,7 +102,7 @@ TEST(SkippedRepetition, HandsOnNoMoreContactsThanAreTaken) {
   Scenario scenario = fling_at(60.0, 1'500'000);
   scenario.window = {100, 1080};
   const RunSummary summary = expect_skipping_changes_nothing(scenario, 0, "knocking");
-  EXPECT_GT(summary.contacts[0] + summary.contacts[1], kContactsRecordedMax);
+  EXPECT_GT(summary.contacts.left + summary.contacts.right, kContactsRecordedMax);
 }
 
 TEST(SkippedRepetition, IsNotLookedForUnderJitter) {

@@ -28,11 +28,10 @@ void expect_plain_run(const Scenario& scenario, const std::string& which) {
   EXPECT_EQ(summary.out_of_bounds_step, plain.out_of_bounds_step) << which;
   EXPECT_EQ(summary.rest_steps, plain.steps_with(kRestBit)) << which;
   WallCounts contacts{};
-  for (const Contact& contact : plain.contacts) ++contacts[wall_index(contact.wall)];
+  for (const Contact& contact : plain.contacts) ++contacts[contact.wall];
   EXPECT_EQ(summary.contacts, contacts) << which;
   for (const Wall wall : kWalls)
-    EXPECT_EQ(summary.clamped_steps[wall_index(wall)], plain.steps_with(static_cast<std::uint8_t>(wall)))
-        << which;
+    EXPECT_EQ(summary.clamped_steps[wall], plain.steps_with(static_cast<std::uint8_t>(wall))) << which;
 }
 
 TEST(Replay, PlaysEveryKindOfInputByTheFrameRule) { expect_plain_run(eventful_fling(), "eventful"); }

@@ -49,8 +49,7 @@ inline std::string text_of(const RunSummary& summary) {
       summary;
   std::ostringstream out;
   out << std::hexfloat << steps << " steps, " << computed << " computed, " << simulated_s << " s, contacts";
-  for (std::size_t wall = 0; wall < contacts.size(); ++wall)
-    out << " " << contacts[wall] << " of " << clamped[wall] << " steps";
+  for (const Wall wall : kWalls) out << " " << contacts[wall] << " of " << clamped[wall] << " steps";
   out << ", " << rest_steps << " rest steps, final " << final << ", at rest since "
       << at_rest_since_s.value_or(-1.0) << ", periodic from " << periodic_from.value_or(-1) << " by "
       << period << ", hash " << hex(hash) << ", non-finite at " << non_finite.value_or(-1)

@@ -10,7 +10,6 @@
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/split_mix64.h"
-#include "sim/scenario/timeline.h"
 #include "tests/oracle/vectors.h"
 
 namespace hyrax {
@@ -355,6 +354,39 @@ TEST(Schedule, AgreesWithAPlainWalkWhateverTheClock) {
     faulty += expected.faulty.empty() ? 0 : 1;
   }
   EXPECT_GT(faulty, 100);
+}
+
+Scenario with_events(std::vector<Event> events) {
+  Scenario scenario;
+  scenario.clock.base = FixedRate{60.0};
+  scenario.length = std::int64_t{10};
+  scenario.events = std::move(events);
+  return scenario;
+}
+
+TEST(Inputs, OfARunEndWithIt) {
+  const Scenario scenario =
+      with_events({{std::int64_t{0}, Stop{}}, {std::int64_t{3}, Grab{}}, {std::int64_t{4}, Release{}}});
+  EXPECT_EQ(inputs_of(scenario, 4), (std::vector<Input>{{0, Stop{}}, {3, Grab{}}}));
+  EXPECT_EQ(inputs_of(scenario, 5).size(), 3u);
+}
+
+TEST(Inputs, AreTwoForAResizeOfWindowAndSprite) {
+  const Scenario scenario = with_events({{std::int64_t{5}, Resize{Size{800, 600}, Size{64, 32}}}});
+  EXPECT_EQ(inputs_of(scenario, 10),
+            (std::vector<Input>{{5, Resize{Size{800, 600}, {}}}, {5, Resize{{}, Size{64, 32}}}}));
+}
+
+TEST(Inputs, AreTheSameInTheirBitsOnly) {
+  const Input fling{1, Fling{{0.0, 2.0}}};
+  EXPECT_TRUE(same_bits(fling, fling));
+  EXPECT_EQ(fling, (Input{1, Fling{{-0.0, 2.0}}}));
+  EXPECT_FALSE(same_bits(fling, Input{1, Fling{{-0.0, 2.0}}}));
+  EXPECT_FALSE(same_bits(fling, Input{2, Fling{{0.0, 2.0}}}));
+  EXPECT_FALSE(same_bits(fling, Input{1, Release{{0.0, 2.0}}}));
+  EXPECT_FALSE(same_bits(Input{1, Place{{0.0, 1.0}}}, Input{1, Place{{0.0, -1.0}}}));
+  EXPECT_FALSE(same_bits(Input{1, Hitch{0.0}}, Input{1, Hitch{-0.0}}));
+  EXPECT_FALSE(same_bits(Input{1, Resize{Size{1, 1}, {}}}, Input{1, Resize{{}, Size{1, 1}}}));
 }
 
 }  // namespace

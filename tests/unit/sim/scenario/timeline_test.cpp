@@ -1,5 +1,5 @@
 // The time rule against the published vectors.
-#include "sim/scenario/timeline.h"
+#include "sim/scenario/frame_clock.h"
 
 #include <gtest/gtest.h>
 

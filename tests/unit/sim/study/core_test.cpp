@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/motion/step.h"
-#include "sim/study/claim_probe.h"
+#include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
 namespace {
@@ -23,7 +23,7 @@ int frames_unlike_core(StepOrder order) {
 
 TEST(ListingStep, IsTheCoreInThePapersOrder) {
   EXPECT_EQ(frames_unlike_core(StepOrder::paper), 0);
-  EXPECT_EQ(steps_unlike_listing(100'000), 0);
+  EXPECT_EQ(steps_that_differ_from_listing(100'000), 0);
 }
 
 TEST(ListingStep, IsAnotherInAnother) {

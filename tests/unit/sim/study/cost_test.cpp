@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/study/cost.h"
+#include "sim/study/methods/cost.h"
 
 namespace hyrax {
 namespace {

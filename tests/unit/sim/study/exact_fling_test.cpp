@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/study/exact_fling.h"
+#include "sim/study/methods/exact_fling.h"
 
 namespace hyrax {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/physics/physics.h"
-#include "sim/study/method_errors.h"
-#include "sim/study/speed_error.h"
+#include "sim/study/methods/method_errors.h"
+#include "sim/study/speed_error/speed_error.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
@@ -97,7 +97,7 @@ TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
     bool play(std::span<const double>) override { return true; }
     [[nodiscard]] State motion() const override { return {std::nan(""), 0.0, 0.0, 0.0}; }
   };
-  MethodKind kind{.name = "lost", .words = "", .order = 1, .make = [] { return std::make_unique<Lost>(); }};
+  MethodKind kind{.name = "lost", .make = [] { return std::make_unique<Lost>(); }};
   const Problem arc = problem_named("long-arc");
   EXPECT_TRUE(measure_errors(arc, kind, stage_frames_s(arc, 60.0), 60.0).is_failed);
 }

@@ -1,7 +1,7 @@
 // One fling on several displays.
 #include <gtest/gtest.h>
 
-#include "sim/study/frame_rate.h"
+#include "sim/study/frame_rate/frame_rate.h"
 
 namespace hyrax {
 namespace {

@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "sim/replay/replay.h"
-#include "sim/study/core.h"
-#include "sim/study/needs.h"
-#include "sim/study/needs_tables.h"
+#include "sim/study/methods/core.h"
+#include "sim/study/needs/coverage.h"
+#include "sim/study/needs/needs.h"
+#include "sim/study/needs/needs_figure.h"
+#include "sim/study/study.h"
 #include "sim/trajectory/row.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tools/files/scenario_reader.h"
@@ -68,12 +72,12 @@ TEST(Needs, OfAFlingAreWhatItMeets) {
   EXPECT_TRUE(scene.comes_to_rest);
 }
 
-TEST(Needs, KnowEventsAndJitter) {
+TEST(Needs, IncludeEventsAndJitter) {
   const SceneNeeds scene = needs_of(scenario_named("flings/corner-fling"));
   EXPECT_EQ(need_of_part(scene, "jitter"), Need::needed);
   EXPECT_EQ(need_of_part(scene, "fling, frame 120"), Need::needed);
   EXPECT_EQ(need_of_part(scene, "hold, frame 300"), Need::needed);
-  // It stops a sprite that all but lies.
+  // It stops a sprite that has almost settled.
   EXPECT_EQ(need_of_part(scene, "stop, frame 517"), Need::below);
 }
 
@@ -88,8 +92,8 @@ TEST(Needs, GrowAsTheToleranceShrinks) {
   EXPECT_LT(needed(1.0), needed(0.0));
 }
 
-// Alone nobody misses the fling or the restitution of this scene, together one does.
-TEST(Needs, SeePartsThatStandInForOneAnother) {
+// Neither the fling nor the restitution of this scene is needed alone, but one of them is.
+TEST(Needs, FindPartsThatReplaceEachOther) {
   const SceneNeeds scene = needs_of(scenario_named("paper/rest-threshold"));
   const auto is_joint = [](const PartNeed& part) { return part.need == Need::needed_jointly; };
   EXPECT_GT(std::count_if(scene.parts.begin(), scene.parts.end(), is_joint), 0);
@@ -106,8 +110,8 @@ TEST(Needs, TheControlFailsWhereSomethingNeededIsLeftOut) {
   EXPECT_EQ(need_of(difference_without(script, {}, parts), 1.0), Need::needed);
 }
 
-// What the replay meets of the first fling is the right wall and the ground.
-TEST(Needs, AreHeldToTheWallsThatTheReplayMeets) {
+// The replay of the first fling touches the right wall and the ground.
+TEST(Needs, MustAgreeWithTheWallsThatTheReplayTouches) {
   const Scenario scenario = scenario_named("flings/first-fling");
   const auto contradictions = [&](Part part, Need need) {
     PartNeed changed;
@@ -137,7 +141,7 @@ TEST(Needs, CountContactsThatMove) {
   EXPECT_GT(difference.end_px, 100.0);
 }
 
-TEST(Coverage, TellsTheMostThatASceneNeeds) {
+TEST(Coverage, IsTheMostThatASceneNeeds) {
   const SceneNeeds scene = needs_of(scenario_named("flings/corner-fling"));
   const std::vector<Need> coverage = coverage_of(scene);
   ASSERT_EQ(coverage.size(), coverage_columns().size());
@@ -150,13 +154,91 @@ TEST(Coverage, TellsTheMostThatASceneNeeds) {
   EXPECT_EQ(at("stop"), Need::below);
 }
 
-TEST(NeedsTables, HaveARowAPartAndAScene) {
-  const std::vector<SceneNeeds> scenes = {needs_of(scenario_named("flings/first-fling"))};
-  const std::vector<StudyTable> tables = tables_of(scenes, 1.0);
-  EXPECT_EQ(row_count(tables[0]), scenes[0].parts.size());
-  EXPECT_EQ(row_count(tables[1]), 1u);
-  EXPECT_EQ(row_count(tables[2]), 1u);
-  EXPECT_EQ(row_count(tables[3]), 0u);
+std::int64_t stopped_clock_ns() {
+  static std::int64_t now_ns = 0;
+  return now_ns += 100'000;
+}
+
+StudyResult studied(const std::vector<std::string>& names) {
+  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = stopped_clock_ns};
+  for (const std::string& name : names) {
+    request.scenarios.push_back({name, scenario_named(name)});
+    Scenario& scenario = request.scenarios.back().scenario;
+    scenario.length = std::int64_t{60};
+    scenario.name += std::to_string(request.scenarios.size());
+  }
+  for (const Study& study : studies())
+    if (study.name == "needs") return study.run(request);
+  throw std::logic_error("no study needs");
+}
+
+TEST(NeedsStudy, AFewScenesHaveATableAndAFigureEach) {
+  const StudyResult result = studied({"flings/first-fling", "hard/sprite-larger-than-window"});
+  const std::size_t parts = row_count(result.tables[0]) / 2;
+  EXPECT_EQ(parts, kPartCount);
+  EXPECT_EQ(row_count(result.tables[1]), 2u);
+  EXPECT_EQ(row_count(result.tables[2]), 2u);
+  EXPECT_EQ(row_count(result.tables[3]), 1u) << "the cheapest method, if there is an exact motion";
+  EXPECT_EQ(row_count(std::get<Table>(result.verdict.text[1])), parts);
+  ASSERT_EQ(result.figures.size(), 2u);
+  EXPECT_EQ(result.figures[0].suffix, "-first-fling1");
+  EXPECT_TRUE(result.verdict.broken.empty());
+}
+
+TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
+  const StudyResult result = studied(std::vector<std::string>(5, "flings/first-fling"));
+  EXPECT_EQ(row_count(result.tables[3]), 0u);
+  const Table& coverage = std::get<Table>(result.verdict.text[1]);
+  EXPECT_EQ(row_count(coverage), coverage_columns().size());
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(coverage.columns[2].values)[0], 5) << "need gravity";
+  ASSERT_EQ(result.figures.size(), 1u);
+  EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
+}
+
+TEST(NeedsStudy, WithoutAScenarioItIsRefused) { EXPECT_THROW(studied({}), RequestRefused); }
+
+SceneNeeds some_scene() {
+  SceneNeeds scene;
+  scene.scenario = "some-fling";
+  scene.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed, 0.0},
+                 {"drag", Part::drag, {false, 0.5, 0.5, 1, 1}, Need::below, 0.0},
+                 {"top", Part::top_wall, {}, Need::not_exercised, 0.0},
+                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed, 0.0}};
+  return scene;
+}
+
+TEST(NeedsFigure, HasABarForEachPartUpToItsDistance) {
+  const Figure figure = needs_figure(some_scene(), 1.0);
+  EXPECT_EQ(figure.title, "What some-fling needs");
+  const Plot& plot = std::get<std::vector<Plot>>(figure.body).front();
+  EXPECT_EQ(plot.y.categories, (std::vector<std::string>{"gravity", "drag", "top", "ground"}));
+  ASSERT_EQ(plot.series.size(), 3u);
+  EXPECT_EQ(plot.series[0].look.tone, Tone::blue);
+  EXPECT_EQ(plot.series[0].x, (std::vector<double>{941.0, 941.0}))
+      << "an infinite bar is as long as the longest";
+  EXPECT_EQ(plot.series[0].y, (std::vector<double>{0.0, 3.0}));
+  EXPECT_EQ(plot.series[1].look.tone, Tone::orange);
+  EXPECT_EQ(plot.series[1].x, std::vector<double>{0.5});
+  EXPECT_EQ(plot.series[2].x, std::vector<double>{plot.x.low}) << "a bar without length";
+  const char* const texts[] = {"941 px, 11 contacts moved", "0.5 px, 1 contact moved", "not exercised",
+                               "without bound"};
+  ASSERT_EQ(plot.texts.size(), 4u);
+  for (std::size_t index = 0; index < 4; ++index) EXPECT_EQ(plot.texts[index].text, texts[index]);
+  ASSERT_EQ(plot.marks.size(), 1u);
+  EXPECT_EQ(plot.marks[0].at, 1.0);
+  EXPECT_TRUE(std::get<std::vector<Plot>>(needs_figure(some_scene(), 0.0).body).front().marks.empty());
+}
+
+TEST(CoverageFigure, MarksWhatNoScenarioExercises) {
+  const Figure figure = coverage_figure({some_scene()}, 1.0);
+  const Grid& grid = std::get<Grid>(figure.body);
+  EXPECT_EQ(grid.rows, std::vector<std::string>{"some-fling"});
+  EXPECT_EQ(grid.columns[0], (std::pair<std::string, Tone>{"gravity", Tone::ink}));
+  EXPECT_EQ(grid.columns[4], (std::pair<std::string, Tone>{"top (never)", Tone::vermilion}));
+  ASSERT_EQ(grid.cells.size(), grid.columns.size());
+  EXPECT_EQ(grid.cells[0].tone, Tone::blue);
+  EXPECT_EQ(grid.cells[1].tone, Tone::orange);
+  EXPECT_EQ(grid.cells[4].tone, Tone::hairline);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/study/problem.h"
+#include "sim/study/methods/problem.h"
 
 namespace hyrax {
 namespace {

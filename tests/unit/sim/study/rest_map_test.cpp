@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/study/rest_map.h"
+#include "sim/study/rest/rest_map.h"
 
 namespace hyrax {
 namespace {
@@ -15,32 +15,33 @@ FinalState state_of(double vy, double next_vy, double rate_hz = 60.0) {
   return final_state({0.0, kBottom_px, 0.0, vy}, {0.0, kBottom_px, 0.0, next_vy}, rate_hz, kBottom_px);
 }
 
-double buzz_px_per_s() {
+double residual_px_per_s() {
   const Constants core = core_constants();
   return -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0 /
          (1.0 + core.air_drag * core.restitution);
 }
 
-TEST(FinalState, OfNoSpeedIsRest) { EXPECT_EQ(state_of(0.0, -0.0), FinalState::rest); }
+TEST(FinalState, IsZeroSpeedWithoutVy) { EXPECT_EQ(state_of(0.0, -0.0), FinalState::zero_speed); }
 
-TEST(FinalState, OfABuzzBetweenNeighbouringDoublesIsABuzz) {
-  EXPECT_EQ(state_of(buzz_px_per_s(), std::nextafter(buzz_px_per_s(), 0.0)), FinalState::buzz);
+TEST(FinalState, IsResidualSpeedBetweenNeighbouringDoubles) {
+  EXPECT_EQ(state_of(residual_px_per_s(), std::nextafter(residual_px_per_s(), 0.0)),
+            FinalState::residual_speed);
 }
 
-TEST(FinalState, OfACycleIsOneWhicheverRowComesFirst) {
+TEST(FinalState, IsATwoCycleWhicheverRowComesFirst) {
   const Constants core = core_constants();
   const double thrown = -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0;
-  EXPECT_EQ(state_of(0.0, thrown), FinalState::cycle);
-  EXPECT_EQ(state_of(thrown, 0.0), FinalState::cycle);
+  EXPECT_EQ(state_of(0.0, thrown), FinalState::two_cycle);
+  EXPECT_EQ(state_of(thrown, 0.0), FinalState::two_cycle);
 }
 
-TEST(FinalState, OfAnyOtherSpeedOrPlaceIsMotion) {
+TEST(FinalState, IsMovingAtAnyOtherSpeedOrPlace) {
   EXPECT_EQ(state_of(-3.0, 0.0), FinalState::moving);
   EXPECT_EQ(final_state({0.0, kBottom_px - 1e-9, 0.0, 0.0}, {0.0, kBottom_px, 0.0, 0.0}, 60.0, kBottom_px),
             FinalState::moving);
 }
 
-TEST(RestBoundaries, AreFoundWhereTheyAreDerived) {
+TEST(RestBoundaries, AreMeasuredWhereTheyAreDerived) {
   const std::vector<RestBoundary> boundaries = rest_boundaries();
   ASSERT_EQ(boundaries.size(), 3u);
   for (const RestBoundary& boundary : boundaries) {
@@ -50,9 +51,9 @@ TEST(RestBoundaries, AreFoundWhereTheyAreDerived) {
   }
 }
 
-TEST(RestBoundaries, DisagreeWhereTheyAreNotFoundOrElsewhere) {
-  EXPECT_FALSE((RestBoundary{"none", 100.0, {}}.agrees()));
-  EXPECT_FALSE((RestBoundary{"off", 100.0, 100.001}.agrees()));
+TEST(RestBoundaries, DisagreeIfNotMeasuredOrElsewhere) {
+  EXPECT_FALSE((RestBoundary{"none", "", 100.0, {}}.agrees()));
+  EXPECT_FALSE((RestBoundary{"off", "", 100.0, 100.001}.agrees()));
 }
 
 TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
@@ -65,12 +66,12 @@ TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
 
 TEST(Bounces, KeepTheCoresRestitutionOnAverage) {
   double sum = 0.0;
-  const std::vector<BounceSeen> bounces = bounces_at(240.0, 50);
+  const std::vector<DropBounce> bounces = bounces_at(240.0, 50);
   ASSERT_EQ(bounces.size(), 50u);
-  for (const BounceSeen& seen : bounces) {
-    EXPECT_GE(seen.phase, 0.0);
-    EXPECT_LE(seen.phase, 1.0);
-    sum += seen.restitution;
+  for (const DropBounce& bounce : bounces) {
+    EXPECT_GE(bounce.phase, 0.0);
+    EXPECT_LE(bounce.phase, 1.0);
+    sum += bounce.restitution;
   }
   EXPECT_NEAR(sum / 50.0, core_constants().restitution, 1e-3);
 }

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/replay/replay.h"
-#include "sim/study/step_watch.h"
+#include "sim/study/hard_cases/step_watch.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
@@ -124,7 +124,7 @@ TEST(StepWatch, FindsASpeedThatNoBounceLeaves) {
       scenario.sprite = {128, 128};
       scenario.start = at.start;
       scenario.start_velocity = at.velocity;
-      EXPECT_TRUE(of(watched(scenario), Invariant::bounce).is_asked);
+      EXPECT_TRUE(of(watched(scenario), Invariant::bounce).is_checked);
       EXPECT_TRUE(of(watched(scenario), Invariant::bounce).holds);
       const auto change = [speed](Row& row) { row.*speed = std::nextafter(row.*speed, 0.0); };
       EXPECT_FALSE(of(watched(scenario, 1, change), Invariant::bounce).holds) << at.start.x_px;
@@ -143,7 +143,7 @@ TEST(StepWatch, KnowsThatDragActsInAFrameOfNoTime) {
   EXPECT_EQ(of(measures, Invariant::no_time).worst_step, 21);
 }
 TEST(StepWatch, AsksForNoTimeOnlyWhereItPasses) {
-  EXPECT_FALSE(of(watched(fling_at(60.0, 60)), Invariant::no_time).is_asked);
+  EXPECT_FALSE(of(watched(fling_at(60.0, 60)), Invariant::no_time).is_checked);
 }
 
 }  // namespace

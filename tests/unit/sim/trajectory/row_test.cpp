@@ -1,13 +1,13 @@
-// Rows as 41 bytes and as columns, walls as bits, events as inputs.
+// Rows as 41 bytes and as columns, walls as bits.
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <set>
 
-#include "sim/motion/wall.h"
+#include "sim/motion/state.h"
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
-#include "sim/trajectory/input.h"
-#include "sim/trajectory/row_block.h"
+#include "sim/trajectory/state_hash.h"
 
 namespace hyrax {
 namespace {
@@ -125,35 +125,6 @@ TEST(Wall, HasAPlaceOfItsOwnAmongTheBits) {
     EXPECT_FALSE(touches(static_cast<std::uint8_t>(31 & ~static_cast<int>(wall)), wall));
   }
   EXPECT_EQ(seen, (std::set<int>{1, 2, 4, 8, 16}));
-}
-
-TEST(Input, TakesItsNumbersFromTheEvent) {
-  EXPECT_EQ(inputs_of(Fling{{1.0, 2.0}}, 5), (std::vector<Input>{{5, InputKind::fling, 1.0, 2.0}}));
-  EXPECT_EQ(inputs_of(Place{{3.0, 4.0}}, 5), (std::vector<Input>{{5, InputKind::place, 3.0, 4.0}}));
-  EXPECT_EQ(inputs_of(Stop{}, 5), (std::vector<Input>{{5, InputKind::stop, 0.0, 0.0}}));
-  EXPECT_EQ(inputs_of(Hitch{0.5}, 5), (std::vector<Input>{{5, InputKind::hitch, 0.5, 0.0}}));
-  EXPECT_EQ(inputs_of(Grab{}, 5), (std::vector<Input>{{5, InputKind::grab, 0.0, 0.0}}));
-  EXPECT_EQ(inputs_of(Release{{6.0, 7.0}}, 5), (std::vector<Input>{{5, InputKind::release, 6.0, 7.0}}));
-}
-
-TEST(Input, IsTwoForAResizeOfBoth) {
-  const std::vector<Input> expected = {{5, InputKind::resize_window, 800.0, 600.0},
-                                       {5, InputKind::resize_sprite, 64.0, 32.0}};
-  EXPECT_EQ(inputs_of(Resize{Size{800, 600}, Size{64, 32}}, 5), expected);
-  EXPECT_EQ(inputs_of(Resize{{}, Size{64, 32}}, 5), (std::vector<Input>{expected[1]}));
-}
-
-TEST(Input, HasThePublishedNumberOfItsKind) {
-  EXPECT_EQ(static_cast<int>(InputKind::resize_window), 3);
-  EXPECT_EQ(kInputKindNames[static_cast<std::size_t>(InputKind::resize_sprite)], "resize-sprite");
-  EXPECT_EQ(kInputKindNames[static_cast<std::size_t>(InputKind::release)], "release");
-}
-
-TEST(Input, OfARunEndsWithIt) {
-  Scenario scenario;
-  scenario.events = {{std::int64_t{0}, Stop{}}, {std::int64_t{3}, Grab{}}, {std::int64_t{4}, Release{}}};
-  EXPECT_EQ(inputs_of(scenario, {0, 3, 4}, 4).size(), 2u);
-  EXPECT_EQ(inputs_of(scenario, {0, 3, 4}, 5).size(), 3u);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // JSON text to values and back.
-#include "tools/files/json.h"
+#include "tools/files/json_pointer.h"
 
 #include <gtest/gtest.h>
 
@@ -229,15 +229,15 @@ TEST(JsonPointer, ReadsItsEscapes) {
 }
 
 TEST(JsonPointer, SaysWhereItLeadsNowhere) {
-  EXPECT_NE(set("{}", "a", 1).find("is no JSON Pointer; it begins with '/'"), std::string::npos);
-  EXPECT_EQ(set("[1]", "/1", 9), "/1: leads nowhere: there is no '1'");
+  EXPECT_NE(set("{}", "a", 1).find("is not a JSON Pointer; it must begin with '/'"), std::string::npos);
+  EXPECT_EQ(set("[1]", "/1", 9), "/1: does not exist (found no '1')");
   EXPECT_EQ(set("[1]", std::string("/\0\x1b", 3), 9),
-            "/\\u0000\\u001b: leads nowhere: there is no '\\u0000\\u001b'");
-  EXPECT_EQ(set("[1]", "/x", 9), "/x: leads nowhere: there is no 'x'");
-  EXPECT_EQ(set("[1]", "/-1", 9), "/-1: leads nowhere: there is no '-1'");
-  EXPECT_EQ(set(R"({"a": 1})", "/a/b", 9), "/a/b: leads nowhere: there is no 'b'");
+            "/\\u0000\\u001b: does not exist (found no '\\u0000\\u001b')");
+  EXPECT_EQ(set("[1]", "/x", 9), "/x: does not exist (found no 'x')");
+  EXPECT_EQ(set("[1]", "/-1", 9), "/-1: does not exist (found no '-1')");
+  EXPECT_EQ(set(R"({"a": 1})", "/a/b", 9), "/a/b: does not exist (found no 'b')");
   EXPECT_EQ(set("[1]", "/99999999999999999999", 9),
-            "/99999999999999999999: leads nowhere: there is no '99999999999999999999'");
+            "/99999999999999999999: does not exist (found no '99999999999999999999')");
 }
 
 TEST(JsonPointer, GoesNoDeeperThanADocumentMayNest) {

@@ -1,15 +1,14 @@
-// Part files: one for each writer, and none for ever.
-#include "tools/files/part_file.h"
+// Part files: each writer has its own, and none is left over.
+#include "tools/files/atomic_file.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
@@ -31,52 +30,49 @@ class PartFileTest : public testing::Test {
 };
 
 TEST_F(PartFileTest, IsHiddenBesideItsTarget) {
-  const PartFile part = make_part_file(path("a.h5"));
-  EXPECT_EQ(part.path, path(".a.h5.part"));
-  EXPECT_EQ(fs::file_size(part.path), 0u);
-  close(part.descriptor);
+  const AtomicFile part(path("a.h5"));
+  EXPECT_EQ(part.part_path(), path(".a.h5.part"));
+  EXPECT_EQ(fs::file_size(part.part_path()), 0u);
 }
 
-TEST_F(PartFileTest, OfSeveralWritersAreSeveral) {
-  const PartFile first = make_part_file(path("a.h5"));
-  const PartFile second = make_part_file(path("a.h5"));
-  EXPECT_EQ(second.path, path(".a.h5.2.part"));
-  EXPECT_TRUE(fs::exists(first.path));
-  close(first.descriptor);
-  EXPECT_EQ(make_part_file(path("a.h5")).path, first.path);
-  close(second.descriptor);
+TEST_F(PartFileTest, IsAnotherForEveryWriter) {
+  std::optional<AtomicFile> first(path("a.h5"));
+  const AtomicFile second(path("a.h5"));
+  EXPECT_EQ(first->part_path(), path(".a.h5.part"));
+  EXPECT_EQ(second.part_path(), path(".a.h5.2.part"));
+  EXPECT_TRUE(fs::exists(first->part_path()));
+  first.reset();
+  EXPECT_EQ(AtomicFile(path("a.h5")).part_path(), path(".a.h5.part"));
 }
 
 TEST_F(PartFileTest, MakesRoomWhereItsWriterWasKilled) {
   abandon(".a.h5.part");
   abandon(".b.h5.part");
-  const PartFile part = make_part_file(path("a.h5"));
-  EXPECT_EQ(part.path, path(".a.h5.part"));
-  EXPECT_EQ(fs::file_size(part.path), 0u);
+  const AtomicFile part(path("a.h5"));
+  EXPECT_EQ(part.part_path(), path(".a.h5.part"));
+  EXPECT_EQ(fs::file_size(part.part_path()), 0u);
   EXPECT_TRUE(fs::exists(path(".b.h5.part"))) << "another output's";
-  close(part.descriptor);
 }
 
 TEST_F(PartFileTest, LeavesAloneWhatIsNoPartOfOurs) {
   fs::create_directory(path(".a.h5.part"));
   fs::create_symlink("victim", path(".a.h5.2.part"));
   std::ofstream(path("victim")) << "somebody else's";
-  const PartFile part = make_part_file(path("a.h5"));
-  EXPECT_EQ(part.path, path(".a.h5.3.part"));
+  const AtomicFile part(path("a.h5"));
+  EXPECT_EQ(part.part_path(), path(".a.h5.3.part"));
   EXPECT_EQ(fs::file_size(path("victim")), 15u);
-  close(part.descriptor);
 }
 
 TEST_F(PartFileTest, AreNotWithoutNumber) {
   for (int number = 1; number <= 100; ++number)
     fs::create_directory(path(number == 1 ? ".a.h5.part" : ".a.h5." + std::to_string(number) + ".part"));
   try {
-    static_cast<void>(make_part_file(path("a.h5")));
+    const AtomicFile part(path("a.h5"));
     FAIL() << "should have refused";
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
     EXPECT_EQ(failure.what(), path("a.h5") +
-                                  ": cannot be written: 100 others are writing it; where none is, "
+                                  ": cannot be written: 100 others are writing it; if none is, "
                                   "remove the files " +
                                   path(".a.h5.part") + ", .2.part and so on");
   }

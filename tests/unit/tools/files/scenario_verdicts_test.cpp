@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tools/files/failure.h"
-#include "tools/files/json.h"
+#include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/text_file.h"
@@ -128,7 +128,7 @@ TEST(ScenarioVerdicts, ListOnlyTheFirstOfVeryManyErrors) {
 
 // Control: a table that expects too little, or something else, does not pass.
 TEST(ScenarioVerdicts, NeedTheirPlaceAndSentence) {
-  const std::string line = std::string(kSource) + ": /clock/rate_hz: must be greater than 0, is -60";
+  const std::string line = std::string(kSource) + ": /clock/rate_hz: must be greater than 0 (found -60)";
   EXPECT_TRUE(tells(line, "/clock/rate_hz", "greater than 0"));
   EXPECT_FALSE(tells(line, "/clock", "greater than 0"));
   EXPECT_FALSE(tells(line, "/clock/rate_hz", "at most 1"));

@@ -89,6 +89,13 @@ class Schema(unittest.TestCase):
             with self.subTest(path=str(path)):
                 self.validator.validate(parse(path.read_text(encoding="utf-8")))
 
+    def test_every_scenario_of_the_project_names_the_schema(self):
+        paths = sorted((SCHEMA.parents[2] / "scenarios").rglob("*.json"))
+        self.assertGreaterEqual(len(paths), 30)
+        for path in paths:
+            named = parse(path.read_text(encoding="utf-8")).get("$schema", "")
+            self.assertEqual((path.parent / named).resolve(), SCHEMA, path)
+
     def test_every_object_is_closed(self):
         open_places = []
 
@@ -116,5 +123,5 @@ class Schema(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    SCHEMA, FOLDERS = pathlib.Path(sys.argv[1]), [pathlib.Path(folder) for folder in sys.argv[2:]]
+    SCHEMA, FOLDERS = pathlib.Path(sys.argv[1]).resolve(), [pathlib.Path(folder) for folder in sys.argv[2:]]
     unittest.main(argv=sys.argv[:1])

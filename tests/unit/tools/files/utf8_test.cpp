@@ -1,5 +1,5 @@
 // Which bytes of a text are UTF-8.
-#include "tools/files/utf8.h"
+#include "tools/files/printable.h"
 
 #include <gtest/gtest.h>
 

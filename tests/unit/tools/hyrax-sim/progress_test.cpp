@@ -1,7 +1,7 @@
 // The line of progress: its estimate goes by what is done, and says nothing before something is.
 #include <gtest/gtest.h>
 
-#include "tools/hyrax-sim/progress.h"
+#include "tools/hyrax-sim/command_line/progress.h"
 
 namespace hyrax {
 namespace {

@@ -38,27 +38,29 @@ TEST(Options, OfAReplay) {
 }
 
 TEST(Options, ThatAreNoneAreRefused) {
-  EXPECT_EQ(refusal({"--recrod", "x"}), "hyrax: '--recrod' is no option; hyrax --help lists the options");
-  EXPECT_NE(refusal({"x.json"}).find("'x.json' is no option"), std::string::npos);
+  EXPECT_EQ(refusal({"--recrod", "x"}),
+            "hyrax: unknown option (found --recrod); allowed: --record, --replay, --log, --seconds, --exit, "
+            "--help, --version (did you mean --record?); see `hyrax --help`");
+  EXPECT_NE(refusal({"x.json"}).find("unknown option (found x.json)"), std::string::npos);
 }
 
 TEST(Options, WithoutTheirValueAreRefused) {
   EXPECT_NE(refusal({"--record"}).find("--record needs a value"), std::string::npos);
   EXPECT_NE(refusal({"--log="}).find("--log needs a value"), std::string::npos);
-  EXPECT_NE(refusal({"--exit=yes"}).find("--exit takes no value, is given 'yes'"), std::string::npos);
+  EXPECT_NE(refusal({"--exit=yes"}).find("--exit takes no value (found yes)"), std::string::npos);
 }
 
 TEST(Options, RefuseSecondsThatAreNoTime) {
   for (const char* const text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
     EXPECT_NE(
-        refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9, is '" + std::string(text)),
+        refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9 (found " + std::string(text)),
         std::string::npos)
         << text;
 }
 
 TEST(Options, RefuseWhatCannotStandTogether) {
   EXPECT_NE(refusal({"--exit"}).find("--exit needs --replay FILE"), std::string::npos);
-  EXPECT_NE(refusal({"--record", "a", "--replay", "b"}).find("cannot stand together"), std::string::npos);
+  EXPECT_NE(refusal({"--record", "a", "--replay", "b"}).find("is not allowed with"), std::string::npos);
 }
 
 }  // namespace

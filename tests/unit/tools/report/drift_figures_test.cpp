@@ -5,8 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "tools/report/drift_frame.h"
+#include "tools/report/drift_figures.h"
 #include "tools/report/plot_frame.h"
+#include "tools/report/run_plot.h"
 
 namespace hyrax {
 namespace {

@@ -1,5 +1,5 @@
 // Contacts that arrive one by one and end late, few and many.
-#include "tools/store/contact_table.h"
+#include "tools/store/trajectory_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A trajectory file that is not whole is refused, with a sentence that names file and place.
+// A damaged trajectory file is refused, with a message that names file and place.
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/store/stored_flings.h"
@@ -72,7 +72,7 @@ TEST_F(Refusal, OfAnEmptyFile) {
 
 TEST_F(Refusal, OfAnHdf5FileOfAnotherKind) {
   ASSERT_TRUE(h5::create_file(path_, 0).is_open());
-  expect_refused("is of format 'none'");
+  expect_refused("unknown format (found none)");
 }
 
 TEST_F(Refusal, OfAnotherFormat) {

@@ -18,8 +18,7 @@
 namespace hyrax {
 
 inline std::vector<Input> inputs_taken(const Scenario& scenario) {
-  const std::int64_t steps = step_count(scenario);
-  return inputs_of(scenario, schedule_events(scenario, steps).frames, steps);
+  return inputs_of(scenario, step_count(scenario));
 }
 
 /// Plays the scenario into a file, as `run` does.
@@ -27,10 +26,8 @@ inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   const std::int64_t steps = step_count(scenario);
   TrajectoryWriter writer(path, scenario, steps);
   const RunSummary summary = replay(scenario, writer);
-  std::int64_t contacts = 0;
-  for (const std::int64_t count : summary.contacts) contacts += count;
   writer.finish({scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash)},
-                inputs_taken(scenario), contacts);
+                inputs_taken(scenario), summary.contacts.total());
   return summary;
 }
 

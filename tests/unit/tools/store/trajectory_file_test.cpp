@@ -1,5 +1,6 @@
 // What is written into a trajectory file is read from it, bit for bit.
 #include "tools/store/trajectory_file.h"
+#include "tools/store/input_record.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +36,7 @@ TEST_F(StoredRunFile, HoldsInputsOfEveryKind) {
   Scenario scenario = eventful_fling();
   write_run(path_, scenario);
   std::vector<bool> is_seen(kInputKindNames.size());
-  for (const Input& input : TrajectoryFile(path_).inputs())
-    is_seen.at(static_cast<std::size_t>(input.kind)) = true;
+  for (const Input& input : TrajectoryFile(path_).inputs()) is_seen.at(record_of(input).kind) = true;
   EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(kInputKindNames));
 }
 

@@ -21,10 +21,6 @@ class physics {
   void update(double dt, int screenW, int screenH, int objW, int objH) {
     hyrax::update(body_, dt, screenW, screenH, objW, objH);
   }
-  void fly(double dt) { hyrax::fly(body_, dt); }
-  void collide(int screenWidth, int screenHeight, int objWidth, int objHeight) {
-    hyrax::collide(body_, screenWidth, screenHeight, objWidth, objHeight);
-  }
 
   double x() const { return body_.x; }
   double y() const { return body_.y; }

@@ -1,0 +1,190 @@
+// A kernel made of any core that has the interface of class physics.
+#pragma once
+
+#include <cassert>
+
+#include "sim/motion/step.h"
+#include "sim/replay/kernel.h"
+#include "sim/scenario/apply.h"
+
+namespace hyrax {
+
+/// Of a core only update, x, y, vx, vy, setPos, setVelocity and resetVelocity are called. Which walls clamped
+/// a step, the velocity with which it met them and how far it overshot follow from the listing's step
+/// (sim/motion/step.h) with the core's constants; a test holds that step to physics::update bit for bit.
+/// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`.
+template <class Cores>
+class KernelOf final : public Kernel {
+ public:
+  explicit KernelOf(Cores cores = {}) : cores_(std::move(cores)) {}
+
+  void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows,
+            StretchLog& log) const override {
+    assert(stretch.frames >= 0 && static_cast<std::size_t>(stretch.frames) <= rows.room());
+    log.frames = 0;
+    log.met_anchor = false;
+    log.had_friction = false;
+    log.rows = {};
+    log.changes.clear();
+    log.moved_offset = -1;
+    const std::size_t rows_before = rows.size();
+    std::byte* const row = rows.extend(static_cast<std::size_t>(stretch.frames));
+    body = state_of(play_any(stretch, cores_.make(body), rest, row, log));
+    rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
+  }
+
+  [[nodiscard]] Constants constants() const override { return cores_.constants(); }
+
+  void apply(const Action& action, Keyframe& now) const override {
+    Body body{cores_.make(state_of(now.row)), now.window, now.sprite, now.is_held};
+    hyrax::apply(action, body);
+    set_state(now.row, state_of(body));
+  }
+
+ private:
+  using Core = typename Cores::Core;
+  using Listing = ListingStep<AllParts>;
+
+  // The core with the rest of the world, as hyrax::apply takes it.
+  struct Body : Core {
+    Size& window;
+    Size& sprite;
+    bool& is_held;
+  };
+
+  static State state_of(const Core& core) { return {core.x(), core.y(), core.vx(), core.vy()}; }
+  static State state_of(const Row& row) { return hyrax::state_of(row); }
+
+  // Contact byte of the step that ended in `after`. A clamp corrects the position, so it shows in the
+  // difference to the flight without walls. Branches serve better than selects here: bounces come seldom,
+  // and rest repeats itself.
+  static std::uint8_t contact_of(const State& flight, const Core& after) {
+    std::uint8_t contact = 0;
+    if (flight.y_px > after.y())
+      contact = static_cast<std::uint8_t>(bit(Wall::ground) | (after.vy() == 0.0 ? kRestBit : 0));
+    else if (flight.y_px < after.y())
+      contact = bit(Wall::top);
+    if (flight.x_px < after.x()) return static_cast<std::uint8_t>(contact | bit(Wall::left));
+    if (flight.x_px > after.x()) return static_cast<std::uint8_t>(contact | bit(Wall::right));
+    return contact;
+  }
+  static constexpr std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
+  static constexpr bool is_change(std::uint8_t contact_before, std::uint8_t contact) {
+    return ((contact_before ^ contact) & ~kRestBit) != 0;
+  }
+
+  static Contact begun_contact(Wall wall, const State& met, const State& left, const State& row,
+                               double overshoot_px) {
+    return {.wall = wall,
+            .x_px = row.x_px,
+            .y_px = row.y_px,
+            .vx_before_px_per_s = met.vx_px_per_s,
+            .vy_before_px_per_s = met.vy_px_per_s,
+            .vx_after_px_per_s = left.vx_px_per_s,
+            .vy_after_px_per_s = left.vy_px_per_s,
+            .overshoot_px = overshoot_px < 0.0 ? -overshoot_px : overshoot_px};
+  }
+
+  // A step in which walls begin or cease to clamp; seldom, so it is kept out of the loop. It takes copies:
+  // a state whose address is known elsewhere could not stay in registers.
+  [[gnu::noinline]] static void log_change(Listing listing, std::uint8_t contact_before, std::uint8_t contact,
+                                           State flight, double dt_s, State after, std::int64_t offset,
+                                           StretchLog& log) {
+    listing.fly(flight, dt_s);
+    State turned_in_x = flight;
+    listing.meet_walls_in_x(turned_in_x);
+    for (const Wall wall : kWalls) {
+      if (touches(contact, wall) == touches(contact_before, wall)) continue;
+      const bool is_in_x = wall == Wall::left || wall == Wall::right;
+      if (!touches(contact, wall))
+        log.changes.push_back({offset, false, {.wall = wall}});
+      else if (is_in_x)
+        log.changes.push_back(
+            {offset, true, begun_contact(wall, flight, turned_in_x, after, flight.x_px - after.x_px)});
+      else
+        log.changes.push_back(
+            {offset, true, begun_contact(wall, turned_in_x, after, after, flight.y_px - after.y_px)});
+    }
+  }
+
+  // The constants are asked for here, where the compiler may know them: then the flight of a clamped step
+  // shares its operations with update. State and anchor stay in locals, which nothing else points to, so that
+  // they can live in registers.
+  template <bool kIsDtFixed, bool kSeeksAnchor>
+  Core play_free(const Stretch& stretch, Core body, RestAnchor& rest_anchor, std::byte* row,
+                 StretchLog& log) const {
+    const Size window = stretch.window;
+    const Size sprite = stretch.sprite;
+    const Bounds bounds = bounds_of(window, sprite);
+    const Listing listing(cores_.constants(), AllParts{}, bounds);
+    const std::int64_t frames = stretch.frames;
+    const double* const frame_dt_s = stretch.dt_s;
+    const double fixed_dt_s = frame_dt_s[0];
+    RestAnchor rest = rest_anchor;
+    std::int64_t moved_offset = -1;
+    std::uint8_t contact = stretch.contact_before;
+    std::int64_t frame = 0;
+    while (frame < frames) {
+      const double dt_s = kIsDtFixed ? fixed_dt_s : frame_dt_s[frame];
+      const Core before = body;
+      const std::uint8_t contact_before = contact;
+      body.update(dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+      contact = 0;
+      // Only a clamp, or great chance, puts the sprite onto a bound. One branch, not four.
+      const unsigned is_on_a_bound = unsigned{body.x() == 0.0} | unsigned{body.x() == bounds.right_px} |
+                                     unsigned{body.y() == 0.0} | unsigned{body.y() == bounds.bottom_px};
+      if (is_on_a_bound != 0) {
+        State flight = state_of(before);
+        listing.fly(flight, dt_s);
+        contact = contact_of(flight, body);
+        ++log.rows[contact];
+        log.had_friction |= touches(contact, Wall::ground) && flight.vx_px_per_s != 0.0;
+      }
+      pack_row(row, dt_s, body.x(), body.y(), body.vx(), body.vy(), contact);
+      row += kPackedRowBytes;
+      if (is_change(contact_before, contact))
+        log_change(listing, contact_before, contact, state_of(before), dt_s, state_of(body), frame, log);
+      if (rest.moves_to(body.x(), body.y())) moved_offset = frame;
+      ++frame;
+      if (kSeeksAnchor && same_bits(state_of(body), *stretch.anchor)) {
+        log.met_anchor = true;
+        break;
+      }
+    }
+    log.frames = frame;
+    log.moved_offset = moved_offset;
+    rest_anchor = rest;
+    return body;
+  }
+
+  // Frames pass, no update, contact 0.
+  void play_held(const Stretch& stretch, const Core& body, RestAnchor& rest, std::byte* row,
+                 StretchLog& log) const {
+    const Listing listing(cores_.constants(), AllParts{}, bounds_of(stretch.window, stretch.sprite));
+    if (is_change(stretch.contact_before, 0))
+      log_change(listing, stretch.contact_before, 0, state_of(body), 0.0, state_of(body), 0, log);
+    if (rest.moves_to(body.x(), body.y())) log.moved_offset = 0;
+    while (log.frames < stretch.frames && !log.met_anchor) {
+      pack_row(row, stretch.dt_s[stretch.is_dt_fixed ? 0 : log.frames], body.x(), body.y(), body.vx(),
+               body.vy(), 0);
+      row += kPackedRowBytes;
+      ++log.frames;
+      log.met_anchor = stretch.anchor != nullptr && same_bits(state_of(body), *stretch.anchor);
+    }
+  }
+
+  Core play_any(const Stretch& stretch, const Core& body, RestAnchor& rest, std::byte* row,
+                StretchLog& log) const {
+    if (stretch.is_held) {
+      play_held(stretch, body, rest, row, log);
+      return body;
+    }
+    if (!stretch.is_dt_fixed) return play_free<false, false>(stretch, body, rest, row, log);
+    if (stretch.anchor == nullptr) return play_free<true, false>(stretch, body, rest, row, log);
+    return play_free<true, true>(stretch, body, rest, row, log);
+  }
+
+  Cores cores_;
+};
+
+}  // namespace hyrax

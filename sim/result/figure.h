@@ -1,0 +1,161 @@
+// A picture of numbers as data: series on axes, a grid of coloured cells, or a list of texts. Nothing here
+// draws; tools/report draws any figure and knows no study.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace hyrax {
+
+/// Colours by their part in a picture: text and lines (ink .. hairline), hues that colour-blind readers can
+/// distinguish, pale fills behind text (good, notable, bad, none).
+enum class Tone : std::uint8_t {
+  ink,
+  quiet,
+  faint,
+  hairline,
+  vermilion,
+  orange,
+  blue,
+  green,
+  purple,
+  sky_blue,
+  good,
+  notable,
+  bad,
+  none
+};
+
+inline constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
+
+struct Tick {
+  double at = 0.0;
+  std::string text = {};
+};
+
+struct Axis {
+  std::string label = {};  ///< Quantity and unit.
+  bool is_logarithmic = false;
+  bool is_reversed = false;
+  double low = kNotGiven;  ///< Ends of the axis; not given: from the data.
+  double high = kNotGiven;
+  std::vector<Tick> ticks = {};  ///< Empty: chosen by whoever draws; powers of ten if logarithmic.
+  int decimals = -1;             ///< Of the numbers at its ticks; -1: as many as each needs.
+  std::vector<std::string> categories =
+      {};  ///< If there are any: names of 0, 1, 2, ..., from the top of a y axis.
+  /// Of a logarithmic axis: data at most this large are drawn here, with the tick "0".
+  double zero_at = kNotGiven;
+};
+
+enum class Form : std::uint8_t {
+  line,
+  points,
+  line_and_points,
+  band,  ///< The area between y_low and y.
+  bars   ///< From the low end of the x axis to x, one a category.
+};
+enum class Dash : std::uint8_t { solid, short_dashes, long_dashes };
+enum class Marker : std::uint8_t { dot, ring, square };
+
+/// How a series looks.
+struct Look {
+  Form form = Form::line;
+  Tone tone = Tone::ink;
+  double width_px = 2.5;
+  Dash dash = Dash::solid;
+  Marker marker = Marker::dot;
+  double marker_size = 0.6;  ///< 1: about 7 px.
+};
+
+/// A NaN in y is a gap in the line.
+struct Series {
+  std::string name = {};  ///< For readers: the title of its part of the picture.
+  Look look = {};
+  std::vector<double> x = {};
+  std::vector<double> y = {};      ///< As many as x.
+  std::vector<double> y_low = {};  ///< Of a band: as many as x.
+  std::vector<double> x_low = {};  ///< With x_high: bars of spread through the points; as many as x, or none.
+  std::vector<double> x_high = {};
+};
+
+/// A dashed line across the plot.
+struct Mark {
+  bool is_vertical = true;
+  double at = 0.0;
+  std::string text = {};  ///< At its upper or right end; may be empty.
+  Tone tone = Tone::ink;
+};
+
+/// Text beside a point, off the series, the marks and other texts where there is room.
+struct PointText {
+  double x = 0.0;
+  double y = 0.0;
+  std::string text = {};
+  Tone tone = Tone::quiet;
+};
+
+struct Plot {
+  Axis x = {};
+  Axis y = {};
+  std::vector<Series> series = {};  ///< The later over the earlier.
+  std::vector<Mark> marks = {};
+  std::vector<PointText> texts = {};
+  bool has_equal_scales = false;  ///< One px of x is as long as one px of y.
+  double share = 1.0;             ///< Of the figure's width, relative to the plots beside it.
+};
+
+/// A part of a field of a grid, from `left` to `right` (0 .. 1 of its width).
+struct Cell {
+  std::size_t row = 0;
+  std::size_t column = 0;
+  Tone tone = Tone::none;
+  std::string text = {};
+  double left = 0.0;
+  double right = 1.0;
+};
+
+struct Grid {
+  std::vector<std::string> rows = {};
+  std::vector<std::pair<std::string, Tone>> columns = {};  ///< Names above, slanted.
+  std::vector<Cell> cells = {};
+};
+
+struct ListColumn {
+  std::string title = {};  ///< May be empty.
+  double width_px = 0.0;
+  bool is_right = false;        ///< Aligned at the right.
+  std::size_t letters_max = 0;  ///< Longer texts are cut at a word, with an ellipsis; 0: never.
+};
+
+struct ListField {
+  std::string text = {};
+  std::string detail = {};  ///< Below the text, smaller; may be empty.
+  Tone fill = Tone::none;   ///< Behind the text.
+};
+
+/// Lines of text in columns.
+struct Listing {
+  std::vector<ListColumn> columns = {};
+  std::vector<std::vector<ListField>> rows = {};  ///< A field for each column.
+};
+
+struct LegendEntry {
+  std::string text = {};
+  Look look = {};
+};
+
+struct Figure {
+  std::string suffix = {};  ///< Of its file's name: empty, or begins with "-".
+  std::string title = {};
+  std::string subtitle = {};
+  std::string note = {};  ///< At the title's right: what else a reader would take wrongly; may be empty.
+  std::variant<std::vector<Plot>, Grid, Listing> body = {};  ///< Plots stand side by side.
+  std::vector<LegendEntry> legend = {};
+  std::vector<std::string> remarks = {};  ///< Sentences below.
+};
+
+}  // namespace hyrax

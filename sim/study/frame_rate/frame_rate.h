@@ -1,0 +1,66 @@
+// One fling at many displays: how far its end depends on the frame rate, by the paper's step and by the same
+// step with its drag and friction taken by time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/motion/state.h"
+
+namespace hyrax {
+
+enum class DisplayClock : std::uint8_t { steady, jittered, missing };
+inline constexpr std::array<std::string_view, 3> kDisplayClockNames = {"steady", "jittered", "missing"};
+
+inline constexpr std::array<std::string_view, 2> kFrameRateMethods = {"paper", "normalised-drag"};
+
+/// The end of one fling.
+struct Landing {
+  std::size_t method = 0;  ///< In kFrameRateMethods.
+  DisplayClock clock = DisplayClock::steady;
+  double rate_hz = 0.0;
+  std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random.
+  double x_px = 0.0;       ///< Where it settles.
+  double time_s = 0.0;     ///< Since when it has stayed there within half a pixel.
+  double path_px = 0.0;    ///< Length of its path.
+  double across_px = 0.0;  ///< Horizontal part of the path.
+  bool is_core = true;     ///< Of the paper's method: every step has the core's bits.
+};
+
+/// A point of the drawn fling's path.
+struct FanPoint {
+  std::size_t method = 0;
+  double rate_hz = 0.0;
+  double t_s = 0.0;
+  double x_px = 0.0;
+  double y_px = 0.0;
+};
+
+/// Frame-rate independence of a method under a clock: with S the spread of the places where a fling
+/// settles over all rates and D its horizontal path at the rate nearest to 60 Hz, each averaged over the
+/// flings,
+///   score = 100 (1 - S / D), and 0 where S > D.
+/// 100: the same place on every display. 0: the display decides where it goes more than the hand.
+struct Independence {
+  std::size_t method = 0;
+  DisplayClock clock = DisplayClock::steady;
+  double spread_px = 0.0;
+  double way_px = 0.0;
+  double score = 0.0;
+};
+
+struct FrameRateStudy {
+  std::vector<Landing> landings;
+  std::vector<FanPoint> paths;
+  std::vector<Independence> scores;  ///< By method, then by clock.
+};
+[[nodiscard]] FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings);
+
+/// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
+inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
+inline constexpr Bounds kDrawnBounds{1792.0, 952.0};
+
+}  // namespace hyrax

@@ -1,0 +1,91 @@
+// A run that is hard on the core, what must hold in it, and which failures are expected.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "sim/study/hard_cases/invariant.h"
+
+namespace hyrax {
+
+/// An invariant that the paper's listing itself breaks in a case.
+struct ExpectedFailure {
+  Invariant invariant;
+  std::string what;  ///< What happens, in one sentence without its full stop.
+};
+
+struct HardCase {
+  std::string name;       ///< The scenario's, or of a member of a family: "any-frame/dt-1e-09".
+  std::string made_from;  ///< Name of the scenario that it is, or was made from.
+  std::string why;        ///< Why it is hard.
+  Scenario scenario;
+  bool must_come_to_rest = false;  ///< Left alone so long that it must end at zero speed.
+  bool is_long = false;            ///< Takes longer than all others together.
+  std::vector<ExpectedFailure> expected_failures;
+};
+
+/// The cases made from a scenario: itself with its expected failures, and the family of its name
+/// (hard_families.cpp), if there is one.
+[[nodiscard]] std::vector<HardCase> hard_cases_of(const Scenario& scenario);
+
+enum class CaseVerdict { held, expected_failure, broken, expected_failure_gone };
+
+/// What was measured of a case.
+struct HardCaseResult {
+  InvariantMeasures measures{};
+  std::int64_t steps = 0;
+  std::int64_t knife_edges = 0;
+  /// The first of the scenario's own expectations that does not hold.
+  std::string broken_expectation;
+};
+
+/// Plays the case with every step checked, then once more, and once more stopped and resumed twice.
+/// `report_steps` is called with the number of steps checked, during the first of these, the longest.
+[[nodiscard]] HardCaseResult play_hard_case(const HardCase& hard_case,
+                                            const std::function<void(std::int64_t)>& report_steps = {});
+
+/// Compares what was measured of an invariant with what is expected.
+[[nodiscard]] CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invariant invariant);
+
+struct PlayedCase {
+  HardCase hard_case;
+  HardCaseResult result;
+};
+
+/// One invariant that was checked in one case.
+struct Judgement {
+  const PlayedCase* played = nullptr;
+  Invariant invariant = Invariant::finite;
+  CaseVerdict verdict = CaseVerdict::held;
+
+  [[nodiscard]] const InvariantText& text() const {
+    return kInvariantTexts[static_cast<std::size_t>(invariant)];
+  }
+  [[nodiscard]] const InvariantMeasure& measure() const {
+    return played->result.measures[static_cast<std::size_t>(invariant)];
+  }
+};
+
+/// Every invariant that was checked, case by case. They refer to the cases.
+[[nodiscard]] std::vector<Judgement> judgements_of(std::span<const PlayedCase> cases);
+
+/// One invariant over many cases.
+struct InvariantCount {
+  std::int64_t cases = 0;
+  std::int64_t held = 0;
+  std::int64_t expected_failures = 0;
+  std::int64_t broken = 0;  ///< With the expected failures that did not occur.
+  double margin = std::numeric_limits<double>::quiet_NaN();  ///< The smallest of the cases in which it held.
+  std::string least_margin_case;                             ///< The first one with that margin.
+};
+
+/// @param made_from name of a scenario: counts only the cases made from it; empty: all.
+[[nodiscard]] InvariantCount count(const std::vector<Judgement>& judgements, Invariant invariant,
+                                   const std::string& made_from = "");
+
+}  // namespace hyrax

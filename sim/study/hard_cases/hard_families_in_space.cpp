@@ -1,0 +1,109 @@
+// Families of hard cases: places and speeds.
+#include <cmath>
+#include <limits>
+
+#include "sim/study/hard_cases/hard_family.h"
+#include "sim/study/methods/core.h"
+
+namespace hyrax {
+
+// On each bound, and one double to each side of it, moving away, along and into it.
+std::vector<HardCase> on_a_bound_family(const Scenario& base) {
+  Family family(base);
+  const double right_px = base.window.width_px - base.sprite.width_px;
+  const double bottom_px = base.window.height_px - base.sprite.height_px;
+  struct Bound {
+    const char* name;
+    bool is_in_x;
+    double at_px;
+  };
+  for (const Bound bound : {Bound{"left", true, 0.0}, Bound{"right", true, right_px},
+                            Bound{"top", false, 0.0}, Bound{"ground", false, bottom_px}})
+    for (const int ulps : {-1, 0, 1}) {
+      Scenario scenario = family.base();
+      scenario.events.clear();
+      double& at_px = bound.is_in_x ? scenario.start.x_px : scenario.start.y_px;
+      const double far = std::numeric_limits<double>::infinity();
+      at_px = ulps == 0 ? bound.at_px : std::nextafter(bound.at_px, ulps * far);
+      const auto fling = [&](std::int64_t frame, double speed_px_per_s) {
+        const Velocity velocity =
+            bound.is_in_x ? Velocity{speed_px_per_s, 0.0} : Velocity{0.0, speed_px_per_s};
+        scenario.events.push_back({frame, Place{scenario.start}});
+        scenario.events.push_back({frame, Fling{velocity}});
+      };
+      fling(30, 700.0);
+      fling(90, -700.0);
+      family.add(std::string(bound.name) + (ulps == 0  ? ""
+                                            : ulps < 0 ? "-less-an-ulp"
+                                                       : "-and-an-ulp"),
+                 "on a bound, or next to it, still, inward and outward: one contact or none, never two",
+                 scenario);
+    }
+  return family.take();
+}
+
+// The apex of a throw at the ceiling: the start height at which the paper's step just reaches it, and doubles
+// around it. Found by flying once, from anywhere.
+std::vector<HardCase> grazing_family(const Scenario& base) {
+  Family family(base);
+  const double dt_s = 1.0 / std::get<FixedRate>(base.clock.base).rate_hz;
+  State body{0.0, 0.0, base.start_velocity.vx_px_per_s, base.start_velocity.vy_px_per_s};
+  double apex_px = 0.0;
+  for (int frame = 0; frame < 600; ++frame) {
+    body = core_flight(body, dt_s);
+    apex_px = std::fmin(apex_px, body.y_px);
+  }
+  for (const double off_px : {-1e-3, -1e-9, -1e-13, 0.0, 1e-13, 1e-9, 1e-3}) {
+    Scenario scenario = family.base();
+    scenario.start.y_px = off_px - apex_px;
+    family.add("off-" + text_of(off_px) + "-px",
+               "the ceiling is met with no speed left: a root of even order", scenario);
+  }
+  return family.take();
+}
+
+std::vector<HardCase> corners_family(const Scenario& base) {
+  Family family(base);
+  const double right_px = base.window.width_px - base.sprite.width_px;
+  const double bottom_px = base.window.height_px - base.sprite.height_px;
+  for (const bool is_right : {false, true})
+    for (const bool is_low : {false, true})
+      for (const double inset_px : {0.0, 10.0}) {
+        Scenario scenario = family.base();
+        scenario.start = {is_right ? right_px - inset_px : inset_px,
+                          is_low ? bottom_px - inset_px : inset_px};
+        scenario.start_velocity.vx_px_per_s *= is_right ? 1.0 : -1.0;
+        scenario.start_velocity.vy_px_per_s *= is_low ? 1.0 : -1.0;
+        family.add(std::string(is_low ? "lower" : "upper") + (is_right ? "-right" : "-left") +
+                       (inset_px == 0.0 ? "-in-it" : "-into-it"),
+                   "both walls in one frame", scenario);
+      }
+  return family.take();
+}
+
+std::vector<HardCase> any_speed_family(const Scenario& base) {
+  Family family(base);
+  for (const double speed_px_per_s :
+       {4.9406564584124654e-324, 1e-310, 1e-300, 1e-150, 1e-9, 1.0, 1e4, 1e6, 1e9, kSpeedMax_px_per_s}) {
+    Scenario scenario = family.base();
+    scenario.start_velocity = {speed_px_per_s, -speed_px_per_s};
+    family.add("v-" + text_of(speed_px_per_s), "a speed that no hand gives", scenario);
+  }
+  return family.take();
+}
+
+std::vector<HardCase> far_outside_family(const Scenario& base) {
+  Family family(base);
+  for (const double away_px : {1e3, 1e9, kCoordinateMax_px})
+    for (const int side : {0, 1, 2, 3}) {
+      Scenario scenario = family.base();
+      const double sign = side % 2 == 0 ? -1.0 : 1.0;
+      (side < 2 ? scenario.start.x_px : scenario.start.y_px) = sign * away_px;
+      family.add(std::string(side < 2 ? (side == 0 ? "left" : "right") : (side == 2 ? "above" : "below")) +
+                     "-" + text_of(away_px) + "-px",
+                 "a start that no window holds", scenario);
+    }
+  return family.take();
+}
+
+}  // namespace hyrax

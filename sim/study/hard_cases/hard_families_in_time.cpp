@@ -1,0 +1,172 @@
+// Families of hard cases: clocks, jitter, and length.
+#include <cmath>
+#include <limits>
+
+#include "sim/study/hard_cases/hard_family.h"
+#include "sim/study/methods/core.h"
+
+namespace hyrax {
+namespace {
+
+constexpr char kNoZeroSpeed[] =
+    "the position stands still at every rate, only vy differs: here a two-cycle or residual speed, not zero "
+    "speed";
+
+// On the floor each step of gravity adds a = drag * G * h to vy, and the bounce keeps restitution * a of it.
+// The rest rule sets vy to 0 in every step if that is below its threshold; at other rates a two-cycle or
+// residual speed is left. The position stands still at every rate.
+bool ends_at_zero_speed(double rate_hz) {
+  const Constants core = core_constants();
+  return core.restitution * core.air_drag * core.gravity_px_per_s2 / rate_hz < core.rest_threshold_px_per_s;
+}
+
+}  // namespace
+
+std::vector<HardCase> any_frame_family(const Scenario& base) {
+  Family family(base);
+  for (const double dt_s : {0.0, 4.9406564584124654e-324, 1e-310, 1e-9, 1e-6, 1e-3, 0.02, 0.25, 0.5, 10.0,
+                            1e3, 1e6, kFrameMax_s}) {
+    Scenario scenario = family.base();
+    scenario.clock.base = FixedStep{dt_s};
+    HardCase& member = family.add("dt-" + text_of(dt_s),
+                                  "a frame far from the sixtieth of a second that it was made for", scenario);
+    if (dt_s == 0.0) member.expected_failures = {{Invariant::no_time, kDragWithoutTime}};
+  }
+  return family.take();
+}
+
+// A hitch of half a second at each kind of moment, and of no time and an hour.
+std::vector<HardCase> hitch_family(const Scenario& base) {
+  Family family(base);
+  struct Moment {
+    const char* name;
+    std::int64_t frame;
+  };
+  for (const Moment moment :
+       {Moment{"in-flight", 40}, Moment{"before-contact", 101}, Moment{"at-contact", 102},
+        Moment{"after-contact", 103}, Moment{"at-rest", 500}})
+    for (const double dt_s : {0.5, 3600.0}) {
+      Scenario scenario = family.base();
+      scenario.events = {{moment.frame, Hitch{dt_s}}};
+      family.add(std::string(moment.name) + "-" + text_of(dt_s) + "-s",
+                 "one frame takes long: nothing may be launched or fall through", scenario);
+    }
+  return family.take();
+}
+
+std::vector<HardCase> rest_family(const Scenario& base) {
+  Family family(base);
+  for (const double rate_hz :
+       {20.0, 24.0, 25.0,  30.0,  48.0,  50.0,  57.5,  57.7,  60.0,  72.0,  75.0,  85.0,
+        89.9, 90.0, 100.0, 120.0, 143.8, 143.9, 144.0, 165.0, 240.0, 360.0, 500.0, 1000.0}) {
+    Scenario scenario = family.base();
+    scenario.clock.base = FixedRate{rate_hz};
+    HardCase& member =
+        family.add(text_of(rate_hz) + "-hz", "gravity puts into each step what a bounce leaves", scenario);
+    member.must_come_to_rest = true;
+    if (!ends_at_zero_speed(rate_hz)) member.expected_failures = {{Invariant::comes_to_rest, kNoZeroSpeed}};
+  }
+  return family.take();
+}
+
+std::vector<HardCase> zeno_family(const Scenario& base) {
+  Family family(base);
+  for (const double rate_hz : {1e3, 4e3, 1e4}) {
+    Scenario scenario = family.base();
+    scenario.clock.base = FixedRate{rate_hz};
+    // Falling from rest takes t1 = sqrt(2 H / G); all bounces then 2 t1 b / (1 - b), with drag less. Where
+    // the frames drag so often that it sinks instead of falling, H / terminal speed comes on top.
+    const Constants core = core_constants();
+    const double height_px = base.window.height_px - base.sprite.height_px - base.start.y_px;
+    const double fall_s = std::sqrt(2.0 * height_px / core.gravity_px_per_s2);
+    const double sink_s =
+        height_px * (1.0 - core.air_drag) / (core.air_drag * core.gravity_px_per_s2 / rate_hz);
+    const double bounce = core.restitution;
+    scenario.expect.emplace();
+    scenario.expect->at_rest_since_s =
+        Interval{0.0, (fall_s + sink_s) * (1.0 + 2.0 * bounce / (1.0 - bounce)) + 2.0 / rate_hz};
+    HardCase& member =
+        family.add(text_of(rate_hz) + "-hz",
+                   "ever more bounces in ever less time must end by the sum of their series", scenario);
+    member.must_come_to_rest = true;
+  }
+  return family.take();
+}
+
+std::vector<HardCase> any_jitter_family(const Scenario& base) {
+  Family family(base);
+  struct Kind {
+    const char* name;
+    Jitter::Kind kind;
+    std::vector<double> amounts;
+  };
+  for (const Kind& kind : {Kind{"uniform", Jitter::Kind::uniform, {0.1, 0.5, 1.0}},
+                           Kind{"normal", Jitter::Kind::normal, {0.0005, 0.002, 0.02, 1.0, 1e9}},
+                           Kind{"missed", Jitter::Kind::missed_frames, {0.01, 0.05, 0.5, 1.0}}})
+    for (const double amount : kind.amounts) {
+      Scenario scenario = family.base();
+      scenario.clock.jitter = Jitter{kind.kind, amount, 2026};
+      HardCase& member = family.add(std::string(kind.name) + "-" + text_of(amount),
+                                    "no two frames take the same time", scenario);
+      // Normal jitter of this size draws zero-length frames.
+      if (kind.kind == Jitter::Kind::normal && amount >= 0.02)
+        member.expected_failures = {{Invariant::no_time, kDragWithoutTime}};
+    }
+  return family.take();
+}
+
+// The base's ten flings again and again, at its pace.
+std::vector<HardCase> fling_a_minute_family(const Scenario& base) {
+  Family family(base);
+  const auto* const length = std::get_if<std::int64_t>(&base.length);
+  if (length == nullptr) return {};
+  const std::int64_t steps = *length;
+  struct Length {
+    const char* name;
+    std::int64_t times;
+    bool is_long;
+  };
+  for (const Length& repeated : {Length{"an-hour", 6, false}, Length{"a-day", 144, true}}) {
+    Scenario scenario = family.base();
+    scenario.length = repeated.times * steps;
+    scenario.events.clear();
+    for (std::int64_t time = 0; time < repeated.times; ++time)
+      for (const Event& event : base.events)
+        scenario.events.push_back({time * steps + std::get<std::int64_t>(event.when), event.action});
+    family.add(repeated.name, "many flings, one after the other: nothing may add up", scenario).is_long =
+        repeated.is_long;
+  }
+  return family.take();
+}
+
+// The billionths of a second as the smallest double there is.
+std::vector<HardCase> trace_of_extremes_family(const Scenario& base) {
+  Family family(base);
+  Scenario scenario = family.base();
+  RecordedSteps trace = std::get<RecordedSteps>(base.clock.base);
+  for (double& dt_s : trace.dt_s)
+    if (dt_s == 1e-9) dt_s = std::numeric_limits<double>::denorm_min();
+  scenario.clock.base = std::move(trace);
+  family.add("subnormal", "frames so short that no speed moves anything", scenario).expected_failures = {
+      {Invariant::no_time, kDragWithoutTime}};
+  return family.take();
+}
+
+// A fling every 3,000 frames: nothing repeats, and no speed has the time to become subnormal, which would
+// cost three times as long.
+std::vector<HardCase> billion_steps_family(const Scenario& base) {
+  Family family(base);
+  constexpr std::int64_t kSteps = 1'000'000'000;
+  Scenario scenario = family.base();
+  scenario.length = kSteps;
+  scenario.record_every = 1'000'000;
+  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 9};
+  for (std::int64_t frame = 0; frame < kSteps; frame += 3'000)
+    scenario.events.push_back(
+        {frame, Fling{{900.0 - static_cast<double>(frame % 700'000) / 400.0, -1500.0}}});
+  family.add("1e9-steps", "193 days at 60 Hz, jittered, with a fling every 50 seconds", scenario).is_long =
+      true;
+  return family.take();
+}
+
+}  // namespace hyrax

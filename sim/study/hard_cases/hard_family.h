@@ -1,0 +1,62 @@
+// How families of hard cases are built, and which there are.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/study/hard_cases/hard_case.h"
+
+namespace hyrax {
+
+// Builds the members of one family.
+class Family {
+ public:
+  explicit Family(const Scenario& base) : base_(base) { base_.expect.reset(); }
+
+  [[nodiscard]] const Scenario& base() const { return base_; }
+  HardCase& add(const std::string& what, const std::string& why, const Scenario& scenario) {
+    HardCase member{.name = base_.name + "/" + what,
+                    .made_from = base_.name,
+                    .why = why,
+                    .scenario = scenario,
+                    .expected_failures = {}};
+    member.scenario.name = base_.name;
+    cases_.push_back(std::move(member));
+    return cases_.back();
+  }
+  [[nodiscard]] std::vector<HardCase> take() { return std::move(cases_); }
+
+ private:
+  Scenario base_;
+  std::vector<HardCase> cases_;
+};
+
+/// "1e-09"
+[[nodiscard]] inline std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// What the core does in a zero-length frame: an expected failure.
+inline constexpr char kDragWithoutTime[] = "drag acts once a frame, even in a zero-length frame";
+
+/// The families, each made from the scenario that bears its name: what is varied in its clock and length ...
+[[nodiscard]] std::vector<HardCase> any_frame_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> hitch_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> rest_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> zeno_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> any_jitter_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> fling_a_minute_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> trace_of_extremes_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> billion_steps_family(const Scenario& base);
+/// ... and in its places and speeds.
+[[nodiscard]] std::vector<HardCase> on_a_bound_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> grazing_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> corners_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> any_speed_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> far_outside_family(const Scenario& base);
+
+}  // namespace hyrax

@@ -1,0 +1,75 @@
+// What must hold in every step of every run, however hard.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace hyrax {
+
+enum class Invariant : std::uint8_t {
+  finite,
+  in_bounds,
+  step_energy,
+  energy_ceiling,
+  speed,
+  velocity,
+  position,
+  clamp,
+  bounce,
+  mirror,
+  y_alone,
+  no_time,
+  resumed,
+  repeated,
+  comes_to_rest,
+  expectations,
+};
+inline constexpr std::size_t kInvariantCount = 16;
+
+struct InvariantText {
+  std::string_view name;  ///< In tables and in JSON.
+  std::string_view rule;  ///< What must hold, in a few words.
+  std::string_view unit;  ///< Of its margin.
+};
+
+inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
+    {"finite", "state and time are finite, time does not go back", "decades"},
+    {"in-bounds", "inside the window after a step, if the sprite fits into it", "px"},
+    {"step-energy", "flight loses energy, a clamp adds no more than its lift", "px2/s2"},
+    {"energy-ceiling", "energy never above that after the last input, or of residual speed", "px2/s2"},
+    {"speed", "no faster than the same fling in endless free fall", "px/s"},
+    {"velocity", "a flight changes vx to a vx, vy to a (vy + G dt), bit for bit", "px/s"},
+    {"position", "a flight adds dt times the new velocity to x and y, bit for bit", "px"},
+    {"clamp", "no clamp without overshoot, no overshoot without clamp", "px"},
+    {"bounce", "a clamp turns the speed with the restitution, friction and rest rule on the ground", "px/s"},
+    {"mirror", "left and right exchanged: the same contacts, to rounding", "px"},
+    {"y-alone", "y and vy are the same bits whatever x does", "px/s"},
+    {"no-time", "a zero-length frame changes nothing", "px/s"},
+    {"resumed", "stopped and resumed: the same bits as without a stop", "1"},
+    {"repeated", "run twice: the same bits, repetition skipped or not", "1"},
+    {"comes-to-rest", "left alone, it settles and ends at zero speed", "px/s"},
+    {"expectations", "what the scenario itself expects", "1"},
+}};
+
+/// An invariant over a run. A margin is what was left to its bound: it holds with 0 or more.
+struct InvariantMeasure {
+  bool is_checked = false;
+  bool holds = true;
+  double margin = std::numeric_limits<double>::infinity();  ///< The smallest.
+  std::int64_t worst_step = -1;                             ///< Row number of the smallest.
+
+  /// A NaN does not hold, and nothing is worse than it.
+  void add(double step_margin, std::int64_t step) {
+    is_checked = true;
+    if (!(step_margin >= 0.0)) holds = false;
+    if (margin != margin || step_margin >= margin) return;
+    margin = step_margin + 0.0;  // No -0.
+    worst_step = step;
+  }
+};
+
+using InvariantMeasures = std::array<InvariantMeasure, kInvariantCount>;
+
+}  // namespace hyrax

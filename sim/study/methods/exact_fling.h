@@ -1,0 +1,47 @@
+// A fling by the fixed laws, from impact to impact: the truth that methods are measured against.
+#pragma once
+
+#include <vector>
+
+#include "sim/motion/state.h"
+#include "sim/study/methods/fixed_laws.h"
+
+namespace hyrax {
+
+struct ExactImpact {
+  double t_s = 0.0;  ///< Since the start.
+  Wall wall = Wall::ground;
+};
+
+/// Between impacts the closed form of flight.h; each impact is its root (impact.h). Frames play no part.
+class ExactFling {
+ public:
+  explicit ExactFling(const FixedLaws& laws = FixedLaws()) : laws_(laws) {}
+
+  /// Starts again at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
+  /// that it is behind, as an impact at time 0.
+  void start(const State& motion, const Bounds& bounds);
+
+  /// REQUIRES: t_s not below any asked for before, since the start.
+  [[nodiscard]] State at(double t_s);
+
+  /// Up to the latest time asked for, in their order; the corner's wall in x first.
+  [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
+
+ private:
+  void put_inside();
+  void find_next();
+  void meet(Wall wall);
+  [[nodiscard]] State fly(double since_s) const;
+
+  FixedLaws laws_;
+  Bounds bounds_;
+  State from_;           // State at from_s_,
+  double from_s_ = 0.0;  // where this arc or slide began.
+  double next_s_ = 0.0;  // Time of the next impact.
+  Wall next_wall_ = Wall::ground;
+  bool slides_ = false;
+  std::vector<ExactImpact> impacts_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,253 @@
+#include <cmath>
+
+#include "sim/reference/flight.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/study/methods/core.h"
+#include "sim/study/methods/method.h"
+
+namespace hyrax {
+namespace {
+
+// physics::update as it is, in `kParts` equal parts of a frame.
+template <int kParts>
+class PaperStep final : public Method {
+ public:
+  void start(const State& motion, const Bounds& bounds) override {
+    motion_ = motion;
+    bounds_ = bounds;
+  }
+  [[nodiscard]] bool play(std::span<const double> frames_s) override {
+    motion_ = core_played(motion_, frames_s, bounds_, kParts);
+    return true;
+  }
+  [[nodiscard]] State motion() const override { return motion_; }
+
+ private:
+  State motion_;
+  Bounds bounds_;
+};
+
+// --- One frame of free flight each. `prepare` is called whenever dt changes.
+
+// The paper's order of operations, its drag by time: alpha^(60 dt). First order.
+struct NormalisedFlight {
+  explicit NormalisedFlight(const FixedLaws& laws) : laws_(laws) {}
+  void prepare(double dt_s) {
+    dt_s_ = dt_s;
+    damping_ = std::exp(-laws_.drag_rate_per_s * dt_s);
+  }
+  void fly(State& m) const {
+    m.vy_px_per_s += laws_.gravity_px_per_s2 * dt_s_;
+    m.vx_px_per_s *= damping_;
+    m.vy_px_per_s *= damping_;
+    m.x_px += m.vx_px_per_s * dt_s_;
+    m.y_px += m.vy_px_per_s * dt_s_;
+  }
+
+ private:
+  FixedLaws laws_;
+  double dt_s_ = 0.0;
+  double damping_ = 1.0;
+};
+
+// Explicit Euler: position and velocity both by the rates at the frame's beginning. First order.
+struct EulerFlight {
+  explicit EulerFlight(const FixedLaws& laws) : laws_(laws) {}
+  void prepare(double dt_s) { dt_s_ = dt_s; }
+  void fly(State& m) const {
+    m.x_px += m.vx_px_per_s * dt_s_;
+    m.y_px += m.vy_px_per_s * dt_s_;
+    m.vx_px_per_s += -laws_.drag_rate_per_s * m.vx_px_per_s * dt_s_;
+    m.vy_px_per_s += (laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s) * dt_s_;
+  }
+
+ private:
+  FixedLaws laws_;
+  double dt_s_ = 0.0;
+};
+
+// Velocity Verlet with linear drag taken implicitly in the second half, and so without iteration. Second
+// order. Source: L. Verlet, Phys. Rev. 159:98, 1967, in the velocity form of W. C. Swope et al., J. Chem.
+// Phys. 76:637, 1982.
+struct VerletFlight {
+  explicit VerletFlight(const FixedLaws& laws) : laws_(laws) {}
+  void prepare(double dt_s) {
+    half_s_ = 0.5 * dt_s;
+    dt_s_ = dt_s;
+    implicit_ = 1.0 / (1.0 + laws_.drag_rate_per_s * half_s_);
+  }
+  void fly(State& m) const {
+    const double half_vx = m.vx_px_per_s - half_s_ * laws_.drag_rate_per_s * m.vx_px_per_s;
+    const double half_vy =
+        m.vy_px_per_s + half_s_ * (laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s);
+    m.x_px += dt_s_ * half_vx;
+    m.y_px += dt_s_ * half_vy;
+    m.vx_px_per_s = half_vx * implicit_;
+    m.vy_px_per_s = (half_vy + half_s_ * laws_.gravity_px_per_s2) * implicit_;
+  }
+
+ private:
+  FixedLaws laws_;
+  double dt_s_ = 0.0;
+  double half_s_ = 0.0;
+  double implicit_ = 1.0;
+};
+
+// The classical Runge-Kutta method. Fourth order. Source: W. Kutta, Z. Math. Phys. 46:435-453, 1901.
+struct Rk4Flight {
+  explicit Rk4Flight(const FixedLaws& laws) : laws_(laws) {}
+  void prepare(double dt_s) { dt_s_ = dt_s; }
+  void fly(State& m) const {
+    const State k1 = rates(m);
+    const State k2 = rates(ahead(m, k1, 0.5 * dt_s_));
+    const State k3 = rates(ahead(m, k2, 0.5 * dt_s_));
+    const State k4 = rates(ahead(m, k3, dt_s_));
+    const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * (b + c) + d) / 6.0; };
+    const State slope{mean(k1.x_px, k2.x_px, k3.x_px, k4.x_px), mean(k1.y_px, k2.y_px, k3.y_px, k4.y_px),
+                      mean(k1.vx_px_per_s, k2.vx_px_per_s, k3.vx_px_per_s, k4.vx_px_per_s),
+                      mean(k1.vy_px_per_s, k2.vy_px_per_s, k3.vy_px_per_s, k4.vy_px_per_s)};
+    m = ahead(m, slope, dt_s_);
+  }
+
+ private:
+  [[nodiscard]] State rates(const State& m) const {
+    return {m.vx_px_per_s, m.vy_px_per_s, -laws_.drag_rate_per_s * m.vx_px_per_s,
+            laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s};
+  }
+  [[nodiscard]] static State ahead(const State& m, const State& rate, double dt_s) {
+    return {m.x_px + dt_s * rate.x_px, m.y_px + dt_s * rate.y_px, m.vx_px_per_s + dt_s * rate.vx_px_per_s,
+            m.vy_px_per_s + dt_s * rate.vy_px_per_s};
+  }
+  FixedLaws laws_;
+  double dt_s_ = 0.0;
+};
+
+// The closed form of flight.h over one frame: the flow itself.
+struct ExactFlight {
+  explicit ExactFlight(const FixedLaws& laws) : laws_(laws) {}
+  void prepare(double dt_s) {
+    const double z = -laws_.drag_rate_per_s * dt_s;
+    const Phi p = phi(z);
+    damping_ = 1.0 + z * p.one;
+    reach_s_ = dt_s * p.one;
+    gain_px_per_s_ = laws_.gravity_px_per_s2 * dt_s * p.one;
+    fall_px_ = laws_.gravity_px_per_s2 * dt_s * dt_s * p.two;
+  }
+  void fly(State& m) const {
+    m.x_px += m.vx_px_per_s * reach_s_;
+    m.y_px += m.vy_px_per_s * reach_s_ + fall_px_;
+    m.vx_px_per_s *= damping_;
+    m.vy_px_per_s = m.vy_px_per_s * damping_ + gain_px_per_s_;
+  }
+
+ private:
+  FixedLaws laws_;
+  double damping_ = 1.0;
+  double reach_s_ = 0.0;
+  double gain_px_per_s_ = 0.0;
+  double fall_px_ = 0.0;
+};
+
+// A flight frame by frame, and after each the walls, as the paper's step has them but for one thing: the
+// friction of a sprite that lies on the ground is taken by time.
+template <class Flight>
+class FrameMethod final : public Method {
+ public:
+  void start(const State& motion, const Bounds& bounds) override {
+    motion_ = motion;
+    bounds_ = bounds;
+    lies_ = false;
+  }
+  [[nodiscard]] bool play(std::span<const double> frames_s) override {
+    State m = motion_;
+    Flight flight(laws_);
+    double prepared_s = -1.0;
+    double lying_friction = 1.0;
+    bool lies = lies_;
+    const double right_px = bounds_.right_px;
+    const double bottom_px = bounds_.bottom_px;
+    for (const double frame_s : frames_s) {
+      if (frame_s != prepared_s) {
+        flight.prepare(frame_s);
+        lying_friction = std::exp(-laws_.friction_rate_per_s * frame_s);
+        prepared_s = frame_s;
+      }
+      flight.fly(m);
+      if (m.x_px < 0.0) {
+        m.x_px = 0.0;
+        m.vx_px_per_s *= -laws_.restitution;
+      } else if (m.x_px > right_px) {
+        m.x_px = right_px;
+        m.vx_px_per_s *= -laws_.restitution;
+      }
+      const bool lay = lies;
+      lies = false;
+      if (m.y_px < 0.0) {
+        m.y_px = 0.0;
+        m.vy_px_per_s *= -laws_.restitution;
+      } else if (m.y_px > bottom_px) {
+        m.y_px = bottom_px;
+        m.vy_px_per_s *= -laws_.restitution;
+        m.vx_px_per_s *= lay ? lying_friction : laws_.ground_friction;
+        if (std::fabs(m.vy_px_per_s) < laws_.rest_threshold_px_per_s) m.vy_px_per_s = 0.0;
+        lies = true;
+      }
+    }
+    motion_ = m;
+    lies_ = lies;
+    return true;
+  }
+  [[nodiscard]] State motion() const override { return motion_; }
+
+ private:
+  FixedLaws laws_;
+  State motion_;
+  Bounds bounds_;
+  bool lies_ = false;  // The last frame touched the ground.
+};
+
+// From impact to impact; the frames only say when to look.
+class EventDriven final : public Method {
+ public:
+  void start(const State& motion, const Bounds& bounds) override {
+    fling_.start(motion, bounds);
+    now_ = motion;
+    time_ = {};
+  }
+  [[nodiscard]] bool play(std::span<const double> frames_s) override {
+    for (const double frame_s : frames_s) {
+      time_.play(frame_s);
+      now_ = fling_.at(time_.time_s());
+    }
+    return true;
+  }
+  [[nodiscard]] State motion() const override { return now_; }
+  [[nodiscard]] const std::vector<ExactImpact>* impacts() const override { return &fling_.impacts(); }
+
+ private:
+  ExactFling fling_;
+  State now_;
+  Timeline time_;
+};
+
+template <class Kind>
+std::function<std::unique_ptr<Method>()> maker() {
+  return [] { return std::make_unique<Kind>(); };
+}
+
+}  // namespace
+
+std::vector<MethodKind> frame_methods() {
+  return {
+      {"paper", "the paper's step", "", Divergent{}, true, maker<PaperStep<1>>()},
+      {"paper-4-substeps", "the paper's step, 4 to a frame", "", Divergent{}, true, maker<PaperStep<4>>()},
+      {"normalised-drag", "the paper's step, drag by time", "", Convergent{1}, true,
+       maker<FrameMethod<NormalisedFlight>>()},
+      {"euler", "explicit Euler", "", Convergent{1}, true, maker<FrameMethod<EulerFlight>>()},
+      {"verlet", "velocity Verlet", "", Convergent{2}, true, maker<FrameMethod<VerletFlight>>()},
+      {"rk4", "Runge-Kutta 4", "", Convergent{4}, true, maker<FrameMethod<Rk4Flight>>()},
+      {"exact-flight", "exact flight step", "", Exact{}, true, maker<FrameMethod<ExactFlight>>()},
+      {"event-driven", "event-driven", "", Exact{}, true, maker<EventDriven>()}};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,166 @@
+#include "sim/study/methods/method_errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/scenario/frame_clock.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kImpactsCompared = 3;
+
+State with_inputs(const Stage& stage, State motion) {
+  if (stage.position) {
+    motion.x_px = stage.position->x_px;
+    motion.y_px = stage.position->y_px;
+  }
+  if (stage.velocity) {
+    motion.vx_px_per_s = stage.velocity->vx_px_per_s;
+    motion.vy_px_per_s = stage.velocity->vy_px_per_s;
+  }
+  return motion;
+}
+
+// When a method that goes by frames met walls: where it stands on one on which it did not stand before.
+class ContactWatch {
+ public:
+  ContactWatch(const State& start, const Bounds& bounds) : bounds_(bounds), stood_(walls_of(start)) {}
+  void add_row(const State& motion, double t_s) {
+    const std::array<bool, 4> stands = walls_of(motion);
+    for (std::size_t wall = 0; wall < stands.size(); ++wall)
+      if (stands[wall] && !stood_[wall]) impacts_.push_back({t_s, kWalls[wall]});
+    stood_ = stands;
+  }
+  [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
+
+ private:
+  [[nodiscard]] std::array<bool, 4> walls_of(const State& m) const {
+    return {m.x_px == 0.0, m.x_px == bounds_.right_px, m.y_px == 0.0, m.y_px == bounds_.bottom_px};
+  }
+  Bounds bounds_;
+  std::array<bool, 4> stood_;
+  std::vector<ExactImpact> impacts_;
+};
+
+// Keeps the largest differences.
+class ErrorMeter {
+ public:
+  explicit ErrorMeter(const FixedLaws& laws) : gravity_px_per_s2_(laws.gravity_px_per_s2) {
+    errors_.contact_time_s = kNone;
+  }
+
+  void add_row(const State& run, const State& exact, const Bounds& bounds) {
+    const double dx = run.x_px - exact.x_px;
+    const double dy = run.y_px - exact.y_px;
+    errors_.end_px = std::hypot(dx, dy);
+    errors_.position_px = larger(errors_.position_px, errors_.end_px);
+    errors_.velocity_px_per_s =
+        larger(errors_.velocity_px_per_s,
+               std::hypot(run.vx_px_per_s - exact.vx_px_per_s, run.vy_px_per_s - exact.vy_px_per_s));
+    // Two large energies are not subtracted, but their parts (see facts of energy in arc_meter).
+    const auto half_difference = [](double v, double w) { return 0.5 * (v - w) * (v + w); };
+    energy_difference_ =
+        larger(energy_difference_,
+               std::fabs(half_difference(run.vx_px_per_s, exact.vx_px_per_s) +
+                         half_difference(run.vy_px_per_s, exact.vy_px_per_s) - gravity_px_per_s2_ * dy));
+    energy_largest_ = std::max(energy_largest_, 0.5 * (exact.vx_px_per_s * exact.vx_px_per_s +
+                                                       exact.vy_px_per_s * exact.vy_px_per_s) +
+                                                    gravity_px_per_s2_ * (bounds.bottom_px - exact.y_px));
+    errors_.coordinate_largest_px =
+        std::max({errors_.coordinate_largest_px, std::fabs(exact.x_px), std::fabs(exact.y_px)});
+  }
+
+  void add_impacts(const std::vector<ExactImpact>& run, const std::vector<ExactImpact>& exact) {
+    for (std::size_t i = 0; i < std::min({run.size(), exact.size(), kImpactsCompared}); ++i) {
+      if (run[i].wall != exact[i].wall) return;
+      const double apart_s = std::fabs(run[i].t_s - exact[i].t_s);
+      errors_.contact_time_s =
+          std::isnan(errors_.contact_time_s) ? apart_s : std::max(errors_.contact_time_s, apart_s);
+    }
+  }
+
+  [[nodiscard]] MethodErrors finish(std::size_t frames) {
+    errors_.frames = frames;
+    errors_.energy_rel = energy_largest_ > 0.0 ? energy_difference_ / energy_largest_ : kNone;
+    if (!std::isfinite(errors_.position_px)) return {.is_failed = true, .contact_time_s = kNone};
+    return errors_;
+  }
+
+ private:
+  // A NaN is the largest of all.
+  static double larger(double a, double b) { return b <= a ? a : b; }
+
+  double gravity_px_per_s2_;
+  double energy_difference_ = 0.0;
+  double energy_largest_ = 0.0;
+  MethodErrors errors_{};
+};
+
+// One stage: rows at least `stride` frames apart, each frame where the method's contacts show in its rows.
+bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std::size_t stride,
+                   bool watches_contacts, Method& method, ExactFling& exact, ErrorMeter& meter) {
+  ContactWatch watch(method.motion(), stage.bounds);
+  Timeline time;
+  for (std::size_t frame = 0; frame < frames_s.size();) {
+    const std::size_t row_end = std::min(frames_s.size(), (frame / stride + 1) * stride);
+    while (frame < row_end) {
+      const std::size_t end = watches_contacts ? frame + 1 : row_end;
+      if (!method.play({frames_s.data() + frame, end - frame})) return false;
+      for (; frame < end; ++frame) time.play(frames_s[frame]);
+      if (watches_contacts) watch.add_row(method.motion(), time.time_s());
+    }
+    meter.add_row(method.motion(), exact.at(time.time_s()), stage.bounds);
+  }
+  meter.add_impacts(method.impacts() != nullptr ? *method.impacts() : watch.impacts(), exact.impacts());
+  return true;
+}
+
+}  // namespace
+
+MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
+                            const std::vector<std::vector<double>>& stage_frames_s, double rate_hz) {
+  const std::unique_ptr<Method> method = kind.make();
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kCheckRate_hz)));
+  ExactFling exact;
+  ErrorMeter meter{FixedLaws()};
+  State run = problem.start;
+  State truth = problem.start;
+  std::size_t frames = 0;
+  for (std::size_t index = 0; index < problem.stages.size(); ++index) {
+    const Stage& stage = problem.stages[index];
+    run = with_inputs(stage, run);
+    truth = with_inputs(stage, truth);
+    if (stage.is_held) continue;
+    const std::vector<double>& frames_s = stage_frames_s[index];
+    frames += frames_s.size();
+    method->start(run, stage.bounds);
+    exact.start(truth, stage.bounds);
+    const bool watches = !problem.is_free_flight && method->impacts() == nullptr;
+    if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter))
+      return {.is_failed = true, .contact_time_s = kNone};
+    run = method->motion();
+    Timeline time;
+    for (const double frame_s : frames_s) time.play(frame_s);
+    truth = exact.at(time.time_s());
+  }
+  return meter.finish(frames);
+}
+
+bool play_through(const Problem& problem, Method& method,
+                  const std::vector<std::vector<double>>& stage_frames_s) {
+  State run = problem.start;
+  for (std::size_t index = 0; index < problem.stages.size(); ++index) {
+    run = with_inputs(problem.stages[index], run);
+    if (problem.stages[index].is_held) continue;
+    method.start(run, problem.stages[index].bounds);
+    if (!method.play(stage_frames_s[index])) return false;
+    run = method.motion();
+  }
+  return true;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,187 @@
+#include "sim/study/methods/problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/scenario/apply.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+
+namespace hyrax {
+namespace {
+
+constexpr Size kDesktop{1920, 1080};
+constexpr Size kSprite{128, 128};
+constexpr std::int64_t kFramesMax = 10'000'000;  // Frames of next to no time come to no end.
+
+// Coordinates stay as small as the flight allows, so that rounding does.
+Problem open_sky(const std::string& name, const std::string& label, const State& start, double duration_s) {
+  constexpr Size kSky{1'000'000, 1'000'000};
+  Problem problem;
+  problem.name = name;
+  problem.label = label;
+  problem.start = start;
+  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kSky, kSprite)}};
+  problem.is_free_flight = true;
+  return problem;
+}
+
+Problem on_desktop(const std::string& name, const std::string& label, const State& start, double duration_s) {
+  Problem problem;
+  problem.name = name;
+  problem.label = label;
+  problem.start = start;
+  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kDesktop, kSprite)}};
+  return problem;
+}
+
+// The scenario's jitter, its size independent of the frame.
+Jitter per_frame(Jitter jitter, double dt_s) {
+  if (jitter.kind == Jitter::Kind::normal) jitter.amount /= dt_s;
+  return jitter;
+}
+
+Jitter of_frame(Jitter jitter, double dt_s) {
+  if (jitter.kind == Jitter::Kind::normal) jitter.amount *= dt_s;
+  return jitter;
+}
+
+// A scenario's events as stages: the body that they are applied to.
+struct StageBuilder {
+  explicit StageBuilder(const Scenario& scenario)
+      : window(scenario.window), sprite(scenario.sprite), is_held(stage.is_held) {}
+
+  void setPos(double x_px, double y_px) { stage.position = Position{x_px, y_px}; }
+  void setVelocity(double vx_px_per_s, double vy_px_per_s) {
+    stage.velocity = Velocity{vx_px_per_s, vy_px_per_s};
+  }
+  void resetVelocity() { setVelocity(0.0, 0.0); }
+
+  void close() {
+    if (stage.duration_s == 0.0) return;  // What was set belongs to the next stage that lasts.
+    stage.bounds = bounds_of(window, sprite);
+    stages.push_back(stage);
+    stage.duration_s = 0.0;
+    stage.position.reset();
+    stage.velocity.reset();
+    stage.hitch_s.reset();
+  }
+  [[nodiscard]] bool has_room() const {
+    return std::all_of(stages.begin(), stages.end(), [](const Stage& each) {
+      return each.bounds.right_px >= 0.0 && each.bounds.bottom_px >= 0.0;
+    });
+  }
+
+  Stage stage;
+  std::vector<Stage> stages;
+  Size window;
+  Size sprite;
+  bool& is_held;
+};
+
+}  // namespace
+
+double Problem::duration_s() const {
+  double sum_s = 0.0;
+  for (const Stage& stage : stages) sum_s += stage.duration_s;
+  return sum_s;
+}
+
+std::vector<Problem> study_problems() {
+  std::vector<Problem> problems = {
+      open_sky("long-arc", "one second in the air", {200.0, 400.0, 900.0, -900.0}, 1.0),
+      open_sky("short-arc", "a fifth of a second in the air", {200.0, 400.0, 900.0, -900.0}, 0.2),
+      open_sky("fast-arc", "one second at 10,000 px/s", {200.0, 6000.0, 8000.0, -6000.0}, 1.0),
+      open_sky("terminal-speed", "one second at terminal speed", {200.0, 200.0, 0.0, 1200.0 / 0.0600300},
+               1.0),
+      on_desktop("fling", "a fling that bounces until it settles", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
+      on_desktop("corner-fling", "a fast fling into a corner", {300.0, 500.0, 2400.0, -700.0}, 8.0)};
+  Problem jittered = problems[4];
+  jittered.name = "jittered-fling";
+  jittered.label = "the fling on a clock that jitters by half a frame";
+  jittered.jitter = Jitter{Jitter::Kind::uniform, 0.5, 7};
+  Problem hitched = problems[0];
+  hitched.name = "hitched-arc";
+  hitched.label = "the second in the air, a quarter of it one frame";
+  const Bounds sky = hitched.stages[0].bounds;
+  hitched.stages = {Stage{.duration_s = 0.4, .bounds = sky},
+                    Stage{.duration_s = 0.6, .bounds = sky, .hitch_s = 0.25}};
+  hitched.is_free_flight = false;
+  problems.push_back(jittered);
+  problems.push_back(hitched);
+  return problems;
+}
+
+ScenarioProblem problem_of(const Scenario& scenario) {
+  const std::int64_t steps = step_count(scenario);
+  const std::vector<std::int64_t> frames = schedule_events(scenario, steps).frames;
+  const FrameClock clock(scenario.clock);
+  Problem problem;
+  problem.name = scenario.name;
+  problem.label = "scenario " + scenario.name;
+  problem.start = start_state(scenario);
+  StageBuilder builder(scenario);
+  Timeline time;
+  double stage_from_s = 0.0;
+  std::size_t event = 0;
+  for (std::int64_t frame = 0; frame < steps; ++frame) {
+    double dt_s = clock.dt_s(frame);
+    const bool has_event = event < frames.size() && frames[event] == frame;
+    if (has_event) {
+      builder.stage.duration_s += time.time_s() - stage_from_s;
+      builder.close();
+      stage_from_s = time.time_s();
+    }
+    for (; event < frames.size() && frames[event] == frame; ++event) {
+      const Action& action = scenario.events[event].action;
+      apply(action, builder);
+      if (const auto* hitch = std::get_if<Hitch>(&action)) {
+        dt_s = hitch->dt_s;
+        if (dt_s > 0.0) builder.stage.hitch_s = dt_s;
+      }
+    }
+    time.play(dt_s);
+    if (time.time_s() > kProblemMax_s || frame == kFramesMax) {
+      problem.remark = "its first " + std::to_string(time.time_s()) + " s";
+      break;
+    }
+  }
+  builder.stage.duration_s += time.time_s() - stage_from_s;
+  builder.close();
+  problem.stages = builder.stages;
+  if (problem.stages.empty()) return {std::nullopt, "no time passes in it"};
+  if (!builder.has_room())
+    return {std::nullopt, "its window cannot hold its sprite, so that it has no exact solution"};
+  if (problem.duration_s() > 2.0 * kProblemMax_s)
+    return {std::nullopt, "a frame of it lasts longer than a study may"};
+  if (scenario.clock.jitter && base_dt_s(scenario.clock) > 0.0)
+    problem.jitter = per_frame(*scenario.clock.jitter, base_dt_s(scenario.clock));
+  return {problem, ""};
+}
+
+std::vector<std::vector<double>> stage_frames_s(const Problem& problem, double rate_hz) {
+  std::vector<std::vector<double>> stages;
+  std::int64_t frame = 0;
+  for (const Stage& stage : problem.stages) {
+    std::vector<double> frames_s;
+    double left_s = stage.duration_s;
+    if (stage.hitch_s) {
+      frames_s.push_back(std::min(*stage.hitch_s, left_s));
+      left_s -= frames_s.back();
+    }
+    const double count = std::max(1.0, std::round(left_s * rate_hz));
+    if (left_s > 0.0) {
+      const double dt_s = left_s / count;
+      const std::size_t end = frames_s.size() + static_cast<std::size_t>(count);
+      for (; frames_s.size() < end; ++frame) {
+        const double drawn_s =
+            problem.jitter ? jittered_dt_s(dt_s, of_frame(*problem.jitter, dt_s), frame) : dt_s;
+        frames_s.push_back(drawn_s);
+      }
+    }
+    stages.push_back(std::move(frames_s));
+  }
+  return stages;
+}
+
+}  // namespace hyrax

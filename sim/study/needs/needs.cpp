@@ -1,0 +1,349 @@
+#include "sim/study/needs/needs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/compare/comparison.h"
+#include "sim/replay/replay.h"
+#include "sim/study/methods/core.h"
+#include "sim/study/methods/problem.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/run_summary.h"
+
+namespace hyrax {
+namespace {
+
+struct RunRow {
+  State motion;
+  std::uint8_t contact = 0;
+};
+
+// The rows of a run, and its contacts.
+class Rows {
+ public:
+  void add(const State& motion, std::uint8_t contact) {
+    const std::uint8_t before = rows_.empty() ? std::uint8_t{0} : rows_.back().contact;
+    rows_.push_back({motion, contact});
+    const auto step = static_cast<std::int64_t>(rows_.size());
+    for (const Wall wall : kWalls) {
+      if (!touches(contact, wall) || touches(before, wall)) continue;
+      Contact begun;
+      begun.step = begun.last_step = step;
+      begun.wall = wall;
+      contacts_.push_back(begun);
+    }
+  }
+  [[nodiscard]] const std::vector<RunRow>& all() const { return rows_; }
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
+
+ private:
+  std::vector<RunRow> rows_;
+  std::vector<Contact> contacts_;
+};
+
+template <class PartSet>
+Rows play_rows(const Script& script, const Omitted& omitted, const PartSet& parts) {
+  Rows rows;
+  play(script, core_constants(), omitted, parts,
+       [&rows](const State& motion, std::uint8_t contact) { rows.add(motion, contact); });
+  return rows;
+}
+
+bool same_row(const RunRow& a, const RunRow& b) {
+  return a.contact == b.contact && same_bits(a.motion, b.motion);
+}
+
+double distance_px(const State& a, const State& b) {
+  const double distance = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
+  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
+}
+
+PathDifference difference_of(const Rows& complete, const Rows& without) {
+  PathDifference difference;
+  for (std::size_t row = 0; row < complete.all().size(); ++row) {
+    const RunRow& a = complete.all()[row];
+    const RunRow& b = without.all()[row];
+    if (same_row(a, b)) {
+      difference.end_px = 0.0;
+      continue;
+    }
+    if (difference.is_same_bits) difference.first_step = static_cast<std::int64_t>(row) + 1;
+    difference.is_same_bits = false;
+    difference.end_px = distance_px(a.motion, b.motion);
+    difference.path_px = std::max(difference.path_px, difference.end_px);
+  }
+  const ContactChanges changes = contact_changes(complete.contacts(), without.contacts());
+  difference.contacts_moved =
+      static_cast<std::int64_t>(changes.moved.size() + changes.only_a.size() + changes.only_b.size());
+  return difference;
+}
+
+bool comes_to_rest(const Script& script, const Rows& rows) {
+  RestAnchor anchor{script.start.state.x_px, script.start.state.y_px, 0.0};
+  double t_s = 0.0;
+  for (std::size_t row = 0; row < rows.all().size(); ++row) {
+    t_s += script.frames_s[row];
+    if (anchor.moves_to(rows.all()[row].motion.x_px, rows.all()[row].motion.y_px)) anchor.t_s = t_s;
+  }
+  return anchor.at_rest_since_s(t_s).has_value();
+}
+
+// Enough frames to measure a step's time.
+constexpr std::int64_t kFramesTimedMax = 10'000;
+
+// A run to be timed. Its last row is stored, so that the compiler cannot leave the run out.
+template <class PartSet>
+std::function<void()> timed(const Script& script, const Omitted& omitted, const PartSet& parts) {
+  return [&script, constants = core_constants(), omitted, parts] {
+    State last;
+    play(
+        script, constants, omitted, parts, [&last](const State& motion, std::uint8_t) { last = motion; },
+        kFramesTimedMax);
+    volatile double sink = last.x_px + last.y_px;
+    static_cast<void>(sink);
+  };
+}
+
+std::function<void()> timed_without(const Script& script, Part part) {
+  switch (part) {
+    case Part::gravity:
+      return timed(script, {}, AllBut<Part::gravity>());
+    case Part::drag:
+      return timed(script, {}, AllBut<Part::drag>());
+    case Part::left_wall:
+      return timed(script, {}, AllBut<Part::left_wall>());
+    case Part::right_wall:
+      return timed(script, {}, AllBut<Part::right_wall>());
+    case Part::top_wall:
+      return timed(script, {}, AllBut<Part::top_wall>());
+    case Part::ground:
+      return timed(script, {}, AllBut<Part::ground>());
+    case Part::friction:
+      return timed(script, {}, AllBut<Part::friction>());
+    case Part::restitution:
+      return timed(script, {}, AllBut<Part::restitution>());
+    case Part::rest_rule:
+      return timed(script, {}, AllBut<Part::rest_rule>());
+  }
+  return {};
+}
+
+// What is left out at a time: a part of the step, the jitter, or an input.
+struct Omission {
+  std::string name;
+  std::optional<Part> part;
+  Omitted omitted;
+};
+
+Parts parts_without(const std::optional<Part>& part) {
+  Parts parts;
+  if (part) parts.leave_out(*part);
+  return parts;
+}
+
+std::vector<Omission> omissions_of(const Script& script) {
+  std::vector<Omission> omissions;
+  for (std::size_t part = 0; part < kPartCount; ++part)
+    omissions.push_back({std::string(kPartNames[part]), static_cast<Part>(part), {}});
+  if (!script.even_frames_s.empty()) omissions.push_back({"jitter", {}, {.jitter = true}});
+  for (std::size_t input = 0; input < script.inputs.size(); ++input) {
+    omissions.push_back({script.inputs[input], {}, {}});
+    omissions.back().omitted.inputs.resize(input + 1);
+    omissions.back().omitted.inputs[input] = true;
+  }
+  return omissions;
+}
+
+void take_times(SceneNeeds& needs, const Script& script, const std::vector<Omission>& omissions,
+                const CostOptions& options, const NanosecondClock& now_ns) {
+  if (needs.steps == 0) return;
+  std::vector<std::function<void()>> works{timed(script, {}, AllParts())};
+  for (const Omission& omission : omissions)
+    works.push_back(omission.part ? timed_without(script, *omission.part)
+                                  : timed(script, omission.omitted, AllParts()));
+  const Costs measured = measure_costs(works, now_ns, options);
+  const auto step_ns = [&](std::size_t work) {
+    return measured.costs[work].median_ns / static_cast<double>(std::min(needs.steps, kFramesTimedMax));
+  };
+  needs.step_ns = step_ns(0);
+  for (std::size_t part = 0; part < needs.parts.size(); ++part)
+    needs.parts[part].saved_ns_per_step = needs.step_ns - step_ns(part + 1);
+}
+
+// The run without the omissions of these indices.
+PathDifference difference_without_all(const Script& script, const Rows& complete,
+                                      const std::vector<Omission>& omissions,
+                                      const std::vector<std::size_t>& left_out) {
+  Omitted omitted;
+  omitted.inputs.resize(script.inputs.size());
+  Parts parts;
+  for (const std::size_t index : left_out) {
+    const Omission& omission = omissions[index];
+    if (omission.part) parts.leave_out(*omission.part);
+    omitted.jitter |= omission.omitted.jitter;
+    for (std::size_t input = 0; input < script.inputs.size(); ++input)
+      if (omission.omitted.has_input(input)) omitted.inputs[input] = true;
+  }
+  return difference_of(complete, play_rows(script, omitted, parts));
+}
+
+// Small differences add up, and one part may replace another. So if leaving out all unneeded parts moves the
+// path by more than the tolerance, they are left out one by one, the smallest difference first, and one that
+// moves the path too far is put back.
+void leave_out_unneeded(SceneNeeds& needs, const Script& script, const Rows& complete,
+                        const std::vector<Omission>& omissions, double within_px) {
+  std::vector<std::size_t> left_out;
+  for (std::size_t index = 0; index < needs.parts.size(); ++index)
+    if (is_unneeded(needs.parts[index].need)) left_out.push_back(index);
+  needs.without_all_unneeded = difference_without_all(script, complete, omissions, left_out);
+  if (needs.without_all_unneeded.path_px > within_px) {
+    std::stable_sort(left_out.begin(), left_out.end(), [&](std::size_t a, std::size_t b) {
+      return needs.parts[a].difference.path_px < needs.parts[b].difference.path_px;
+    });
+    std::vector<std::size_t> kept_out;
+    for (const std::size_t index : left_out) {
+      kept_out.push_back(index);
+      if (difference_without_all(script, complete, omissions, kept_out).path_px <= within_px) continue;
+      kept_out.pop_back();
+      needs.parts[index].need = Need::needed_jointly;
+    }
+    needs.without_all_unneeded = difference_without_all(script, complete, omissions, kept_out);
+  }
+}
+
+// Compares the replay's rows with the script's, and gathers the walls that the replay touches.
+class ReplayedRows final : public RowSink {
+ public:
+  explicit ReplayedRows(const Rows& complete) : complete_(complete) {}
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size(); ++index) compare(batch.row(index));
+  }
+  [[nodiscard]] std::int64_t first_difference() const { return first_difference_; }
+  [[nodiscard]] bool touched(Wall wall) const { return touches(contacts_, wall); }
+  [[nodiscard]] bool touched_any() const {
+    return touched(Wall::ground) || touched(Wall::top) || touched_side();
+  }
+
+ private:
+  [[nodiscard]] bool touched_side() const { return touched(Wall::left) || touched(Wall::right); }
+  void compare(const Row& row) {
+    if (row.step == 0) return;
+    contacts_ = static_cast<std::uint8_t>(contacts_ | row.contact);
+    const State& script = complete_.all()[static_cast<std::size_t>(row.step) - 1].motion;
+    const bool is_same = same_bits(script.x_px, row.x_px) && same_bits(script.y_px, row.y_px) &&
+                         same_bits(script.vx_px_per_s, row.vx_px_per_s) &&
+                         same_bits(script.vy_px_per_s, row.vy_px_per_s);
+    if (!is_same && first_difference_ < 0) first_difference_ = row.step;
+  }
+
+  const Rows& complete_;
+  std::uint8_t contacts_ = 0;
+  std::int64_t first_difference_ = -1;
+};
+
+// What the replay's contacts say about a part.
+struct Evidence {
+  bool may_be_exercised = true;
+  bool must_be_exercised = false;
+};
+Evidence evidence_of(Part part, const ReplayedRows& replayed) {
+  const auto wall = [&](Wall which) { return Evidence{replayed.touched(which), replayed.touched(which)}; };
+  switch (part) {
+    case Part::left_wall:
+      return wall(Wall::left);
+    case Part::right_wall:
+      return wall(Wall::right);
+    case Part::top_wall:
+      return wall(Wall::top);
+    case Part::ground:
+      return wall(Wall::ground);
+    case Part::friction:
+    case Part::rest_rule:
+      return {replayed.touched(Wall::ground), false};
+    case Part::restitution:
+      return {replayed.touched_any(), false};
+    case Part::gravity:
+    case Part::drag:
+      return {};
+  }
+  return {};
+}
+
+void find_methods(SceneNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
+                  const NanosecondClock& now_ns) {
+  const ScenarioProblem made = problem_of(scenario);
+  needs.why_no_methods = made.why_not;
+  if (!made.problem) return;
+  SpeedErrorOptions speed;
+  speed.rates_hz = options.rates_hz;
+  speed.cost = options.cost;
+  speed.errors_asked_px = {options.within_px};
+  needs.methods = study_speed_error({*made.problem}, frame_methods(), speed, now_ns);
+}
+
+}  // namespace
+
+PathDifference difference_without(const Script& script, const Omitted& omitted, const Parts& parts) {
+  return difference_of(play_rows(script, {}, AllParts()), play_rows(script, omitted, parts));
+}
+
+std::vector<std::string> contradictions_of(const Scenario& scenario, const std::vector<PartNeed>& parts) {
+  const Script script = script_of(scenario);
+  const Rows complete = play_rows(script, {}, AllParts());
+  ReplayedRows replayed(complete);
+  Replay run(scenario, replayed);
+  run.play_to(static_cast<std::int64_t>(complete.all().size()));
+  run.finish();
+  std::vector<std::string> broken;
+  if (replayed.first_difference() >= 0)
+    broken.push_back("with all parts its row " + std::to_string(replayed.first_difference()) +
+                     " is not the replay's, bit for bit");
+  for (const PartNeed& part : parts) {
+    if (!part.model_part) continue;
+    const Evidence evidence = evidence_of(*part.model_part, replayed);
+    const bool is_exercised = part.need != Need::not_exercised;
+    if (is_exercised && !evidence.may_be_exercised)
+      broken.push_back(part.part + " is exercised, but the replay touches no wall at which it acts");
+    if (!is_exercised && evidence.must_be_exercised)
+      broken.push_back(part.part + " is not exercised, but the replay touches it");
+  }
+  return broken;
+}
+
+std::string_view name_of(Need need) {
+  constexpr std::array<std::string_view, 4> kNames = {"needed", "needed with others left out",
+                                                      "below the tolerance", "not exercised"};
+  return kNames[static_cast<std::size_t>(need)];
+}
+
+Need need_of(const PathDifference& difference, double within_px) {
+  if (difference.is_same_bits) return Need::not_exercised;
+  return difference.path_px <= within_px ? Need::below : Need::needed;
+}
+
+SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options, const NanosecondClock& now_ns) {
+  const Script script = script_of(scenario);
+  const std::vector<Omission> omissions = omissions_of(script);
+  const Rows complete = play_rows(script, {}, AllParts());
+  SceneNeeds needs;
+  needs.scenario = scenario.name;
+  needs.steps = static_cast<std::int64_t>(script.frames_s.size());
+  needs.is_cut = script.is_cut;
+  needs.comes_to_rest = comes_to_rest(script, complete);
+  for (const Omission& omission : omissions) {
+    const PathDifference difference =
+        difference_of(complete, play_rows(script, omission.omitted, parts_without(omission.part)));
+    needs.parts.push_back(
+        {omission.name, omission.part, difference, need_of(difference, options.within_px), 0.0});
+  }
+  needs.broken = contradictions_of(scenario, needs.parts);
+  leave_out_unneeded(needs, script, complete, omissions, options.within_px);
+  take_times(needs, script, omissions, options.cost, now_ns);
+  if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);
+  return needs;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,89 @@
+// Which parts of model and scene a scenario needs: each is left out in turn (ablation), then all that are not
+// needed at once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/study/methods/cost.h"
+#include "sim/study/methods/script.h"
+#include "sim/study/speed_error/speed_error.h"
+
+namespace hyrax {
+
+enum class Need {
+  needed,          ///< Some row moves by more than the tolerance.
+  needed_jointly,  ///< Not needed alone, but needed as soon as others that are not needed are left out, too.
+  below,           ///< Rows change, none by more than the tolerance.
+  not_exercised,   ///< Not one bit of any row changes.
+};
+
+/// The run with a part left out against the complete run, row by row.
+struct PathDifference {
+  bool is_same_bits = true;
+  double path_px = 0.0;             ///< Largest distance; infinite if a position is not finite.
+  double end_px = 0.0;              ///< Distance of the last rows.
+  std::int64_t first_step = -1;     ///< The first row that differs; -1: none.
+  std::int64_t contacts_moved = 0;  ///< Contacts that moved, appeared or vanished.
+};
+
+struct PartNeed {
+  std::string part;                ///< One of kPartNames, "jitter", or the name of an input.
+  std::optional<Part> model_part;  ///< None: jitter or an input.
+  PathDifference difference;
+  Need need = Need::needed;
+  double saved_ns_per_step = 0.0;  ///< Difference of medians; may be negative, by chance.
+};
+
+struct SceneNeeds {
+  std::string scenario;
+  std::int64_t steps = 0;
+  bool is_cut = false;         ///< Only the first kScriptFramesMax frames were played.
+  bool comes_to_rest = false;  ///< Its position is settled at the end.
+  double step_ns = 0.0;        ///< Of the variant kernel with all parts.
+  std::vector<PartNeed> parts;
+  PathDifference without_all_unneeded;  ///< All that are not needed, at once.
+  /// contradictions_of(scenario, parts).
+  std::vector<std::string> broken;
+  /// The cheapest method and rate within the tolerance of the exact motion, if NeedsOptions::rates_hz has
+  /// any.
+  std::optional<SpeedError> methods;
+  std::string why_no_methods;  ///< Why the scenario has no exact motion; empty: it has one.
+};
+
+struct NeedsOptions {
+  double within_px = 1.0;
+  CostOptions cost;
+  std::vector<double> rates_hz;  ///< For the cheapest method; empty: it is not searched for.
+};
+
+/// Plays the scenario with each part left out in turn, and times it.
+[[nodiscard]] SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
+                                     const NanosecondClock& now_ns);
+
+/// Checks the result of a scenario against the replay, which knows nothing of parts:
+/// 1. with all parts the script's run has the same bits as the replay's;
+/// 2. a wall is exercised if and only if the replay has a contact with it;
+/// 3. friction and the rest rule are exercised only with a ground contact, restitution only with a contact.
+/// What does not agree, one sentence each without its full stop.
+[[nodiscard]] std::vector<std::string> contradictions_of(const Scenario& scenario,
+                                                         const std::vector<PartNeed>& parts);
+
+/// The complete run against the run without these.
+[[nodiscard]] PathDifference difference_without(const Script& script, const Omitted& omitted,
+                                                const Parts& parts);
+
+[[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
+
+/// "needed", "needed with others left out", "below the tolerance", "not exercised".
+[[nodiscard]] std::string_view name_of(Need need);
+
+[[nodiscard]] inline bool is_unneeded(Need need) {
+  return need == Need::below || need == Need::not_exercised;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,127 @@
+#include "sim/study/needs/needs_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/study/needs/coverage.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kPartsDrawnMax = 40;
+
+// The groups of parts that have a colour each.
+struct Group {
+  Tone tone;
+  const char* text;
+};
+constexpr std::array<Group, 3> kGroups = {{{Tone::blue, "needed"},
+                                           {Tone::orange, "changes something, below the tolerance"},
+                                           {Tone::hairline, "not exercised: not one bit changes"}}};
+
+std::size_t group_of(Need need) {
+  if (need == Need::not_exercised) return 2;
+  return need == Need::below ? 1 : 0;
+}
+
+std::vector<LegendEntry> legend() {
+  std::vector<LegendEntry> entries;
+  entries.reserve(kGroups.size());
+  for (const Group& group : kGroups)
+    entries.push_back({group.text, {.form = Form::bars, .tone = group.tone}});
+  return entries;
+}
+
+std::string text_of(const PartNeed& part) {
+  if (part.need == Need::not_exercised) return "not exercised";
+  const PathDifference& difference = part.difference;
+  std::string text = difference.path_px == 0.0 ? "only the speed changes" : length_text(difference.path_px);
+  if (difference.contacts_moved > 0)
+    text += fmt::format(", {} contact{} moved", difference.contacts_moved,
+                        difference.contacts_moved == 1 ? "" : "s");
+  return part.need == Need::needed_jointly ? text + ", needed with others left out" : text;
+}
+
+// The axis of distances, and in `longest` the largest finite one that it has to show.
+struct DistanceAxis {
+  double low = 0.0;
+  double longest = 0.0;
+  Axis axis = {};
+
+  DistanceAxis(const SceneNeeds& scene, double within_px)
+      : low(within_px > 0.0 ? within_px / 10.0 : 1e-3), longest(std::max(100.0, 10.0 * within_px)) {
+    for (const PartNeed& part : scene.parts) {
+      const double path_px = part.difference.path_px;
+      if (path_px > 0.0) low = std::min(low, path_px / 2.0);
+      if (std::isfinite(path_px)) longest = std::max(longest, path_px);
+    }
+    // Distances far below the tolerance need no bars of different lengths.
+    low = within_px > 0.0 ? std::max(low, within_px * 1e-4) : std::max(low, 1e-15);
+    const double room_for_text = std::pow(longest / low, 0.4);
+    axis = {.label = "largest distance of two rows, px",
+            .is_logarithmic = true,
+            .low = low,
+            .high = longest * room_for_text};
+  }
+};
+
+}  // namespace
+
+std::string length_text(double length_px) {
+  if (!std::isfinite(length_px)) return "without bound";
+  return length_px >= 1000.0 ? fmt::format("{:.0f} px", length_px) : fmt::format("{:.3g} px", length_px);
+}
+
+Figure needs_figure(const SceneNeeds& scene, double within_px) {
+  const std::size_t count = std::min(scene.parts.size(), kPartsDrawnMax);
+  const DistanceAxis x(scene, within_px);
+  Plot plot{.x = x.axis};
+  for (const Group& group : kGroups)
+    plot.series.push_back({.name = group.text, .look = {.form = Form::bars, .tone = group.tone}});
+  for (std::size_t index = 0; index < count; ++index) {
+    const PartNeed& part = scene.parts[index];
+    const auto y = static_cast<double>(index);
+    const double end_px = std::clamp(part.difference.path_px, x.low, x.longest);
+    plot.y.categories.push_back(part.part);
+    Series& series = plot.series[group_of(part.need)];
+    series.x.push_back(end_px);
+    series.y.push_back(y);
+    plot.texts.push_back(
+        {end_px, y, text_of(part), part.need == Need::not_exercised ? Tone::quiet : Tone::ink});
+  }
+  if (within_px > 0.0) plot.marks.push_back({.at = within_px, .text = "tolerance", .tone = Tone::vermilion});
+  return {
+      .suffix = "-" + scene.scenario,
+      .title = "What " + scene.scenario + " needs",
+      .subtitle = fmt::format("How far its path moves when a part is left out; tolerance {:g} px", within_px),
+      .note = count < scene.parts.size() ? fmt::format("the first {} of {} parts", count, scene.parts.size())
+                                         : "",
+      .body = std::vector{std::move(plot)},
+      .legend = legend()};
+}
+
+Figure coverage_figure(const std::vector<SceneNeeds>& scenes, double within_px) {
+  const std::vector<std::string> never = never_exercised(scenes);
+  Grid grid;
+  for (const std::string& column : coverage_columns()) {
+    const bool is_never = std::find(never.begin(), never.end(), column) != never.end();
+    grid.columns.emplace_back(column + (is_never ? " (never)" : ""), is_never ? Tone::vermilion : Tone::ink);
+  }
+  for (const SceneNeeds& scene : scenes) {
+    const std::vector<Need> coverage = coverage_of(scene);
+    for (std::size_t column = 0; column < coverage.size(); ++column)
+      grid.cells.push_back(
+          {.row = grid.rows.size(), .column = column, .tone = kGroups[group_of(coverage[column])].tone});
+    grid.rows.push_back(scene.scenario);
+  }
+  return {
+      .title = "What the scenarios exercise",
+      .subtitle = fmt::format("Each part of model and scene left out in turn; tolerance {:g} px", within_px),
+      .body = std::move(grid),
+      .legend = legend()};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,260 @@
+// `hyrax-sim study needs`: its tables, figures and verdict.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/study/needs/coverage.h"
+#include "sim/study/needs/needs_figure.h"
+#include "sim/study/study.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kWithin_px = 1.0;
+// The cheapest method is only searched for up to so many scenes: each takes a second or more.
+constexpr std::size_t kScenesWithMethodsMax = 4;
+constexpr std::size_t kPartsPrintedMax = 30;
+
+using S = const SceneNeeds&;
+
+Column scenario_column(const std::vector<SceneNeeds>& scenes) {
+  return column_of<std::string>("scenario", "", "what is played", scenes, &SceneNeeds::scenario);
+}
+
+Table part_table(const std::vector<SceneNeeds>& scenes) {
+  struct PartOfScene {
+    const SceneNeeds* scene;
+    const PartNeed* part;
+  };
+  std::vector<PartOfScene> rows;
+  for (const SceneNeeds& scene : scenes)
+    for (const PartNeed& part : scene.parts) rows.push_back({&scene, &part});
+  using R = const PartOfScene&;
+  return {
+      "parts",
+      "every part of model and scene left out in turn",
+      {column_of<std::string>("scenario", "", "what is played", rows, [](R r) { return r.scene->scenario; }),
+       column_of<std::string>("part", "", "what is left out", rows, [](R r) { return r.part->part; }),
+       column_of<std::string>("verdict", "",
+                              "needed, alone or with others left out; below the tolerance; or not exercised",
+                              rows, [](R r) { return name_of(r.part->need); }),
+       column_of<double>("path_difference", "px", "largest distance of two rows", rows,
+                         [](R r) { return r.part->difference.path_px; }),
+       column_of<std::int64_t>("first_step", "1", "first row that differs; -1: none", rows,
+                               [](R r) { return r.part->difference.first_step; }),
+       column_of<std::int64_t>("contacts_moved", "1", "contacts that moved, appeared or vanished", rows,
+                               [](R r) { return r.part->difference.contacts_moved; }),
+       column_of<double>("end_shift", "px", "distance of the last rows", rows,
+                         [](R r) { return r.part->difference.end_px; }),
+       column_of<double>("saved", "ns", "time saved per step", rows,
+                         [](R r) { return r.part->saved_ns_per_step; }),
+       column_of<double>("step", "ns", "time of a step with all parts", rows,
+                         [](R r) { return r.scene->step_ns; })}};
+}
+
+std::int64_t unneeded_count(const SceneNeeds& scene) {
+  return std::count_if(scene.parts.begin(), scene.parts.end(),
+                       [](const PartNeed& part) { return is_unneeded(part.need); });
+}
+
+Table control_table(const std::vector<SceneNeeds>& scenes, double within_px) {
+  return {"control",
+          "everything that is not needed left out at once",
+          {scenario_column(scenes),
+           column_of<std::int64_t>("steps", "1", "frames played", scenes, &SceneNeeds::steps),
+           column_of<std::int64_t>("left_out", "1", "parts left out", scenes, unneeded_count),
+           column_of<double>("path_difference", "px", "largest distance of two rows", scenes,
+                             [](S scene) { return scene.without_all_unneeded.path_px; }),
+           column_of<double>("tolerance", "px", "largest distance allowed", scenes,
+                             [within_px](S) { return within_px; }),
+           column_of<std::int64_t>("holds", "1", "1: the scene agrees with the replay", scenes,
+                                   [](S scene) { return scene.broken.empty(); })}};
+}
+
+// The cheapest point of a scene's methods, or of the paper's step; nullptr if there is none.
+const WorkPoint* cheapest_of(const SceneNeeds& scene, bool of_paper = false) {
+  if (!scene.methods || scene.methods->cheapest.empty()) return nullptr;
+  const CheapestBelow& answer = scene.methods->cheapest.front();
+  const std::optional<std::size_t>& point = of_paper ? answer.paper_point : answer.point;
+  return point ? &scene.methods->points[*point] : nullptr;
+}
+
+Table cheapest_table(const std::vector<SceneNeeds>& scenes) {
+  std::vector<SceneNeeds> searched;
+  std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(searched),
+               [](S scene) { return scene.methods.has_value(); });
+  const auto rate = [](const WorkPoint* point) { return point != nullptr ? point->rate_hz : kNotGiven; };
+  const auto cost = [](const WorkPoint* point) {
+    return point != nullptr ? point->cost.median_ns : kNotGiven;
+  };
+  return {"cheapest",
+          "the cheapest method and rate within the tolerance of the exact motion",
+          {scenario_column(searched),
+           column_of<std::string>("method", "", "the cheapest", searched,
+                                  [](S scene) {
+                                    const WorkPoint* const point = cheapest_of(scene);
+                                    return point != nullptr ? scene.methods->methods[point->method].name
+                                                            : "none";
+                                  }),
+           column_of<double>("rate", "Hz", "its frames per second", searched,
+                             [&](S scene) { return rate(cheapest_of(scene)); }),
+           column_of<double>("cost", "ns/s", "its median cost", searched,
+                             [&](S scene) { return cost(cheapest_of(scene)); }),
+           column_of<double>("paper_rate", "Hz", "of the paper's step; missing: at no rate", searched,
+                             [&](S scene) { return rate(cheapest_of(scene, true)); }),
+           column_of<double>("paper_cost", "ns/s", "its median cost", searched,
+                             [&](S scene) { return cost(cheapest_of(scene, true)); })}};
+}
+
+// The JSON member `parts` of a scene.
+Table parts_summary(const SceneNeeds& scene) {
+  using P = const PartNeed&;
+  return {"parts",
+          "",
+          {column_of<std::string>("part", "", "", scene.parts, &PartNeed::part),
+           column_of<std::string>("verdict", "", "", scene.parts, [](P part) { return name_of(part.need); }),
+           column_of<double>("path", "px", "", scene.parts, [](P part) { return part.difference.path_px; }),
+           column_of<std::int64_t>("contacts_moved", "1", "", scene.parts,
+                                   [](P part) { return part.difference.contacts_moved; }),
+           column_of<double>("end", "px", "", scene.parts, [](P part) { return part.difference.end_px; }),
+           column_of<double>("saved", "ns/step", "", scene.parts, &PartNeed::saved_ns_per_step)}};
+}
+
+// The JSON member `cheapest` of a scene.
+Table cheapest_summary(const SceneNeeds& scene) {
+  Table table{"cheapest", "", {}, JsonShape::one};
+  if (const WorkPoint* const point = cheapest_of(scene))
+    table.columns = {{"method", "", "", std::vector{scene.methods->methods[point->method].name}},
+                     {"rate", "Hz", "", std::vector{point->rate_hz}},
+                     {"cost", "ns/s", "", std::vector{point->cost.median_ns}}};
+  return table;
+}
+
+std::vector<Table> summary_of(const std::vector<SceneNeeds>& scenes, double within_px) {
+  return {{"", "", {{"within", "px", "", std::vector{within_px}}}, JsonShape::members},
+          {"scenes",
+           "",
+           {scenario_column(scenes), column_of<std::int64_t>("steps", "1", "", scenes, &SceneNeeds::steps),
+            column_of<double>("step", "ns", "", scenes, &SceneNeeds::step_ns),
+            column_of<Table>("parts", "", "", scenes, parts_summary),
+            column_of<double>("without_all_unneeded", "px", "", scenes,
+                              [](S scene) { return scene.without_all_unneeded.path_px; }),
+            column_of<bool>("holds", "", "", scenes, [](S scene) { return scene.broken.empty(); }),
+            column_of<Table>("cheapest", "", "", scenes, cheapest_summary)}},
+          {"exercised_by_none", "", {{"part", "", "", never_exercised(scenes)}}, JsonShape::values}};
+}
+
+// A scene's parts as they are printed; what is not exercised has no difference.
+Table printed_parts(const SceneNeeds& scene) {
+  const std::vector<PartNeed> parts(
+      scene.parts.begin(),
+      scene.parts.begin() + std::min(std::ssize(scene.parts), std::ptrdiff_t{kPartsPrintedMax}));
+  const auto column = [&](const char* name, const char* unit, const auto& value) {
+    return column_of<double>(
+        name, unit, "", parts,
+        [&](const PartNeed& part) {
+          return part.need == Need::not_exercised ? kNotGiven : value(part.difference);
+        },
+        3);
+  };
+  using D = const PathDifference&;
+  return {"parts",
+          "",
+          {column_of<std::string>("left_out", "", "", parts, &PartNeed::part),
+           column("path_moves", "px", [](D difference) { return difference.path_px; }),
+           column("contacts_moved", "1", [](D difference) { return double(difference.contacts_moved); }),
+           column("end_moves", "px", [](D difference) { return difference.end_px; }),
+           column_of<double>(
+               "saves", "ns", "", parts,
+               [](const PartNeed& part) { return std::round(100.0 * part.saved_ns_per_step) / 100.0; }, 3),
+           column_of<std::string>("verdict", "", "", parts,
+                                  [](const PartNeed& part) { return name_of(part.need); })}};
+}
+
+std::string cheapest_text(const SceneNeeds& scene, double within_px) {
+  if (!scene.methods)
+    return scene.why_no_methods.empty() ? "" : "\nNo cheapest method: " + scene.why_no_methods + ".";
+  const WorkPoint* const best = cheapest_of(scene);
+  const WorkPoint* const paper = cheapest_of(scene, true);
+  const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
+  if (best == nullptr) return head + "none of the methods gets that close.";
+  std::string text =
+      fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
+                  scene.methods->methods[best->method].label, best->rate_hz, best->cost.median_ns);
+  if (paper == nullptr) text += "\nThe paper's step does not get that close at any rate.";
+  if (paper != nullptr && paper != best)
+    text += fmt::format("\nThe paper's step gets that close at {:.0f} Hz, {:.0f} ns per simulated second.",
+                        paper->rate_hz, paper->cost.median_ns);
+  return text;
+}
+
+void add_scene(Verdict& verdict, const SceneNeeds& scene, double within_px, const std::string& machine) {
+  verdict.text.push_back(
+      fmt::format("{}What {} needs, within {:g} px, over {}{} steps ({}):", verdict.text.empty() ? "" : "\n",
+                  scene.scenario, within_px, scene.is_cut ? "its first " : "", scene.steps,
+                  scene.comes_to_rest ? "settles" : "does not settle"));
+  verdict.text.push_back(printed_parts(scene));
+  if (scene.parts.size() > kPartsPrintedMax)
+    verdict.text.push_back(fmt::format("  and {} more, in the files", scene.parts.size() - kPartsPrintedMax));
+  verdict.text.push_back(fmt::format(
+      "A step with all parts takes {:.2f} ns on {}.\n"
+      "With all {} parts that are not needed left out at once, the path moves {}, {} {:g} px.{}",
+      scene.step_ns, machine, unneeded_count(scene), length_text(scene.without_all_unneeded.path_px),
+      scene.without_all_unneeded.path_px <= within_px ? "within" : "more than", within_px,
+      cheapest_text(scene, within_px)));
+}
+
+std::vector<SceneNeeds> study_all(const StudyRequest& request, const NeedsOptions& options) {
+  std::vector<SceneNeeds> scenes;
+  for (const NamedScenario& named : request.scenarios) {
+    if (request.report_progress)
+      request.report_progress("scenarios", std::ssize(scenes), std::ssize(request.scenarios));
+    scenes.push_back(study_needs(named.scenario, options, request.now_ns));
+  }
+  return scenes;
+}
+
+StudyResult run(const StudyRequest& request) {
+  if (request.scenarios.empty())
+    throw RequestRefused(
+        "hyrax-sim study needs: a scenario must be given; `hyrax-sim study needs scenarios` takes all");
+  const bool has_few_scenes = request.scenarios.size() <= kScenesWithMethodsMax;
+  NeedsOptions options;
+  options.within_px = request.within_px.value_or(kWithin_px);
+  if (request.is_quick) options.cost.sample_ns = 5'000;
+  if (has_few_scenes)
+    options.rates_hz =
+        request.is_quick ? std::vector{15.0, 60.0, 240.0}
+                         : std::vector{15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
+  const std::vector<SceneNeeds> scenes = study_all(request, options);
+  const double within_px = options.within_px;
+  StudyResult result{.tables = {part_table(scenes), coverage_table(scenes), control_table(scenes, within_px),
+                                cheapest_table(scenes)},
+                     .summary = summary_of(scenes, within_px)};
+  if (has_few_scenes) {
+    for (const SceneNeeds& scene : scenes) {
+      add_scene(result.verdict, scene, within_px, request.machine);
+      result.figures.push_back(needs_figure(scene, within_px));
+    }
+  } else {
+    result.verdict = coverage_verdict(scenes, within_px);
+    result.figures = {coverage_figure(scenes, within_px)};
+  }
+  for (const SceneNeeds& scene : scenes)
+    for (const std::string& sentence : scene.broken)
+      result.verdict.broken.push_back(fmt::format("{}: {}", scene.scenario, sentence));
+  return result;
+}
+
+}  // namespace
+
+Study needs_study() {
+  return {.name = "needs",
+          .summary = "which parts of the model and events a scenario needs, and the cheapest method for it",
+          .takes_scenarios = true,
+          .takes_within = true,
+          .run = run};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,60 @@
+// What several measurements of claims share.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "sim/scenario/split_mix64.h"
+#include "sim/study/methods/core.h"
+#include "sim/study/paper/paper_claim.h"
+
+namespace hyrax {
+
+/// The paper's desktop: bounds of 1920 x 1080 with a sprite of 128.
+inline constexpr Bounds kDesktop{1792, 952};
+inline constexpr double kSpriteSide_px = 128.0;
+/// Far from all walls: flight alone.
+inline constexpr Bounds kOpen{2'000'000'000, 2'000'000'000};
+inline constexpr double kSixtieth_s = 1.0 / 60.0;
+
+[[nodiscard]] inline ClaimVerdict holds_if(bool holds) {
+  return holds ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
+}
+
+/// Equal except for rounding.
+[[nodiscard]] inline bool is_close(double a, double b, double relative = 1e-12) {
+  return std::fabs(a - b) <= relative * std::fmax(std::fabs(a), std::fabs(b));
+}
+
+/// A number with four digits.
+[[nodiscard]] inline std::string digits(double value) { return fmt::format("{:.4g}", value); }
+
+/// Smallest and largest of the values included.
+struct Extremes {
+  double least = 1e300;
+  double most = -1e300;
+  void include(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+/// Random number `index` of `seed`, in low .. high.
+[[nodiscard]] inline double random_between(std::uint64_t seed, std::uint64_t index, double low, double high) {
+  return low + (high - low) * split_mix64_unit(seed, index);
+}
+
+/// The state at a time after the start, or up to a frame later.
+[[nodiscard]] inline State state_after(State body, double rate_hz, double duration_s,
+                                       Bounds bounds = kDesktop) {
+  return core_steps(body, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
+}
+
+/// Steps of random flings, some of them contacts, in which the core differs in a bit from the listing's step
+/// with the core's constants.
+[[nodiscard]] std::int64_t steps_that_differ_from_listing(std::int64_t steps);
+
+}  // namespace hyrax

@@ -1,0 +1,48 @@
+// The paper's checkable sentences, each with what was measured and a verdict.
+//
+// Source: "Use of physics in hyrax.exe". Verdicts are computed from measurements of the core, so that the
+// same functions judge a changed physics.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hyrax {
+
+enum class ClaimVerdict : std::uint8_t { holds, holds_when, does_not_hold, not_measured };
+inline constexpr std::array<std::string_view, 4> kClaimVerdictNames = {"holds", "holds when", "does not hold",
+                                                                       "not measured"};
+[[nodiscard]] inline std::string_view name_of(ClaimVerdict verdict) {
+  return kClaimVerdictNames[static_cast<std::size_t>(verdict)];
+}
+
+struct Claim {
+  std::string id;        ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
+  std::string sentence;  ///< Of the paper, shortened.
+  std::string measured;  ///< What was measured, and how.
+  double number = 0.0;
+  std::string unit;
+  ClaimVerdict verdict = ClaimVerdict::not_measured;
+  std::string remark;  ///< Of `holds when`: the condition. Else what the number means, if that is not plain.
+  bool is_exact = false;  ///< The number is compared bit for bit: it is printed with all its digits.
+
+  /// "2.3" of "2.3-energy".
+  [[nodiscard]] std::string section() const { return id.substr(0, id.find('-')); }
+};
+
+/// The paper's sentences on flight (sections 1 to 2.3), energy (2.3, 2.4), walls (3, 5), time steps
+/// (3.2.2, 4.1, 4.2), the order of operations (4.3, 6), constants (5) and use (6).
+[[nodiscard]] std::vector<Claim> flight_claims();
+[[nodiscard]] std::vector<Claim> energy_claims();
+[[nodiscard]] std::vector<Claim> wall_claims();
+[[nodiscard]] std::vector<Claim> time_step_claims();
+[[nodiscard]] std::vector<Claim> order_claims();
+[[nodiscard]] std::vector<Claim> constant_claims();
+[[nodiscard]] std::vector<Claim> use_claims();
+/// The conclusion's "fast". @param step_s time of a step.
+[[nodiscard]] std::vector<Claim> speed_claims(double step_s);
+
+}  // namespace hyrax

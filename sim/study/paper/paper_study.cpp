@@ -1,0 +1,189 @@
+// `hyrax-sim study paper`: its table, figure, verdict, and the comparison with expected verdicts.
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "sim/study/methods/core.h"
+#include "sim/study/paper/paper_claim.h"
+#include "sim/study/study.h"
+
+namespace hyrax {
+namespace {
+
+using VerdictsByClaim = std::map<std::string, std::string>;
+
+// Time of a step of a fling that comes to rest: the shortest of many measurements, since everything else that
+// runs on the machine only adds to it.
+double step_time_s(std::int64_t (*now_ns)()) {
+  constexpr std::int64_t kSteps = 2'000;
+  double least_s = 1.0;
+  for (int repetition = 0; repetition < 200; ++repetition) {
+    const std::int64_t start_ns = now_ns();
+    const State body = core_steps({100.0, 100.0, 900.0, -1200.0}, 1.0 / 60.0, {1792, 952}, kSteps);
+    const double time_s = 1e-9 * static_cast<double>(now_ns() - start_ns);
+    if (body.y_px >= 0.0) least_s = std::min(least_s, time_s / static_cast<double>(kSteps));
+  }
+  return least_s;
+}
+
+// By section.
+std::vector<Claim> all_claims(double step_s) {
+  std::vector<Claim> claims;
+  for (std::vector<Claim> some : {flight_claims(), energy_claims(), wall_claims(), time_step_claims(),
+                                  order_claims(), constant_claims(), use_claims(), speed_claims(step_s)})
+    std::move(some.begin(), some.end(), std::back_inserter(claims));
+  std::stable_sort(claims.begin(), claims.end(),
+                   [](const Claim& a, const Claim& b) { return a.section() < b.section(); });
+  return claims;
+}
+
+Table claim_table(const std::vector<Claim>& claims) {
+  const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
+  return {
+      "claims",
+      "the paper's sentences against the core",
+      {column_of<std::string>("claim", "", "name of the claim", claims, &Claim::id),
+       column_of<std::string>("section", "", "section of the paper", claims, &Claim::section),
+       column_of<std::string>("sentence", "", "sentence of the paper, shortened", claims, &Claim::sentence),
+       column_of<std::string>("measured", "", "what was measured", claims, &Claim::measured),
+       column_of<double>("number", "", "the measured value", claims, &Claim::number),
+       column_of<std::string>("number_unit", "", "unit of the number", claims, &Claim::unit),
+       column_of<std::string>("verdict", "", "holds, holds when, does not hold, or not measured", claims,
+                              verdict),
+       column_of<std::string>("remark", "", "when it holds, or what the number means", claims,
+                              &Claim::remark)}};
+}
+
+// The array of the JSON document.
+Table summary_of(const Table& claims) {
+  Table summary = claims;
+  for (Column& column : summary.columns)
+    if (column.name == "number_unit") column.name = "unit";
+  return summary;
+}
+
+// ERRORS: RequestRefused that names every unknown claim and verdict.
+VerdictsByClaim checked_verdicts(const ExpectedVerdicts& expected, const std::vector<Claim>& claims) {
+  std::string unknown, faults;
+  for (const auto& [name, verdict] : expected.verdicts) {
+    const auto is_named = [&name = name](const Claim& claim) { return claim.id == name; };
+    if (std::none_of(claims.begin(), claims.end(), is_named))
+      unknown += (unknown.empty() ? "" : ", ") + name;
+    else if (std::find(kClaimVerdictNames.begin(), kClaimVerdictNames.end(), verdict) ==
+             kClaimVerdictNames.end())
+      faults += fmt::format("\n{}: /verdicts/{}: unknown verdict (found {}); allowed: {}", expected.path,
+                            name, verdict, fmt::join(kClaimVerdictNames, ", "));
+  }
+  if (!unknown.empty())
+    faults +=
+        fmt::format("\n{}: /verdicts: unknown claim (found {}); `hyrax-sim study paper` prints all claims",
+                    expected.path, unknown);
+  if (!faults.empty()) throw RequestRefused(faults.substr(1));
+  return {expected.verdicts.begin(), expected.verdicts.end()};
+}
+
+std::vector<std::string> differences(const std::vector<Claim>& claims, const VerdictsByClaim& expected,
+                                     const std::string& path) {
+  std::vector<std::string> sentences;
+  for (const Claim& claim : claims) {
+    const auto verdict = expected.find(claim.id);
+    if (verdict == expected.end())
+      sentences.push_back(
+          fmt::format("{}: {}, but {} has no verdict for it", claim.id, name_of(claim.verdict), path));
+    else if (verdict->second != name_of(claim.verdict))
+      sentences.push_back(fmt::format("{}: {}, but {} expects: {} ({}: {}{})", claim.id,
+                                      name_of(claim.verdict), path, verdict->second, claim.measured,
+                                      claim.number, claim.unit == "1" ? "" : " " + claim.unit));
+  }
+  return sentences;
+}
+
+std::string number_text(const Claim& claim, bool has_all_digits) {
+  const std::string number =
+      has_all_digits ? fmt::format("{}", claim.number) : fmt::format("{:.4g}", claim.number);
+  return claim.unit == "1" ? number : number + " " + claim.unit;
+}
+
+Verdict verdict_of(const std::vector<Claim>& claims) {
+  std::array<int, kClaimVerdictNames.size()> counts{};
+  for (const Claim& claim : claims) ++counts[static_cast<std::size_t>(claim.verdict)];
+  std::string sentence =
+      fmt::format("paper: {} claims measured: {} hold, {} hold on a condition, {} do not hold", claims.size(),
+                  counts[0], counts[1], counts[2]);
+  if (counts[3] > 0) sentence += fmt::format(", {} could not be measured", counts[3]);
+  const auto number = [](const Claim& claim) { return number_text(claim, claim.is_exact); };
+  const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
+  return {{std::move(sentence), Table{"claims",
+                                      "",
+                                      {column_of<std::string>("claim", "", "", claims, &Claim::id),
+                                       column_of<std::string>("verdict", "", "", claims, verdict),
+                                       column_of<std::string>("measured", "", "", claims, number),
+                                       column_of<std::string>("remark", "", "", claims, &Claim::remark)}}},
+          {}};
+}
+
+// An expected verdict has the colour of a verdict if it differs from the measured one.
+ListField expected_field(const Claim& claim, const VerdictsByClaim& expected,
+                         const std::array<Tone, 4>& tones) {
+  const auto verdict = expected.find(claim.id);
+  if (verdict == expected.end()) return {.text = "no verdict", .fill = Tone::hairline};
+  if (verdict->second == name_of(claim.verdict)) return {.text = verdict->second};
+  const auto name = std::find(kClaimVerdictNames.begin(), kClaimVerdictNames.end(), verdict->second);
+  return {.text = verdict->second,
+          .fill = tones[static_cast<std::size_t>(name - kClaimVerdictNames.begin())]};
+}
+
+Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* expected) {
+  constexpr std::array<Tone, 4> kTones = {Tone::good, Tone::notable, Tone::bad, Tone::hairline};
+  Listing listing{
+      .columns = {
+          {.title = "section", .width_px = 52},
+          {.title = "sentence; what was measured, or when it holds", .width_px = 650, .letters_max = 98},
+          {.title = "verdict", .width_px = 120},
+          {.title = "measured", .width_px = 110, .is_right = true}}};
+  if (expected != nullptr)
+    listing.columns.insert(listing.columns.begin() + 3, {.title = "expected", .width_px = 120});
+  for (const Claim& claim : claims) {
+    // The condition is worth more to a reader than the measurement.
+    const bool has_condition = claim.verdict == ClaimVerdict::holds_when && !claim.remark.empty();
+    std::vector<ListField> row = {
+        {.text = claim.section()},
+        {.text = claim.sentence, .detail = has_condition ? claim.remark : claim.measured},
+        {.text = std::string(name_of(claim.verdict)) + (has_condition ? " …" : ""),
+         .fill = kTones[static_cast<std::size_t>(claim.verdict)]},
+        {.text = number_text(claim, false)}};
+    if (expected != nullptr) row.insert(row.begin() + 3, expected_field(claim, *expected, kTones));
+    listing.rows.push_back(std::move(row));
+  }
+  Figure figure{
+      .title = "The paper's claims, measured",
+      .subtitle = expected == nullptr
+                      ? "Each sentence against the core"
+                      : "Each sentence against the core; an expected verdict that differs is coloured"};
+  figure.body = std::move(listing);
+  return figure;
+}
+
+StudyResult run(const StudyRequest& request) {
+  const std::vector<Claim> claims = all_claims(step_time_s(request.now_ns));
+  std::optional<VerdictsByClaim> expected;
+  if (request.expected) expected = checked_verdicts(*request.expected, claims);
+  StudyResult result{.tables = {claim_table(claims)},
+                     .figures = {claim_figure(claims, expected ? &*expected : nullptr)},
+                     .verdict = verdict_of(claims),
+                     .summary = {summary_of(claim_table(claims))}};
+  if (expected) result.verdict.broken = differences(claims, *expected, request.expected->path);
+  return result;
+}
+
+}  // namespace
+
+Study paper_study() {
+  return {
+      .name = "paper", .summary = "every claim of the paper, measured", .takes_expected = true, .run = run};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,119 @@
+// Sections 5 to 7: the constants of table 1; frame-rate independence, sizes, stopping, drawing; speed.
+#include "sim/reference/model.h"
+#include "sim/study/paper/claim_probe.h"
+
+namespace hyrax {
+namespace {
+
+Claim constant(const char* id, const char* sentence, double core, double paper, const char* unit) {
+  return {id,
+          sentence,
+          "the core's value",
+          core,
+          unit,
+          holds_if(core == paper),
+          core == paper ? "" : fmt::format("the paper has {}", paper),
+          true};
+}
+
+// Where one fling settles at displays of 24 to 240 Hz.
+Claim frame_rate() {
+  constexpr State kFling{100.0, 100.0, 900.0, -1200.0};
+  constexpr double kApproximately = 0.05;
+  Extremes x_px;
+  for (const double rate_hz : {24.0, 30.0, 60.0, 75.0, 120.0, 144.0, 165.0, 240.0})
+    x_px.include(state_after(kFling, rate_hz, 20.0).x_px);
+  const double spread_px = x_px.most - x_px.least;
+  return {"6.1-frame-rate",
+          "real elapsed time ensures that the simulation remains approximately frame-rate independent",
+          "spread of the resting places of one fling, 24 to 240 Hz",
+          spread_px,
+          "px",
+          holds_if(spread_px <= kApproximately * kDesktop.right_px),
+          "from " + digits(x_px.least) + " to " + digits(x_px.most) +
+              " px; a twentieth of the window would be approximate"};
+}
+
+// The largest jump of a step of a slow sprite that is larger than its window by 28 and 48 px.
+Claim sizes() {
+  constexpr Bounds kNoRoom{-28, -48};
+  State body{-10.0, -20.0, 1.0, 1.0};
+  double jump_px = 0.0;
+  for (int step = 0; step < 600; ++step) {
+    const State after = core_step(body, kSixtieth_s, kNoRoom);
+    jump_px = std::max({jump_px, std::fabs(after.x_px - body.x_px), std::fabs(after.y_px - body.y_px)});
+    body = after;
+  }
+  return {
+      "6.1-sizes",
+      "the sizes of screen and sprite allow the engine to compute collision boundaries correctly",
+      "largest jump in a step of a slow sprite that is 48 px higher than its window",
+      jump_px,
+      "px",
+      jump_px <= 30.0 ? ClaimVerdict::holds : ClaimVerdict::holds_when,
+      jump_px <= 30.0 ? "" : "when the sprite fits the window; a larger one is thrown from bound to bound"};
+}
+
+// What resetVelocity does, and how gravity moves the sprite in the second after.
+Claim stopping() {
+  const State stopped = core_stopped({900.0, 100.0, 700.0, -300.0});
+  const bool is_stopped = stopped.vx_px_per_s == 0.0 && stopped.vy_px_per_s == 0.0;
+  const State after = core_steps(stopped, kSixtieth_s, kOpen, 60);
+  const double moved_px = std::hypot(after.x_px - stopped.x_px, after.y_px - stopped.y_px);
+  return {"6.1-reset",
+          "resetVelocity sets both velocity components to zero, stopping all motion",
+          "way that a sprite stopped in the air goes in the second after",
+          moved_px,
+          "px",
+          !is_stopped       ? ClaimVerdict::does_not_hold
+          : moved_px == 0.0 ? ClaimVerdict::holds
+                            : ClaimVerdict::holds_when,
+          !is_stopped
+              ? "it leaves (" + digits(stopped.vx_px_per_s) + ", " + digits(stopped.vy_px_per_s) + ") px/s"
+          : moved_px == 0.0 ? ""
+                            : "when it is on the ground; in the air gravity starts it again"};
+}
+
+Claim drawing() {
+  double least_px = 1e300;
+  State body{500.0, 300.0, -2000.0, 0.0};
+  for (int step = 0; step < 60; ++step) {
+    body = core_step(body, kSixtieth_s, kDesktop);
+    least_px = std::min(least_px, body.x_px - kSpriteSide_px / 2);
+  }
+  return {"6.2-drawing",
+          "draw the sprite at left = x - w/2, top = y - h/2",
+          "leftmost edge of a sprite of 128 px drawn so",
+          least_px,
+          "px",
+          holds_if(least_px >= 0.0),
+          least_px < 0.0 ? digits(-least_px) + " px of it are outside the window; x, y is its corner" : ""};
+}
+
+}  // namespace
+
+std::vector<Claim> constant_claims() {
+  const Constants core = core_constants();
+  const Model paper;  // The reference has its own copy of the table.
+  return {
+      constant("5-gravity", "GRAVITY 1200.0", core.gravity_px_per_s2, paper.gravity_px_per_s2, "px/s2"),
+      constant("5-restitution", "RESTITUTION 0.6", core.restitution, paper.restitution, "1"),
+      constant("5-air-drag", "AIR_DRAG 0.999, velocity multiplier per frame", core.air_drag, paper.air_drag,
+               "1"),
+      constant("5-ground-friction", "GROUND_FRICTION 0.8", core.ground_friction, paper.ground_friction, "1"),
+      constant("5-rest-threshold", "REST_THRESHOLD 5.0, minimum |vy| to consider at rest",
+               core.rest_threshold_px_per_s, paper.rest_threshold_px_per_s, "px/s"),
+  };
+}
+
+std::vector<Claim> use_claims() { return {frame_rate(), sizes(), stopping(), drawing()}; }
+
+std::vector<Claim> speed_claims(double step_s) {
+  constexpr double kFast = 1e-3;  // A thousandth of a frame: nobody notices it.
+  const double share = step_s / kSixtieth_s;
+  return {{"7-fast", "Using C++ makes it fast",
+           "time of a step, as a part of a frame of a sixtieth of a second", share, "1",
+           holds_if(share < kFast), ""}};
+}
+
+}  // namespace hyrax

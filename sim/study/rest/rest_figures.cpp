@@ -1,0 +1,113 @@
+#include "sim/study/rest/rest_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "sim/study/display_rates.h"
+
+namespace hyrax {
+namespace {
+
+// Where the picture steps from the states at one rate to those at the next: at the boundary between them, or
+// half way on the logarithmic axis.
+double step_between(double low_hz, double high_hz, const std::vector<RestBoundary>& boundaries) {
+  for (const RestBoundary& boundary : boundaries)
+    if (boundary.analytic_hz > low_hz && boundary.analytic_hz < high_hz) return boundary.analytic_hz;
+  return std::sqrt(low_hz * high_hz);
+}
+
+// The part of the flings that end in `state`, above those in the states after it.
+Series band_of(const RestResults& results, FinalState state, Tone tone) {
+  const std::vector<RateEnds>& map = results.map;
+  Series series{.name = std::string(text_of(state)), .look = {.form = Form::band, .tone = tone}};
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    double below = 0.0;
+    if (state == FinalState::zero_speed) below += map[i].percent(FinalState::two_cycle);
+    if (state != FinalState::residual_speed) below += map[i].percent(FinalState::residual_speed);
+    const double from_hz =
+        i == 0 ? map[i].rate_hz : step_between(map[i - 1].rate_hz, map[i].rate_hz, results.boundaries);
+    const double to_hz = i + 1 == map.size()
+                             ? map[i].rate_hz
+                             : step_between(map[i].rate_hz, map[i + 1].rate_hz, results.boundaries);
+    for (const double rate_hz : {from_hz, to_hz}) {
+      series.x.push_back(rate_hz);
+      series.y.push_back(below + map[i].percent(state));
+      series.y_low.push_back(below);
+    }
+  }
+  return series;
+}
+
+Figure state_figure(const RestResults& results) {
+  Plot plot{.x = display_rate_axis(20, 1000),
+            .y = {.label = "flings, %; dashed: analytic boundaries, Hz", .low = 0, .high = 100},
+            .series = {band_of(results, FinalState::residual_speed, Tone::vermilion),
+                       band_of(results, FinalState::two_cycle, Tone::orange),
+                       band_of(results, FinalState::zero_speed, Tone::green)}};
+  for (const RestBoundary& boundary : results.boundaries)
+    plot.marks.push_back({.at = boundary.analytic_hz, .text = fmt::format("{:.2f}", boundary.analytic_hz)});
+  Figure figure{.title = "How a fling ends on the floor",
+                .subtitle = "The position stands still in all three; only vy differs, which cannot be seen",
+                .legend = {{"residual speed: vy constant", plot.series[0].look},
+                           {"two-cycle: vy 0 in every other row", plot.series[1].look},
+                           {"zero speed: vy exactly 0", plot.series[2].look}}};
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
+
+Figure time_figure(const std::vector<RateEnds>& map) {
+  Series spread{.name = "eight of ten flings", .look = {.form = Form::band, .tone = Tone::hairline}};
+  Series median{.name = "median", .look = {.tone = Tone::blue}};
+  for (const RateEnds& ends : map) {
+    for (Series* const series : {&spread, &median}) series->x.push_back(ends.rate_hz);
+    spread.y.push_back(ends.time_high_s);
+    spread.y_low.push_back(ends.time_low_s);
+    median.y.push_back(ends.time_median_s);
+  }
+  Figure figure{.suffix = "-time",
+                .title = "Time to settle",
+                .subtitle = "Time until a random fling stays within half a pixel of the floor",
+                .legend = {{median.name, median.look}, {spread.name, spread.look}}};
+  figure.body = std::vector{Plot{.x = display_rate_axis(20, 1000),
+                                 .y = {.label = "time, s", .low = 0},
+                                 .series = {std::move(spread), std::move(median)}}};
+  return figure;
+}
+
+Figure bounce_figure(std::vector<DropBounce> bounces) {
+  constexpr std::array<Tone, 7> kTones = {Tone::vermilion, Tone::orange, Tone::blue, Tone::purple,
+                                          Tone::sky_blue,  Tone::green,  Tone::ink};
+  std::sort(bounces.begin(), bounces.end(),
+            [](const DropBounce& a, const DropBounce& b) { return a.phase < b.phase; });
+  std::map<double, Series> rates;
+  for (const DropBounce& bounce : bounces) {
+    rates[bounce.rate_hz].x.push_back(bounce.phase);
+    rates[bounce.rate_hz].y.push_back(bounce.restitution);
+  }
+  Plot plot{.x = {.label = "part of the contact's step below the floor", .low = 0, .high = 1},
+            .y = {.label = "effective restitution; dashed: that of the core", .decimals = 3},
+            .marks = {{.is_vertical = false, .at = core_constants().restitution}}};
+  Figure figure{.suffix = "-restitution",
+                .title = "Effective restitution",
+                .subtitle = "Speed after the first bounce of a drop over the speed of the exact impact"};
+  for (auto& [rate_hz, series] : rates) {
+    series.name = fmt::format("{:.0f} Hz", rate_hz);
+    series.look = {.tone = kTones[plot.series.size() % kTones.size()]};
+    figure.legend.push_back({series.name, series.look});
+    plot.series.push_back(std::move(series));
+  }
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> rest_figures(const RestResults& results) {
+  return {state_figure(results), time_figure(results.map), bounce_figure(results.bounces)};
+}
+
+}  // namespace hyrax

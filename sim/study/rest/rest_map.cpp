@@ -1,0 +1,180 @@
+#include "sim/study/rest/rest_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/reference/flight.h"
+#include "sim/scenario/split_mix64.h"
+
+namespace hyrax {
+namespace {
+
+constexpr Bounds kBounds{1792, 952};
+constexpr double kUntil_s = 15.0;  // Longer than any fling of the map takes to settle.
+
+double gain_px_per_s(double rate_hz) {
+  const Constants core = core_constants();
+  return core.air_drag * core.gravity_px_per_s2 / rate_hz;
+}
+
+double residual_px_per_s(double rate_hz) {
+  const Constants core = core_constants();
+  return -core.restitution * gain_px_per_s(rate_hz) / (1.0 + core.air_drag * core.restitution);
+}
+
+bool is_near(double a, double b) { return std::fabs(a - b) <= 1e-6 * std::fabs(b); }
+
+// On the floor at this speed, `steps` later.
+std::array<double, 2> speeds_after(double vy_px_per_s, double rate_hz, std::int64_t steps) {
+  const double dt_s = 1.0 / rate_hz;
+  const State row =
+      core_steps({900.0, static_cast<double>(kBounds.bottom_px), 0.0, vy_px_per_s}, dt_s, kBounds, steps);
+  return {row.vy_px_per_s, core_step(row, dt_s, kBounds).vy_px_per_s};
+}
+
+bool stays_at_zero(double rate_hz) {
+  const auto [first, second] = speeds_after(0.0, rate_hz, 2);
+  return first == 0.0 && second == 0.0;
+}
+bool keeps_residual_speed(double rate_hz) {
+  const auto [first, second] = speeds_after(residual_px_per_s(rate_hz), rate_hz, 1000);
+  return first != 0.0 && second != 0.0;
+}
+bool returns_to_zero(double rate_hz) {
+  const auto [first, second] = speeds_after(0.0, rate_hz, 1000);
+  return first == 0.0 || second == 0.0;
+}
+
+// The rate at which `holds` changes, by bisection between 1 and 100,000 Hz.
+template <class Holds>
+std::optional<double> changes_at(const Holds& holds) {
+  double low_hz = 1.0, high_hz = 1e5;
+  const bool at_low = holds(low_hz);
+  if (at_low == holds(high_hz)) return std::nullopt;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle_hz = 0.5 * (low_hz + high_hz);
+    (holds(middle_hz) == at_low ? low_hz : high_hz) = middle_hz;
+  }
+  return high_hz;
+}
+
+// Whether the boundaries allow this state at this rate; next to a boundary rounding decides, and any is
+// allowed.
+bool is_allowed(FinalState state, double rate_hz, const std::vector<RestBoundary>& boundaries) {
+  for (const RestBoundary& boundary : boundaries)
+    if (std::fabs(rate_hz / boundary.analytic_hz - 1.0) < 1e-6) return state != FinalState::moving;
+  if (rate_hz > boundaries[0].analytic_hz) return state == FinalState::zero_speed;
+  if (rate_hz > boundaries[1].analytic_hz) return state == FinalState::two_cycle;
+  if (rate_hz > boundaries[2].analytic_hz)
+    return state == FinalState::two_cycle || state == FinalState::residual_speed;
+  return state == FinalState::residual_speed;
+}
+
+struct End {
+  FinalState state = FinalState::moving;
+  double time_s = 0.0;
+};
+
+// x does not affect it.
+End end_of_fling(double y_px, double vy_px_per_s, double rate_hz) {
+  constexpr double kStill_px = 0.5;
+  const double dt_s = 1.0 / rate_hz;
+  const auto steps = static_cast<std::int64_t>(kUntil_s * rate_hz);
+  State body{900.0, y_px, 0.0, vy_px_per_s};
+  End end;
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    body = core_step(body, dt_s, kBounds);
+    if (body.y_px < kBounds.bottom_px - kStill_px) end.time_s = static_cast<double>(step) * dt_s;
+  }
+  end.state = final_state(body, core_step(body, dt_s, kBounds), rate_hz, kBounds.bottom_px);
+  return end;
+}
+
+RateEnds ends_at(double rate_hz, std::int64_t flings, const std::vector<RestBoundary>& boundaries) {
+  RateEnds ends{.rate_hz = rate_hz, .gain_px_per_s = gain_px_per_s(rate_hz)};
+  constexpr std::uint64_t kSeed = 20;  // The same flings at every rate.
+  std::vector<double> times_s;
+  for (std::uint64_t fling = 0; fling < static_cast<std::uint64_t>(flings); ++fling) {
+    const double y_px = kBounds.bottom_px * split_mix64_unit(kSeed, 2 * fling);
+    const double vy_px_per_s = 4000.0 * split_mix64_unit(kSeed, 2 * fling + 1) - 2000.0;
+    const End end = end_of_fling(y_px, vy_px_per_s, rate_hz);
+    ++ends.flings[static_cast<std::size_t>(end.state)];
+    if (!is_allowed(end.state, rate_hz, boundaries)) ++ends.unforeseen;
+    times_s.push_back(end.time_s);
+  }
+  std::sort(times_s.begin(), times_s.end());
+  ends.time_low_s = times_s[times_s.size() / 10];
+  ends.time_median_s = times_s[times_s.size() / 2];
+  ends.time_high_s = times_s[times_s.size() - 1 - times_s.size() / 10];
+  return ends;
+}
+
+}  // namespace
+
+bool RestBoundary::agrees() const {
+  return measured_hz.has_value() && std::fabs(*measured_hz / analytic_hz - 1.0) < 1e-9;
+}
+
+std::vector<RestBoundary> rest_boundaries() {
+  const Constants core = core_constants();
+  const double kept = core.air_drag * core.restitution;
+  // The rate at which one step of gravity adds `gain`.
+  const auto rate_of = [&core](double gain) { return core.air_drag * core.gravity_px_per_s2 / gain; };
+  const double threshold = core.rest_threshold_px_per_s / core.restitution;
+  return {{"rest above, cycle below", "zero speed above, two-cycle below", rate_of(threshold),
+           changes_at(stays_at_zero)},
+          {"buzz possible below", "residual speed possible below", rate_of(threshold * (1.0 + kept)),
+           changes_at(keeps_residual_speed)},
+          {"cycle possible above", "two-cycle possible above", rate_of(threshold / (1.0 - kept)),
+           changes_at(returns_to_zero)}};
+}
+
+FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px) {
+  if (row.y_px != bottom_px || next.y_px != bottom_px) return FinalState::moving;
+  const double a = row.vy_px_per_s, b = next.vy_px_per_s;
+  if (a == 0.0 && b == 0.0) return FinalState::zero_speed;
+  const double thrown_px_per_s = -core_constants().restitution * gain_px_per_s(rate_hz);
+  if ((a == 0.0 && is_near(b, thrown_px_per_s)) || (b == 0.0 && is_near(a, thrown_px_per_s)))
+    return FinalState::two_cycle;
+  const double residual = residual_px_per_s(rate_hz);
+  return is_near(a, residual) && is_near(b, residual) ? FinalState::residual_speed : FinalState::moving;
+}
+
+std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t flings) {
+  const std::vector<RestBoundary> boundaries = rest_boundaries();
+  std::vector<RateEnds> map;
+  map.reserve(rates_hz.size());
+  for (const double rate_hz : rates_hz) map.push_back(ends_at(rate_hz, flings, boundaries));
+  return map;
+}
+
+std::vector<DropBounce> bounces_at(double rate_hz, std::int64_t phases) {
+  constexpr double kHeight_px = 600.0;
+  const Constants core = core_constants();
+  const double dt_s = 1.0 / rate_hz;
+  const double last_way_px = std::sqrt(2.0 * core.gravity_px_per_s2 * kHeight_px) * dt_s;
+  std::vector<DropBounce> bounces;
+  for (std::int64_t phase = 0; phase < phases; ++phase) {
+    const double height_px =
+        kHeight_px + last_way_px * static_cast<double>(phase) / static_cast<double>(phases);
+    const std::optional<Impact> impact =
+        time_of_impact({.position_px = -height_px,
+                        .speed_px_per_s = 0.0,
+                        .acceleration_px_per_s2 = core.gravity_px_per_s2,
+                        .drag_rate_per_s = -std::log(core.air_drag) * rate_hz},
+                       60.0);
+    State body{900.0, kBounds.bottom_px - height_px, 0.0, 0.0};
+    for (std::int64_t step = 0; step < static_cast<std::int64_t>(kUntil_s * rate_hz); ++step) {
+      const State flight = core_flight(body, dt_s);
+      body = core_step(body, dt_s, kBounds);
+      if (!(flight.y_px > kBounds.bottom_px)) continue;
+      if (impact && impact->speed_px_per_s > 0.0)
+        bounces.push_back({rate_hz, (flight.y_px - kBounds.bottom_px) / (flight.vy_px_per_s * dt_s),
+                           -body.vy_px_per_s / impact->speed_px_per_s});
+      break;
+    }
+  }
+  return bounces;
+}
+
+}  // namespace hyrax

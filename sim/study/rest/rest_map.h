@@ -1,0 +1,82 @@
+// How a sprite ends on the floor: at which display rates, when, and after which bounces.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/study/methods/core.h"
+
+namespace hyrax {
+
+/// The ways a sprite ends, by two consecutive rows. In the first three its position stands still, exactly on
+/// the floor, and only vy differs: exactly 0; 0 in every other row; constant (or alternating between
+/// neighbouring doubles).
+enum class FinalState : std::uint8_t { zero_speed, two_cycle, residual_speed, moving };
+/// In files.
+inline constexpr std::array<std::string_view, 4> kFinalStateNames = {"rest", "cycle", "buzz", "moving"};
+/// For readers.
+[[nodiscard]] inline std::string_view text_of(FinalState state) {
+  constexpr std::array<std::string_view, 4> kTexts = {"zero speed", "two-cycle", "residual speed", "moving"};
+  return kTexts[static_cast<std::size_t>(state)];
+}
+
+/// A display rate at which the possible final states change, derived from the core's constants and found on
+/// the core.
+///
+/// In (y, vy) the floor is a map. With g = drag * G * dt, b = restitution, a = drag and the threshold e:
+///   0 stays 0 where b g < e;
+///   the residual speed -b g / (1 + a b) stays above the threshold where b g / (1 + a b) >= e;
+///   the two-cycle 0, -b g, 0 comes back to 0 where b g (1 - a b) < e.
+struct RestBoundary {
+  std::string name;  ///< In files.
+  std::string text;  ///< For readers.
+  double analytic_hz = 0.0;
+  std::optional<double> measured_hz;  ///< None where the core has no such boundary.
+  [[nodiscard]] bool agrees() const;
+};
+[[nodiscard]] std::vector<RestBoundary> rest_boundaries();
+
+/// Random flings at one rate.
+struct RateEnds {
+  double rate_hz = 0.0;
+  double gain_px_per_s = 0.0;  ///< Speed that one step of gravity adds, after drag.
+  std::array<std::int64_t, kFinalStateNames.size()> flings{};  ///< By FinalState.
+  std::int64_t unforeseen = 0;  ///< Flings in a final state that the boundaries do not allow.
+  double time_low_s = 0.0;      ///< Until the last row more than 0.5 px above the floor: first decile,
+  double time_median_s = 0.0;
+  double time_high_s = 0.0;  ///< last decile.
+
+  [[nodiscard]] std::int64_t count(FinalState state) const { return flings[static_cast<std::size_t>(state)]; }
+  [[nodiscard]] std::int64_t total() const {
+    return std::accumulate(flings.begin(), flings.end(), std::int64_t{0});
+  }
+  [[nodiscard]] double percent(FinalState state) const {
+    return 100.0 * static_cast<double>(count(state)) / static_cast<double>(total());
+  }
+};
+/// @param flings of random heights and speeds, the same at each rate. REQUIRES: at least one.
+[[nodiscard]] std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t flings);
+
+/// The first bounce of a drop.
+struct DropBounce {
+  double rate_hz = 0.0;
+  double phase = 0.0;        ///< Part of the contact's step below the floor, 0 .. 1.
+  double restitution = 0.0;  ///< Speed after the contact over the speed of the exact impact.
+};
+[[nodiscard]] std::vector<DropBounce> bounces_at(double rate_hz, std::int64_t phases);
+
+struct RestResults {
+  std::vector<RestBoundary> boundaries = {};
+  std::vector<RateEnds> map = {};
+  std::vector<DropBounce> bounces = {};
+};
+
+/// Of two rows, one frame apart.
+[[nodiscard]] FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px);
+
+}  // namespace hyrax

@@ -1,0 +1,221 @@
+#include "sim/study/speed_error/speed_error.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "sim/reference/drift_meter.h"
+#include "sim/replay/replay.h"
+
+namespace hyrax {
+namespace {
+
+using Frames = std::vector<std::vector<double>>;
+
+bool suits(const MethodKind& kind, const Problem& problem) {
+  return kind.meets_walls || problem.is_free_flight;
+}
+
+// All points, their errors measured, and the works that time those that did not fail.
+class Measurer {
+ public:
+  Measurer(SpeedError& study, const SpeedErrorOptions& options) : study_(study), options_(options) {}
+
+  void measure_errors_of_all() {
+    for (std::size_t problem = 0; problem < study_.problems.size(); ++problem)
+      for (std::size_t method = 0; method < study_.methods.size(); ++method) {
+        const MethodKind& kind = study_.methods[method];
+        if (!suits(kind, study_.problems[problem])) continue;
+        if (kind.is_adaptive())
+          add_point(problem, method, kCheckRate_hz);
+        else
+          for (const double rate_hz : options_.rates_hz) add_point(problem, method, rate_hz);
+      }
+  }
+
+  void measure_costs_of_all(const NanosecondClock& now_ns) {
+    const Costs measured = measure_costs(works_, now_ns, options_.cost, options_.report_progress);
+    study_.probe = measured.probe;
+    study_.repetitions = options_.cost.repetitions;
+    for (std::size_t work = 0; work < works_.size(); ++work) {
+      WorkPoint& point = study_.points[timed_[work]];
+      const double duration_s = study_.problems[point.problem].duration_s();
+      const Cost& cost = measured.costs[work];
+      point.cost = {cost.median_ns / duration_s, cost.lower_quartile_ns / duration_s,
+                    cost.upper_quartile_ns / duration_s};
+    }
+  }
+
+ private:
+  void add_point(std::size_t problem, std::size_t method, double rate_hz) {
+    const std::shared_ptr<const Frames>& frames = frames_of(problem, rate_hz);
+    const Problem& played = study_.problems[problem];
+    const MethodKind& kind = study_.methods[method];
+    study_.points.push_back({problem, method, rate_hz, measure_errors(played, kind, *frames, rate_hz), {}});
+    if (study_.points.back().errors.is_failed) return;
+    timed_.push_back(study_.points.size() - 1);
+    const std::shared_ptr<Method> runner = kind.make();
+    works_.push_back(
+        [&played, runner, frames] { static_cast<void>(play_through(played, *runner, *frames)); });
+  }
+
+  const std::shared_ptr<const Frames>& frames_of(std::size_t problem, double rate_hz) {
+    auto& frames = frames_[{problem, rate_hz}];
+    if (!frames) frames = std::make_shared<Frames>(stage_frames_s(study_.problems[problem], rate_hz));
+    return frames;
+  }
+
+  SpeedError& study_;
+  const SpeedErrorOptions& options_;
+  std::map<std::pair<std::size_t, double>, std::shared_ptr<const Frames>> frames_;
+  std::vector<std::function<void()>> works_;
+  std::vector<std::size_t> timed_;
+};
+
+void mark_pareto(SpeedError& study) {
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
+    std::vector<std::size_t> at;
+    std::vector<double> costs, errors;
+    for (std::size_t point = 0; point < study.points.size(); ++point) {
+      const WorkPoint& p = study.points[point];
+      if (p.problem != problem || p.errors.is_failed) continue;
+      at.push_back(point);
+      costs.push_back(p.cost.median_ns);
+      errors.push_back(p.errors.position_px);
+    }
+    const std::vector<bool> is_front = pareto_front(costs, errors);
+    for (std::size_t i = 0; i < at.size(); ++i) study.points[at[i]].is_pareto = is_front[i];
+  }
+}
+
+void fit_orders(SpeedError& study) {
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+    for (std::size_t method = 0; method < study.methods.size(); ++method) {
+      std::vector<double> dt_s, errors;
+      for (const WorkPoint& point : study.points) {
+        if (point.problem != problem || point.method != method || point.errors.is_failed) continue;
+        if (study.methods[method].is_adaptive() || !(point.errors.position_px > rounding_px(point.errors)))
+          continue;
+        dt_s.push_back(1.0 / point.rate_hz);
+        errors.push_back(point.errors.position_px);
+      }
+      constexpr std::size_t kPointsMin = 3;
+      if (dt_s.size() >= kPointsMin)
+        study.orders.push_back({problem, method, dt_s.size(), fitted_order(dt_s, errors)});
+    }
+}
+
+void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px) {
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+    for (const double error_px : errors_asked_px) {
+      CheapestBelow answer{problem, error_px, {}, {}};
+      const auto improve = [&](std::optional<std::size_t>& best, std::size_t point) {
+        if (!best || study.points[point].cost.median_ns < study.points[*best].cost.median_ns) best = point;
+      };
+      for (std::size_t point = 0; point < study.points.size(); ++point) {
+        const WorkPoint& p = study.points[point];
+        if (p.problem != problem || p.errors.is_failed || !(p.errors.position_px < error_px)) continue;
+        improve(answer.point, point);
+        if (p.method == 0) improve(answer.paper_point, point);
+      }
+      study.cheapest.push_back(answer);
+    }
+}
+
+Scenario scenario_of(const Problem& flight, double rate_hz) {
+  const Stage& stage = flight.stages.front();
+  Scenario scenario;
+  scenario.sprite = {1, 1};
+  scenario.window = {static_cast<std::int32_t>(stage.bounds.right_px) + scenario.sprite.width_px,
+                     static_cast<std::int32_t>(stage.bounds.bottom_px) + scenario.sprite.height_px};
+  scenario.start = {flight.start.x_px, flight.start.y_px};
+  scenario.start_velocity = {flight.start.vx_px_per_s, flight.start.vy_px_per_s};
+  scenario.clock.base = FixedRate{rate_hz};
+  scenario.length = std::llround(stage.duration_s * rate_hz);
+  return scenario;
+}
+
+struct OneArc final : DriftSink {
+  void arc(const ArcErrors& arc) override { errors = arc; }
+  ArcErrors errors;
+};
+
+PaperErrors paper_errors(const Problem& flight, double rate_hz) {
+  const Scenario scenario = scenario_of(flight, rate_hz);
+  OneArc arc;
+  DriftMeter meter(scenario, {}, arc);
+  replay(scenario, meter);
+  meter.finish();
+  const Model model;
+  const double a = model.air_drag;
+  const double frames = std::round(flight.stages.front().duration_s * rate_hz);
+  return {rate_hz,
+          arc.errors.implementation_px,
+          arc.errors.truncation_px,
+          arc.errors.model_px,
+          arc.errors.truncation_px_per_s,
+          model.gravity_px_per_s2 / rate_hz * (1.0 - std::pow(a, frames)) *
+              std::fabs(a / (1.0 - a) + 1.0 / std::log(a))};
+}
+
+}  // namespace
+
+double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& errors) {
+  assert(dt_s.size() == errors.size() && dt_s.size() >= 2);
+  const auto n = static_cast<double>(dt_s.size());
+  double mean_x = 0.0, mean_y = 0.0;
+  for (std::size_t i = 0; i < dt_s.size(); ++i) {
+    mean_x += std::log(dt_s[i]) / n;
+    mean_y += std::log(errors[i]) / n;
+  }
+  double covariance = 0.0, variance = 0.0;
+  for (std::size_t i = 0; i < dt_s.size(); ++i) {
+    const double x = std::log(dt_s[i]) - mean_x;
+    covariance += x * (std::log(errors[i]) - mean_y);
+    variance += x * x;
+  }
+  return covariance / variance;
+}
+
+double rounding_px(const MethodErrors& errors) {
+  constexpr double kUnit = 0x1p-52;
+  return 40.0 * kUnit * errors.coordinate_largest_px * std::sqrt(static_cast<double>(errors.frames));
+}
+
+std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors) {
+  assert(costs.size() == errors.size());
+  std::vector<std::size_t> order(costs.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return costs[a] != costs[b] ? costs[a] < costs[b] : errors[a] < errors[b];
+  });
+  std::vector<bool> is_front(costs.size(), false);
+  double best = HUGE_VAL;
+  for (const std::size_t i : order) {
+    if (!(errors[i] < best)) continue;
+    best = errors[i];
+    is_front[i] = true;
+  }
+  return is_front;
+}
+
+SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
+                             const SpeedErrorOptions& options, const NanosecondClock& now_ns) {
+  assert(!problems.empty() && !methods.empty() && methods.front().name == "paper");
+  SpeedError study;
+  study.problems = std::move(problems);
+  study.methods = std::move(methods);
+  Measurer measurer(study, options);
+  measurer.measure_errors_of_all();
+  measurer.measure_costs_of_all(now_ns);
+  mark_pareto(study);
+  fit_orders(study);
+  find_cheapest(study, options.errors_asked_px);
+  if (!study.problems.front().is_free_flight) return study;
+  for (const double rate_hz : options.rates_hz)
+    study.paper.push_back(paper_errors(study.problems.front(), rate_hz));
+  return study;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/study/speed_error/speed_error.h"
+
+namespace hyrax {
+namespace {
+
+// In the order of frame_methods().
+constexpr std::array<Look, 8> kLooks = {
+    {{.tone = Tone::vermilion, .width_px = 4.0},
+     {.tone = Tone::vermilion, .width_px = 2.0, .dash = Dash::short_dashes},
+     {.tone = Tone::orange},
+     {.tone = Tone::purple},
+     {.tone = Tone::sky_blue},
+     {.tone = Tone::blue},
+     {.tone = Tone::green, .width_px = 3.0},
+     {.tone = Tone::ink, .width_px = 2.0, .dash = Dash::long_dashes}}};
+constexpr Look kAdaptiveLook{
+    .form = Form::line_and_points, .tone = Tone::faint, .width_px = 1.5, .marker_size = 0.25};
+constexpr Look kFrontLook{
+    .form = Form::points, .tone = Tone::ink, .marker = Marker::ring, .marker_size = 1.4};
+
+// The points that one line joins: a method at all rates, or a family at all tolerances.
+struct Curve {
+  std::size_t method = 0;  // The first of them.
+  std::vector<const WorkPoint*> points;
+};
+
+std::vector<Curve> curves_of(const SpeedError& study, std::size_t problem) {
+  std::vector<Curve> curves;
+  for (const WorkPoint& point : study.points) {
+    if (point.problem != problem) continue;
+    const std::string& family = study.methods[point.method].family;
+    const auto is_of_it = [&](const Curve& curve) {
+      return curve.method == point.method ||
+             (!family.empty() && study.methods[curve.method].family == family);
+    };
+    auto curve = std::find_if(curves.begin(), curves.end(), is_of_it);
+    if (curve == curves.end()) curve = curves.insert(curves.end(), {point.method, {}});
+    curve->points.push_back(&point);
+  }
+  return curves;
+}
+
+// The two plots of one problem, and their legend.
+class Diagram {
+ public:
+  Diagram(const SpeedError& study, std::size_t problem) : study_(study), curves_(curves_of(study, problem)) {}
+
+  [[nodiscard]] Plot cost_plot() const {
+    Plot plot{.x = {.label = "cost, ns per simulated second", .is_logarithmic = true},
+              .y = error_axis(),
+              .share = 1.3};
+    Series front{.name = "Pareto front", .look = kFrontLook};
+    for (const Curve* const curve : in_drawing_order()) {
+      Series series = series_of(*curve);
+      for (const WorkPoint* const point : curve->points) {
+        series.x.push_back(point->cost.median_ns);
+        series.x_low.push_back(point->cost.lower_quartile_ns);
+        series.x_high.push_back(point->cost.upper_quartile_ns);
+        if (!point->is_pareto) continue;
+        front.x.push_back(point->cost.median_ns);
+        front.y.push_back(point->errors.position_px);
+      }
+      plot.series.push_back(std::move(series));
+    }
+    plot.series.push_back(std::move(front));
+    plot.texts = texts();
+    return plot;
+  }
+
+  [[nodiscard]] Plot dt_plot() const {
+    Plot plot{.x = {.label = "dt, s", .is_logarithmic = true},
+              .y = error_axis(),
+              .marks = {{.at = 1.0 / 60.0, .text = "laws defined at 60 Hz", .tone = Tone::quiet}}};
+    for (const int rate_hz : {15, 60, 240, 960, 3840})
+      plot.x.ticks.push_back({1.0 / rate_hz, fmt::format("1/{}", rate_hz)});
+    for (const Curve* const curve : in_drawing_order()) {
+      if (is_adaptive(*curve)) continue;
+      Series series = series_of(*curve);
+      for (const WorkPoint* const point : curve->points) series.x.push_back(1.0 / point->rate_hz);
+      plot.series.push_back(std::move(series));
+    }
+    return plot;
+  }
+
+  [[nodiscard]] std::vector<LegendEntry> legend() const {
+    std::vector<LegendEntry> entries;
+    bool has_adaptive = false;
+    for (const Curve& curve : curves_) {
+      if (is_adaptive(curve))
+        has_adaptive = true;
+      else
+        entries.push_back(
+            {study_.methods[curve.method].label + ": " + order_text(curve), series_of(curve).look});
+    }
+    if (has_adaptive) entries.push_back({"GSL's steppers, over tolerances", kAdaptiveLook});
+    entries.push_back({"Pareto front: none cheaper and nearer", kFrontLook});
+    return entries;
+  }
+
+ private:
+  [[nodiscard]] bool is_adaptive(const Curve& curve) const {
+    return study_.methods[curve.method].is_adaptive();
+  }
+
+  // Grey first, the paper's step last: the later is drawn over the earlier.
+  [[nodiscard]] std::vector<const Curve*> in_drawing_order() const {
+    std::vector<const Curve*> order;
+    for (const Curve& curve : curves_) order.insert(order.begin(), &curve);
+    std::stable_partition(order.begin(), order.end(),
+                          [&](const Curve* curve) { return is_adaptive(*curve); });
+    return order;
+  }
+
+  // A curve's name, look and errors; a gap where the method failed.
+  [[nodiscard]] Series series_of(const Curve& curve) const {
+    const MethodKind& method = study_.methods[curve.method];
+    Series series{.name = method.family.empty() ? method.label : method.family, .look = kAdaptiveLook};
+    if (!method.is_adaptive() && curve.method < kLooks.size()) {
+      series.look = kLooks[curve.method];
+      series.look.form = Form::line_and_points;
+      series.look.marker_size = 0.5;
+    }
+    for (const WorkPoint* const point : curve.points)
+      series.y.push_back(point->errors.is_failed ? kNotGiven : point->errors.position_px);
+    return series;
+  }
+
+  // No error at all is drawn below the least error, or low enough that large errors do not lie flat.
+  [[nodiscard]] Axis error_axis() const {
+    constexpr double kLeastAmongLarge_px = 1e-2;
+    double least_px = kLeastAmongLarge_px;
+    for (const Curve& curve : curves_)
+      for (const WorkPoint* const point : curve.points)
+        if (point->errors.position_px > 0.0) least_px = std::min(least_px, point->errors.position_px);
+    return {.label = "distance, px (largest over the run)",
+            .is_logarithmic = true,
+            .zero_at = std::pow(10.0, std::floor(std::log10(least_px)) - 2.0)};
+  }
+
+  // The names of GSL's steppers, each at its most accurate point, and what the line of zeros is.
+  [[nodiscard]] std::vector<PointText> texts() const {
+    std::vector<PointText> texts;
+    const WorkPoint* zero = nullptr;
+    for (const Curve& curve : curves_) {
+      const WorkPoint* last = nullptr;
+      for (const WorkPoint* const point : curve.points) {
+        if (point->errors.is_failed) continue;
+        last = point;
+        if (point->errors.position_px == 0.0 && (!zero || zero->cost.median_ns < point->cost.median_ns))
+          zero = point;
+      }
+      const std::string& family = study_.methods[curve.method].family;
+      if (last != nullptr && !family.empty())
+        texts.push_back(
+            {last->cost.median_ns, last->errors.position_px, family.substr(family.rfind(' ') + 1)});
+    }
+    if (zero != nullptr) texts.push_back({zero->cost.median_ns, 0.0, "no error at all"});
+    return texts;
+  }
+
+  [[nodiscard]] std::string order_text(const Curve& curve) const {
+    const bool is_exact = std::all_of(curve.points.begin(), curve.points.end(), [](const WorkPoint* point) {
+      return point->errors.position_px <= rounding_px(point->errors);
+    });
+    if (is_exact) return "exact to rounding";
+    for (const OrderFit& fit : study_.orders)
+      if (fit.problem == curve.points.front()->problem && fit.method == curve.method)
+        return fmt::format("order {}{:.2f}", fit.order < 0.0 ? "−" : "", std::fabs(fit.order));
+    return "too few points for an order";
+  }
+
+  const SpeedError& study_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace
+
+Figure speed_error_figure(const SpeedError& study, std::size_t problem, const std::string& machine) {
+  assert(problem < study.problems.size());
+  const Problem& played = study.problems[problem];
+  const Diagram diagram(study, problem);
+  Figure figure{
+      .suffix = problem == 0 ? std::string() : "-" + played.name,
+      .title = "Speed against error: " + played.label + (played.remark.empty() ? "" : ", " + played.remark),
+      .subtitle =
+          fmt::format("Distance from the fixed laws (drag as at 60 Hz, exact impacts); bars: quartiles "
+                      "of {} repetitions on {}",
+                      study.repetitions, machine),
+      .body = std::vector{diagram.cost_plot(), diagram.dt_plot()},
+      .legend = diagram.legend()};
+  if (problem == 0) figure.remarks = convergence_sentences(study);  // They are about its free flight.
+  return figure;
+}
+
+std::vector<std::string> convergence_sentences(const SpeedError& study) {
+  const auto at_60 = std::find_if(study.paper.begin(), study.paper.end(),
+                                  [](const PaperErrors& paper) { return paper.rate_hz == 60.0; });
+  if (at_60 == study.paper.end()) return {};
+  const PaperErrors& last = study.paper.back();
+  return {
+      "Drag per frame keeps the paper's step from converging: each frame takes 0.1 % of the speed, however "
+      "short it is.",
+      fmt::format("Over {}, its error is {:.3g} px at 60 Hz and {:.3g} px at {:.0f} Hz.",
+                  study.problems.front().label, at_60->model_px, last.model_px, last.rate_hz)};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,69 @@
+// One contract for every study. A study is a folder here and a line in studies.cpp.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/result/figure.h"
+#include "sim/result/table.h"
+#include "sim/result/verdict.h"
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// A scenario and what the user called its file.
+struct NamedScenario {
+  std::string path = {};
+  Scenario scenario = {};
+};
+
+/// Verdicts that the user expects, each with the name of what it is about.
+struct ExpectedVerdicts {
+  std::string path = {};  ///< Of their file.
+  std::vector<std::pair<std::string, std::string>> verdicts = {};
+};
+
+/// What the user asked of a study, and what a study may not do itself.
+struct StudyRequest {
+  std::vector<NamedScenario> scenarios = {};  ///< Of different names.
+  bool is_quick = false;                      ///< A smaller study, in seconds.
+  std::optional<double> within_px = {};       ///< A tolerance.
+  std::optional<ExpectedVerdicts> expected = {};
+  std::string machine = {};            ///< Name of the processor, for results that depend on it.
+  std::int64_t (*now_ns)() = nullptr;  ///< A clock that never goes back.
+  /// Called from time to time with what is counted ("steps"), how many are done, and of how many.
+  std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress = {};
+};
+
+struct StudyResult {
+  std::vector<Table> tables = {};  ///< At least one; the first is also the CSV file.
+  std::vector<Figure> figures = {};
+  Verdict verdict = {};
+  std::vector<Table> summary = {};  ///< The study's own members of the JSON document.
+};
+
+/// The request does not suit the study: a line for each fault, beginning with its place.
+struct RequestRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Study {
+  std::string name = {};     ///< On the command line: "frame-rate".
+  std::string summary = {};  ///< In a few words, for the help.
+  bool takes_scenarios = false;
+  bool takes_within = false;
+  bool takes_expected = false;
+  std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
+  /// ERRORS: RequestRefused.
+  StudyResult (*run)(const StudyRequest& request) = nullptr;
+};
+
+/// All of them, in the order of the help.
+[[nodiscard]] const std::vector<Study>& studies();
+
+}  // namespace hyrax

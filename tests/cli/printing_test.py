@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+"""How much is printed (--quiet, --verbose), colour on a terminal, and scenarios on standard input."""
+
+import json
+import os
+import pty
+import subprocess
+
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling, main
+
+GREEN, RED = "\x1b[32m", "\x1b[31m"
+
+
+class Detail(ProgramTest):
+    """-q prints errors and verdicts only, -v more, and neither changes a document or an exit code."""
+
+    def setUp(self):
+        super().setUp()
+        self.path, = self.project("fling")
+        self.expect(AGREED, "run", self.path)
+
+    def printed(self, *arguments, exit_code=AGREED):
+        """What is printed by default, with -q and with -v."""
+        return [self.expect(exit_code, *arguments, *option).out for option in ((), ("-q",), ("--verbose",))]
+
+    def test_quiet_is_the_verdict(self):
+        for arguments, verdict in ((("run", self.path), "fling: agreed; written: fling.h5\n"),
+                                   (("check",), "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed\n"),
+                                   (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n"),
+                                   (("validate", self.path), "1 of 1 good\n"),
+                                   (("new", "other", "--force"), "written: other.json (600 steps)\n"),
+                                   (("info",), "self_test        strict IEEE-754 double arithmetic\n")):
+            self.assertEqual(self.printed(*arguments)[1], verdict, arguments)
+        self.assertRegex(self.printed("drift", self.path)[1], r"^fling: largest errors: implementation .* px\n$")
+
+    def test_verbose_is_more_than_the_default_and_that_is_more_than_quiet(self):
+        for arguments in (("run", self.path), ("diff", "fling.h5", "fling.h5"), ("validate", self.path)):
+            normal, quiet, verbose = map(len, self.printed(*arguments))
+            self.assertLessEqual(quiet, normal, arguments)
+            self.assertLess(normal, verbose, arguments)
+        self.assertIn(f"{self.path}: agreed\n", self.printed("check")[2])
+        self.assertIn("  clamped steps  right ", self.printed("run", self.path)[2])
+
+    def test_a_disagreement_is_a_verdict(self):
+        self.write(self.path, fling(start={"x_px": 1, "y_px": 2}))
+        _, run, _ = self.printed("run", self.path, exit_code=DISAGREED)
+        self.assertEqual(run, "fling: disagreed; written: fling.h5\n")
+        _, check, _ = self.printed("check", exit_code=DISAGREED)
+        self.assertEqual(check, "1 checked: 0 agreed, 1 disagreed, 0 without golden file, 0 failed\n")
+        bless = self.expect(AGREED, "bless", self.path, "--reason", "x", "-q").out
+        self.assertEqual(bless, f"{self.path}: blessed, golden/fling.h5\n")
+
+    def test_errors_are_printed(self):
+        bad = self.write("scenarios/bad.json", "{")
+        for arguments in (("run", bad), ("validate", bad), ("check", bad), ("drift", bad), ("bless", bad, "--reason", "x")):
+            self.expect(BAD_INPUT, *arguments, "-q", says="bad.json: line 1, column")
+
+    def test_a_document_is_the_same(self):
+        for arguments in (("run", self.path), ("diff", "fling.h5", "fling.h5"), ("validate", self.path), ("info",)):
+            normal, quiet, verbose = self.printed(*arguments, "--json")
+            self.assertEqual((quiet, verbose), (normal, normal), arguments)
+
+
+class Colour(ProgramTest):
+    """Verdicts have a colour on a terminal."""
+
+    def shown(self, *arguments, **variables):
+        """What a terminal shows as standard output."""
+        keeper, terminal = pty.openpty()
+        environment = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
+        shown = b""
+        with subprocess.Popen([str(PROGRAM), *arguments], cwd=self.folder, stdout=terminal, stderr=subprocess.DEVNULL,
+                              stdin=subprocess.DEVNULL, env={**environment, "TERM": "xterm", **variables}) as process:
+            os.close(terminal)
+            try:
+                while part := os.read(keeper, 65536):
+                    shown += part
+            except OSError:
+                pass  # The terminal is closed.
+        os.close(keeper)
+        return process.returncode, shown.decode().replace("\r\n", "\n")
+
+    def test_only_the_verdict_has_it(self):
+        path, = self.project("fling")
+        plain = self.expect(AGREED, "run", path).out
+        exit_code, shown = self.shown("run", path)
+        self.assertEqual(exit_code, AGREED)
+        self.assertEqual(shown, plain.replace("agrees bit", f"{GREEN}agrees\x1b[0m bit"))
+        self.write(path, fling(start={"x_px": 1, "y_px": 2}))
+        exit_code, shown = self.shown("check")
+        self.assertEqual(exit_code, DISAGREED)
+        self.assertTrue(shown.startswith(f"{path}: {RED}disagreed\x1b[0m\n"), shown)
+        self.assertEqual(shown.count("\x1b"), 2)
+
+    def test_without_a_colour_terminal_there_is_none(self):
+        path, = self.project("fling")
+        plain = self.expect(AGREED, "run", path).out
+        for variables in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+            self.assertEqual(self.shown("run", path, **variables), (AGREED, plain))
+        self.assertIn(GREEN, self.shown("run", path, NO_COLOR="")[1], "an empty NO_COLOR is not set")
+
+    def test_a_path_cannot_add_it(self):
+        path = self.write("a\x1b[31mb.json", fling())
+        exit_code, shown = self.shown("validate", path)
+        self.assertEqual((exit_code, shown), (AGREED, f"a\\u001b[31mb.json: {GREEN}good\x1b[0m, 300 steps\n"))
+
+
+class StandardInput(ProgramTest):
+    """`-` is a scenario on standard input."""
+
+    def piped(self, *arguments, document=fling()):
+        """Runs the program with a document as its standard input."""
+        done = subprocess.run([str(PROGRAM), *arguments], input=json.dumps(document), capture_output=True, text=True,
+                              check=False, cwd=self.folder, timeout=60)
+        return done.returncode, done.stdout, done.stderr
+
+    def test_a_run_is_that_of_the_file(self):
+        self.expect(AGREED, "run", self.write("fling.json", fling()), "-o", "file.h5")
+        exit_code, out, err = self.piped("run", "-", "-o", "piped.h5", "--golden", "golden")
+        self.assertEqual((exit_code, err), (AGREED, ""))
+        self.assertIn("written        piped.h5 (301 rows)", out)
+        self.assertIn("comparison with a golden file (standard input)", out)
+        self.assertEqual((self.folder / "piped.h5").read_bytes(), (self.folder / "file.h5").read_bytes())
+
+    def test_without_o_and_name_it_says_where_it_writes(self):
+        exit_code, out, _ = self.piped("run", "-", "--set", "/steps=9", document=fling(name=None))
+        self.assertEqual(exit_code, AGREED)
+        self.assertIn("written        stdin.h5 (10 rows)", out)
+        self.assertEqual(self.names(), ["stdin.h5"])
+
+    def test_drift_measures_it(self):
+        path = self.write("fling.json", fling())
+        wanted = self.expect(AGREED, "drift", path, "--json").json["runs"][0]
+        exit_code, out, err = self.piped("drift", "-", "--json")
+        self.assertEqual((exit_code, err), (AGREED, ""))
+        run = json.loads(out)["runs"][0]
+        self.assertEqual((run["scenario"], run["arcs"]), ("-", wanted["arcs"]))
+
+    def test_a_bad_one_is_refused(self):
+        for command in ("run", "drift", "validate"):
+            exit_code, _, err = self.piped(command, "-", document=fling(steps=-1))
+            self.assertEqual(exit_code, BAD_INPUT)
+            self.assertTrue(err.startswith("-: /steps: "), err)
+
+    def test_it_has_no_golden_file(self):
+        for arguments in (("check", "-"), ("bless", "-", "--reason", "x", "--golden", "golden")):
+            exit_code, out, err = self.piped(*arguments)
+            self.assertEqual(exit_code, BAD_INPUT)
+            self.assertIn("-: standard input has no golden file", out + err)
+        self.assertEqual(self.names(), [])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,82 @@
+"""What a build of the project by ninja says of itself: which tests run what, and which objects a source is in."""
+
+import collections
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+from workshop import CannotBuild
+
+
+@dataclasses.dataclass(frozen=True)
+class Test:
+    """A test of the everyday set.
+
+    folder: that of the CMakeLists.txt which registers it, in the project.
+    programs: what it runs of the build.
+    """
+
+    name: str
+    folder: pathlib.PurePath
+    programs: frozenset
+
+
+def printed(*command):
+    """What a command writes to its standard output. Raises an error if it fails."""
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+class Build:
+    """What a build of the project says of itself. It is brought up to date, then only read.
+
+    may_ask: a pattern of the names of the tests that are wanted.
+    """
+
+    def __init__(self, source, build, may_ask):
+        self.source, self.folder = source.resolve(), build.resolve()
+        self.tests = self._tests(may_ask)
+        self.programs = programs = set().union(*(test.programs for test in self.tests))
+        command = ["ninja", "-C", self.folder, "--quiet", *programs]
+        if not programs or subprocess.run(command, check=False, stdout=sys.stderr).returncode != 0:
+            raise CannotBuild(f"{build}: its tests cannot be built")
+        self.objects = self._objects()
+        self._inputs = {program: set(printed("ninja", "-C", self.folder, "-t", "inputs", program).splitlines())
+                        for program in programs}
+
+    def tests_of(self, path):
+        """The tests that run a program with code of this source."""
+        programs = {program for program, inputs in self._inputs.items() if not inputs.isdisjoint(self.objects[path])}
+        return [test for test in self.tests if not test.programs.isdisjoint(programs)]
+
+    def _objects(self):
+        """{source of the project: the objects that are compiled from it}"""
+        objects = collections.defaultdict(set)
+        for line in printed("ninja", "-C", self.folder, "-t", "deps").splitlines():
+            if line.startswith(" "):
+                path = pathlib.Path(os.path.normpath(self.folder / line.strip()))
+                if path.is_relative_to(self.source):
+                    objects[str(path.relative_to(self.source))].add(current)
+            else:
+                current = line.partition(": #deps")[0]
+        return objects
+
+    def _tests(self, may_ask):
+        lines = printed("ninja", "-C", self.folder, "-t", "targets", "all").splitlines()
+        targets = {line.rpartition(": ")[0] for line in lines}
+        known = json.loads(printed("ctest", "--test-dir", self.folder, "--show-only=json-v1", "-L", "everyday"))
+        return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]
+                if may_ask.search(entry["name"])]
+
+    def _test(self, entry, graph, targets):
+        properties = {each["name"]: each["value"] for each in entry["properties"]}
+        node = graph["nodes"][entry["backtrace"]]
+        while "command" in graph["nodes"][node["parent"]]:
+            node = graph["nodes"][node["parent"]]
+        folder = pathlib.Path(graph["files"][node["file"]]).parent
+        words = re.split(r"[=;]", ";".join([*entry["command"], *properties.get("ENVIRONMENT", [])]))
+        programs = targets.intersection(word.removeprefix(f"{self.folder}/") for word in words)
+        return Test(entry["name"], folder.relative_to(self.source), frozenset(programs))

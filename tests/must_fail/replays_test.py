@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+"""No run is played twice: the updates that a program makes are counted."""
+
+import json
+import os
+import re
+import subprocess
+
+from altered import ALTERED
+from program import ProgramTest, main
+
+STEPS = 3000
+
+
+class Replays(ProgramTest):
+    """The listing, as a core that counts its updates."""
+
+    def updates(self, *arguments):
+        """How many updates `hyrax-sim ARGUMENTS` makes."""
+        environment = {**os.environ, "HYRAX_ALTERED_CORE": "none", "HYRAX_COUNT_UPDATES": "1"}
+        done = subprocess.run([str(ALTERED), *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
+                              check=False, stdin=subprocess.DEVNULL, timeout=60, env=environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return int(re.search(r"^updates: (\d+)$", done.stderr, re.MULTILINE).group(1))
+
+    def scenario(self):
+        """A run that never repeats, which bounds an error against the reference."""
+        path = self.folder / "fling.json"
+        path.write_text(json.dumps({
+            "format": "hyrax-scenario/1", "name": "fling", "window": {"width_px": 1920, "height_px": 1080},
+            "sprite": {"width_px": 128, "height_px": 128},
+            "start": {"x_px": 300, "y_px": 500, "vx_px_per_s": 2400, "vy_px_per_s": -700},
+            "clock": {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}},
+            "steps": STEPS, "expect": {"implementation_px_max": 1e-3}}))
+        return path
+
+    def test_a_run_is_played_once_for_all_that_is_wanted_of_it(self):
+        for options in ((), ("--figure", "fling.svg"), ("--drift",), ("--drift", "--rows", "--figure", "fling.svg"),
+                        ("--drift", "--reference", "gsl"), ("-o", "fling.csv", "--drift")):
+            with self.subTest(options=options):
+                self.assertEqual(self.updates("run", self.scenario(), *options), STEPS)
+
+    def test_a_second_replay_would_be_counted(self):
+        self.assertGreaterEqual(self.updates("drift", self.scenario()), STEPS + 1000)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+// One replay into several sinks, and by another core than the shipped one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/replay/kernel_of.h"
+#include "sim/replay/replay.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+
+namespace hyrax {
+namespace {
+
+TEST(Tee, GivesEachSinkWhatItWouldGetAlone) {
+  const RowSink::Wants all[] = {{.rows_every = 1},
+                                {.rows_every = 7, .contacts = true},
+                                {.contacts = true, .blocks = true},
+                                {.rows_every = 4096, .blocks = true},
+                                {}};
+  for (const Scenario& scenario : {eventful_fling(), fling_at(60.0, 20'000), fling_at(60.0, 0)}) {
+    TraceSink together[] = {TraceSink(all[0]), TraceSink(all[1]), TraceSink(all[2]), TraceSink(all[3]),
+                            TraceSink(all[4])};
+    std::vector<RowSink*> sinks;
+    for (TraceSink& sink : together) sinks.push_back(&sink);
+    const RunSummary summary = replay(scenario, sinks);
+    for (std::size_t index = 0; index < std::size(together); ++index) {
+      TraceSink alone(all[index]);
+      EXPECT_EQ(replay(scenario, alone).state_hash, summary.state_hash);
+      EXPECT_TRUE(same_trace(together[index], alone)) << index;
+    }
+  }
+}
+
+// Every row up to 5,000, then every 1,000th; from row 12,000 on nothing.
+class FewerAndFewer : public RowSink {
+ public:
+  Wants wants() const override {
+    return {.rows_every = steps.empty() || steps.back() < 12'000 ? 1000 : 0, .all_rows_to = 5000};
+  }
+  void rows(const Columns& batch) override {
+    steps.insert(steps.end(), batch.step.begin(), batch.step.end());
+  }
+  void repeats(const Repetition& found) override { repetition = found; }
+  std::vector<std::int64_t> steps;
+  Repetition repetition;
+};
+
+TEST(Tee, GivesASinkFewerRowsAsItWantsFewer) {
+  FewerAndFewer sink;
+  const RunSummary summary = replay(fling_at(60.0, 10'000'000), sink);
+  ASSERT_GT(sink.steps.size(), 5001u);
+  for (std::int64_t step = 0; step <= 5000; ++step)
+    ASSERT_EQ(sink.steps[static_cast<std::size_t>(step)], step);
+  EXPECT_EQ(sink.steps[5001], 6000);
+  EXPECT_EQ(sink.steps[5002], 7000);
+  EXPECT_LT(sink.steps.size(), 10'001u);  // It is asked again after a batch.
+  EXPECT_EQ(sink.repetition.from_step, summary.periodic_from_step);
+  EXPECT_EQ(sink.repetition.period_steps, summary.period_steps);
+}
+
+// A core that never loses speed at a wall.
+class Elastic {
+ public:
+  explicit Elastic(const State& state) : state_(state) {}
+  void update(double dt_s, int window_width, int window_height, int width, int height) {
+    const Bounds bounds{static_cast<double>(window_width - width),
+                        static_cast<double>(window_height - height)};
+    ListingStep(constants(), AllParts{}, bounds)(state_, dt_s);
+  }
+  static Constants constants() { return {1200.0, 1.0, 1.0, 1.0, 0.0}; }
+  double x() const { return state_.x_px; }
+  double y() const { return state_.y_px; }
+  double vx() const { return state_.vx_px_per_s; }
+  double vy() const { return state_.vy_px_per_s; }
+  void setPos(double x, double y) { state_.x_px = x, state_.y_px = y; }
+  void setVelocity(double vx, double vy) { state_.vx_px_per_s = vx, state_.vy_px_per_s = vy; }
+  void resetVelocity() { setVelocity(0.0, 0.0); }
+
+ private:
+  State state_;
+};
+
+struct ElasticCores {
+  using Core = Elastic;
+  Elastic make(const State& state) const { return Elastic(state); }
+  Constants constants() const { return Elastic::constants(); }
+};
+
+TEST(Kernel, PlaysAnyCoreOfThatInterface) {
+  const KernelOf<ElasticCores> kernel;
+  TraceSink trace;
+  const RunSummary summary = replay(fling_at(60.0, 600), trace, {.kernel = &kernel});
+  EXPECT_GE(summary.contacts.ground, 5);
+  for (const Contact& contact : trace.contacts()) {
+    EXPECT_EQ(std::fabs(contact.vx_after_px_per_s), std::fabs(contact.vx_before_px_per_s));
+    EXPECT_EQ(std::fabs(contact.vy_after_px_per_s), std::fabs(contact.vy_before_px_per_s));
+    EXPECT_GT(contact.overshoot_px, 0.0);
+  }
+  EXPECT_EQ(std::fabs(summary.final.vx_px_per_s), 2400.0);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,112 @@
+// The study paper: verdicts that follow from numbers, and the comparison with expected verdicts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/study/paper/paper_claim.h"
+#include "sim/study/study.h"
+
+namespace hyrax {
+namespace {
+
+TEST(SpeedClaim, HoldsForAFastStepAlone) {
+  EXPECT_EQ(speed_claims(1e-8).front().verdict, ClaimVerdict::holds);
+  EXPECT_EQ(speed_claims(1e-4).front().verdict, ClaimVerdict::does_not_hold);
+}
+
+// A step takes 1 ns.
+std::int64_t fake_now_ns() {
+  static std::int64_t now_ns = 0;
+  return now_ns += 2000;
+}
+
+StudyResult run_paper(const std::optional<ExpectedVerdicts>& expected) {
+  const auto paper = std::find_if(studies().begin(), studies().end(),
+                                  [](const Study& study) { return study.name == "paper"; });
+  return paper->run({.expected = expected, .now_ns = fake_now_ns});
+}
+
+std::vector<std::string> values(const Table& table, const std::string& name) {
+  for (const Column& column : table.columns)
+    if (column.name == name) return std::get<std::vector<std::string>>(column.values);
+  return {};
+}
+
+// The verdicts that this core has.
+ExpectedVerdicts own_verdicts() {
+  const Table claims = run_paper({}).tables.front();
+  const std::vector<std::string> names = values(claims, "claim"), verdicts = values(claims, "verdict");
+  ExpectedVerdicts expected{.path = "expected.json"};
+  for (std::size_t row = 0; row < names.size(); ++row)
+    expected.verdicts.emplace_back(names[row], verdicts[row]);
+  return expected;
+}
+
+std::string& verdict_on(const std::string& name, ExpectedVerdicts& expected) {
+  return std::find_if(expected.verdicts.begin(), expected.verdicts.end(),
+                      [&](const auto& entry) { return entry.first == name; })
+      ->second;
+}
+
+// The fields of one claim in the picture: section, sentence, verdict, expected (if there is a file), number.
+std::vector<ListField> shown_claim(const StudyResult& result, const std::string& name) {
+  const std::vector<std::string> names = values(result.tables.front(), "claim");
+  const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  return std::get<Listing>(result.figures.front().body).rows[row];
+}
+
+TEST(Paper, OwnVerdictsBreakNothing) { EXPECT_TRUE(run_paper(own_verdicts()).verdict.broken.empty()); }
+
+TEST(Paper, AnotherOrMissingVerdictIsBroken) {
+  ExpectedVerdicts expected = own_verdicts();
+  verdict_on("5-restitution", expected) = "not measured";
+  std::erase_if(expected.verdicts, [](const auto& entry) { return entry.first == "5-gravity"; });
+  const StudyResult result = run_paper(expected);
+  EXPECT_EQ(result.verdict.broken,
+            (std::vector<std::string>{
+                "5-gravity: holds, but expected.json has no verdict for it",
+                "5-restitution: holds, but expected.json expects: not measured (the core's value: 0.6)"}));
+  EXPECT_EQ(shown_claim(result, "5-restitution")[3].fill, Tone::hairline);
+  EXPECT_EQ(shown_claim(result, "5-gravity")[3].text, "no verdict");
+}
+
+TEST(Paper, APictureShowsExpectedVerdictsColouredWhereTheyDiffer) {
+  EXPECT_EQ(shown_claim(run_paper({}), "2.3-energy").size(), 4u);
+  ExpectedVerdicts expected = own_verdicts();
+  verdict_on("2.3-energy", expected) = "holds";
+  const StudyResult result = run_paper(expected);
+  const std::vector<ListField> energy = shown_claim(result, "2.3-energy");
+  ASSERT_EQ(energy.size(), 5u);
+  EXPECT_EQ(energy[2].fill, Tone::bad);
+  EXPECT_EQ(energy[3].text, "holds");
+  EXPECT_EQ(energy[3].fill, Tone::good);
+  const ListField same = shown_claim(result, "2.2-stokes")[3];
+  EXPECT_EQ(same.text, "holds when");
+  EXPECT_EQ(same.fill, Tone::none);
+}
+
+TEST(Paper, UnknownClaimsAndVerdictsAreRefusedAllAtOnce) {
+  ExpectedVerdicts expected = own_verdicts();
+  expected.verdicts.insert(expected.verdicts.begin(), {"9-moon", "holds"});
+  verdict_on("5-gravity", expected) = "maybe";
+  expected.verdicts.emplace_back("9-sun", "maybe");
+  try {
+    (void)run_paper(expected);
+    FAIL() << "not refused";
+  } catch (const RequestRefused& refused) {
+    EXPECT_STREQ(refused.what(),
+                 "expected.json: /verdicts/5-gravity: unknown verdict (found maybe); allowed: holds, holds "
+                 "when, does not hold, not measured\n"
+                 "expected.json: /verdicts: unknown claim (found 9-moon, 9-sun); `hyrax-sim study paper` "
+                 "prints all claims");
+  }
+}
+
+TEST(Paper, TheClaimOnBouncesSaysThatThePositionStandsStill) {
+  const ListField sentence = shown_claim(run_paper({}), "3.2.2-infinite-bounce")[1];
+  EXPECT_NE(sentence.detail.find("the position stands still"), std::string::npos) << sentence.detail;
+  EXPECT_LE(sentence.detail.size(), 122u) << "the picture has no room for more";
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,172 @@
+// The study speed-error as a user gets it: its figures' data, tables, verdict and refusals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/study/speed_error/speed_error.h"
+#include "sim/study/study.h"
+
+namespace hyrax {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+// One flight, two methods at three rates each.
+SpeedError some_study() {
+  SpeedError study;
+  study.problems = {study_problems().front()};
+  const std::vector<MethodKind> methods = frame_methods();
+  study.methods = {methods[0], methods[4]};
+  for (std::size_t method = 0; method < 2; ++method)
+    for (const double rate_hz : {15.0, 60.0, 240.0}) {
+      WorkPoint point{0, method, rate_hz, {}, {}};
+      point.errors.position_px = method == 0 ? rate_hz : 1.0 / rate_hz;
+      point.cost = {10.0 * rate_hz, 9.0 * rate_hz, 12.0 * rate_hz};
+      study.points.push_back(point);
+    }
+  study.orders = {{0, 0, 3, -1.0}, {0, 1, 3, 1.0}};
+  study.paper = {{.rate_hz = 60.0, .model_px = 9.8}, {.rate_hz = 240.0, .model_px = 42.0}};
+  study.repetitions = 20;
+  return study;
+}
+
+std::vector<Plot> plots_of(const SpeedError& study, std::size_t problem = 0) {
+  return std::get<std::vector<Plot>>(speed_error_figure(study, problem, "some machine").body);
+}
+
+const Series& series_named(const Plot& plot, const std::string& name) {
+  return *std::find_if(plot.series.begin(), plot.series.end(),
+                       [&](const Series& series) { return series.name == name; });
+}
+
+TEST(SpeedErrorFigure, ItsLegendHasOrdersAndItsSubtitleTheMachine) {
+  const Figure figure = speed_error_figure(some_study(), 0, "some machine");
+  EXPECT_EQ(figure.legend[0].text, "the paper's step: order −1.00");
+  EXPECT_EQ(figure.legend[1].text, "velocity Verlet: order 1.00");
+  EXPECT_TRUE(has(figure.subtitle, "20 repetitions on some machine"));
+}
+
+TEST(SpeedErrorFigure, DrawsErrorAgainstCostWithItsQuartilesAndAgainstDt) {
+  const std::vector<Plot> plots = plots_of(some_study());
+  const Series& cost = series_named(plots[0], "velocity Verlet");
+  EXPECT_EQ(cost.x, (std::vector{150.0, 600.0, 2400.0}));
+  EXPECT_EQ(cost.y, (std::vector{1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0}));
+  EXPECT_EQ(cost.x_low, (std::vector{135.0, 540.0, 2160.0}));
+  EXPECT_EQ(cost.x_high, (std::vector{180.0, 720.0, 2880.0}));
+  const Series& dt = series_named(plots[1], "velocity Verlet");
+  EXPECT_EQ(dt.x, (std::vector{1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0}));
+  EXPECT_TRUE(dt.x_low.empty());
+  ASSERT_EQ(plots[1].marks.size(), 1u);
+  EXPECT_EQ(plots[1].marks[0].at, 1.0 / 60.0);
+  EXPECT_EQ(plots[1].marks[0].text, "laws defined at 60 Hz");
+}
+
+TEST(SpeedErrorFigure, AFailureIsAGapInItsLine) {
+  SpeedError study = some_study();
+  study.points[1].errors.is_failed = true;
+  for (const Plot& plot : plots_of(study)) {
+    const Series& series = series_named(plot, "the paper's step");
+    EXPECT_FALSE(std::isnan(series.y[0]));
+    EXPECT_TRUE(std::isnan(series.y[1]));
+  }
+}
+
+TEST(SpeedErrorFigure, RingsTheParetoFront) {
+  SpeedError study = some_study();
+  EXPECT_TRUE(series_named(plots_of(study)[0], "Pareto front").x.empty());
+  study.points[3].is_pareto = true;
+  EXPECT_EQ(series_named(plots_of(study)[0], "Pareto front").x, std::vector{150.0});
+}
+
+TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
+  SpeedError study = some_study();
+  EXPECT_TRUE(plots_of(study)[0].texts.empty());
+  study.points[3].errors.position_px = 0.0;
+  study.points[4].errors.position_px = 2e-15;
+  const std::vector<Plot> plots = plots_of(study);
+  for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17);
+  ASSERT_EQ(plots[0].texts.size(), 1u);
+  EXPECT_EQ(plots[0].texts[0].text, "no error at all");
+}
+
+TEST(SpeedErrorFigure, TheSentencesOnFreeFlightAreOnItsFigureAlone) {
+  SpeedError study = some_study();
+  study.problems.push_back(study.problems.front());
+  for (std::size_t i = 0; i < 6; ++i) {
+    study.points.push_back(study.points[i]);
+    study.points.back().problem = 1;
+  }
+  EXPECT_FALSE(speed_error_figure(study, 0, "").remarks.empty());
+  EXPECT_TRUE(speed_error_figure(study, 1, "").remarks.empty());
+}
+
+TEST(SpeedErrorFigure, NamesEveryStepperAtItsMostAccuratePoint) {
+  SpeedError study = some_study();
+  for (const char* name : {"rkck", "rk4imp"})
+    for (const double tolerance : {1e-4, 1e-6}) {
+      study.methods.push_back(
+          {.name = name, .family = std::string("GSL ") + name, .accuracy = Adaptive{tolerance}});
+      WorkPoint point{0, study.methods.size() - 1, 15.0, {}, {}};
+      point.errors.position_px = tolerance;
+      point.cost.median_ns = 1.0 / tolerance;
+      study.points.push_back(point);
+    }
+  const std::vector<Plot> plots = plots_of(study);
+  ASSERT_EQ(plots[0].texts.size(), 2u);
+  EXPECT_EQ(plots[0].texts[0].text, "rkck");
+  EXPECT_EQ(plots[0].texts[1].text, "rk4imp");
+  EXPECT_EQ(plots[0].texts[1].y, 1e-6);
+  EXPECT_EQ(series_named(plots[0], "GSL rkck").x.size(), 2u);
+  EXPECT_EQ(plots[1].series.size(), 2u) << "no adaptive method is drawn against dt";
+}
+
+TEST(ConvergenceSentences, HaveTheValuesOfTheStudy) {
+  const std::vector<std::string> sentences = convergence_sentences(some_study());
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_TRUE(has(sentences[1], "its error is 9.8 px at 60 Hz and 42 px at 240 Hz"));
+  EXPECT_TRUE(convergence_sentences({}).empty());
+}
+
+const Study& the_study() {
+  return *std::find_if(studies().begin(), studies().end(),
+                       [](const Study& study) { return study.name == "speed-error"; });
+}
+
+StudyRequest quick_request() {
+  return {.is_quick = true, .machine = "some machine", .now_ns = [] {
+            static std::int64_t now_ns = 0;
+            return now_ns += 100'000;
+          }};
+}
+
+TEST(SpeedErrorStudy, HasTablesFiguresAndAVerdictThatHolds) {
+  const StudyResult result = the_study().run(quick_request());
+  ASSERT_EQ(result.tables.size(), 5u);
+  EXPECT_EQ(result.tables[0].name, "points");
+  EXPECT_EQ(row_count(result.tables[0]), 2u * 8u * 5u + 10u * 3u);
+  ASSERT_EQ(result.figures.size(), 2u);
+  EXPECT_EQ(result.figures[0].suffix, "");
+  EXPECT_EQ(result.figures[1].suffix, "-fling");
+  EXPECT_EQ(result.verdict.broken, std::vector<std::string>{});
+  const Column& codes = result.summary[1].columns[3];
+  EXPECT_EQ(codes.name, "analytic_order");
+  const auto& values = std::get<std::vector<std::int64_t>>(codes.values);
+  EXPECT_EQ((std::vector(values.begin(), values.begin() + 6)), (std::vector<std::int64_t>{0, 0, 1, 1, 2, 4}));
+  EXPECT_EQ(std::count(values.begin(), values.end(), -1), 1) << "exact flight, in the fling";
+}
+
+TEST(SpeedErrorStudy, AScenarioWithANameThatIsTakenIsRefused) {
+  StudyRequest request = quick_request();
+  NamedScenario given{"mine.json", {}};
+  given.scenario.name = "fling";
+  given.scenario.window = {1920, 1080};
+  given.scenario.sprite = {128, 128};
+  given.scenario.clock.base = FixedRate{60.0};
+  given.scenario.length = std::int64_t{60};
+  request.scenarios = {given};
+  EXPECT_THROW(static_cast<void>(the_study().run(request)), RequestRefused);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,109 @@
+// Tables as text, comma-separated values and JSON.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tools/files/table_text.h"
+
+namespace hyrax {
+namespace {
+
+TEST(CsvText, HeadsNameTheirUnits) {
+  const Table table{"t",
+                    "",
+                    {{"speed", "px/s", "", std::vector<double>{}},
+                     {"energy", "px2/s2", "", std::vector<double>{}},
+                     {"order", "1", "", std::vector<double>{}},
+                     {"method", "", "", std::vector<std::string>{}}}};
+  EXPECT_EQ(csv_text(table), "speed_px_per_s,energy_px2_per_s2,order,method\n");
+}
+
+TEST(CsvText, NumbersAreShortestRoundTripAndWhatDoesNotExistIsEmpty) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Table table{"t",
+                    "",
+                    {{"a", "s", "", std::vector<double>{0.1, nan, infinity}},
+                     {"n", "1", "", std::vector<std::int64_t>{-7, 0, 1'000'000'000'000}}}};
+  EXPECT_EQ(csv_text(table), "a_s,n\n0.1,-7\n,0\ninf,1000000000000\n");
+}
+
+TEST(CsvText, TextIsQuotedWhereItMustBe) {
+  const Table table{
+      "t", "", {{"words", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
+  EXPECT_EQ(csv_text(table), "words\nplain\n\"a, b\"\n\"the \"\"step\"\"\"\n\"two\nlines\"\n");
+}
+
+const double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+Table two_rates() {
+  return {"rates",
+          "",
+          {{"method", "", "", std::vector<std::string>{"paper", "größer"}},
+           {"rate", "Hz", "", std::vector<double>{60.0, 144.0}},
+           {"path_length", "px", "", std::vector<double>{3214.04, kMissing}, 5},
+           {"contacts", "1", "", std::vector<std::int64_t>{3, 12}},
+           {"agrees", "", "", std::vector<bool>{true, false}}}};
+}
+
+TEST(AlignedText, NumbersAreAtTheRightUnderNamesWithUnits) {
+  EXPECT_EQ(aligned_text(two_rates()),
+            "  method  rate, Hz  path length, px  contacts  agrees\n"
+            "  paper         60           3214.0         3    true\n"
+            "  größer       144                -        12   false\n");
+}
+
+TEST(AlignedText, ValuesOfVeryDifferentSizeEachHaveTheirDigits) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Table table{"t", "", {{"error", "px", "", std::vector<double>{1.23456e-9, 0.5, 0.0, infinity}, 3}}};
+  EXPECT_EQ(aligned_text(table), "  error, px\n   1.23e-09\n        0.5\n          0\n   no bound\n");
+}
+
+TEST(AlignedText, ATableWithoutRowsIsItsHead) {
+  EXPECT_EQ(aligned_text({"t", "", {{"rate", "Hz", "", std::vector<double>{}}}}), "  rate, Hz\n");
+}
+
+std::string json_text(const Table& table) { return to_text(json_of(table)); }
+
+TEST(JsonOfTable, RowsAreObjectsAndAMissingNumberIsNull) {
+  EXPECT_EQ(
+      json_text(two_rates()),
+      R"([{ "method": "paper", "rate_hz": 60, "path_length_px": 3214.04, "contacts": 3, "agrees": true }, )"
+      R"({ "method": "größer", "rate_hz": 144, "path_length_px": null, "contacts": 12, "agrees": false }])");
+}
+
+TEST(JsonOfTable, ByFirstIsKeyedByTheFirstColumn) {
+  Table table = two_rates();
+  table.columns.resize(2);
+  table.shape = JsonShape::by_first;
+  EXPECT_EQ(json_text(table), R"({ "paper": { "rate_hz": 60 }, "größer": { "rate_hz": 144 } })");
+}
+
+TEST(JsonOfTable, ValuesAreThoseOfTheFirstColumn) {
+  Table table = two_rates();
+  table.shape = JsonShape::values;
+  EXPECT_EQ(json_text(table), R"(["paper", "größer"])");
+}
+
+TEST(JsonOfTable, OneIsItsFirstRowOrNull) {
+  Table table{"t", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}, JsonShape::one};
+  EXPECT_EQ(json_text(table), R"({ "rate_hz": 60 })");
+  table.columns[0].values = std::vector<double>{};
+  EXPECT_EQ(json_text(table), "null");
+}
+
+TEST(JsonOfTable, ACellMayHoldATable) {
+  const Table inner{"inner", "", {{"n", "1", "", std::vector<std::int64_t>{7}}}};
+  const Table table{"t", "", {{"parts", "", "", std::vector<Table>{inner}}}};
+  EXPECT_EQ(json_text(table), R"([{ "parts": [{ "n": 7 }] }])");
+}
+
+TEST(AddMembers, MembersJoinTheObjectAndOthersAreNamed) {
+  Json::Object object;
+  add_members(object, {"", "", {{"within", "px", "", std::vector<double>{1.0}}}, JsonShape::members});
+  add_members(object, {"rates", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}});
+  EXPECT_EQ(to_text(Json(object)), R"({ "within_px": 1, "rates": [{ "rate_hz": 60 }] })");
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,145 @@
+// The summary beside a golden file.
+#include "tools/store/golden_summary.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/tools/store/stored_flings.h"
+#include "tools/store/trajectory_format.h"
+
+namespace hyrax {
+namespace {
+
+constexpr char kHash[] = "c0ea1a610d86b14114d3cef7071362e5";
+
+StoredRun some_run() {
+  StoredRun run;
+  run.scenario = fling_at(60.0, 600);
+  run.physics = "hyrax-physics/1";
+  run.steps = 600;
+  run.state_hash = kHash;
+  Contact bounce;
+  bounce.step = bounce.last_step = 110;
+  bounce.wall = Wall::right;
+  Contact rest;
+  rest.step = 312;
+  rest.last_step = 600;
+  run.contacts = {bounce, rest};
+  return run;
+}
+
+RunSummary some_summary() {
+  RunSummary summary;
+  summary.contacts = {0, 1, 0, 1};
+  summary.final = {
+      .step = 600, .t_s = 10.0, .x_px = 643.5, .y_px = 952.0, .vx_px_per_s = -0.0, .vy_px_per_s = 0.1};
+  summary.at_rest_since_s = 5.25;
+  return summary;
+}
+
+std::string text_of(const StoredRun& run, const RunSummary& summary, const std::string& reason,
+                    const std::string& margin = "") {
+  return golden_summary_text(run, summary, reason, margin,
+                             {"0123456789abcdef0123456789abcdef", "fedcba9876543210fedcba9876543210"});
+}
+
+TEST(GoldenSummary, IsMadeToBeReadInAReview) {
+  EXPECT_EQ(text_of(some_run(), some_summary(), "a longer throw"),
+            "scenario: fling\n"
+            "physics: hyrax-physics/1\n"
+            "steps: 600\n"
+            "state hash: c0ea1a610d86b14114d3cef7071362e5\n"
+            "contacts: left 0, right 1, top 0, ground 1\n"
+            "  110 right\n"
+            "  312 .. 600 ground\n"
+            "end: t 10 s\n"
+            "  x  643.5 px  0x1.41cp+9\n"
+            "  y  952 px  0x1.dcp+9\n"
+            "  vx -0 px/s  -0x0p+0\n"
+            "  vy 0.1 px/s  0x1.999999999999ap-4\n"
+            "at rest since: 5.25 s\n"
+            "reason: a longer throw\n"
+            "seal: 0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210\n");
+}
+
+TEST(GoldenSummary, SaysThatThereIsNoRest) {
+  RunSummary restless = some_summary();
+  restless.at_rest_since_s.reset();
+  EXPECT_NE(text_of(some_run(), restless, "x").find("at rest since: never\n"), std::string::npos);
+}
+
+TEST(GoldenSummary, KeepsAReasonOfSeveralLinesInOne) {
+  const std::string text = text_of(some_run(), some_summary(), "first\nstate hash: forged\nlast");
+  EXPECT_NE(text.find("\nreason: first state hash: forged last\nseal: "), std::string::npos) << text;
+}
+
+TEST(GoldenSummary, ShowsFirstAndLastOfManyContacts) {
+  StoredRun run = some_run();
+  run.contacts.clear();
+  for (std::int64_t step = 1; step <= 1000; ++step) {
+    Contact contact;
+    contact.step = contact.last_step = step;
+    run.contacts.push_back(contact);
+  }
+  const std::string text = text_of(run, some_summary(), "x");
+  EXPECT_NE(text.find("  1 ground\n"), std::string::npos);
+  EXPECT_NE(text.find("  20 ground\n  ... 960 more\n  981 ground\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  1000 ground\n"), std::string::npos);
+  EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 60);
+}
+
+TEST(GoldenSummary, GivesItsReasonBack) {
+  const std::string text = text_of(some_run(), some_summary(), "a longer throw", "wide");
+  EXPECT_EQ(summary_reason(text), "a longer throw");
+}
+
+TEST(GoldenSummary, DoesNotDifferFromItself) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  EXPECT_EQ(summary_difference(text, text), std::nullopt);
+}
+
+TEST(GoldenSummary, ReportsTheFirstLineThatDiffers) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  EXPECT_EQ(summary_difference("scenario: fling\nphysics: hyrax-physics/2\n", text),
+            "line 2: differs (found 'physics: hyrax-physics/2'); expected 'physics: hyrax-physics/1'");
+  EXPECT_EQ(summary_difference(text + "more\n", text), "line 16: differs (found 'more'); expected nothing");
+  EXPECT_EQ(summary_difference(text.substr(0, text.size() - 1), text),
+            "line 15: differs (found 'seal: 0123456789abcdef0123456789abcdef "
+            "fedcba9876543210fedcba9876543210' without a line end); expected 'seal: "
+            "0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210'");
+}
+
+TEST(GoldenSummary, DiffersIfAnyBitIsFlipped) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  for (std::size_t place = 0; place < text.size(); ++place)
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string damaged = text;
+      damaged[place] = static_cast<char>(damaged[place] ^ 1 << bit);
+      EXPECT_NE(summary_difference(damaged, text), std::nullopt) << place << " bit " << bit;
+    }
+}
+
+TEST(SummaryFileChecksum, IsTheEndOfTheText) {
+  EXPECT_EQ(summary_file_checksum(text_of(some_run(), some_summary(), "x")),
+            "fedcba9876543210fedcba9876543210");
+}
+
+TEST(SummaryFileChecksum, IsNotFoundInATruncatedOrLongerText) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  for (std::size_t length = 0; length < text.size(); ++length)
+    EXPECT_EQ(summary_file_checksum(text.substr(0, length)), std::nullopt) << length;
+  EXPECT_EQ(summary_file_checksum(text + "\n"), std::nullopt);
+  EXPECT_EQ(summary_file_checksum(text + "more\n"), std::nullopt);
+}
+
+TEST(SummaryFileChecksum, HasOnlyHexDigits) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  for (const char wrong : {'g', 'A', ' ', '\n', '\0'})
+    for (const std::size_t from_end : {2u, 17u, 33u}) {
+      std::string damaged = text;
+      damaged[damaged.size() - from_end] = wrong;
+      EXPECT_EQ(summary_file_checksum(damaged), std::nullopt) << wrong << " at " << from_end;
+    }
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,119 @@
+// A child process takes the harm.
+#include "tools/store/isolated_read.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <vector>
+
+#include "tests/unit/tools/store/stored_flings.h"
+
+namespace hyrax {
+namespace {
+
+class IsolatedRead : public testing::Test {
+ protected:
+  void SetUp() override { write_bytes(path_, "a file"); }
+
+  // The sentence, without the path.
+  std::string message_of(const std::function<void()>& read) const {
+    const std::string message = refusal([&] { read_isolated(path_, read); });
+    return message.empty() ? message : message.substr(path_.size());
+  }
+
+  const TempFolder folder_;
+  const std::string path_ = folder_.at("run.h5");
+};
+
+TEST_F(IsolatedRead, OfAnUndamagedFileReportsNothing) {
+  EXPECT_EQ(message_of([] {}), "");
+}
+
+TEST_F(IsolatedRead, LeavesARefusalToTheReadingThatFollows) {
+  EXPECT_EQ(message_of([] { throw Failure(ExitCode::bad_input, "refused"); }), "");
+}
+
+TEST_F(IsolatedRead, ChangesNothingHere) {
+  int value = 1;
+  EXPECT_EQ(message_of([&] { value = 2; }), "");
+  EXPECT_EQ(value, 1);
+}
+
+TEST_F(IsolatedRead, ReportsACrash) {
+  EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }),
+            ": is damaged: the HDF5 library crashes on it; copy it again, or write it again");
+}
+
+TEST_F(IsolatedRead, ReportsAReadingThatDoesNotEnd) {
+  EXPECT_EQ(message_of([] {
+              for (volatile int turn = 0;;) turn = turn ^ 1;
+            }),
+            ": is damaged: reading it does not end; copy it again, or write it again");
+}
+
+// A parent may ignore or block the signals by which the limits end the child.
+TEST_F(IsolatedRead, IsUnderLimitsWhateverThisProcessInherited) {
+  sigset_t blocked;
+  sigset_t before;
+  sigemptyset(&blocked);
+  for (const int number : {SIGALRM, SIGXCPU}) {
+    sigaddset(&blocked, number);
+    std::signal(number, SIG_IGN);
+  }
+  sigprocmask(SIG_BLOCK, &blocked, &before);
+  EXPECT_EQ(message_of([] {
+              sigset_t in_child;
+              sigprocmask(SIG_BLOCK, nullptr, &in_child);
+              for (const int number : {SIGALRM, SIGXCPU}) {
+                struct sigaction action {};
+                sigaction(number, nullptr, &action);
+                if (sigismember(&in_child, number) != 0 || action.sa_handler != SIG_DFL)
+                  throw std::logic_error("a limit would not end this process");
+              }
+            }),
+            "");
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  for (const int number : {SIGALRM, SIGXCPU}) std::signal(number, SIG_DFL);
+}
+
+TEST_F(IsolatedRead, WithoutAnOutcomeIsNoSuccess) {
+  std::signal(SIGCHLD, SIG_IGN);  // The system then forgets how a child ended.
+  try {
+    read_isolated(path_, [] { std::raise(SIGSEGV); });
+    ADD_FAILURE() << "should have refused";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
+    EXPECT_NE(std::string(failure.what()).find("the exit status of its child process is unknown"),
+              std::string::npos)
+        << failure.what();
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kHasOwnAllocator = true;
+#elif defined(__has_feature)
+constexpr bool kHasOwnAllocator = __has_feature(address_sanitizer);
+#else
+constexpr bool kHasOwnAllocator = false;
+#endif
+
+TEST_F(IsolatedRead, ReportsTooMuchMemory) {
+  if (kHasOwnAllocator) GTEST_SKIP() << "a sanitizer's allocator ends the process instead";
+  const char* const sentence =
+      ": is damaged: reading it takes too much memory for its size; copy it again, or write it again";
+  EXPECT_EQ(message_of([] {
+              std::vector<std::vector<char>> all;
+              while (true) all.emplace_back(1 << 20, 'x');
+            }),
+            sentence);
+  EXPECT_EQ(message_of([] { std::vector<double>(static_cast<std::size_t>(-1)); }), sentence);
+}
+
+TEST_F(IsolatedRead, ReportsAnyOtherFault) {
+  EXPECT_EQ(message_of([] { throw std::logic_error("of our own"); }),
+            ": is damaged: reading it fails; copy it again, or write it again");
+}
+
+}  // namespace
+}  // namespace hyrax

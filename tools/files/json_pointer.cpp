@@ -1,0 +1,77 @@
+#include "tools/files/json_pointer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "tools/files/failure.h"
+#include "tools/files/printable.h"
+
+namespace hyrax {
+namespace {
+
+[[noreturn]] void fail_at(std::string_view pointer, const std::string& sentence) {
+  throw Failure(ExitCode::bad_input, printable(std::string(pointer) + ": " + sentence));
+}
+
+std::vector<std::string> tokens_of(std::string_view pointer) {
+  if (std::count(pointer.begin(), pointer.end(), '/') > kJsonNestingMax)
+    fail_at(pointer.substr(0, 40), "nested more than " + std::to_string(kJsonNestingMax) + " levels");
+  std::vector<std::string> tokens;
+  for (std::size_t at = 0; at < pointer.size(); ++at) {
+    const std::string_view escape = pointer.substr(at, 2);
+    const bool is_escape = escape == "~1" || escape == "~0";
+    if (pointer[at] == '/')
+      tokens.emplace_back();
+    else if (tokens.empty())
+      fail_at(pointer, "is not a JSON Pointer; it must begin with '/', as in /clock/rate_hz");
+    else
+      tokens.back() += !is_escape ? pointer[at] : escape == "~1" ? '/' : '~';
+    if (is_escape) ++at;
+  }
+  return tokens;
+}
+
+Json* element_at(Json::Array& array, const std::string& token) {
+  if (token == "-") return &array.emplace_back();
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+  const bool is_index = error == std::errc() && end == token.data() + token.size();
+  return is_index && index < array.size() ? &array[index] : nullptr;
+}
+
+Json* member_at(Json& parent, const std::string& token) {
+  if (parent.is_null()) parent = Json::Object();
+  if (auto* array = parent.get<Json::Array>()) return element_at(*array, token);
+  auto* object = parent.get<Json::Object>();
+  if (object == nullptr) return nullptr;
+  for (auto& [key, value] : *object)
+    if (key == token) return &value;
+  return &object->emplace_back(token, Json()).second;
+}
+
+}  // namespace
+
+std::string pointer_to(const std::string& pointer, std::string_view token) {
+  std::string text = pointer + "/";
+  for (const char c : token) {
+    if (c == '~')
+      text += "~0";
+    else if (c == '/')
+      text += "~1";
+    else
+      text += c;
+  }
+  return text;
+}
+
+void set_at(Json& document, std::string_view pointer, Json value) {
+  Json* at = &document;
+  for (const std::string& token : tokens_of(pointer)) {
+    at = member_at(*at, token);
+    if (at == nullptr) fail_at(pointer, "does not exist (found no '" + token + "')");
+  }
+  *at = std::move(value);
+}
+
+}  // namespace hyrax

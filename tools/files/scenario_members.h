@@ -1,0 +1,31 @@
+// The members of a scenario document that have structure of their own: sizes, positions, events, expect.
+#pragma once
+
+#include <optional>
+
+#include "sim/scenario/scenario.h"
+#include "tools/files/json_reader.h"
+
+namespace hyrax {
+
+inline constexpr NumberRule kCoordinateRule{-kCoordinateMax_px, kCoordinateMax_px};
+inline constexpr NumberRule kSpeedRule{-kSpeedMax_px_per_s, kSpeedMax_px_per_s};
+inline constexpr NumberRule kFrameRule{0.0, kFrameMax_s};
+inline constexpr NumberRule kNotNegativeRule{0.0};
+
+// Errors are added to the problems of the place; the values in question are then 0 or missing.
+[[nodiscard]] Size read_window(const JsonPlace& here);
+[[nodiscard]] Size read_sprite(const JsonPlace& here);
+/// Of an object that may have more members than x_px and y_px.
+[[nodiscard]] Position read_position(const JsonPlace& here);
+[[nodiscard]] Velocity read_velocity(const JsonPlace& here);
+[[nodiscard]] Expect read_expect(const JsonPlace& here);
+
+/// Reads `scenario.events`, and checks each event, their order and the frames that they are due at.
+/// @param is_clock_good whether the clock was read; without it no `at_s` has a frame.
+/// @param steps of the run, if known.
+/// @param problems found so far.
+void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
+                 Scenario& scenario, const JsonProblems& problems);
+
+}  // namespace hyrax

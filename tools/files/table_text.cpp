@@ -1,0 +1,195 @@
+#include "tools/files/table_text.h"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace hyrax {
+namespace {
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+std::string csv_field(double value) { return std::isnan(value) ? std::string() : to_text(value); }
+std::string csv_field(std::int64_t value) { return std::to_string(value); }
+std::string csv_field(bool value) { return value ? "true" : "false"; }
+std::string csv_field(const Table&) {
+  assert(false);
+  return "";
+}
+
+std::string head_of(const Column& column) {
+  if (column.unit.empty() || column.unit == "1") return column.name;
+  std::string head = column.name + "_";
+  for (const char letter : column.unit) head += letter == '/' ? "_per_" : std::string(1, letter);
+  return head;
+}
+
+// The text of a cell: field(value) of a column's value in a row.
+template <class Field>
+auto cell(const Column& column, std::size_t row, const Field& field) {
+  return std::visit(
+      [&](const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        return field(static_cast<const Value&>(values[row]));
+      },
+      column.values);
+}
+
+// How a column of numbers is printed: with as many decimals as its largest value needs to show its digits,
+// or, if the values are of very different size, each with these digits.
+struct NumberFormat {
+  std::chars_format format = std::chars_format::general;
+  int precision = 0;
+};
+
+NumberFormat format_of(const std::vector<double>& values, int digits) {
+  constexpr double kDecadesMax = 3.0;
+  double least = HUGE_VAL, most = 0.0;
+  bool is_whole = true;
+  for (const double value : values) {
+    if (!std::isfinite(value) || value == 0.0) continue;
+    least = std::min(least, std::fabs(value));
+    most = std::max(most, std::fabs(value));
+    is_whole = is_whole && value == std::floor(value);
+  }
+  if (most == 0.0) return {std::chars_format::general, digits};
+  if (std::log10(most / least) > kDecadesMax || most >= 1e9) return {std::chars_format::general, digits};
+  const int before_point = static_cast<int>(std::floor(std::log10(most))) + 1;
+  return {std::chars_format::fixed, is_whole ? 0 : std::max(0, digits - before_point)};
+}
+
+std::string printed(double value, const NumberFormat& format) {
+  if (std::isnan(value)) return "-";
+  if (std::isinf(value)) return value > 0.0 ? "no bound" : "-no bound";
+  char text[400];
+  const auto end = std::to_chars(text, text + sizeof text, value, format.format, format.precision).ptr;
+  return {text, end};
+}
+
+// The values of a column as people read them.
+std::vector<std::string> printed(const Column& column) {
+  std::vector<std::string> texts;
+  const auto* const numbers = std::get_if<std::vector<double>>(&column.values);
+  const NumberFormat format = numbers != nullptr ? format_of(*numbers, column.digits) : NumberFormat{};
+  for (std::size_t row = 0; row < length(column); ++row)
+    texts.push_back(cell(column, row, [&format](const auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+        return printed(value, format);
+      else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+        return value;
+      else
+        return csv_field(value);
+    }));
+  return texts;
+}
+
+// Letters of UTF-8 text.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xc0) != 0x80; }));
+}
+
+// The lines of a column, its head first, all of one width.
+std::vector<std::string> aligned(const Column& column) {
+  std::string head = column.name;
+  std::replace(head.begin(), head.end(), '_', ' ');
+  if (!column.unit.empty() && column.unit != "1") head += ", " + column.unit;
+  std::vector<std::string> lines = printed(column);
+  lines.insert(lines.begin(), head);
+  std::size_t width = 0;
+  for (const std::string& line : lines) width = std::max(width, letters(line));
+  const bool is_text = std::holds_alternative<std::vector<std::string>>(column.values);
+  for (std::string& line : lines)
+    line.insert(is_text ? line.size() : 0, std::string(width - letters(line), ' '));
+  return lines;
+}
+
+Json json_cell(const Column& column, std::size_t row) {
+  return cell(column, row, [](const auto& value) -> Json {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, Table>) {
+      return json_of(value);
+    } else {
+      if constexpr (std::is_same_v<Value, double>)
+        if (std::isnan(value)) return nullptr;
+      return Json(value);
+    }
+  });
+}
+
+std::string key_of(const Column& column) {
+  std::string key = head_of(column);
+  for (char& letter : key)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return key;
+}
+
+Json key_values(const Table& table, std::size_t row, std::size_t first_column) {
+  Json::Object object;
+  for (std::size_t column = first_column; column < table.columns.size(); ++column)
+    object.push_back({key_of(table.columns[column]), json_cell(table.columns[column], row)});
+  return object;
+}
+
+}  // namespace
+
+std::string aligned_text(const Table& table) {
+  std::vector<std::string> lines(row_count(table) + 1, "  ");
+  for (const Column& column : table.columns) {
+    const std::vector<std::string> added = aligned(column);
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      lines[line] += (lines[line].size() == 2 ? "" : "  ") + added[line];
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  return text;
+}
+
+std::string csv_text(const Table& table) {
+  std::string text;
+  const auto add_line = [&](const auto& field_of) {
+    bool is_first = true;
+    for (const Column& column : table.columns) {
+      if (!is_first) text += ",";
+      is_first = false;
+      text += field_of(column);
+    }
+    text += "\n";
+  };
+  add_line([](const Column& column) { return csv_field(head_of(column)); });
+  for (std::size_t row = 0; row < row_count(table); ++row)
+    add_line([row](const Column& column) {
+      return cell(column, row, [](const auto& value) { return csv_field(value); });
+    });
+  return text;
+}
+
+Json json_of(const Table& table) {
+  assert(table.shape != JsonShape::members);
+  if (table.shape == JsonShape::one) return row_count(table) == 0 ? Json() : key_values(table, 0, 0);
+  if (table.shape == JsonShape::by_first) {
+    Json::Object object;
+    const std::vector<std::string> keys =
+        table.columns.empty() ? std::vector<std::string>() : printed(table.columns.front());
+    for (std::size_t row = 0; row < keys.size(); ++row)
+      object.push_back({keys[row], key_values(table, row, 1)});
+    return object;
+  }
+  Json::Array array;
+  for (std::size_t row = 0; row < row_count(table); ++row)
+    array.push_back(table.shape == JsonShape::values ? json_cell(table.columns.front(), row)
+                                                     : key_values(table, row, 0));
+  return array;
+}
+
+void add_members(Json::Object& object, const Table& table) {
+  if (table.shape != JsonShape::members) return object.push_back({table.name, json_of(table)});
+  for (const Column& column : table.columns) object.push_back({key_of(column), json_cell(column, 0)});
+}
+
+}  // namespace hyrax

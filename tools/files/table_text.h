@@ -1,0 +1,27 @@
+// A table as text: for people, as comma-separated values, and as JSON.
+#pragma once
+
+#include <string>
+
+#include "sim/result/table.h"
+#include "tools/files/json.h"
+
+namespace hyrax {
+
+/// Aligned columns under their names and units, each line indented by two blanks. Numbers have the column's
+/// significant digits, a missing one is "-". REQUIRES: no column of tables.
+[[nodiscard]] std::string aligned_text(const Table& table);
+
+/// RFC 4180, except that lines end as Unix ends them. A column's head is NAME_UNIT, as "speed_px_per_s";
+/// numbers are shortest-round-trip, a missing one is an empty field. REQUIRES: no column of tables.
+[[nodiscard]] std::string csv_text(const Table& table);
+
+/// The table in its JsonShape; keys are the heads of csv_text in lower case, a missing number is null.
+/// REQUIRES: the shape is not `members`, which has no value of its own; see add_members.
+[[nodiscard]] Json json_of(const Table& table);
+
+/// Adds the table to an object: its first row's values if its shape is `members`, else one member of its
+/// name.
+void add_members(Json::Object& object, const Table& table);
+
+}  // namespace hyrax

@@ -1,0 +1,50 @@
+// How commands print on standard output.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "tools/files/printable.h"
+
+namespace hyrax {
+
+/// How much a command prints, and in which form.
+struct Printing {
+  enum class Detail { verdict, normal, all };
+  Detail detail = Detail::normal;
+  bool is_json = false;  ///< One JSON document; `detail` changes nothing in it.
+
+  [[nodiscard]] bool is_quiet() const { return detail == Detail::verdict; }
+  [[nodiscard]] bool is_verbose() const { return detail == Detail::all; }
+};
+
+/// A word of a verdict: green or red where standard output is a terminal, unless NO_COLOR is set or TERM is
+/// "dumb".
+struct VerdictWord {
+  std::string_view word;
+  bool is_good;
+};
+
+/// The text of an argument of print_text: of a text, its control characters escaped.
+[[nodiscard]] std::string printed(const VerdictWord& verdict);
+[[nodiscard]] inline std::string printed(std::string_view text) { return printable_lines(text); }
+template <class Value>
+requires(!std::is_convertible_v<Value, std::string_view>) [[nodiscard]] auto printed(const Value& value) {
+  if constexpr (std::is_arithmetic_v<Value>)
+    return value;
+  else
+    return printable_lines(fmt::format("{}", Value(value)));
+}
+
+/// As fmt::print; but paths and messages among the values do nothing to a terminal, and a failure to write
+/// throws nothing (see is_all_printed).
+template <class... Values>
+void print_text(fmt::format_string<decltype(printed(std::declval<const Values&>()))...> format,
+                const Values&... values) {
+  std::fputs(fmt::format(format, printed(values)...).c_str(), stdout);
+}
+
+}  // namespace hyrax

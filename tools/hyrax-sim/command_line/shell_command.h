@@ -1,0 +1,23 @@
+// Suggested commands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hyrax {
+
+/// A command line that can be pasted into a POSIX shell: the arguments, quoted where necessary. An argument
+/// with control characters or invalid UTF-8 takes the form $'...', which bash, zsh and POSIX 2024 read; no
+/// control character of it is printed as such.
+[[nodiscard]] std::string shell_command(const std::vector<std::string>& arguments);
+
+/// The same path in a form that is not parsed as an option.
+[[nodiscard]] std::string as_argument(const std::string& path);
+
+/// The command that blesses a scenario, with --golden if its path alone does not lead to the golden file:
+/// the folder that was given, or `golden`.
+/// @param golden_folder as given; empty if it was not.
+[[nodiscard]] std::string bless_command_for(const std::string& scenario_path,
+                                            const std::string& golden_folder);
+
+}  // namespace hyrax

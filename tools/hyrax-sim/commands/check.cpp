@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <iterator>
+#include <system_error>
+#include <thread>
+
+#include "tools/files/path.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/text_file.h"
+#include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/outcomes.h"
+#include "tools/hyrax-sim/command_line/progress.h"
+#include "tools/hyrax-sim/golden/check_verdict.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+struct CheckRequest {
+  std::vector<std::string> files;
+  std::string golden_folder;
+  std::optional<std::int64_t> jobs;
+  std::string junit;
+  bool is_quick = false;  // No effect: `check` always skips work that cannot change a verdict.
+  Printing printing;
+};
+
+std::vector<std::string> paths_of(CheckRequest& request) {
+  if (request.files.empty()) {
+    if (!is_folder("scenarios"))
+      throw Failure(ExitCode::bad_input,
+                    "scenarios: no such folder in the current one; name the scenarios or folders to check");
+    request.files = {"scenarios"};
+    if (request.golden_folder.empty()) request.golden_folder = "golden";
+  }
+  return list_scenarios(request.files);
+}
+
+// As many threads as requested, or fewer if the system allows no more.
+std::vector<std::jthread> start_workers(std::int64_t count, const std::function<void()>& work) {
+  std::vector<std::jthread> workers;
+  try {
+    for (std::int64_t worker = 0; worker < count; ++worker) workers.emplace_back(work);
+  } catch (const std::system_error&) {
+  }
+  return workers;
+}
+
+// Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
+// files are read, in a child process first, only after the workers have ended.
+std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
+                                    std::int64_t jobs) {
+  std::vector<CheckVerdict> verdicts(paths.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<std::int64_t> done = 0;
+  options.reads_golden = jobs == 1;
+  const auto work = [&] {
+    for (std::size_t index = next++; index < paths.size(); index = next++) {
+      verdicts[index] = check_scenario(paths[index], options);
+      if (!verdicts[index].is_open) ++done;
+    }
+  };
+  std::vector<std::jthread> workers =
+      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, work);
+  Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
+  for (std::size_t index = next++; index < paths.size(); index = next++) {
+    verdicts[index] = check_scenario(paths[index], options);
+    progress.show(verdicts[index].is_open ? done.load() : ++done);
+  }
+  workers.clear();
+  options.reads_golden = true;
+  for (CheckVerdict& verdict : verdicts) {
+    if (!verdict.is_open) continue;
+    verdict = check_scenario(verdict.path, options);
+    progress.show(++done);
+  }
+  return verdicts;
+}
+
+ExitCode check(CheckRequest& request) {
+  const std::vector<std::string> paths = paths_of(request);
+  if (!request.junit.empty())
+    OutputGuard(paths, request.golden_folder).admit("hyrax-sim check: --junit", request.junit);
+  const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
+  std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
+  else
+    print_check(verdicts, request.printing);
+  for (const CheckVerdict& verdict : verdicts)
+    if (!verdict.note.empty()) print_error(verdict.note);
+  Outcomes outcomes;
+  for (const CheckVerdict& verdict : verdicts) outcomes.add(verdict.exit_code);
+  if (!request.junit.empty())
+    outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(verdicts)); });
+  return outcomes.exit_code();
+}
+
+}  // namespace
+
+Command check_command() {
+  return {.name = "check",
+          .summary = "replay scenarios and compare every bit with their golden files",
+          .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+          .is_common = true,
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<CheckRequest>();
+            options.files(request->files,
+                          {"SCENARIO or DIR", "",
+                           "scenario files, or folders of them (default: scenarios). A folder's golden files "
+                           "without a scenario are reported as unreferenced (exit code 1)"},
+                          0, -1);
+            options.text(
+                request->golden_folder,
+                {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+            options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
+            options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
+            options.flag(
+                request->is_quick,
+                {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+            options.printing(request->printing, "print every scenario, and all contacts that moved");
+            return [request] { return check(*request); };
+          }};
+}
+
+}  // namespace hyrax

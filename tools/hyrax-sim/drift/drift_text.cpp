@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "tools/hyrax-sim/command_line/print.h"
+#include "tools/hyrax-sim/drift/drift.h"
+
+namespace hyrax {
+namespace {
+
+// Three digits, and an exponent only where it is shorter.
+std::string number(double value) {
+  const double size = std::fabs(value);
+  if (size == 0.0 || (size >= 1e-3 && size < 999.5)) return fmt::format("{:.3g}", value);
+  if (size >= 999.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.1e}", value);
+}
+std::string number(const std::optional<double>& value) { return value ? number(*value) : std::string("-"); }
+std::string number(const std::optional<Worst>& worst) {
+  return worst ? number(worst->value) : std::string("-");
+}
+std::string percent(double rel) { return number(100.0 * rel); }
+std::string percent(const std::optional<double>& rel) { return rel ? percent(*rel) : std::string("-"); }
+std::string percent(const std::optional<Worst>& worst) {
+  return worst ? number(100.0 * worst->value) : std::string("-");
+}
+std::string milliseconds(const std::optional<double>& seconds) {
+  return seconds ? number(1e3 * *seconds) : std::string("-");
+}
+
+std::string arcs_text(std::int64_t count) { return fmt::format("{} arc{}", count, count == 1 ? "" : "s"); }
+
+std::string reference_text(const std::optional<GslOptions>& gsl) {
+  if (!gsl) return "  reference    closed form alone\n";
+  return fmt::format("  reference    closed form, checked by GSL {} at {:g}\n",
+                     kGslStepperNames[static_cast<std::size_t>(gsl->stepper)], gsl->tolerance);
+}
+
+std::string more_text(std::int64_t count, std::size_t listed_max) {
+  const std::int64_t more = count - static_cast<std::int64_t>(listed_max);
+  return more > 0 ? fmt::format("  ... {} more; --verbose lists them\n", more) : "";
+}
+
+template <class... Columns>
+std::string arc_line(const Columns&... columns) {
+  return fmt::format("  {:>7} {:>7} {:>7} {:<6} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", columns...);
+}
+
+// The drift in percent depends on how high the arc begins; this does not.
+std::string energy_text(const DriftSummary& summary) {
+  if (!summary.energy_drift_max_px2_per_s2) return "";
+  const auto [drift, first_step] = *summary.energy_drift_max_px2_per_s2;
+  return fmt::format("  energy       drift at most {} px²/s², in the arc from row {}\n", number(drift),
+                     first_step);
+}
+
+std::string arcs_text(const DriftRun& run, std::size_t lines_max) {
+  const DriftSummary& summary = run.summary;
+  if (summary.arcs == 0) return "  no flight arc of two steps or more\n";
+  std::string text =
+      arc_line("arc", "", "time", "ended", "implem.", "trunc.", "model", "drift", "at end", "slope", "GSL") +
+      arc_line("from", "to", "s", "by", "px", "px", "px", "%", "%", "%/s", "off px");
+  for (std::size_t index = 0; index < std::min(run.arcs.size(), lines_max); ++index) {
+    const ArcErrors& arc = run.arcs[index];
+    text += arc_line(arc.first_step, arc.last_step, fmt::format("{:.4g}", arc.duration_s),
+                     kArcEndNames[static_cast<std::size_t>(arc.ended_by)], number(arc.implementation_px),
+                     number(arc.truncation_px), number(arc.model_px), percent(arc.energy_drift_rel_max),
+                     percent(arc.energy_drift_rel_end), percent(arc.energy_drift_slope_per_s),
+                     number(arc.gsl_vs_closed_px));
+  }
+  return text + more_text(summary.arcs, lines_max) +
+         arc_line("worst", "", "", "", number(summary.implementation_px), number(summary.truncation_px),
+                  number(summary.model_px), percent(summary.energy_drift_rel_max), "",
+                  percent(summary.energy_drift_slope_per_s), number(summary.gsl_vs_closed_px)) +
+         energy_text(summary);
+}
+
+template <class... Columns>
+std::string contact_line(const Columns&... columns) {
+  return fmt::format("  {:>7} {:<6} {:>14} {:>14} {:>14} {:>14}\n", columns...);
+}
+
+std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
+  const DriftSummary& summary = run.summary;
+  if (summary.contacts == 0) return "";
+  std::string text =
+      contact_line("contact", "wall", "time error ms", "overshoot px", "energy jump %", "restitution");
+  for (std::size_t index = 0; index < std::min(run.contacts.size(), lines_max); ++index) {
+    const ImpactErrors& contact = run.contacts[index];
+    text +=
+        contact_line(contact.step, kWallNames[wall_index(contact.wall)], milliseconds(contact.time_error_s),
+                     number(contact.overshoot_px), percent(contact.energy_jump_rel),
+                     contact.effective_restitution ? fmt::format("{:.4f}", *contact.effective_restitution)
+                                                   : std::string("-"));
+  }
+  text += more_text(summary.contacts, lines_max);
+  const Spread& restitution = summary.effective_restitution;
+  if (restitution.count() > 0)
+    text += fmt::format(
+        "  restitution  mean {:.4f}, standard deviation {:.4f}, {} contacts; the paper's is 0.6\n",
+        restitution.mean(), restitution.standard_deviation(), restitution.count());
+  return text;
+}
+
+void print_faults(const DriftSummary& summary) {
+  if (summary.non_finite_step)
+    print_text("  {}   from row {}; not measured from there on\n", VerdictWord{"NOT FINITE", false},
+               *summary.non_finite_step);
+  if (summary.steps_astray > 0)
+    print_text("  {}     {} flight steps differ from the listing\n", VerdictWord{"DIFFERS", false},
+               summary.steps_astray);
+  if (summary.reference_faults > 0)
+    print_text("  {} of the reference in {}, the first from row {}: {}\n",
+               VerdictWord{"INTERNAL ERROR", false}, arcs_text(summary.reference_faults),
+               summary.first_reference_fault_step.value_or(0), summary.first_reference_fault);
+}
+
+// The items in lines of at most 100 columns.
+std::string wrapped(const std::string& label, const std::vector<std::string>& items) {
+  constexpr std::size_t kWidth = 100;
+  std::string text;
+  std::string line = fmt::format("  {:<12}", label);
+  for (std::size_t index = 0; index < items.size(); ++index) {
+    const std::string item = items[index] + (index + 1 < items.size() ? ";" : "");
+    if (line.size() + 1 + item.size() > kWidth) {
+      text += line + "\n";
+      line = std::string(14, ' ');
+    }
+    line += " " + item;
+  }
+  return text + line + "\n";
+}
+
+// At most two digits.
+std::string brief(double value) {
+  const double size = std::fabs(value);
+  if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  if (size < 0.01) return fmt::format("{:.1g}", value);
+  return fmt::format("{:.2g}", value);
+}
+
+// Of the longest arc: the relative drift of a short, low arc means little.
+std::string drift_of(const std::optional<ArcErrors>& longest) {
+  if (!longest || !longest->energy_drift_slope_per_s) return "-";
+  return brief(100.0 * *longest->energy_drift_slope_per_s);
+}
+
+std::string truncation_of(const DriftSummary& summary) {
+  return summary.truncation_px ? brief(summary.truncation_px->value) : std::string("-");
+}
+
+// The last line: what a step costs on this machine, its errors, and both at half the dt.
+std::string speed_text(const DriftReport& report) {
+  if (!report.step_ns) return "";
+  std::string text =
+      fmt::format("  this machine {} ns/step, trunc. {} px, drift {} %/s; half dt", brief(*report.step_ns),
+                  truncation_of(report.run.summary), drift_of(report.run.longest_arc));
+  if (!report.half_dt.half) return text + fmt::format(" not measured: {}\n", report.half_dt.why_not);
+  const HalfDt& half = *report.half_dt.half;
+  return text + fmt::format(": {} ns, {} px, {} %/s\n", brief(2.0 * half.step_ns),
+                            truncation_of(half.summary), drift_of(half.longest_arc));
+}
+
+// The error against the fixed model does not vanish with the frame if half the dt keeps most of it.
+std::string convergence_text(const DriftReport& report) {
+  if (!report.half_dt.half) return "";
+  const std::optional<Worst>& now = report.run.summary.model_px;
+  const std::optional<Worst>& half = report.half_dt.half->summary.model_px;
+  constexpr double kHalvedAtLeast = 0.6;  // 0.5 for a method of first order.
+  if (!now || !half || half->value <= kHalvedAtLeast * now->value) return "";
+  return fmt::format(
+      "  model        error {} px, at half the dt {} px: the paper's step applies drag\n"
+      "               once a frame, however short, so it does not converge to a fixed rate\n",
+      number(now), number(half));
+}
+
+// Two digits, never more than the value.
+std::string rounded_down(double value) {
+  std::string text = fmt::format("{:.17e}", value);
+  text.erase(text.find('.') + 2, 16);
+  double rounded = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return fmt::format("{:g}", rounded);
+}
+
+}  // namespace
+
+bool is_knife_edge(const Margin& margin) {
+  constexpr double kKnifeEdge = 1e-9;
+  return margin.half_width && *margin.half_width < kKnifeEdge;
+}
+
+std::string margin_text(const Margin& margin) {
+  if (!margin.half_width || !margin.nearest) return "no start changes the contacts";
+  return fmt::format("any start within ±{} px and px/s keeps all contacts; nearest decision: {}, step {}",
+                     rounded_down(*margin.half_width),
+                     kDecisionNames[static_cast<std::size_t>(margin.nearest->decision)],
+                     margin.nearest->step);
+}
+
+std::vector<std::string> not_computed(const DriftReport& report) {
+  const DriftSummary& summary = report.run.summary;
+  std::vector<std::string> items;
+  if (summary.arcs_without_x > 0)
+    items.push_back(fmt::format("x in {} without horizontal motion", arcs_text(summary.arcs_without_x)));
+  if (!report.run.gsl) items.emplace_back("GSL (--reference gsl)");
+  if (!report.has_rows_stored) items.emplace_back("errors of every row (--rows)");
+  if (summary.skipped_arcs > 0)
+    items.push_back(fmt::format("{} of fewer than two steps", arcs_text(summary.skipped_arcs)));
+  return items;
+}
+
+void print_drift(const DriftReport& report, const Printing& printing) {
+  const DriftRun& run = report.run;
+  if (printing.is_quiet()) {
+    print_text("{}: largest errors: implementation {} px, truncation {} px, model {} px\n", run.scenario.name,
+               number(run.summary.implementation_px), number(run.summary.truncation_px),
+               number(run.summary.model_px));
+    return print_faults(run.summary);
+  }
+  const std::size_t lines_max = printing.is_verbose() ? kArcsListedMax : 20;
+  print_text("{}\n", title_of(run.scenario, run.steps, run.simulated_s));
+  if (!run.note.empty()) print_text("  {}\n", run.note);
+  print_text("{}{}", arcs_text(run, lines_max), contacts_text(run, lines_max));
+  print_faults(run.summary);
+  print_text("  {}\n", margin_text(run.margin));
+  if (is_knife_edge(run.margin)) print_text("  KNIFE EDGE   rounding alone can change a contact\n");
+  print_text("{}", reference_text(run.gsl));
+  if (const std::vector<std::string> items = not_computed(report); !items.empty())
+    print_text("{}", wrapped("not computed", items));
+  print_text("{}{}", convergence_text(report), speed_text(report));
+}
+
+}  // namespace hyrax

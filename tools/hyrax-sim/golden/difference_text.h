@@ -1,0 +1,29 @@
+// A comparison as text and as JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sim/compare/comparison.h"
+#include "tools/files/json.h"
+#include "tools/store/provenance.h"
+
+namespace hyrax {
+
+/// What differs: class, first divergent step and field, both values in decimal and hex float, ulps,
+/// the rows around it, the contacts that moved (of each list the first 8, unless `lists_all`). Complete
+/// lines, indented by two.
+[[nodiscard]] std::string difference_text(const Comparison& comparison, bool lists_all = false);
+
+/// Which build settings of the programs that made two files differ, and what that usually means for a
+/// difference of that class; nothing: they agree. Complete lines, indented by two.
+[[nodiscard]] std::string build_text(const Provenance& a, const Provenance& b,
+                                     const std::optional<DifferenceClass>& difference);
+
+/// The value of a field: the flags of "contact" by name, other values in decimal and hex float.
+[[nodiscard]] std::string field_value_text(std::string_view field, double value);
+
+/// {"step", "field", "expected", "actual", "ulps"}, or null.
+[[nodiscard]] Json divergence_json(const std::optional<Divergence>& divergence);
+
+}  // namespace hyrax

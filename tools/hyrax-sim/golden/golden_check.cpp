@@ -1,0 +1,118 @@
+#include "tools/hyrax-sim/golden/golden_check.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "sim/compare/run_comparer.h"
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "tools/store/trajectory_format.h"
+
+namespace hyrax {
+namespace {
+
+ReplayOptions options_for(const Scenario& scenario) {
+  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds};
+}
+
+// Keeps the rows of the first block.
+class BlockSink : public RowSink {
+ public:
+  explicit BlockSink(RowBlock& rows) : rows_(rows) {}
+  [[nodiscard]] Wants wants() const override { return {.blocks = true}; }
+  void block(const Block& block, std::int64_t) override {
+    if (rows_.size() == 0) rows_.append(block.rows, 0, block.rows.size());
+  }
+
+ private:
+  RowBlock& rows_;
+};
+
+constexpr std::size_t kContactsHeldMax = 1 << 16;
+
+// Keeps all contacts up to a limit; beyond it, only the last step of each.
+class FreshRecorder final : public RunRecorder {
+ public:
+  using RunRecorder::RunRecorder;
+  void contact_began(const Contact& contact) override {
+    last_steps_.push_back(contact.step);
+    if (last_steps_.size() <= kContactsHeldMax) RunRecorder::contact_began(contact);
+  }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    last_steps_[static_cast<std::size_t>(index)] = last_step;
+    if (static_cast<std::size_t>(index) < kContactsHeldMax) RunRecorder::contact_ended(index, last_step);
+  }
+  [[nodiscard]] bool holds_all() const { return last_steps_.size() <= kContactsHeldMax; }
+  [[nodiscard]] std::vector<std::int64_t> take_last_steps() { return std::move(last_steps_); }
+
+ private:
+  std::vector<std::int64_t> last_steps_;
+};
+
+// Sends the contacts of a run that was played before, each with its last step.
+class ContactSink final : public RowSink {
+ public:
+  ContactSink(const std::vector<std::int64_t>& last_steps, const std::function<void(const Contact&)>& take)
+      : last_steps_(last_steps), take_(take) {}
+  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
+  void contact_began(const Contact& contact) override {
+    Contact complete = contact;
+    complete.last_step = last_steps_[next_++];
+    take_(complete);
+  }
+
+ private:
+  const std::vector<std::int64_t>& last_steps_;
+  const std::function<void(const Contact&)>& take_;
+  std::size_t next_ = 0;
+};
+
+// Replays a stored block from its keyframe.
+RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
+  RowBlock rows;
+  BlockSink sink(rows);
+  Replay replay(scenario, kept.keyframe, sink);
+  replay.play_to(
+      std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
+  static_cast<void>(replay.finish());
+  return rows;
+}
+
+}  // namespace
+
+ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
+  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(scenario, block); });
+  const RunSummary summary = replay(scenario, comparer, options_for(scenario));
+  return {comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash), summary.final,
+                           inputs_of(scenario, summary.steps)}),
+          summary};
+}
+
+RunSummary play(const Scenario& scenario) {
+  RowSink nothing_wanted;
+  return replay(scenario, nothing_wanted, options_for(scenario));
+}
+
+FreshRun play_for_golden(const Scenario& scenario) {
+  FreshRecorder recorder(step_count(scenario));
+  const RunSummary summary = replay(scenario, recorder, options_for(scenario));
+  StoredRun run = recorder.take();
+  if (!recorder.holds_all()) {
+    run.contacts = {};
+    run.replay_contacts = [scenario, last_steps = recorder.take_last_steps()](const auto& take) {
+      ContactSink sink(last_steps, take);
+      static_cast<void>(replay(scenario, sink, options_for(scenario)));
+    };
+  }
+  run.scenario = scenario;
+  run.physics = kPhysicsModel;
+  run.steps = summary.steps;
+  run.state_hash = hex(summary.state_hash);
+  run.final = summary.final;
+  run.contacts_total = summary.contacts.total();
+  run.inputs = inputs_of(scenario, summary.steps);
+  return {std::move(run), summary};
+}
+
+}  // namespace hyrax

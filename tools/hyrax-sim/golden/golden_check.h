@@ -1,0 +1,31 @@
+// A scenario's run, compared with a stored one.
+#pragma once
+
+#include <vector>
+
+#include "sim/compare/comparison.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/run_summary.h"
+#include "sim/trajectory/stored_run.h"
+
+namespace hyrax {
+
+/// Plays the scenario and compares it with the stored run.
+struct ComparedRun {
+  Comparison comparison;
+  RunSummary summary;
+};
+[[nodiscard]] ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario);
+
+/// Plays the scenario for its summary alone.
+[[nodiscard]] RunSummary play(const Scenario& scenario);
+
+/// Plays the scenario and keeps the contents of a golden file. Memory does not grow with the contacts: if
+/// they are many, the run replays them on demand.
+struct FreshRun {
+  StoredRun run;
+  RunSummary summary;
+};
+[[nodiscard]] FreshRun play_for_golden(const Scenario& scenario);
+
+}  // namespace hyrax

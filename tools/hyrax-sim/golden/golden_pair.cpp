@@ -1,0 +1,115 @@
+#include "tools/hyrax-sim/golden/golden_pair.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/replay/replay.h"
+#include "tools/files/text_file.h"
+#include "tools/hyrax-sim/drift/drift.h"
+#include "tools/store/golden_file.h"
+#include "tools/store/golden_summary.h"
+
+namespace hyrax {
+namespace {
+
+// Air drag reduces a change of the start to 2e-9 in 20,000 steps; these are a few more.
+constexpr std::int64_t kBlocksUntilStartIsForgotten = 5;
+
+bool has_input_within(const std::vector<Input>& inputs, std::int64_t first_step, std::int64_t end_step) {
+  return std::ranges::any_of(
+      inputs, [&](const Input& input) { return input.frame >= first_step && input.frame < end_step; });
+}
+
+// Sends the rows that can decide the margin. A block that repeats is played until its start has no effect
+// any more, and the rest of it skipped: its last row has the same state each time.
+void send_decisive_rows(const StoredRun& run, RowSink& sink) {
+  auto replay = std::make_optional<Replay>(run.scenario, sink);
+  for (std::size_t index = 0; index + 1 < run.blocks.size(); ++index) {
+    const StoredBlock& block = run.blocks[index];
+    const Keyframe& next = run.blocks[index + 1].keyframe;
+    const std::int64_t end_step =
+        block.keyframe.row.step + kBlocksUntilStartIsForgotten * static_cast<std::int64_t>(kBlockRows);
+    if (end_step >= next.row.step || has_input_within(run.inputs, end_step - 1, next.row.step)) continue;
+    replay->play_to(end_step - 1);
+    static_cast<void>(replay->finish());
+    Columns row;
+    row.append(next.row);
+    sink.rows(row);
+    replay.emplace(run.scenario, next, sink);
+  }
+  replay->play_to(run.steps);
+  static_cast<void>(replay->finish());
+}
+
+std::string margin_in_summary(const FreshRun& fresh) {
+  const StoredRun& run = fresh.run;
+  MarginMeter meter(run.scenario, run.inputs);
+  if (run.blocks.empty())
+    meter.rows(run.rows);
+  else
+    send_decisive_rows(run, meter);
+  const Margin margin = meter.margin();
+  return margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : "");
+}
+
+std::string summary_text(const FreshRun& fresh, const std::string& reason, const GoldenChecksums& checksums) {
+  return golden_summary_text(fresh.run, fresh.summary, reason, margin_in_summary(fresh), checksums);
+}
+
+// What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
+// are written and be the same all the same, so both are taken from the .h5 file.
+std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept, FreshRun fresh,
+                                    const std::string& h5_checksum, const GoldenPlace& place) {
+  fresh.run.scenario.name = kept.scenario.name;
+  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum};
+  if (const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums)))
+    return place.txt_path + ": " + *fault;
+  return attribute_difference(place.h5_path, kept);
+}
+
+void refuse_pair(Comparison& comparison, const std::string& fault) {
+  comparison.agrees = false;
+  comparison.difference = DifferenceClass::shape;
+  comparison.shape = "all rows agree, but the golden file was changed after it was blessed: " + fault +
+                     "; restore it, or bless the scenario again";
+}
+
+PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
+                                FreshRun fresh, const std::string& h5_checksum) {
+  const StoredRun kept = read_golden(place.h5_path);
+  ComparedRun compared = compare_with(kept, scenario);
+  PairComparison pair{std::move(compared.comparison), compared.summary, false, ""};
+  if (!pair.comparison.agrees) return pair;
+  const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
+  if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, place))
+    refuse_pair(pair.comparison, *fault);
+  else if (blessed_checksum != h5_checksum)
+    pair.note = place.h5_path + ": agrees, but does not have the checksum in " + place.txt_path +
+                ": its provenance or its layout differs";
+  return pair;
+}
+
+}  // namespace
+
+std::string summary_of(const FreshRun& fresh, const std::string& reason, const std::string& h5_checksum) {
+  return summary_text(fresh, reason, {contents_checksum(fresh.run), h5_checksum});
+}
+
+std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
+                                                bool reads_h5) {
+  const std::string text = read_text_file(place.txt_path);
+  const std::string h5_checksum = file_checksum(place.h5_path);
+  FreshRun fresh = play_for_golden(scenario);
+  if (text == summary_of(fresh, summary_reason(text), h5_checksum))
+    return PairComparison{.summary = fresh.summary};
+  if (!reads_h5) return std::nullopt;
+  return read_and_compare(scenario, place, text, std::move(fresh), h5_checksum);
+}
+
+bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
+  const StoredRun kept = read_golden(place.h5_path);
+  return kept.scenario.name == scenario.name && compare_with(kept, scenario).comparison.agrees &&
+         !attribute_difference(place.h5_path, kept);
+}
+
+}  // namespace hyrax

@@ -1,0 +1,38 @@
+// A scenario's run against its golden pair: the .h5 file and the summary beside it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tools/hyrax-sim/golden/golden_check.h"
+#include "tools/store/golden_place.h"
+
+namespace hyrax {
+
+struct PairComparison {
+  Comparison comparison{};
+  RunSummary summary;      ///< Of the run.
+  bool is_current = true;  ///< Blessing the run would write this summary again, and this .h5 file.
+  /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
+  std::string note{};
+};
+
+/// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
+/// summary, every line of it but the reason's text, is not the one that blessing the run would write.
+/// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
+/// REQUIRES: has_golden_file(place); with `reads_h5`, as read_isolated.
+/// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
+[[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
+                                                              const GoldenPlace& place, bool reads_h5);
+
+/// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
+/// would, its provenance aside, whatever the summary says.
+/// REQUIRES, ERRORS: as compare_with_pair's with `reads_h5`.
+[[nodiscard]] bool is_h5_current(const Scenario& scenario, const GoldenPlace& place);
+
+/// The summary that is blessed with a run.
+/// @param h5_checksum file_checksum of the .h5 file.
+[[nodiscard]] std::string summary_of(const FreshRun& fresh, const std::string& reason,
+                                     const std::string& h5_checksum);
+
+}  // namespace hyrax

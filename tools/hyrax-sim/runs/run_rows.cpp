@@ -1,0 +1,50 @@
+#include "tools/hyrax-sim/runs/run_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string_view>
+
+#include "tools/files/path.h"
+#include "tools/hyrax-sim/command_line/progress.h"
+
+namespace hyrax {
+// By name first: a file with damaged first bytes is reported as a bad trajectory. A pipe is not opened:
+// reading its first bytes would consume them, or wait for them.
+bool is_trajectory(const std::string& path) {
+  if (path.ends_with(".h5")) return true;
+  if (!is_regular_file(path)) return false;
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  char begin[kSignature.size()] = {};
+  std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
+  return std::string_view(begin, sizeof begin) == kSignature;
+}
+
+void play_with_progress(Replay& replay, std::int64_t end) {
+  using SteadyClock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kShortPiece(50);
+  Progress progress("steps", end);
+  // Steps that repeat take almost no time, so pieces grow until each takes long enough.
+  std::int64_t piece = progress.is_shown() ? 1 << 16 : end;
+  for (std::int64_t step = 0; step < end && replay.keyframe().row.step == step;) {
+    const SteadyClock::time_point begin = SteadyClock::now();
+    step = std::min(end, step + piece);
+    replay.play_to(step);
+    progress.show(step);
+    if (SteadyClock::now() - begin < kShortPiece) piece = std::min(end, 2 * piece);
+  }
+}
+
+std::string title_of(const Scenario& scenario, std::int64_t steps, double simulated_s) {
+  std::string clock = "at recorded dt";
+  if (const auto* rate = std::get_if<FixedRate>(&scenario.clock.base))
+    clock = fmt::format("at {} Hz", rate->rate_hz);
+  if (const auto* step = std::get_if<FixedStep>(&scenario.clock.base))
+    clock = fmt::format("at dt {} s", step->dt_s);
+  return fmt::format("{}: {} steps, {:.6g} s {}{}", scenario.name, steps, simulated_s, clock,
+                     scenario.clock.jitter ? ", jittered" : "");
+}
+
+}  // namespace hyrax

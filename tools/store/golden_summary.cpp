@@ -1,0 +1,210 @@
+#include "tools/store/golden_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "tools/files/failure.h"
+#include "tools/files/json.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/store/input_record.h"
+#include "tools/store/trajectory_format.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kContactsListed = 40;  // All of a run with up to this many; else half at each end.
+constexpr std::size_t kChecksumDigits = 32;
+constexpr std::string_view kReasonKey = "reason: ";
+constexpr std::string_view kChecksumsKey = "seal: ";
+
+std::string line_of(const Contact& contact) {
+  const std::string_view wall = kWallNames[wall_index(contact.wall)];
+  if (contact.step == contact.last_step) return fmt::format("  {} {}\n", contact.step, wall);
+  return fmt::format("  {} .. {} {}\n", contact.step, contact.last_step, wall);
+}
+
+std::string list_of(const StoredRun& run) {
+  std::vector<Contact> listed;
+  std::size_t left_out = 0;
+  run.each_contact([&](const Contact& contact) {
+    if (listed.size() == kContactsListed) {
+      listed.erase(listed.begin() + kContactsListed / 2);
+      ++left_out;
+    }
+    listed.push_back(contact);
+  });
+  std::string text;
+  for (std::size_t index = 0; index < listed.size(); ++index) {
+    if (left_out > 0 && index == kContactsListed / 2) text += fmt::format("  ... {} more\n", left_out);
+    text += line_of(listed[index]);
+  }
+  return text;
+}
+
+// The line that begins at `begin`, with its line end; empty after the last one.
+std::string_view line_at(std::string_view text, std::size_t begin) {
+  const std::size_t end = text.find('\n', begin);
+  return text.substr(begin, end == std::string_view::npos ? end : end + 1 - begin);
+}
+
+std::string shown(std::string_view line) {
+  if (line.empty()) return "nothing";
+  const bool is_ended = line.back() == '\n';
+  if (is_ended) line.remove_suffix(1);
+  return fmt::format("'{}'{}", line, is_ended ? "" : " without a line end");
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+// Hashes values in the same byte order on every machine.
+class ContentsHash {
+ public:
+  void add(std::string_view text) {
+    add(static_cast<std::int64_t>(text.size()));
+    hash_.add(std::as_bytes(std::span(text.data(), text.size())));
+  }
+  void add(double value) { add_bits(little_endian_bits(value)); }
+  void add(std::int64_t value) { add(std::bit_cast<double>(value)); }
+  void add(const Row& row) {
+    for (const RowColumn& column : kRowColumns) add(row.*column.value);
+    add(row.step);
+    add(std::int64_t{row.contact});
+  }
+  void add(const Size& size) {
+    add(std::int64_t{size.width_px});
+    add(std::int64_t{size.height_px});
+  }
+  [[nodiscard]] std::string value() const { return hex(hash_.value()); }
+
+ private:
+  void add_bits(std::uint64_t bits) { hash_.add(std::as_bytes(std::span(&bits, 1))); }
+  ByteHash hash_;
+};
+
+void add(ContentsHash& hash, const Contact& contact) {
+  hash.add(contact.step);
+  hash.add(contact.last_step);
+  hash.add(static_cast<std::int64_t>(contact.wall));
+  for (const ContactColumn& column : kContactColumns) hash.add(contact.*column.value);
+}
+
+void add(ContentsHash& hash, const StoredBlock& block) {
+  const Keyframe& keyframe = block.keyframe;
+  hash.add(block.count);
+  hash.add(hex(block.digest));
+  hash.add(keyframe.row);
+  for (const double value : {keyframe.timeline.base_s, keyframe.timeline.comp_s, keyframe.timeline.dt_s})
+    hash.add(value);
+  hash.add(keyframe.timeline.frames);
+  hash.add(keyframe.window);
+  hash.add(keyframe.sprite);
+  hash.add(std::int64_t{keyframe.is_held});
+}
+
+Scenario without_texts(Scenario scenario) {
+  scenario.name.clear();
+  scenario.description.reset();
+  scenario.schema.reset();
+  scenario.expect.reset();
+  return scenario;
+}
+
+}  // namespace
+
+std::string contents_checksum(const StoredRun& run) {
+  ContentsHash hash;
+  hash.add(to_text(to_json(without_texts(run.scenario))));
+  hash.add(run.physics);
+  hash.add(run.steps);
+  hash.add(run.state_hash);
+  for (const double t_s : run.rows.t_s) hash.add(t_s);
+  for (const StoredBlock& block : run.blocks) add(hash, block);
+  hash.add(run.final);
+  hash.add(run.contacts_total);
+  run.each_contact([&](const Contact& contact) { add(hash, contact); });
+  for (const Input& input : run.inputs) {
+    const InputRecord record = record_of(input);
+    hash.add(record.frame);
+    hash.add(std::int64_t{record.kind});
+    hash.add(record.a);
+    hash.add(record.b);
+  }
+  return hash.value();
+}
+
+std::string file_checksum(const std::string& path) {
+  const auto fail = [&path] {
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  };
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) fail();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> closed_at_end(file, std::fclose);
+  ByteHash hash;
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (const std::size_t bytes = std::fread(piece.data(), 1, piece.size(), file))
+    hash.add(std::as_bytes(std::span(piece.data(), bytes)));
+  if (std::ferror(file) != 0) fail();
+  return hex(hash.value());
+}
+
+std::string golden_summary_text(const StoredRun& run, const RunSummary& summary, const std::string& reason,
+                                const std::string& margin, const GoldenChecksums& checksums) {
+  const WallCounts& counts = summary.contacts;
+  const Row& end = summary.final;
+  std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\nstate hash: {}\n", run.scenario.name,
+                                 run.physics, run.steps, run.state_hash);
+  text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts.left, counts.right,
+                      counts.top, counts.ground);
+  text += list_of(run);
+  text += fmt::format("end: t {} s\n", end.t_s);
+  text += fmt::format("  x  {} px  {}\n  y  {} px  {}\n", end.x_px, hex_float(end.x_px), end.y_px,
+                      hex_float(end.y_px));
+  text += fmt::format("  vx {} px/s  {}\n  vy {} px/s  {}\n", end.vx_px_per_s, hex_float(end.vx_px_per_s),
+                      end.vy_px_per_s, hex_float(end.vy_px_per_s));
+  text += summary.at_rest_since_s ? fmt::format("at rest since: {} s\n", *summary.at_rest_since_s)
+                                  : std::string("at rest since: never\n");
+  if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
+  return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
+                            checksums.contents, checksums.file);
+}
+
+std::string summary_reason(const std::string& text) {
+  const std::size_t line = text.find(std::string("\n").append(kReasonKey));
+  if (line == std::string::npos) return "";
+  const std::size_t begin = line + 1 + kReasonKey.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+std::optional<std::string> summary_file_checksum(const std::string& text) {
+  const std::size_t line_length = kChecksumsKey.size() + 2 * kChecksumDigits + 2;
+  if (text.size() < line_length || text.back() != '\n' ||
+      text.compare(text.size() - line_length, kChecksumsKey.size(), kChecksumsKey) != 0)
+    return std::nullopt;
+  const std::string checksum = text.substr(text.size() - 1 - kChecksumDigits, kChecksumDigits);
+  if (checksum.find_first_not_of("0123456789abcdef") != std::string::npos) return std::nullopt;
+  return checksum;
+}
+
+std::optional<std::string> summary_difference(const std::string& stored, const std::string& current) {
+  std::size_t stored_begin = 0;
+  std::size_t current_begin = 0;
+  for (int number = 1; stored_begin < stored.size() || current_begin < current.size(); ++number) {
+    const std::string_view found = line_at(stored, stored_begin);
+    const std::string_view expected = line_at(current, current_begin);
+    if (found != expected)
+      return fmt::format("line {}: differs (found {}); expected {}", number, shown(found), shown(expected));
+    stored_begin += found.size();
+    current_begin += expected.size();
+  }
+  return std::nullopt;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,43 @@
+// The summary beside a golden file: a run in a few lines that a review can read, and two checksums.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/trajectory/run_summary.h"
+#include "sim/trajectory/stored_run.h"
+
+namespace hyrax {
+
+/// The last line of a summary. If the file has its checksum, and a new run has that of the contents, the two
+/// agree in everything that a comparison looks at, and the file need not be read.
+struct GoldenChecksums {
+  std::string contents;  ///< contents_checksum of the stored run.
+  std::string file;      ///< file_checksum of the .h5 file.
+};
+
+/// XXH3-128, as 32 hex digits, over a run's scenario (without name, description, $schema and expect), physics
+/// model, state hash, times, contacts, inputs and keyframes.
+[[nodiscard]] std::string contents_checksum(const StoredRun& run);
+
+/// XXH3-128 over a file's bytes. ERRORS: Failure(cannot_access) if it cannot be read.
+[[nodiscard]] std::string file_checksum(const std::string& path);
+
+/// @param reason given to bless; line ends become blanks.
+/// @param margin how far the start may move before a contact changes; no line if empty.
+[[nodiscard]] std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
+                                              const std::string& reason, const std::string& margin,
+                                              const GoldenChecksums& checksums);
+
+/// The reason that a summary states; empty if it states none.
+[[nodiscard]] std::string summary_reason(const std::string& text);
+
+/// The checksum of the .h5 file that a summary ends with; nothing if it does not end with one.
+[[nodiscard]] std::optional<std::string> summary_file_checksum(const std::string& text);
+
+/// The first line in which a stored summary differs from the one that bless would write now, as
+/// "line 3: differs (found 'steps: 301'); expected 'steps: 300'". Nothing if none differs.
+[[nodiscard]] std::optional<std::string> summary_difference(const std::string& stored,
+                                                            const std::string& current);
+
+}  // namespace hyrax

@@ -1,0 +1,30 @@
+// An input as the group /events of a file has it: a code of its kind, and two numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "sim/scenario/schedule.h"
+
+namespace hyrax {
+
+/// By code.
+inline constexpr std::array<std::string_view, 8> kInputKindNames = {
+    "fling", "place", "stop", "resize-window", "resize-sprite", "hitch", "grab", "release"};
+
+/// `a` and `b`: a velocity, a position, a size, or a dt; 0 where the kind has no number.
+struct InputRecord {
+  std::int64_t frame = 0;
+  std::uint8_t kind = 0;
+  double a = 0.0;
+  double b = 0.0;
+};
+
+/// REQUIRES: a resize is of the window or of the sprite.
+[[nodiscard]] InputRecord record_of(const Input& input);
+/// Nothing where no input has this record.
+[[nodiscard]] std::optional<Input> input_of(const InputRecord& record);
+
+}  // namespace hyrax
