@@ -28,7 +28,7 @@ Expectation verdict(const Expect& expect, const RunSummary& summary = some_summa
 
 TEST(Judge, SaysNothingWhereNothingIsExpected) { EXPECT_TRUE(judge({}, some_summary()).empty()); }
 
-TEST(Judge, TellsInBounds) {
+TEST(Judge, JudgesInBounds) {
   RunSummary outside = some_summary();
   outside.out_of_bounds_step = 12;
   EXPECT_TRUE(verdict({.in_bounds = true}).holds);
@@ -39,7 +39,7 @@ TEST(Judge, TellsInBounds) {
   EXPECT_EQ(std::get<bool>(verdict({.in_bounds = true}, outside).measured), false);
 }
 
-TEST(Judge, TellsFinite) {
+TEST(Judge, JudgesFinite) {
   RunSummary blown_up = some_summary();
   blown_up.non_finite_step = 3;
   EXPECT_TRUE(verdict({.finite = true}).holds);
@@ -67,12 +67,12 @@ TEST(Judge, NamesRuleWantedAndMeasured) {
   EXPECT_EQ(verdict({.final_y_px = Interval{-kInfinity, 9.0}}).wanted, "at most 9");
 }
 
-TEST(Judge, TellsTheMomentOfRest) {
+TEST(Judge, JudgesTheTimeOfRest) {
   EXPECT_TRUE(verdict({.at_rest_since_s = Interval{8.0, 8.5}}).holds);
   EXPECT_FALSE(verdict({.at_rest_since_s = Interval{-kInfinity, 8.0}}).holds);
 }
 
-TEST(Judge, FindsNoMomentOfRestWithinAnyBounds) {
+TEST(Judge, AcceptsNoTimeOfRestForARestlessRun) {
   RunSummary restless = some_summary();
   restless.at_rest_since_s.reset();
   const Expectation rest = verdict({.at_rest_since_s = Interval{-kInfinity, kInfinity}}, restless);
@@ -98,7 +98,7 @@ TEST(Judge, CountsTheContactsOfEachWall) {
   }
 }
 
-TEST(Judge, ComparesTheWholeStateHash) {
+TEST(Judge, ComparesAllOfTheStateHash) {
   std::string hash = hex(some_summary().state_hash);
   EXPECT_TRUE(verdict({.state_hash = hash}).holds);
   hash.back() = '1';

@@ -49,7 +49,7 @@ TEST(FirstDifference, LooksInTheOrderOfTheFields) {
   }
 }
 
-TEST(FirstDifference, TellsTheZerosApart) {
+TEST(FirstDifference, DistinguishesSignedZeros) {
   Row expected = some_row();
   Row actual = some_row();
   expected.vx_px_per_s = 0.0;

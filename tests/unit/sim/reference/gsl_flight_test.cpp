@@ -106,7 +106,7 @@ TEST(GslFlight, FindsTheTimeOfImpact) {
   }
 }
 
-TEST(GslFlight, CrossesAWallWhereItStandsOnIt) {
+TEST(GslFlight, CrossesAWallAtOnceWhenOnIt) {
   GslFlight gsl;
   EXPECT_EQ(gsl.time_of_impact({0.0, 10.0, 0.0, 0.06}, 1.0)->t_s, 0.0);
   EXPECT_EQ(gsl.time_of_impact({0.0, 0.0, 1200.0, 0.06}, 1.0)->t_s, 0.0);
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(GslFlight, AnyStepper,
                            return std::string(kGslStepperNames[static_cast<std::size_t>(test.param)]);
                          });
 
-TEST(GslFlight, ComputesNothingInXThatIsNotAsked) {
+TEST(GslFlight, LeavesXAtZeroWhenNotRequested) {
   GslFlight gsl;
   gsl.start(kVelocity, false);
   ASSERT_TRUE(gsl.advance(kFrame_s));
@@ -195,7 +195,7 @@ TEST(DriftMeterWithGsl, HasNoSuchFigureWithoutIt) {
   EXPECT_FALSE(measured.summary.gsl_vs_closed_px);
 }
 
-// Control: GSL's answers, changed on their way.
+// Control: GSL's answers with a change.
 struct AlteredSolver final : FlightSolver {
   void start(const Velocity& velocity, bool solves_x) override { gsl.start(velocity, solves_x); }
   bool advance(double dt_s) override { return gsl.advance(dt_s) && !fails; }

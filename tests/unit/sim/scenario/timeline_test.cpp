@@ -36,7 +36,7 @@ TEST(Timeline, PlaysEqualFramesAtOnceToTheSameTime) {
   }
 }
 
-TEST(Timeline, LooksAheadToTheTimeItComesTo) {
+TEST(Timeline, PredictsTheTimeOfALaterFrame) {
   Timeline timeline;
   timeline.play(0.5);
   timeline.play(0.1, 3);

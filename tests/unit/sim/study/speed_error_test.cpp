@@ -1,4 +1,4 @@
-// Orders, fronts, answers, and the rules that a study is held to, each with a study that breaks it.
+// Orders, fronts, answers, and the rules that a study must keep, each with a study that breaks it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace hyrax {
 namespace {
 
-// A clock that ticks once a look: costs mean nothing, and no time passes.
+// A clock that ticks once per reading: costs are meaningless, and no real time passes.
 SpeedError some_study() {
   static const SpeedError study = [] {
     std::int64_t now_ns = 0;

@@ -83,7 +83,7 @@ TEST(RowBlock, ForgetsRowsWhenShrunk) {
   EXPECT_EQ(block.row(1).x_px, 7.0);
 }
 
-TEST(SameBits, TellsZerosApartAndTakesNaNForItself) {
+TEST(SameBits, DistinguishesSignedZerosAndAcceptsEqualNans) {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(same_bits(0.0, -0.0));
   EXPECT_TRUE(same_bits(not_a_number, not_a_number));

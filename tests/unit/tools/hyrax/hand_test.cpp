@@ -53,7 +53,7 @@ TEST(Hand, DoesNotThrowByAClickThatTrembles) {
 
 TEST(Hand, ThatNeverMovedGivesNothing) { EXPECT_EQ(Hand(kTicksPerS, {7, 7}, 5).velocity(5), Velocity{}); }
 
-TEST(Hand, UnderAClockThatStandsStillIsAsFastAsInTheShortestDrag) {
+TEST(Hand, WithAStoppedClockIsAsFastAsInTheShortestDrag) {
   Hand hand(kTicksPerS, {0, 0}, 50);
   hand.move({30, -10}, 50);
   EXPECT_EQ(hand.velocity(50), (Velocity{3000.0, -1000.0}));

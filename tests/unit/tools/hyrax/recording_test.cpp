@@ -51,11 +51,11 @@ class RecordedSession : public testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  // Frames of a file that comes to the hash it carries.
+  // Frames of a file that replays to its own state hash.
   static std::int64_t good_frames(const std::string& path) {
     const Scenario scenario = load_scenario(path);
-    RowSink nobody;
-    const RunSummary summary = replay(scenario, nobody);
+    RowSink null_sink;
+    const RunSummary summary = replay(scenario, null_sink);
     EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash)) << path;
     return summary.steps;
   }
@@ -67,7 +67,7 @@ class RecordedSession : public testing::Test {
   const std::string folder_ = testing::TempDir() + "hyrax-recording-" + std::to_string(getpid()) + "/";
 };
 
-TEST_F(RecordedSession, IsWholeAtEverySave) {
+TEST_F(RecordedSession, IsCompleteAfterEverySave) {
   play(10);
   session.start_recording(path("Fling 1.json"), saver);
   for (int second = 1; second <= 5; ++second) {
@@ -184,7 +184,7 @@ TEST_F(RecordedSession, WithoutAFrameIsNoFile) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(RecordedSession, TellsOfAPlaceThatCannotBeWritten) {
+TEST_F(RecordedSession, ReportsAPathThatCannotBeWritten) {
   session.start_recording(path("missing/fling.json"), saver);
   play(10);
   save();

@@ -52,11 +52,11 @@ void live(Session& session) {
   play(session, 300);
 }
 
-// What a file of it comes to.
+// The summary of replaying its scenario file.
 RunSummary replayed_from_text(const Tape& tape) {
   const Scenario read = parse_scenario(scenario_file_text(tape.scenario("tape")), "tape");
-  RowSink nobody;
-  return replay(read, nobody);
+  RowSink null_sink;
+  return replay(read, null_sink);
 }
 
 void expect_replays(const Tape& tape, const Keyframe& end) {

@@ -74,7 +74,7 @@ TEST(ContentsChecksum, IsTheSameWhetherContactsAreHeldOrNot) {
   EXPECT_EQ(contents_checksum(without), contents_checksum(run));
 }
 
-TEST(ContentsChecksum, TellsTheZerosApart) {
+TEST(ContentsChecksum, DistinguishesSignedZeros) {
   StoredRun run = kept_run(eventful_fling());
   run.final.vx_px_per_s = 0.0;
   EXPECT_EQ(unseen(run, {[](StoredRun& changed) { changed.final.vx_px_per_s = -0.0; }}), 0u);
