@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`bless`: the one way in which golden files change, on purpose and with a reason."""
+"""`bless`: the only command that changes golden files, deliberately and with a reason."""
 
 import json
 import os

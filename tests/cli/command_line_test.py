@@ -71,7 +71,7 @@ class Order(ProgramTest):
     """An option takes one value, and may be before, between and after the files."""
 
     def assert_any_order(self, command, files, option, count):
-        """The command sees both files wherever the option is, in each of its forms; `count` says how many it saw."""
+        """The command reads both files wherever the option is, in each of its forms; `count` is their number."""
         forms = [option]
         if len(option) == 2:
             forms.append(["=".join(option)] if option[0].startswith("--") else ["".join(option)])
@@ -138,7 +138,7 @@ class Number(ProgramTest):
 
 
 class OneDocument(ProgramTest):
-    """--json gives one JSON document on stdout, whatever the command."""
+    """--json gives one JSON document on stdout, for every command."""
 
     def test_every_command_takes_it(self):
         files = self.project("one")
@@ -256,7 +256,7 @@ class Streams(ProgramTest):
 
 
 class Surroundings(ProgramTest):
-    """What the environment says."""
+    """Environment variables."""
 
     def test_a_missing_folder_for_temporary_files_is_none_of_our_business(self):
         files = self.project("one")

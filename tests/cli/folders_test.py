@@ -19,7 +19,7 @@ class Folders(ProgramTest):
         os.symlink(target, self.folder / path)
 
     def listed(self, exit_code=AGREED, folder="scenarios", says=()):
-        """The scenarios that a command sees."""
+        """The scenarios that a command finds."""
         results = self.expect(exit_code, "validate", folder, "--json", says=says).json["results"]
         return [entry["scenario"] for entry in results]
 

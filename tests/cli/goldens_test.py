@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""golden/ as a whole: a golden file for every scenario and none without, digests that name the same hash, small."""
+"""The folder golden/: one golden file per scenario, digests with the same hash, small files."""
 
 import re
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`run`: what it writes, where it writes it, and what it says."""
+"""`run`: the files it writes, their paths, and its output."""
 
 import os
 import pty
