@@ -15,17 +15,17 @@ def _fate(mutant, verdict, reasons):
     reason = reasons.get((mutant.path, mutant.name))
     if verdict.fate != "survived" or reason is None:
         return verdict.fate
-    return "unit test" if reason.is_told_by_unit_test else "equivalent"
+    return "unit test" if reason.is_caught_by_unit_test else "equivalent"
 
 
 def _cut(line, first, last):
-    """What of a long line lies about its places `first` to `last`."""
+    """The part of a long line around its positions `first` to `last`."""
     first, last = max(first - _AROUND, 0), min(last + _AROUND, len(line))
     return ("..." if first > 0 else "") + line[first:last] + ("..." if last < len(line) else "")
 
 
 def short(name):
-    """A mutant's name; of long lines just what is about the change."""
+    """A mutant's name; long lines are cut to the part around the change."""
     name, number = re.fullmatch(r"(.*?)( \[\d+\])?", name).groups(default="")
     place, _, change = name.partition(": ")
     before, arrow, after = change.partition(" -> ")
