@@ -99,7 +99,7 @@ TEST(ContactChanges, PairMovesInOrderAndLeaveTheRest) {
   EXPECT_EQ(changes.only_a[0].step, 30);
 }
 
-TEST(ContactChanges, ToNothingAreAllContacts) {
+TEST(ContactChanges, ToAnEmptyListAreAllContacts) {
   EXPECT_EQ(contact_changes(kBounces, {}).only_a.size(), kBounces.size());
   EXPECT_EQ(contact_changes({}, kBounces).only_b.size(), kBounces.size());
 }

@@ -26,7 +26,7 @@ Expectation verdict(const Expect& expect, const RunSummary& summary = some_summa
   return verdicts.empty() ? Expectation{} : verdicts.front();
 }
 
-TEST(Judge, SaysNothingWhereNothingIsExpected) { EXPECT_TRUE(judge({}, some_summary()).empty()); }
+TEST(Judge, HasNoVerdictsWithoutExpectations) { EXPECT_TRUE(judge({}, some_summary()).empty()); }
 
 TEST(Judge, JudgesInBounds) {
   RunSummary outside = some_summary();
@@ -48,7 +48,7 @@ TEST(Judge, JudgesFinite) {
   EXPECT_EQ(verdict({.finite = true}).rule, "finite");
 }
 
-TEST(Judge, TakesBoundsAsInclusive) {
+TEST(Judge, TreatsBoundsAsInclusive) {
   EXPECT_TRUE(verdict({.final_x_px = Interval{1069.25, 1069.25}}).holds);
   EXPECT_TRUE(verdict({.final_x_px = Interval{1069.25, 2000.0}}).holds);
   EXPECT_TRUE(verdict({.final_x_px = Interval{0.0, 1069.25}}).holds);
@@ -140,7 +140,7 @@ TEST(Judge, KeepsTheOrderOfTheFormat) {
   EXPECT_EQ(rules, "in_bounds finite final_y_px at_rest_since_s contacts/ground state_hash ");
 }
 
-TEST(BoundsErrors, LooksForEachOfThem) {
+TEST(BoundsErrors, DetectsEachOfThem) {
   EXPECT_FALSE(bounds_errors({.in_bounds = true}));
   EXPECT_TRUE(bounds_errors({.implementation_px_max = 0.0}));
   EXPECT_TRUE(bounds_errors({.truncation_px_max = 0.0}));

@@ -41,7 +41,7 @@ TEST(FirstDifference, NamesStepFieldValuesAndUlps) {
   }
 }
 
-TEST(FirstDifference, LooksInTheOrderOfTheFields) {
+TEST(FirstDifference, ComparesTheFieldsInOrder) {
   Row actual = some_row();
   for (auto field = kRowFields.rbegin(); field != kRowFields.rend(); ++field) {
     actual = with_fault(actual, field->name);

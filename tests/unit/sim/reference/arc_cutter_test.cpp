@@ -74,7 +74,7 @@ TEST(ArcCutter, ReportsABounceAfterOneStep) {
   EXPECT_EQ(c.skipped_arcs, 3);
 }
 
-TEST(ArcCutter, TakesAnUndisturbedFlightAsOneArc) {
+TEST(ArcCutter, FindsOneArcInAnUndisturbedFlight) {
   const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 30));
   ASSERT_EQ(c.arcs.size(), 1u);
   EXPECT_EQ(c.arcs[0].start.row.step, 0);
@@ -174,7 +174,7 @@ TEST(ArcCutter, HasNoArcWhileTheSpriteIsHeld) {
   EXPECT_EQ(c.skipped_arcs, 0);
 }
 
-TEST(ArcCutter, SaysInputWhereAnInputFallsOnTheRowBeforeAClamp) {
+TEST(ArcCutter, ReportsAnInputOnTheRowBeforeAClamp) {
   Scenario scenario = fling();
   const std::int64_t clamped_step = cut(scenario).arcs.at(0).clamped_step.value();
   scenario.events.push_back({clamped_step - 1, Resize{Size{1921, 1080}, std::nullopt}});

@@ -106,7 +106,7 @@ TEST(MatchedFlight, SolvesTheOdeOverAHundredSeconds) {
   }
 }
 
-TEST(MatchedFlight, TakesEachFramesOwnRateUnderJitter) {
+TEST(MatchedFlight, UsesEachFramesOwnRateUnderJitter) {
   EXPECT_LT(worst_error(jittered_frames(6000), 700.0, MatchedTruth{{0.0, 700.0}},
                         [](const ArcSolution& s) { return s.matched(); }),
             kTolerance);

@@ -43,7 +43,7 @@ Wide true_time_s(double height_px, double rate_hz) {
   return low;
 }
 
-TEST(ContactErrors, TakeTheTrueTimeOfImpact) {
+TEST(ContactErrors, UseTheTrueTimeOfImpact) {
   for (const double rate_hz : {24.0, 60.0, 144.0, 1000.0})
     for (const double height_px : {20.0, 321.0, 952.0}) {
       const Scenario scenario = fall(height_px, rate_hz);
@@ -111,7 +111,7 @@ TEST(ContactErrors, FindTheEnergyThatTheClampedStepTakes) {
   EXPECT_LT(change, 0.0);
 }
 
-TEST(ContactErrors, OfSideWallsLookAtTheHorizontalSpeed) {
+TEST(ContactErrors, OfSideWallsUseTheHorizontalSpeed) {
   Scenario scenario = fling();
   scenario.start = {1000.0, 300.0};
   scenario.start_velocity = {1500.0, -300.0};
@@ -124,7 +124,7 @@ TEST(ContactErrors, OfSideWallsLookAtTheHorizontalSpeed) {
   EXPECT_NEAR(static_cast<double>(contact.step) / 60.0 - contact.time_error_s.value(), t, 1e-12);
 }
 
-TEST(ContactErrors, OfTheTopLookUpwards) {
+TEST(ContactErrors, OfTheTopUseTheUpwardSpeed) {
   Scenario scenario = fling();
   scenario.start = {500.0, 300.0};
   scenario.start_velocity = {0.0, -1500.0};

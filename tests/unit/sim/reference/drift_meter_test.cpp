@@ -74,7 +74,7 @@ TEST(ImplementationError, OfTheShippedCoreIsRounding) {
   EXPECT_LT(measured.arcs.at(0).implementation_px, 1e-8);
 }
 
-TEST(ImplementationError, SeesDragBeforeGravity) {
+TEST(ImplementationError, DetectsDragBeforeGravity) {
   const auto drag_first = [](Row& row) {
     row.vx_px_per_s *= 0.999;
     row.vy_px_per_s *= 0.999;
@@ -144,7 +144,7 @@ TEST(StepsThatDiffer, IncludeOneUnitInTheLastPlace) {
   EXPECT_EQ(measured.summary.steps_astray, 1);
 }
 
-TEST(ImplementationError, SeesAHitchAsAFrameOfItsOwn) {
+TEST(ImplementationError, TreatsAHitchAsItsOwnFrame) {
   Scenario scenario = open_sky({400.0, -900.0}, 60.0, 120);
   scenario.events.push_back({std::int64_t{50}, Hitch{0.5}});
   Measured measured;

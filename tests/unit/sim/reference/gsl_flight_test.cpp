@@ -113,7 +113,7 @@ TEST(GslFlight, CrossesAWallAtOnceWhenOnIt) {
   EXPECT_FALSE(gsl.time_of_impact({0.0, -10.0, 0.0, 0.06}, 1.0));
 }
 
-TEST(GslFlight, HasNoTimeOfImpactOfWhatIsNoNumber) {
+TEST(GslFlight, HasNanAsTimeOfImpactForNan) {
   GslFlight gsl;
   EXPECT_TRUE(std::isnan(gsl.time_of_impact({kNaN, 10.0, 0.0, 0.06}, 1.0)->t_s));
 }
@@ -170,7 +170,7 @@ TEST(GslFlight, RefusesAResultThatIsNotFinite) {
   EXPECT_FALSE(gsl.advance(100.0));
 }
 
-TEST(GslFlight, IsAJudgeAtFullAccuracyAlone) {
+TEST(GslFlight, IsAJudgeOnlyAtFullAccuracy) {
   EXPECT_TRUE(GslFlight().is_judge());
   EXPECT_TRUE(GslFlight({.tolerance = 1e-13}).is_judge());
   EXPECT_FALSE(GslFlight({.tolerance = 1e-9}).is_judge());
@@ -251,7 +251,7 @@ TEST(DriftMeterWithGsl, ComparesTheTimeOfImpact) {
   EXPECT_EQ(fault_with(solver), "time of impact differs");
 }
 
-TEST(DriftMeterWithGsl, TakesNanForADifference) {
+TEST(DriftMeterWithGsl, TreatsNanAsADifference) {
   for (double AlteredSolver::*value :
        {&AlteredSolver::off_px, &AlteredSolver::speed_factor, &AlteredSolver::impact_factor}) {
     AlteredSolver solver;
@@ -260,7 +260,7 @@ TEST(DriftMeterWithGsl, TakesNanForADifference) {
   }
 }
 
-TEST(DriftMeterWithGsl, CallsSolutionsThatDifferAFaultOfTheReference) {
+TEST(DriftMeterWithGsl, ReportsDifferentSolutionsAsAFaultOfTheReference) {
   AlteredSolver solver;
   solver.off_px = 2e-9;
   Measured measured;

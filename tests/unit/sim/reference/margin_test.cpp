@@ -162,7 +162,7 @@ TEST(Margin, IsNotLimitedByAnEdgeThatTheStartDoesNotMove) {
   EXPECT_GT(*margin_of(scenario).half_width, 1.0);
 }
 
-TEST(Margin, OfAKnifeEdgeIsNextToNothing) {
+TEST(Margin, OfAKnifeEdgeIsTiny) {
   // Aimed so that a later row just misses the right wall, by 1e-9 px.
   Scenario scenario = fling();
   const Columns rows = rows_of(scenario);

@@ -125,7 +125,7 @@ TEST(Contact, EndsWhereTheSpriteIsGrabbed) {
   EXPECT_EQ(played.contacts()[1].last_step, 20);
 }
 
-TEST(Contact, GoesOnWhileAnotherWallIsMet) {
+TEST(Contact, ContinuesWhileAnotherWallIsHit) {
   // Along the floor into the right wall.
   const Played played(Throw{{kRight_px - 30.0, kFloor_px}, {2500.0, 0.0}, 10}, 1.0 / 240.0);
   ASSERT_EQ(played.contacts().size(), 2u);

@@ -66,13 +66,13 @@ TEST(SkippedRepetition, ChangesNothingInRandomFlings) {
   EXPECT_EQ(periods, (std::set<std::int64_t>{1, 2}));
 }
 
-TEST(SkippedRepetition, EndsAtEveryStepOfAPeriodAlike) {
+TEST(SkippedRepetition, MayEndAtAnyStepOfAPeriod) {
   // The rest of this fling repeats with a period of two steps.
   for (std::int64_t steps = 6000; steps < 6010; ++steps)
     expect_skipping_changes_nothing(fling_at(120.0, steps), 1, std::to_string(steps) + " steps");
 }
 
-TEST(SkippedRepetition, GoesOnBehindALaterInput) {
+TEST(SkippedRepetition, ContinuesAfterALaterInput) {
   for (const std::int64_t frame : {8191, 8192, 8193, 9000, 9001}) {
     const Scenario scenario =
         fling_at(60.0, 20'000, {{frame, Resize{Size{800, 600}, {}}}, {frame + 4000, Fling{{500.0, -800.0}}}});
@@ -105,7 +105,7 @@ TEST(SkippedRepetition, PassesNoMoreContactsThanAreRecorded) {
   EXPECT_GT(summary.contacts.left + summary.contacts.right, kContactsRecordedMax);
 }
 
-TEST(SkippedRepetition, IsNotLookedForUnderJitter) {
+TEST(SkippedRepetition, IsDisabledUnderJitter) {
   Scenario scenario = fling_at(60.0, 20'000);
   scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.0, 1};
   TraceSink trace(RowSink::Wants{});

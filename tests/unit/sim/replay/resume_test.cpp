@@ -53,11 +53,11 @@ void expect_resumable_everywhere(const Scenario& scenario) {
   }
 }
 
-TEST(ResumedReplay, GoesOnToTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
+TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
 
-TEST(ResumedReplay, GoesOnFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
+TEST(ResumedReplay, ContinuesFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
 
-TEST(ResumedReplay, GoesOnFromARecordedTrace) {
+TEST(ResumedReplay, ContinuesFromARecordedTrace) {
   Scenario scenario = fling_at(60.0, 0);
   RecordedSteps trace;
   for (int frame = 0; frame < 200; ++frame) trace.dt_s.push_back(frame % 7 == 0 ? 0.0333 : 0.0167);
@@ -149,7 +149,7 @@ void expect_periodic_from(const std::vector<Row>& rows, std::int64_t step, std::
   }
 }
 
-TEST(ResumedReplay, LooksForRepetitionFromItsKeyframeOn) {
+TEST(ResumedReplay, DetectsRepetitionFromItsKeyframeOn) {
   const Scenario scenario = fling_at(60.0, 30'000);
   const Played whole(scenario);
   const std::int64_t periodic_from = whole.summary.periodic_from_step.value();

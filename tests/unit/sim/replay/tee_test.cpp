@@ -45,7 +45,7 @@ class FewerAndFewer : public RowSink {
   Repetition repetition;
 };
 
-TEST(Tee, GivesASinkFewerRowsAsItWantsFewer) {
+TEST(Tee, GivesASinkFewerRowsWhenItRequestsFewer) {
   FewerAndFewer sink;
   const RunSummary summary = replay(fling_at(60.0, 10'000'000), sink);
   ASSERT_GT(sink.steps.size(), 5001u);

@@ -67,7 +67,7 @@ TEST(Schedule, ResolvesTimesToThePublishedFrames) {
   }
 }
 
-TEST(Schedule, TakesStepsAsTheyAre) {
+TEST(Schedule, KeepsSteps) {
   EXPECT_EQ(at_one_hz(5, {at_step(0), at_step(2), at_step(2), at_step(4)}).frames,
             (std::vector<std::int64_t>{0, 2, 2, 4}));
 }
@@ -99,7 +99,7 @@ TEST(Schedule, RefusesATimeBeforeAStepAbove) {
   EXPECT_EQ(at_one_hz(5, {at_step(3), at_time(2.5)}).frames, (std::vector<std::int64_t>{3, 3}));
 }
 
-TEST(Schedule, TakesAnEarlierTimeOfTheSameFrame) {
+TEST(Schedule, AcceptsAnEarlierTimeInTheSameFrame) {
   EXPECT_EQ(at_one_hz(5, {at_time(2.9), at_time(2.1)}).frames, (std::vector<std::int64_t>{3, 3}));
 }
 
@@ -114,7 +114,7 @@ TEST(Schedule, DoesNotJudgeAnEventByOneBeyondTheEnd) {
             (std::vector<std::int64_t>{1, -1, -1, 2, 3}));
 }
 
-TEST(Schedule, LooksAgainForATimeBeyondTheEndOnceAHitchCameBetween) {
+TEST(Schedule, SearchesAgainForATimeBeyondTheEndAfterAHitch) {
   EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_step(2, Hitch{8.0}), at_time(9.0)}).frames,
             (std::vector<std::int64_t>{-1, 2, 3}));
 }
@@ -125,11 +125,11 @@ TEST(Schedule, WalksOnceForManyTimesBeyondTheEnd) {
   EXPECT_EQ(schedule(with_events(clock, 100'000, events)).faulty.size(), events.size());
 }
 
-TEST(Schedule, LetsAHitchMoveTheTimesBehindIt) {
+TEST(Schedule, LetsAHitchMoveTheTimesAfterIt) {
   EXPECT_EQ(at_one_hz(9, {at_step(1, Hitch{0.25}), at_time(2.25)}).frames, (std::vector<std::int64_t>{1, 3}));
 }
 
-TEST(Schedule, TakesTheLastOfTwoHitchesInAFrame) {
+TEST(Schedule, UsesTheLastOfTwoHitchesInAFrame) {
   EXPECT_EQ(at_one_hz(9, {at_step(0, Hitch{0.5}), at_step(0, Hitch{3.0}), at_time(3.0)}).frames,
             (std::vector<std::int64_t>{0, 0, 1}));
 }
@@ -140,7 +140,7 @@ TEST(Schedule, ResolvesAnHourlongWaitOfManyFramesAtOnce) {
 }
 
 // Even where the limit of walked frames would let it walk them all.
-TEST(Schedule, DrawsNoJitterThatNoTimeAsksFor) {
+TEST(Schedule, DrawsNoJitterAfterTheLastTimedEvent) {
   const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
   const Scenario scenario =
       with_events(clock, kStepsMax, {at_time(0.5), at_step(kStepsMax - 2), at_step(kStepsMax - 1)});
@@ -148,7 +148,7 @@ TEST(Schedule, DrawsNoJitterThatNoTimeAsksFor) {
 }
 
 // Start times far from zero are far apart: many short frames start at the same rounded time.
-TEST(Schedule, TakesTheFirstOfManyFramesThatStartAtTheSameTime) {
+TEST(Schedule, PicksTheFirstOfManyFramesThatStartAtTheSameTime) {
   const double after_a_gap_s = std::nextafter(1e9, kInfinity);
   const Scenario scenario =
       with_events({FixedStep{1e-9}, {}}, 1000, {at_step(0, Hitch{1e9}), at_time(after_a_gap_s)});
@@ -203,7 +203,7 @@ TEST(Schedule, LeavesAFixedClockWithoutThatLimit) {
 }
 
 // Walking every frame of one of these would take hours at least.
-TEST(Schedule, RefusesAtOnceWhatIsTooFarForEveryKindOfJitter) {
+TEST(Schedule, RefusesQuicklyWhatIsTooFarForEveryKindOfJitter) {
   for (const auto& [kind, amount] : {std::pair{Jitter::Kind::uniform, 1.0},
                                      {Jitter::Kind::normal, 10.0},
                                      {Jitter::Kind::missed_frames, 0.5}}) {
@@ -217,7 +217,7 @@ TEST(Schedule, RefusesAtOnceWhatIsTooFarForEveryKindOfJitter) {
 }
 
 // The time of that step is unknown, so the end's is as well.
-TEST(Schedule, RefusesATimeBehindAStepThatIsTooFar) {
+TEST(Schedule, RefusesATimeAfterAStepThatIsTooFar) {
   for (const std::int64_t step : {kStepsMax / 2, kStepsMax / 10 * 9}) {
     const Clock clock = jittered(Jitter::Kind::uniform, 0.5);
     const Schedule result =
@@ -248,7 +248,7 @@ TEST(Schedule, WalksToTheEndOnceMoreWhenOneFrameShortOfTheLimit) {
 }
 
 // A time beyond the end gives the latest time of the last frame, to the last bit.
-TEST(Schedule, FindsTheLatestTimeOfTheLastFrameBehindOneBeyondTheEnd) {
+TEST(Schedule, FindsTheLatestTimeOfTheLastFrameAfterOneBeyondTheEnd) {
   double latest_s = 4.0;
   while (4.0 >= std::nextafter(latest_s, kInfinity) - 1e-9) latest_s = std::nextafter(latest_s, kInfinity);
   EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_time(latest_s)}).frames, (std::vector<std::int64_t>{-1, 4}));
@@ -364,7 +364,7 @@ Scenario with_events(std::vector<Event> events) {
   return scenario;
 }
 
-TEST(Inputs, OfARunEndWithIt) {
+TEST(Inputs, EndWithTheRun) {
   const Scenario scenario =
       with_events({{std::int64_t{0}, Stop{}}, {std::int64_t{3}, Grab{}}, {std::int64_t{4}, Release{}}});
   EXPECT_EQ(inputs_of(scenario, 4), (std::vector<Input>{{0, Stop{}}, {3, Grab{}}}));

@@ -51,7 +51,7 @@ TEST(Timeline, DoesNotDriftOverALongRun) {
   EXPECT_EQ(timeline.time_s(), 1e12 * 0.1);
 }
 
-TEST(Timeline, KeepsWhatASegmentLosesBesideALongOne) {
+TEST(Timeline, KeepsShortFramesAfterALongOne) {
   Timeline timeline;
   timeline.play(1e9);
   for (int frame = 0; frame < 1000; ++frame) {

@@ -31,7 +31,7 @@ TEST(ListingStep, IsAnotherInAnother) {
     EXPECT_GT(frames_unlike_core(order), 0);
 }
 
-TEST(ListingStep, TakesTheConstantsItIsGiven) {
+TEST(ListingStep, UsesTheGivenConstants) {
   Constants elastic = core_constants();
   elastic.air_drag = 1.0;
   elastic.restitution = 1.0;

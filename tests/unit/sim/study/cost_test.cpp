@@ -46,7 +46,7 @@ TEST(MeasureCosts, TheOrderIsMixedAndEveryWorkHasAllItsSamples) {
   EXPECT_LT(in_turn, 50);
 }
 
-TEST(MeasureCosts, TheProbeSeesAClockThatChanges) {
+TEST(MeasureCosts, TheProbeDetectsAClockThatChanges) {
   std::int64_t now_ns = 0;
   std::int64_t tick_ns = 100;
   const std::vector<std::function<void()>> works = {[&] { now_ns += 100'000; }};

@@ -62,7 +62,7 @@ TEST(Script, WithAllPartsIsTheReplayBitForBit) {
   }
 }
 
-TEST(Needs, OfAFlingAreWhatItMeets) {
+TEST(Needs, OfAFlingAreThePartsItExercises) {
   const SceneNeeds scene = needs_of(scenario_named("flings/first-fling"));
   for (const char* part : {"gravity", "drag", "right wall", "ground", "friction", "restitution"})
     EXPECT_EQ(need_of_part(scene, part), Need::needed) << part;

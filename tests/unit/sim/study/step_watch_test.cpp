@@ -61,7 +61,7 @@ TEST(StepWatch, AThrowKeepsAllInvariants) {
   for (const InvariantMeasure& measure : watched(fling_at(60.0, 600))) EXPECT_TRUE(measure.holds);
 }
 
-TEST(StepWatch, SoDoesOneWithEveryKindOfInput) {
+TEST(StepWatch, EveryKindOfInputKeepsAllInvariants) {
   Scenario scenario = eventful_fling();
   // Leaves out the event that makes the sprite wider than its window: two walls clamp it.
   std::erase_if(scenario.events, [](const Event& event) {

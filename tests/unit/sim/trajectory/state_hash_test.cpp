@@ -75,7 +75,7 @@ TEST(StateHash, IsMadeOfThePublishedBlockDigests) {
   }
 }
 
-TEST(StateHash, OfTheSameBlockManyTimesOverIsTheHashOfThemAll) {
+TEST(StateHash, OfARepeatedBlockIsTheHashOfAllItsRows) {
   const Digest block = block_digests(kTwoRows).front();
   for (const std::int64_t count :
        {std::int64_t{1}, std::int64_t{2}, std::int64_t{4096}, std::int64_t{10'000}}) {

@@ -64,7 +64,7 @@ TEST_F(AtomicFileTest, ReplacesAnOldFile) {
   EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
 }
 
-TEST_F(AtomicFileTest, TakesANewNameOnly) {
+TEST_F(AtomicFileTest, AcceptsANewNameOnly) {
   AtomicFile fresh(path("new.txt"));
   fresh.write("new");
   fresh.commit_as_new();
@@ -117,7 +117,7 @@ TEST_F(AtomicFileTest, LeavesTheOldFileWhereItIsGivenUp) {
   EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
 }
 
-TEST_F(AtomicFileTest, LeavesNothingWhereItsPlaceIsTakenByAFolderMeanwhile) {
+TEST_F(AtomicFileTest, LeavesNothingWhenAFolderTakesItsNameMeanwhile) {
   {
     AtomicFile file(path("a"));
     file.write("new");
@@ -169,7 +169,7 @@ TEST_F(AtomicFileTest, RefusesAPipeAndLeavesItThere) {
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
-TEST_F(AtomicFileTest, RefusesAFolderThatIsNotThere) {
+TEST_F(AtomicFileTest, RefusesAMissingFolder) {
   EXPECT_EQ(refusal(path("no/such/file.txt")),
             path("no/such/file.txt") + ": cannot be written: No such file or directory");
 }

@@ -228,7 +228,7 @@ TEST(JsonPointer, ReadsItsEscapes) {
   EXPECT_EQ(pointer_to("/x", "a/~b"), "/x/a~1~0b");
 }
 
-TEST(JsonPointer, SaysWhereItLeadsNowhere) {
+TEST(JsonPointer, ReportsAPlaceThatDoesNotExist) {
   EXPECT_NE(set("{}", "a", 1).find("is not a JSON Pointer; it must begin with '/'"), std::string::npos);
   EXPECT_EQ(set("[1]", "/1", 9), "/1: does not exist (found no '1')");
   EXPECT_EQ(set("[1]", std::string("/\0\x1b", 3), 9),

@@ -113,7 +113,7 @@ class Schema(unittest.TestCase):
         look("", self.schema)
         self.assertEqual(open_places, [])
 
-    def test_control_a_schema_without_a_limit_is_seen(self):
+    def test_control_a_schema_without_a_limit_is_detected(self):
         loose = copy.deepcopy(self.schema)
         del loose["$defs"]["window_side_px"]["maximum"]
         validator = jsonschema.Draft202012Validator(loose)

@@ -174,14 +174,14 @@ TEST_F(PetOnADesk, DoesNotMoveWhilePaused) {
   EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
 }
 
-TEST_F(PetOnADesk, GoesOnWhenItIsGrabbedInAPause) {
+TEST_F(PetOnADesk, ContinuesWhenItIsGrabbedInAPause) {
   frames(10);
   pet.pause();
   grab();
   EXPECT_FALSE(pet.is_paused());
 }
 
-TEST_F(PetOnADesk, ComesBackToWhereItBegan) {
+TEST_F(PetOnADesk, IsResetToItsFirstPosition) {
   frames(100);
   grab();
   pet.reset(ticks);
@@ -210,7 +210,7 @@ TEST_F(PetOnADesk, FallsOnWhenTheWorkAreaGrows) {
   EXPECT_TRUE(same_bits(row().y_px, 1000.0 - 128.0));
 }
 
-TEST_F(PetOnADesk, LivesOnADeskSmallerThanItself) {
+TEST_F(PetOnADesk, AcceptsADeskSmallerThanItself) {
   Desk tiny = kDesk;
   tiny.work_area = {100, 90};
   pet.move_to(tiny, ticks);

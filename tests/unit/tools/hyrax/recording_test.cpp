@@ -82,7 +82,7 @@ TEST_F(RecordedSession, IsCompleteAfterEverySave) {
   EXPECT_EQ(load_scenario(path("Fling 1.json")).name, "fling-1");
 }
 
-TEST_F(RecordedSession, GoesOnInPartsAndEndsAsOneFile) {
+TEST_F(RecordedSession, ContinuesInPartsAndEndsAsOneFile) {
   session.start_recording(path("long.json"), saver);
   play(2 * Recording::kPartFrames + 500);
   save();
@@ -95,7 +95,7 @@ TEST_F(RecordedSession, GoesOnInPartsAndEndsAsOneFile) {
   EXPECT_EQ(good_frames(path("long.json")), 2 * Recording::kPartFrames + 500);
 }
 
-TEST_F(RecordedSession, NeitherReplacesNorRemovesAFileOfAnother) {
+TEST_F(RecordedSession, NeitherReplacesNorRemovesOtherFiles) {
   write_text_file(path("long-2.json"), "mine");
   write_text_file(path("long-4.json"), "mine, too");
   session.start_recording(path("long.json"), saver);
@@ -161,7 +161,7 @@ TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
 }
 
 // As where memory is short.
-TEST_F(RecordedSession, OutlivesEveryExceptionOfASave) {
+TEST_F(RecordedSession, SurvivesEveryExceptionOfASave) {
   ScenarioSaver short_of_memory([](const Scenario& scenario) {
     if (step_count(scenario) > 5) throw std::bad_alloc();
     return scenario_file_text(scenario);
