@@ -346,7 +346,7 @@ class OneVerdict(CheckTest):
             self.assert_all_say("disagreed", "shape", self.edit_summary, old, new)
         self.assert_all_say("disagreed", "shape", self.txt.write_text, "nothing\n")
 
-    def test_on_what_is_free(self):
+    def test_on_fields_that_may_change(self):
         self.assert_all_say("agreed", None, self.edit_summary, "reason: for the test", "reason: for another test")
         self.assert_all_say("agreed", None, self.edit_h5, "provenance", "compiler", "another")
 

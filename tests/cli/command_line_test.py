@@ -124,7 +124,7 @@ class Order(ProgramTest):
 class Number(ProgramTest):
     """A number is a decimal number in its range, and nothing else."""
 
-    def test_what_is_out_of_range_is_refused(self):
+    def test_values_out_of_range_are_refused(self):
         for number in ("99999999999999999999", "-99999999999999999999", "9223372036854775808", "1e3", "0x10", " 1", "1 ",
                        "+1", "1,0", "", "inf"):
             self.expect(BAD_INPUT, "check", "--jobs", number, says="--jobs")
@@ -132,7 +132,7 @@ class Number(ProgramTest):
         for number in ("1e999", "-1e-999", "nan", "inf", "0x1p3", "1px", "1,5"):
             self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--abs", number, says="--abs")
 
-    def test_a_leading_zero_is_no_octal_number(self):
+    def test_a_leading_zero_does_not_mean_octal(self):
         self.project("fling")
         self.expect(AGREED, "check", "--jobs", "08")
 
@@ -258,7 +258,7 @@ class Streams(ProgramTest):
 class Surroundings(ProgramTest):
     """Environment variables."""
 
-    def test_a_missing_folder_for_temporary_files_is_none_of_our_business(self):
+    def test_a_missing_folder_for_temporary_files_is_ignored(self):
         files = self.project("one")
         environment = {**os.environ, **{name: "/no/such/folder" for name in ("TMPDIR", "TMP", "TEMP")}}
         for arguments in (("run", *files, "--drift"), ("check",), ("check", "--quick"), ("validate", *files), ("info",),

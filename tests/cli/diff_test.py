@@ -211,7 +211,7 @@ class Diff(ProgramTest):
             self.expect(CANNOT_ACCESS, "diff", "a.h5", "b.h5", says=says)
         self.expect(AGREED, "diff", "a.h5", "b.h5")
 
-    def test_what_is_no_trajectory_is_refused(self):
+    def test_a_file_that_is_not_a_trajectory_is_refused(self):
         outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is not an HDF5 file")
         self.assertEqual(outcome.out, "")
         self.expect(CANNOT_ACCESS, "diff", "none.h5", "a.h5", says="none.h5: cannot be read")

@@ -119,7 +119,7 @@ class Needs(StudyTest):
     def test_a_scene_without_frames_needs_nothing(self):
         self.assertEqual(set(self.verdicts(self.write("still.json", fling(steps=0))).values()), {"not exercised"})
 
-    def test_many_scenes_make_a_table_of_coverage_in_which_gaps_show(self):
+    def test_many_scenes_make_a_coverage_table_that_shows_gaps(self):
         start = {"x_px": 900, "y_px": 300, "vx_px_per_s": 0, "vy_px_per_s": 0}
         for number in range(5):
             self.write(f"all/{number}.json", fling(name=f"drop-{number}", start=start, steps=100 + number))

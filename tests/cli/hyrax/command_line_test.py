@@ -26,7 +26,7 @@ class CommandLine(HyraxTest):
         self.expect_of_hyrax(AGREED, "--help", says="hyrax --record my-fling.json")
         self.expect_of_hyrax(AGREED, "--version", says="hyrax ")
 
-    def test_what_is_no_option_is_refused(self):
+    def test_unknown_options_are_refused(self):
         self.expect_of_hyrax(BAD_INPUT, "--recrod", "x", says="(did you mean --record?); see `hyrax --help`")
         self.expect_of_hyrax(BAD_INPUT, "--exit", says="--exit needs --replay FILE")
         self.expect_of_hyrax(BAD_INPUT, "--seconds", "soon", says="--seconds must be a number 0 .. 1e9 (found soon)")
@@ -40,7 +40,7 @@ class CommandLine(HyraxTest):
         self.expect_of_hyrax(CANNOT_ACCESS, "--record", "nowhere/fling.json", says="nowhere/fling.json: cannot be written")
         self.expect_of_hyrax(CANNOT_ACCESS, "--log", "nowhere/fling.log", says="nowhere/fling.log: cannot be written")
 
-    def test_a_file_that_exists_is_left_as_it_is(self):
+    def test_an_existing_file_is_left_unchanged(self):
         path = self.write("mine.json", fling())
         mine = (self.folder / path).read_bytes()
         for options in (["--record", path], ["--log", path], ["--replay", path, "--log", path]):
