@@ -86,7 +86,7 @@ class EveryCore(StudyControl):
         self.assertEqual(outcome.exit_code == DISAGREED, bool(broken), core)
         return broken - {"expectations"}
 
-    def test_hard_cases_are_red_on_it_or_it_is_known_why_not(self):
+    def test_hard_cases_detect_it_or_the_reason_is_listed(self):
         for core in altered_cores():
             with self.subTest(core=core):
                 self.assertEqual(self.red(core) == set(), core in SAME_BITS | UNSEEN)

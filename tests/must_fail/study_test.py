@@ -158,7 +158,7 @@ class Paper(StudyControl):
         self.assertIn("1200.0000000000002", outcome.json["broken"][0])
         self.assertEqual(self.remark("gravity_by_one_ulp", "5-gravity"), "the paper has 1200")
 
-    def test_a_constant_alone_flips_no_law(self):
+    def test_a_changed_constant_flips_no_law(self):
         self.assertEqual(set(self.flipped("gravity_by_one_ulp")), {"5-gravity"})
 
 

@@ -72,7 +72,7 @@ class Damage(unittest.TestCase):
             self.assertEqual(pair.verdicts([(pair.h5, pair.txt), (pair.h5, None), (None, pair.txt)]),
                              ["agreed", "missing", "missing"])
 
-    def test_a_bit_anywhere_in_the_golden_file_is_found_or_noted_where_it_says_nothing(self):
+    def test_a_flipped_bit_anywhere_in_the_golden_file_is_found_or_noted(self):
         for kind, pair in self.pairs.items():
             flips = some_flips(pair.h5, _H5_FLIPS, seed=1)
             files = [flipped(pair.h5, *flip) for flip in flips]

@@ -94,12 +94,12 @@ class Tool(unittest.TestCase):
         self.assertIn("0 of 1 that change a result are caught", said)
         self.assertIn("FAULT: sim/physics/physics.h: update: without m_vx *= AIR_DRAG;: survived; add a scenario", said)
 
-    def test_without_scenarios_nothing_is_said_to_be_caught(self):
+    def test_without_scenarios_nothing_is_reported_as_caught(self):
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
             exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual((exit_code, said), (3, ""))
 
-    def test_every_mutant_has_a_name_of_its_own(self):
+    def test_every_mutant_has_a_unique_name(self):
         exit_code, said = self.run_tool("--list")
         self.assertEqual(exit_code, 0)
         self.assertGreater(len(said.splitlines()), 600)

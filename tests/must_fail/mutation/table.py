@@ -11,7 +11,7 @@ _KINDS = ("constant", "operator", "comparison", "dropped", "swapped", "confused"
 
 
 def _fate(mutant, verdict, reasons):
-    """caught, told by a unit test, equivalent, survived, or refused by the compiler."""
+    """caught, unit test, equivalent, survived, or refused."""
     reason = reasons.get((mutant.path, mutant.name))
     if verdict.fate != "survived" or reason is None:
         return verdict.fate
