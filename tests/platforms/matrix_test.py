@@ -100,7 +100,7 @@ class Rows(unittest.TestCase):
         self.assertFalse(self.hindrance(row, False).is_bad)
         self.assertTrue(self.hindrance(row, True).is_bad)
 
-    def test_a_processor_that_cannot_is_no_failure(self):
+    def test_an_unsupported_processor_is_not_a_failure(self):
         row = Row("none", cpu=("no_such_feature",))
         self.assertEqual(self.hindrance(row, True).verdict, "not run here: the processor lacks no_such_feature")
         self.assertFalse(self.hindrance(row, True).is_bad)
@@ -112,7 +112,7 @@ class Rows(unittest.TestCase):
         needed = {need.package for row in (*BUILDS, *CONTROLS, *THIS_BUILD) for need in row.needs}
         self.assertEqual(needed - installed, set())
 
-    def test_every_row_has_a_name_and_a_folder_of_its_own(self):
+    def test_every_row_has_a_unique_name_and_folder(self):
         rows = (*BUILDS, *CONTROLS)
         self.assertEqual(len({row.name for row in rows}), len(rows))
         self.assertEqual(len({row.folder for row in rows}), len(rows))
