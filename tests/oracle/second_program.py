@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A second program for the published replay, written from the specification alone, as a witness for the first."""
+"""A second program for the published replay, written from the specification alone, as an independent check of the first."""
 
 import argparse
 import json

@@ -74,7 +74,7 @@ class Matrix(unittest.TestCase):
 
     def test_an_unknown_row_is_reported(self):
         _, errors = self.play(BAD_INPUT, "--only", "no such row")
-        self.assertIn("--list tells all there are", errors)
+        self.assertIn("--list prints all rows", errors)
 
 
 class Rows(unittest.TestCase):

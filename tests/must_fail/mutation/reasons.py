@@ -24,7 +24,7 @@ def read_reasons(path):
             for name in names:
                 if (file, name) in reasons:
                     raise ValueError(f"{path}: {file}: {name}: duplicate reason")
-                reasons[file, name] = Reason(entry["reason"], entry.get("told_by") == "unit test",
+                reasons[file, name] = Reason(entry["reason"], entry.get("caught_by") == "unit test",
                                              entry.get("may_crash", False))
     return reasons
 

@@ -58,7 +58,7 @@ def summary_of(verdicts, reasons):
     fates = {mutant: _fate(mutant, verdict, reasons) for mutant, verdict in verdicts.items()}
     count = collections.Counter((mutant.path, fate) for mutant, fate in fates.items())
     columns = ("caught", "unit test", "equivalent", "refused", "survived")
-    head = ("file", "mutants", "caught by check", "told by a unit test", "equivalent", "refused by the compiler",
+    head = ("file", "mutants", "caught by check", "caught by a unit test", "equivalent", "refused by the compiler",
             "survived")
     lines = [row(head), "|---" * len(head) + "|"]
     for path in dict.fromkeys(mutant.path for mutant in verdicts):

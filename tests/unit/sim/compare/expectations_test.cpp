@@ -1,4 +1,4 @@
-// What an author means to hold, judged rule by rule.
+// The expectations of a scenario, judged rule by rule.
 #include "sim/compare/expectations.h"
 
 #include <gtest/gtest.h>

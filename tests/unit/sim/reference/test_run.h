@@ -13,7 +13,7 @@
 
 namespace hyrax {
 
-/// What a DriftMeter hands on.
+/// Collects the results of a DriftMeter.
 struct Measured : DriftSink {
   explicit Measured(bool wants_all_rows = false) : wants_rows_(wants_all_rows) {}
   [[nodiscard]] bool wants_rows() const override { return wants_rows_; }

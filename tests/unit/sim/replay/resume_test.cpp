@@ -124,7 +124,7 @@ TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
   EXPECT_EQ(resumed.finish().contacts, WallCounts{});
 }
 
-// Control: a keyframe that is off by one bit does not go unseen.
+// Control: a keyframe that is off by one bit is detected.
 TEST(ResumedReplay, DiffersFromAKeyframeThatIsOneUlpOff) {
   const Scenario scenario = fling_at(60.0, 100);
   const Played whole(scenario);

@@ -1,4 +1,4 @@
-// What each action does to a body, and what it leaves as it is.
+// What each action does to a body, and what it leaves unchanged.
 #include "sim/scenario/apply.h"
 
 #include <gtest/gtest.h>

@@ -38,7 +38,7 @@ TEST(SplitMix64, DrawsThePublishedOutputs) {
 }
 
 TEST(SplitMix64, StaysBelowOne) {
-  // The largest output there can be makes the largest unit draw.
+  // The largest possible output makes the largest unit draw.
   EXPECT_LT(static_cast<double>(~std::uint64_t{0} >> 11) * 0x1p-53, 1.0);
 }
 

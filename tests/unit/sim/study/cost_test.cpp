@@ -1,4 +1,4 @@
-// Costs by a clock that the test turns itself.
+// Costs by a clock that the test controls.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 namespace hyrax {
 namespace {
 
-// Hands rows on to a watch, one of them changed.
+// Passes rows to a watch, one of them changed.
 class Tampering : public RowSink {
  public:
   Tampering(StepWatch& watch, std::int64_t step, std::function<void(Row&)> change)

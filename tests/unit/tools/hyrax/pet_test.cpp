@@ -17,7 +17,7 @@ constexpr std::int64_t kMs = kTicksPerS / 1000;
 constexpr std::int64_t kFrame = kTicksPerS / 60;
 constexpr Desk kDesk{{100, 50}, {1024, 768}, {128, 128}};
 
-// A hyrax on a desk, and a clock that the test turns.
+// A hyrax on a desk, and a clock that the test controls.
 class PetOnADesk : public testing::Test {
  protected:
   void frames(int count, std::int64_t frame_ticks = kFrame) {

@@ -1,4 +1,4 @@
-// A scenario before the eyes of a user.
+// Playback of a scenario in the window.
 #include "tools/hyrax/playback.h"
 
 #include <gtest/gtest.h>

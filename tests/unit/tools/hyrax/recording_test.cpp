@@ -1,4 +1,4 @@
-// A recording on the disk, at every moment and in the end.
+// A recording on disk, during a session and at its end.
 #include "tools/hyrax/recording.h"
 
 #include <gtest/gtest.h>
@@ -160,7 +160,7 @@ TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
   EXPECT_EQ(good_frames(path("fling-2.json")), 20);
 }
 
-// As where memory is short.
+// Simulates a system that runs out of memory.
 TEST_F(RecordedSession, SurvivesEveryExceptionOfASave) {
   ScenarioSaver short_of_memory([](const Scenario& scenario) {
     if (step_count(scenario) > 5) throw std::bad_alloc();

@@ -117,7 +117,7 @@ class RunFigureTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-// A user's machine may be without; one that guards the project may not.
+// gnuplot is optional for users and required in CI.
 #define SKIP_WITHOUT_GNUPLOT()                                           \
   if (!has_gnuplot()) {                                                  \
     ASSERT_EQ(std::getenv("CI"), nullptr) << "gnuplot is not installed"; \

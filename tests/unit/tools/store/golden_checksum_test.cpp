@@ -14,7 +14,7 @@ namespace {
 
 using Change = std::function<void(StoredRun&)>;
 
-// How many of the changes leave the hash of the contents as it is.
+// How many of the changes leave the hash of the contents unchanged.
 std::size_t unseen(const StoredRun& run, const std::vector<Change>& changes) {
   return static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), [&](const Change& change) {
     StoredRun changed = run;
