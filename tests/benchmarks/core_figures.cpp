@@ -123,7 +123,7 @@ Figure soak_figure() {
                1000.0, true);
 }
 
-// The sprite is thrown anew every ten seconds, so that it keeps flying and bouncing.
+// The sprite is thrown again every ten seconds, so that it keeps flying and bouncing.
 Figure hash_figure() {
   constexpr std::int64_t kThrows = 1000;
   Scenario scenario = scene(600 * kThrows);

@@ -83,7 +83,7 @@ std::vector<Approach> approaches() {
 
 constexpr double kLongest_s = 4.0;
 
-// What one would write with GSL alone: the flight by rk8pd, solved anew for every guess of Brent's.
+// The solution with GSL alone: the flight by rk8pd, solved again at every iteration of Brent's method.
 class GslImpact {
  public:
   GslImpact() {

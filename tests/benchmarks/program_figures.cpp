@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 // Runs a program with its output thrown away; returns its peak memory in MB.
 double run(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -47,7 +47,7 @@ Figure of(std::string what, const Timing& timing, double scale, double goal, std
           std::move(unit)};
 }
 
-// A folder of its own that goes when this does.
+// A temporary folder, removed with this object.
 struct Workplace {
   fs::path folder = fs::temp_directory_path() / ("hyrax-figures-" + std::to_string(getpid()));
   Workplace() { fs::create_directories(folder / "scenarios"); }

@@ -33,7 +33,7 @@ inline std::vector<Timing> time_side_by_side(const std::vector<std::function<voi
   return timings;
 }
 
-/// Keeps the compiler from leaving work out whose result nobody reads.
+/// Keeps the compiler from removing work whose result is unused.
 template <class Value>
 void keep(const Value& value) {
   asm volatile("" : : "r,m"(value) : "memory");

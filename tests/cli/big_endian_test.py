@@ -81,7 +81,7 @@ class BigEndian(ProgramTest):
         runs = [self.expect(AGREED, "drift", name, "--json").json["runs"][0] for name in ("little.h5", "big.h5")]
         self.assertEqual(*({key: run[key] for key in ("arcs", "contacts", "worst")} for run in runs))
 
-    def test_check_holds_a_run_to_golden_files_of_rows_and_of_blocks(self):
+    def test_check_compares_a_run_with_golden_files_of_rows_and_of_blocks(self):
         paths = [self.write("scenarios/rows.json", fling(name="rows", events=EVENTS)),
                  self.write("scenarios/blocks.json", fling(name="blocks", events=EVENTS, steps=9000))]
         self.bless("scenarios")

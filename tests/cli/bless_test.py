@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`bless`: the one way in which golden files change, on purpose and with a reason."""
+"""`bless`: the only command that changes golden files, deliberately and with a reason."""
 
 import json
 import os
@@ -72,7 +72,7 @@ class Bless(ProgramTest):
         self.expect(DISAGREED, "bless", "scenarios/new.json", "--reason", "wishful", says="contacts/top")
         self.assert_golden_untouched()
 
-    def test_what_agrees_already_is_left_as_it_is(self):
+    def test_agreeing_golden_files_are_left_unchanged(self):
         outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "scenarios/a", "--reason", "once more")
         self.assertEqual(outcome.out.count("agrees with golden/"), 2)
         self.assert_golden_untouched()
@@ -206,7 +206,7 @@ class Bless(ProgramTest):
         for name in ("new.h5", "new.txt"):
             self.assertEqual((self.folder / "golden" / name).read_bytes(), (self.folder / "again" / name).read_bytes())
 
-    def test_half_a_golden_file_is_replaced_and_said(self):
+    def test_half_a_golden_file_is_replaced_and_reported(self):
         for name, other in (("fling.h5", "fling.txt"), ("fling.txt", "fling.h5")):
             (self.folder / "golden" / name).unlink()
             outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "for the test")

@@ -124,7 +124,7 @@ class Verdict(CheckTest):
     def test_a_scenario_outside_of_scenarios_has_no_golden_file(self):
         self.expect(GOLDEN_MISSING, "check", self.write("alone.json", fling()))
 
-    def test_half_a_golden_file_is_missing_whatever_is_expected(self):
+    def test_half_a_golden_file_is_missing_even_if_the_expectations_hold(self):
         run = self.expect(AGREED, "run", "scenarios/third.json", "--json").json["runs"][0]
         start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
         self.write("scenarios/third.json", fling(start=start, expect={"state_hash": run["state_hash"]}))
@@ -183,7 +183,7 @@ class Verdict(CheckTest):
                 path.unlink()
                 path.write_bytes(kept)
 
-    def test_all_that_must_be_taken_apart_are_whatever_the_workers(self):
+    def test_files_without_a_valid_seal_are_read_with_any_number_of_workers(self):
         for path in self.folder.glob("golden/**/*.txt"):
             path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
         for jobs in (1, 2, 8):
@@ -231,7 +231,7 @@ class Document(CheckTest):
         self.assertIn("step 5, field y", suite.find(".//failure").text)
         self.assertGreaterEqual(float(suite.get("time")), 0.0)
 
-    def test_junit_is_well_formed_whatever_the_path(self):
+    def test_junit_is_well_formed_for_any_path(self):
         names = (b"bad \xff\xfe utf8", b"cut \xe2\x82", b"too long \xc0\xaf", b"surrogate \xed\xa0\x80", b"escape \x1b[31m",
                  b"line\nbreak\ttab\rcr", b"\x01\x08\x7f", "nonchar \uffff\ufffe".encode(), "é €𝄞".encode(),
                  b"beyond \xf4\x90\x80\x80", b"]]>&<\"'")
@@ -256,7 +256,7 @@ class Document(CheckTest):
 
 
 class OneVerdict(CheckTest):
-    """`check`, `check --quick` and `run` give the same verdict on every golden pair, however it was changed."""
+    """`check`, `check --quick` and `run` give the same verdict on every changed golden pair."""
 
     START = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
 
@@ -346,11 +346,11 @@ class OneVerdict(CheckTest):
             self.assert_all_say("disagreed", "shape", self.edit_summary, old, new)
         self.assert_all_say("disagreed", "shape", self.txt.write_text, "nothing\n")
 
-    def test_on_what_is_free(self):
+    def test_on_fields_that_may_change(self):
         self.assert_all_say("agreed", None, self.edit_summary, "reason: for the test", "reason: for another test")
         self.assert_all_say("agreed", None, self.edit_h5, "provenance", "compiler", "another")
 
-    def test_on_changed_words_of_the_file(self):
+    def test_on_changed_texts_of_the_file(self):
         for place, name, value in (("/", "name", "other"), ("trajectory/x", "units", "m")):
             self.assert_all_say("disagreed", "shape", self.edit_h5, place, name, value)
 
@@ -506,7 +506,7 @@ class Seal(CheckTest):
         self.assertEqual((first["step"], first["field"]), (5, "y"))
 
     def assert_not_as_blessed(self, text, says):
-        """With this digest beside a golden file that agrees, `check` names the line; blessing mends it."""
+        """With this digest and an agreeing golden file, `check` names the line; blessing repairs it."""
         self.digest.write_text(text)
         entry = self.check(DISAGREED)["results"][2]
         self.assertEqual((entry["class"], entry["first_divergence"]), ("shape", None))
@@ -516,18 +516,18 @@ class Seal(CheckTest):
         self.bless("scenarios/third.json")
         self.check(AGREED)
 
-    def test_a_broken_seal_is_no_agreement(self):
+    def test_a_broken_seal_disagrees(self):
         for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1],
                      self.text.replace(self.contents, 32 * "0"), self.text.replace(self.file, 32 * "z")):
             self.assert_not_as_blessed(text, f"; expected 'seal: {self.contents} {self.file}'")
         self.assert_not_as_blessed(self.text + "\n", "(found ''); expected nothing")
 
-    def test_a_digest_that_tells_another_run_is_no_agreement(self):
+    def test_the_digest_of_another_run_disagrees(self):
         for line, other in (("steps: 300", "steps: 301"), ("ground 8\n", "ground 7\n"), ("vy ", "vx ")):
             self.assertIn(line, self.text)
             self.assert_not_as_blessed(self.text.replace(line, other), "; expected '")
 
-    def test_the_words_of_a_digest_are_free(self):
+    def test_the_reason_in_a_digest_may_change(self):
         self.digest.write_text(self.text.replace("reason: for the test", "reason: for another test"))
         self.check(AGREED)
 
@@ -536,12 +536,12 @@ class Seal(CheckTest):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
             file[place].attrs[name] = value
 
-    def test_another_provenance_is_said_and_agrees(self):
+    def test_another_provenance_is_reported_and_agrees(self):
         self.change("provenance", "compiler", "another")
         self.expect(AGREED, "check", says="golden/third.h5: agrees, but does not have the checksum in "
                     "golden/third.txt: its provenance or its layout differs\n")
 
-    def test_other_words_are_no_agreement(self):
+    def test_changed_texts_disagree(self):
         for place, name, value in (("trajectory/x", "units", "m"), ("contacts/t", "long_name", "time"),
                                    ("trajectory", "signal", "x"), ("trajectory/y", "scale", "1")):
             self.change(place, name, value)
@@ -552,7 +552,7 @@ class Seal(CheckTest):
             file["more"] = 1
         self.assertIn("/more", self.expect(DISAGREED, "check").out)
 
-    def test_the_digest_of_another_scenario_is_no_agreement(self):
+    def test_the_digest_of_another_scenario_disagrees(self):
         shutil.copyfile(self.folder / "golden/a/first.txt", self.digest)
         self.check(DISAGREED)
         self.bless("scenarios/third.json")
@@ -562,7 +562,7 @@ class Seal(CheckTest):
 class ReadOnly(CheckTest):
     """`check` never writes into golden/."""
 
-    def test_golden_files_stay_to_the_byte_whatever_the_verdict(self):
+    def test_golden_files_are_unchanged_for_every_verdict(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         self.write("scenarios/a/new.json", fling(name="new"))
         self.write("scenarios/a/first.json", fling(name="first", steps=20))

@@ -71,7 +71,7 @@ class Order(ProgramTest):
     """An option takes one value, and may be before, between and after the files."""
 
     def assert_any_order(self, command, files, option, count):
-        """The command sees both files wherever the option is, in each of its forms; `count` says how many it saw."""
+        """The command reads both files wherever the option is, in each of its forms; `count` is their number."""
         forms = [option]
         if len(option) == 2:
             forms.append(["=".join(option)] if option[0].startswith("--") else ["".join(option)])
@@ -124,7 +124,7 @@ class Order(ProgramTest):
 class Number(ProgramTest):
     """A number is a decimal number in its range, and nothing else."""
 
-    def test_what_is_out_of_range_is_refused(self):
+    def test_values_out_of_range_are_refused(self):
         for number in ("99999999999999999999", "-99999999999999999999", "9223372036854775808", "1e3", "0x10", " 1", "1 ",
                        "+1", "1,0", "", "inf"):
             self.expect(BAD_INPUT, "check", "--jobs", number, says="--jobs")
@@ -132,13 +132,13 @@ class Number(ProgramTest):
         for number in ("1e999", "-1e-999", "nan", "inf", "0x1p3", "1px", "1,5"):
             self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--abs", number, says="--abs")
 
-    def test_a_leading_zero_is_no_octal_number(self):
+    def test_a_leading_zero_does_not_mean_octal(self):
         self.project("fling")
         self.expect(AGREED, "check", "--jobs", "08")
 
 
 class OneDocument(ProgramTest):
-    """--json gives one JSON document on stdout, whatever the command."""
+    """--json gives one JSON document on stdout, for every command."""
 
     def test_every_command_takes_it(self):
         files = self.project("one")
@@ -256,9 +256,9 @@ class Streams(ProgramTest):
 
 
 class Surroundings(ProgramTest):
-    """What the environment says."""
+    """Environment variables."""
 
-    def test_a_missing_folder_for_temporary_files_is_none_of_our_business(self):
+    def test_a_missing_folder_for_temporary_files_is_ignored(self):
         files = self.project("one")
         environment = {**os.environ, **{name: "/no/such/folder" for name in ("TMPDIR", "TMP", "TEMP")}}
         for arguments in (("run", *files, "--drift"), ("check",), ("check", "--quick"), ("validate", *files), ("info",),

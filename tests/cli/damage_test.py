@@ -34,7 +34,7 @@ def flip_element(dataset, index, bit):
 
 
 def damages(path):
-    """Every way in which the test damages a golden file: a name, and what to do to the opened copy."""
+    """Every kind of damage to a golden file: a name, and a function that applies it to the opened copy."""
     with h5py.File(path) as file:
         datasets = []
         file.visititems(lambda name, item: datasets.append(item) if isinstance(item, h5py.Dataset) else None)

@@ -96,7 +96,7 @@ class Diff(ProgramTest):
         self.assertEqual(document["first_divergence"]["actual"], "-Infinity")
         self.assertEqual(document["worst"]["vy"]["abs"], "Infinity")
 
-    def test_infinity_agrees_with_no_number_whatever_the_tolerance(self):
+    def test_infinity_agrees_with_no_number_at_any_tolerance(self):
         self.change("trajectory/vy", 50, numpy.inf)
         for option in (("--rel", "1"), ("--abs", "1e308"), ("--ulps", "9223372036854775807")):
             self.assertEqual(self.diff(DISAGREED, *option)["first_divergence"]["actual"], "Infinity", option)
@@ -121,7 +121,7 @@ class Diff(ProgramTest):
         self.assertEqual((document["first_divergence"]["actual"], document["first_divergence"]["ulps"]), (25, None))
         self.assertEqual(document["worst"]["contact"]["ulps"], None)
 
-    def test_contacts_must_agree_whatever_the_tolerance(self):
+    def test_contacts_must_agree_at_any_tolerance(self):
         self.change("contacts/step", 2, lambda value: value + 1)
         document = self.diff(DISAGREED, "--abs", "1e9")
         self.assertEqual(document["class"], "contacts")
@@ -211,7 +211,7 @@ class Diff(ProgramTest):
             self.expect(CANNOT_ACCESS, "diff", "a.h5", "b.h5", says=says)
         self.expect(AGREED, "diff", "a.h5", "b.h5")
 
-    def test_what_is_no_trajectory_is_refused(self):
+    def test_a_file_that_is_not_a_trajectory_is_refused(self):
         outcome = self.expect(BAD_INPUT, "diff", "a.h5", "fling.json", says="fling.json: is not an HDF5 file")
         self.assertEqual(outcome.out, "")
         self.expect(CANNOT_ACCESS, "diff", "none.h5", "a.h5", says="none.h5: cannot be read")

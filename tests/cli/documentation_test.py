@@ -6,15 +6,15 @@
 
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
 
-What a README may print, by the first word behind the fence:
+What a README may print, by the first word after the fence:
 
     console   `$ COMMAND` lines, each followed by its exact output (stdout and stderr). The commands of a file run
               in order, by bash, in one scratch folder with copies of those folders of the project that COPIED names.
-              Behind the first word:
+              After the first word:
               exit=N   exit code of the last command that fails (0 if left out)
               core=N   `hyrax-sim` is the altered program, with core N
               A line `<!-- varies: REGEX -->` above the block names what differs from run to run.
-    json      is valid; a scenario is valid, too, and its expectations hold. A name behind the first word is the
+    json      is valid; a scenario is valid, too, and its expectations hold. A name after the first word is the
               file's name in the scratch folder.
     python    runs there without error, after the blocks above it.
     cmake, cpp   are lines of tests/cli/outside_project, which builds and runs.
@@ -52,13 +52,13 @@ class Block:
     """A fenced block: what kind it is, its attributes, and the text between the fences."""
 
     kind: str
-    words: tuple
+    arguments: tuple
     body: str
     varies: str
 
     def attribute(self, name, default):
-        """The value of NAME=VALUE behind the fence."""
-        return next((word.partition("=")[2] for word in self.words if word.startswith(name + "=")), default)
+        """The value of NAME=VALUE after the fence."""
+        return next((text.partition("=")[2] for text in self.arguments if text.startswith(name + "=")), default)
 
     @property
     def commands(self):
@@ -72,8 +72,8 @@ class Block:
 
 def block_of(match):
     """The block of a match of BLOCK."""
-    kind, *words = match["info"].split()
-    return Block(kind, tuple(words), match["body"], match["varies"] or "")
+    kind, *arguments = match["info"].split()
+    return Block(kind, tuple(arguments), match["body"], match["varies"] or "")
 
 
 def blocks_of(document):
@@ -121,11 +121,11 @@ class Scratch:
 
     def write(self, block):
         """Writes a JSON block that has a name."""
-        for name in block.words:
+        for name in block.arguments:
             (self.folder / name).write_text(block.body, encoding="utf-8")
 
     def try_out(self, block):
-        """Runs a block, whatever its kind; returns what it promises and what comes: output and exit code."""
+        """Runs a block of any kind; returns the promised and the actual result: output and exit code."""
         if block.kind == "json":
             self.write(block)
         if block.kind == "python":
@@ -266,7 +266,7 @@ class Documents(unittest.TestCase):
 
 
 class Controls(unittest.TestCase):
-    """A document that is wrong in every way is detected, and updated."""
+    """Every kind of wrong document is detected, and updated."""
 
     WRONG = ("# A title\n[a](none.md) [b](#a-title) [c](#no-title)\n"
              "```console\n$ echo yes; false\nno\n```\n"

@@ -219,10 +219,10 @@ class Figures(DriftTest):
         self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out")
         self.assertEqual(self.names("out"), ["fling-energy-drift.svg", "fling-energy.svg", "fling-errors.svg",
                                              "fling-restitution.svg"])
-        for name, words in (("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
+        for name, texts in (("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
                             ("errors", ("time, s", "distance, px", "10⁻¹²")), ("restitution", ("0.60", "0.6, the paper"))):
-            for word in words:
-                self.assertIn(word, self.texts(f"out/fling-{name}.svg"))
+            for text in texts:
+                self.assertIn(text, self.texts(f"out/fling-{name}.svg"))
 
     def test_a_run_without_arcs_says_so(self):
         self.expect(AGREED, "drift", self.write("fling.json", fling(steps=1)), "--figures", "out")

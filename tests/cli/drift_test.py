@@ -146,7 +146,7 @@ class WrongCores(DriftTest):
         self.assertEqual(run["steps_astray"], 0)
         self.assertLess(run["worst"]["implementation_px"], 1e-8)
 
-    def test_drag_before_gravity_is_seen(self):
+    def test_drag_before_gravity_is_detected(self):
         def drag_first(x, y, vx, vy, dt):
             vy = vy * 0.999 + 1200.0 * dt
             vx = vx * 0.999
@@ -155,7 +155,7 @@ class WrongCores(DriftTest):
         self.assertGreater(run["steps_astray"], 500)
         self.assertGreater(run["worst"]["implementation_px"], 1e-3)
 
-    def test_a_fused_operation_is_seen(self):
+    def test_a_fused_operation_is_detected(self):
         def fused(x, y, vx, vy, dt):
             vy = float(fractions.Fraction(vy) + 1200 * fractions.Fraction(dt)) * 0.999
             vx = vx * 0.999

@@ -19,7 +19,7 @@ class Folders(ProgramTest):
         os.symlink(target, self.folder / path)
 
     def listed(self, exit_code=AGREED, folder="scenarios", says=()):
-        """The scenarios that a command sees."""
+        """The scenarios that a command finds."""
         results = self.expect(exit_code, "validate", folder, "--json", says=says).json["results"]
         return [entry["scenario"] for entry in results]
 
@@ -59,7 +59,7 @@ class Folders(ProgramTest):
         self.link("nowhere", "scenarios/notes.txt")
         self.assertEqual(self.listed(), ["scenarios/a/one.json"])
 
-    def test_a_pipe_is_no_scenario(self):
+    def test_a_pipe_is_not_a_scenario(self):
         os.mkfifo(self.folder / "scenarios/pipe.json")
         self.expect(CANNOT_ACCESS, "validate", "scenarios", says="scenarios/pipe.json: cannot be read: is a pipe")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""golden/ as a whole: a golden file for every scenario and none without, digests that name the same hash, small."""
+"""The folder golden/: one golden file per scenario, digests with the same hash, small files."""
 
 import re
 import unittest
@@ -35,7 +35,7 @@ class Goldens(unittest.TestCase):
         size = sum(path.stat().st_size for path in (SOURCE / "golden").rglob("*") if path.is_file())
         self.assertLess(size, BYTES_MAX)
 
-    def test_digests_say_of_a_run_what_the_file_does(self):
+    def test_digests_agree_with_their_file(self):
         for name in sorted(names("golden", ".h5")):
             text = (SOURCE / "golden" / f"{name}.txt").read_text(encoding="utf-8")
             said = dict(re.findall(r"^(scenario|physics|steps|state hash|reason): (.*)$", text, re.MULTILINE))

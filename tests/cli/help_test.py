@@ -10,7 +10,7 @@ from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
 
 
 class CommandTest(ProgramTest):
-    """Asks something of every command there is."""
+    """Tests of every command."""
 
     def commands(self):
         """The commands that the first help screen names."""
@@ -65,7 +65,7 @@ class Help(CommandTest):
 
 
 class Usage(CommandTest):
-    """A bad command line is exit 2, with a one-line message that says what to do, and no output."""
+    """A bad command line is exit 2, with a one-line message that names the remedy, and no output."""
 
     def refuse(self, *arguments, says):
         """One line on stderr, nothing on stdout."""

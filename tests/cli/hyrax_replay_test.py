@@ -16,13 +16,13 @@ class HyraxReplay(ProgramTest):
     """The console twin, by its exit code and its output."""
 
     def replay(self, exit_code, *arguments, says="", **options):
-        """Runs hyrax-replay in the folder; holds its exit code, and what it must say on stderr."""
+        """Runs hyrax-replay in the folder; expects this exit code, and `says` on stderr."""
         outcome = run(REPLAY, *arguments, cwd=self.folder, **options)
         self.assertEqual(outcome.exit_code, exit_code, str(outcome))
         self.assertIn(says, outcome.err)
         return outcome
 
-    def test_it_comes_to_the_hash_of_every_golden_file(self):
+    def test_it_reproduces_the_hash_of_every_golden_file(self):
         lines = self.replay(AGREED, SOURCE / "scenarios").out.splitlines()
         self.assertEqual(len(lines), len(list((SOURCE / "scenarios").rglob("*.json"))))
         for line in lines:

@@ -10,7 +10,7 @@ from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, f
 
 
 class Guarded(ProgramTest):
-    """Refuses by what a file is, whatever its name and its way."""
+    """Protects inputs and golden files under any name and any path to them."""
 
     def setUp(self):
         super().setUp()
@@ -21,7 +21,7 @@ class Guarded(ProgramTest):
         self.write("elsewhere/note.txt", "golden files of somebody")
 
     def victims(self, suffix):
-        """Outputs that are refused for scenarios/in.SUFFIX, and what the message says."""
+        """Outputs that are refused for scenarios/in.SUFFIX, and a part of the message."""
         source = self.folder / self.write(f"scenarios/in{suffix}", fling(name="in"))
         self.bless(f"scenarios/in{suffix}")
         self.write(f"other{suffix}", fling(name="other"))
@@ -48,7 +48,7 @@ class Guarded(ProgramTest):
     def assert_all_refused(self, suffix, *command):
         """Each victim, as the value of the option that ends the command."""
         for victim, says in self.victims(suffix):
-            arguments = [word.replace("IN", f"scenarios/in{suffix}") for word in command]
+            arguments = [part.replace("IN", f"scenarios/in{suffix}") for part in command]
             self.assert_refused(*arguments, victim, says=(command[-1], says))
         self.assert_refused(*arguments[:-1], "--golden", "elsewhere", command[-1], f"elsewhere/new{suffix}", says="golden")
 
@@ -143,7 +143,7 @@ class Guarded(ProgramTest):
 
 
 class Names(ProgramTest):
-    """The suffix says what is written."""
+    """The suffix selects what is written."""
 
     def setUp(self):
         super().setUp()

@@ -1,4 +1,4 @@
-"""Runs programs for all tests: without input, for a limited time, and nothing of them keeps running afterwards."""
+"""Runs programs for all tests: without input, for a limited time, and without processes left running."""
 
 import contextlib
 import dataclasses
@@ -64,7 +64,7 @@ class Process:
     """
 
     def __init__(self, *command, keeps_children=False, **options):
-        self.command = [str(word) for word in command]
+        self.command = [str(argument) for argument in command]
         self._keeps_children = keeps_children
         options = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
         # pylint: disable-next=consider-using-with
@@ -114,7 +114,7 @@ class Process:
             stream.close()
 
     def _kill(self):
-        # As long as the program was not waited for, the id of its session is no other's.
+        # Until the program is waited for, the id of its session is not reused.
         with contextlib.suppress(ProcessLookupError):
             (os.kill if self._keeps_children else os.killpg)(self.id, signal.SIGKILL)
         self._popen.wait()

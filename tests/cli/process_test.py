@@ -12,7 +12,7 @@ LEAVES_A_CHILD = "sleep 600 & echo $!"
 
 
 def is_alive(process_id):
-    """Whether a process exists and is no zombie."""
+    """Whether a process exists and is not a zombie."""
     try:
         with open(f"/proc/{process_id}/stat", encoding="ascii") as file:
             return file.read().rpartition(")")[2].split()[0] != "Z"
@@ -62,7 +62,7 @@ class Running(unittest.TestCase):
         os.kill(child, 9)
         self.assert_ends(child)
 
-    def test_a_process_that_nobody_waits_for_is_killed(self):
+    def test_a_process_that_is_not_waited_for_is_killed(self):
         with Process("sleep", 600) as process:
             self.assertTrue(process.is_running)
         self.assertFalse(is_alive(process.id))

@@ -1,6 +1,6 @@
-"""Runs hyrax-sim the way its users do: from a folder of its own, on files, by its exit code and its output.
+"""Runs hyrax-sim as its users do: in its own folder, on files, judged by its exit code and output.
 
-The environment says where things are: HYRAX_SIM (the program), HYRAX_SOURCE_DIR (the project).
+The environment gives the paths: HYRAX_SIM (the program), HYRAX_SOURCE_DIR (the project).
 """
 
 import copy
@@ -33,7 +33,7 @@ FLING = {
 
 
 def fling(**changes):
-    """The throw as a document, with top-level members changed; None takes one out."""
+    """The throw as a document, with top-level members changed; None removes one."""
     document = {**copy.deepcopy(FLING), **changes}
     return {key: value for key, value in document.items() if value is not None}
 
@@ -66,7 +66,7 @@ class ProgramTest(unittest.TestCase):
         return peak_bytes
 
     def expect(self, exit_code, *arguments, says=(), **options):
-        """Runs the program and holds its exit code, and what it must say on stderr, to what is wanted."""
+        """Runs the program; expects this exit code, and `says` in its message."""
         outcome = self.hyrax_sim(*arguments, **options)
         self.assertEqual(outcome.exit_code, exit_code, f"{arguments}: {outcome}")
         for part in (says,) if isinstance(says, str) else says:

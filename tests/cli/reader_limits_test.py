@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""No scenario keeps its reader busy, or takes memory out of proportion to the file."""
+"""No scenario needs time or memory out of proportion to its file."""
 
 from program import AGREED, BAD_INPUT, ProgramTest, fling, main
 

@@ -85,7 +85,7 @@ class UnwritableOutput(ProgramTest):
         unshare = ("unshare", "--mount", "--map-root-user")
         if run(*unshare, "mount", "-t", "tmpfs", "tmpfs", self.folder / "disk").exit_code != 0:
             self.skipTest("no file system can be mounted here (unshare --mount --map-root-user)")
-        # HDF5 1.10 loses what it held of a file that it could not write to its end; that is no fault of ours.
+        # HDF5 1.10 leaks the memory of a file that it could not finish writing.
         environment = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
         return run(*unshare, "sh", "-ec", "\n".join(lines), "sh", PROGRAM, cwd=self.folder, env=environment)
 
@@ -176,7 +176,7 @@ class Memory(ProgramTest):
     def test_a_billion_steps_stay_below_100_megabytes(self):
         self.write("soak.json", fling(steps=1_000_000_000, record={"every": 1_000_000}))
         peak_bytes = self.peak_bytes(AGREED, "run", "soak.json")
-        if "-fsanitize" not in self.expect(AGREED, "info").out:  # A sanitizer's own memory is no matter here.
+        if "-fsanitize" not in self.expect(AGREED, "info").out:  # A sanitizer's own memory would exceed the limit.
             self.assertLess(peak_bytes, 100e6)
 
 

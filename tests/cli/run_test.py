@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`run`: what it writes, where it writes it, and what it says."""
+"""`run`: the files it writes, their paths, and its output."""
 
 import os
 import pty
@@ -85,7 +85,7 @@ class Summary(ProgramTest):
         self.assertEqual(broken, ["final_x_px", "at_rest_since_s"])
         self.assertEqual(run["expect"][2]["measured"], run["final"]["x_px"])
 
-    def test_a_run_that_never_rests_does_not_hold_a_moment_of_rest(self):
+    def test_an_expected_time_of_rest_fails_for_a_run_that_never_rests(self):
         self.write("fling.json", fling(steps=30, expect={"at_rest_since_s": 1e9}))
         entry = self.expect(DISAGREED, "run", "fling.json", "--json").json["runs"][0]["expect"][0]
         self.assertEqual(entry, {"rule": "at_rest_since_s", "holds": False, "measured": None})
@@ -237,7 +237,7 @@ class Override(ProgramTest):
         again = self.expect(AGREED, "run", "stored.json", "--json").json["runs"][0]
         self.assertEqual(again["state_hash"], run["state_hash"])
 
-    def test_what_is_no_pointer_or_value_is_refused(self):
+    def test_invalid_pointers_and_values_are_refused(self):
         for setting, place in (("/clock/rate_hz=-60", "fling.json: /clock/rate_hz: must be greater than 0"),
                                ("/clock/rate_hz=sixty", "/clock/rate_hz: must be a number (found \"sixty\")"),
                                ("/steps=60.5", "/steps: must be a whole number"), ("/wind=3", "/wind: unknown key (found wind)"),
@@ -285,7 +285,7 @@ class Golden(ProgramTest):
         outcome = self.expect(AGREED, "run", self.write("alone.json", fling()))
         self.assertIn("comparison with a golden file (no folder `scenarios` above it; --golden DIR", outcome.out)
 
-    def test_a_missing_golden_file_is_said_and_is_no_failure(self):
+    def test_a_missing_golden_file_is_reported_and_is_not_a_failure(self):
         (self.folder / "golden/fling.h5").unlink()
         outcome = self.expect(AGREED, "run", self.path)
         self.assertIn("golden         missing: golden/fling.h5; to create it: ", outcome.out)

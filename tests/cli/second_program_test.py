@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The second program and hyrax-sim say the same of every scenario of moderate length, to the bit."""
+"""The second program and hyrax-sim agree on every scenario of moderate length, bit for bit."""
 
 import json
 import pathlib

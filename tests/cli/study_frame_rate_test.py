@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`study frame-rate`: where one fling lies on every display, and the score."""
+"""`study frame-rate`: the end position of one fling on every display, and the score."""
 
 import h5py
 

@@ -27,7 +27,7 @@ class HardCases(ProgramTest):
             self.assertTrue(all(len(why) > 20 for why in file["cases/why"].asstr()[:]))
             self.assertTrue((file["cases/steps"][:] > 0).all())
 
-    def test_the_csv_file_tells_verdict_margin_and_worst_step(self):
+    def test_the_csv_file_has_verdict_margin_and_worst_step(self):
         self.study(AGREED, HARD / "rest.json")
         with open(self.folder / "out/hard-cases.csv", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -49,7 +49,7 @@ class HardCases(ProgramTest):
         self.assertEqual(document["cases"][0]["invariants"]["mirror"]["verdict"], "held")
         self.assertEqual(document["broken"], [])
 
-    def test_an_expectation_that_does_not_hold_breaks_it_and_only_the_gate_tells_by_exit_code(self):
+    def test_a_failed_expectation_breaks_it_and_only_the_gate_changes_the_exit_code(self):
         self.write("calm.json", {**CALM, "expect": {"final_y_px": [0, 1]}})
         self.study(AGREED, "calm.json")
         self.study(DISAGREED, "calm.json", "--gate", says="calm: expectations: final_y_px: wanted 0 .. 1")
@@ -65,7 +65,7 @@ class HardCases(ProgramTest):
             self.expect(AGREED, "study", "hard-cases", "--quick", "--no-figures", HARD / "corners.json", "-o", name)
         self.assertEqual((self.folder / "a/hard-cases.h5").read_bytes(), (self.folder / "b/hard-cases.h5").read_bytes())
 
-    def test_bad_input_is_told(self):
+    def test_bad_input_is_reported(self):
         self.study(CANNOT_ACCESS, says="scenarios/hard")
         self.study(BAD_INPUT, self.write("bad.json", fling(steps=-1)), says="/steps")
         self.write("one/calm.json", CALM)
@@ -76,8 +76,8 @@ class HardCases(ProgramTest):
     def test_the_figure_names_scenarios_and_invariants(self):
         self.expect(AGREED, "study", "hard-cases", HARD / "corners.json", "-o", "out")
         picture = (self.folder / "out/hard-cases.svg").read_text(encoding="utf-8")
-        for word in ("corners ×9", "step-energy", "comes-to-rest"):
-            self.assertIn(word, picture)
+        for text in ("corners ×9", "step-energy", "comes-to-rest"):
+            self.assertIn(text, picture)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The command study: what speed-error and needs make, say, and refuse."""
+"""The command study: the files, output and errors of speed-error and needs."""
 
 import csv
 import pathlib
@@ -15,7 +15,7 @@ WITHOUT_GNUPLOT = shutil.which("gnuplot") is None
 
 
 class StudyTest(ProgramTest):
-    """Makes studies, and looks into what they made."""
+    """Runs studies, and reads the files they write."""
 
     def table(self, path, name):
         """A table of a study's HDF5 file as {column: list}, text decoded."""
@@ -28,7 +28,7 @@ class StudyTest(ProgramTest):
         with open(self.folder / path, newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
-    def words(self, path):
+    def text_of(self, path):
         """All text of a picture."""
         tree = xml.etree.ElementTree.parse(self.folder / path)
         return " ".join("".join(text.itertext()) for text in tree.iter("{http://www.w3.org/2000/svg}text"))
@@ -99,7 +99,7 @@ class Needs(StudyTest):
         for part in ("jitter", "fling, frame 120", "hitch, frame 200", "hold, frame 300", "resize, frame 400"):
             self.assertEqual(verdicts[part], "needed", part)
 
-    def test_all_that_is_unneeded_can_go_at_once_and_the_cheapest_way_is_told(self):
+    def test_all_unneeded_parts_can_go_at_once_and_the_cheapest_method_is_reported(self):
         scene = self.needs(self.write("fling.json", fling()))
         self.assertTrue(scene["holds"])
         self.assert_shape(scene["cheapest"], {"method": str, "rate_hz": NUMBER, "cost_ns_per_s": NUMBER})
@@ -109,7 +109,7 @@ class Needs(StudyTest):
         self.assertIn("its window cannot hold its sprite",
                       self.expect(AGREED, "study", "needs", path, "--quick", "--no-figures").out)
 
-    def test_without_gnuplot_the_verdict_is_told_all_the_same(self):
+    def test_without_gnuplot_the_verdict_is_still_printed(self):
         outcome = self.expect(CANNOT_ACCESS, "study", "needs", self.write("fling.json", fling()), "--quick",
                               env={"PATH": str(self.folder)}, says="gnuplot")
         self.assertIn("gravity", outcome.out)
@@ -119,7 +119,7 @@ class Needs(StudyTest):
     def test_a_scene_without_frames_needs_nothing(self):
         self.assertEqual(set(self.verdicts(self.write("still.json", fling(steps=0))).values()), {"not exercised"})
 
-    def test_many_scenes_make_a_table_of_coverage_in_which_gaps_show(self):
+    def test_many_scenes_make_a_coverage_table_that_shows_gaps(self):
         start = {"x_px": 900, "y_px": 300, "vx_px_per_s": 0, "vy_px_per_s": 0}
         for number in range(5):
             self.write(f"all/{number}.json", fling(name=f"drop-{number}", start=start, steps=100 + number))
@@ -135,9 +135,9 @@ class SpeedError(StudyTest):
 
     def test_it_holds_and_prints_cost_error_and_order(self):
         outcome = self.expect(AGREED, "study", "speed-error", "--quick", "--gate", "--no-figures")
-        for words in ("the paper's step", "explicit Euler", "for an error below", "at no rate",
-                      "keeps the paper's step from converging", "error is 9.85 px at 60 Hz"):
-            self.assertIn(words, outcome.out)
+        for text in ("the paper's step", "explicit Euler", "for an error below", "at no rate",
+                     "keeps the paper's step from converging", "error is 9.85 px at 60 Hz"):
+            self.assertIn(text, outcome.out)
         points = self.table("speed-error.h5", "points")
         self.assertIn("gsl-rk8pd-1e-12", points["method"])
         self.assertEqual(set(points["problem"]), {"long-arc", "fling"})
@@ -175,30 +175,30 @@ class Figures(StudyTest):
 
     def test_needs_are_drawn_scene_by_scene(self):
         self.expect(AGREED, "study", "needs", self.write("fling.json", fling()), "--quick")
-        words = self.words("needs-fling.svg")
+        text = self.text_of("needs-fling.svg")
         for part in ("What fling needs", "gravity", "rest rule", "not exercised", "px"):
-            self.assertIn(part, words)
+            self.assertIn(part, text)
 
     def test_many_scenes_are_one_picture(self):
         for number in range(5):
             self.write(f"all/{number}.json", fling(name=f"fling-{number}", steps=10 + number))
         self.expect(AGREED, "study", "needs", "all", "--quick", "-o", "out")
         self.assertEqual(self.names("out"), ["needs.csv", "needs.h5", "needs.svg"])
-        self.assertIn("left wall (never)", self.words("out/needs.svg"))
+        self.assertIn("left wall (never)", self.text_of("out/needs.svg"))
 
     def test_speed_against_error_is_drawn_for_every_problem(self):
         self.expect(AGREED, "study", "speed-error", "--quick")
         self.assertEqual([name for name in self.names() if name.endswith(".svg")],
                          ["speed-error-fling.svg", "speed-error.svg"])
-        words = self.words("speed-error.svg")
+        text = self.text_of("speed-error.svg")
         for part in ("ns per simulated second", "dt, s", "order 2.00", "Pareto front", "rk8pd", "from converging"):
-            self.assertIn(part, words)
+            self.assertIn(part, text)
 
 
 class Usage(StudyTest):
     """What is refused, before anything is made."""
 
-    def test_an_unknown_study_is_told_which_there_are(self):
+    def test_an_unknown_study_lists_the_known_ones(self):
         self.expect(BAD_INPUT, "study", "speed", says=("unknown study (found speed)", "speed-error", "needs"))
         self.expect(BAD_INPUT, "study", says="study")
 
@@ -221,13 +221,13 @@ class Usage(StudyTest):
         self.expect(CANNOT_ACCESS, "study", "needs", "none.json", says="none.json: cannot be read")
         self.assertEqual(self.names(), ["bad.json"])
 
-    def test_a_folder_that_cannot_be_made_is_told(self):
+    def test_a_folder_that_cannot_be_created_is_reported(self):
         self.write("fling.json", fling())
         self.expect(CANNOT_ACCESS, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json",
                     says="fling.json: ")
         self.assertEqual(pathlib.Path(self.folder / "fling.json").stat().st_nlink, 1)
 
-    def test_it_stands_on_the_first_help_screen_and_its_help_names_the_studies(self):
+    def test_the_first_help_screen_lists_it_and_its_help_names_the_studies(self):
         common, _ = self.expect(AGREED, "--help").out.split("\nMore:\n")
         self.assertIn("\n  study ", common)
         text = self.expect(AGREED, "study", "--help").out

@@ -1,4 +1,4 @@
-"""Wine in a prefix that nothing else uses, of which no process is left; and a screen that nobody sees."""
+"""Wine in its own prefix, whose processes are ended; and a virtual screen."""
 
 import os
 import pathlib
@@ -47,8 +47,8 @@ class Wine:
 
     def call(self, *command):
         """Runs one of Wine's own commands, which must succeed, and waits until its changes are stored."""
-        for words in (command, ("wineserver", "--wait")):
-            succeed(*words, env=self.environment, keeps_children=True, timeout=SETUP_S_MAX)
+        for arguments in (command, ("wineserver", "--wait")):
+            succeed(*arguments, env=self.environment, keeps_children=True, timeout=SETUP_S_MAX)
 
     def start(self, program, *arguments, **options):
         """Starts a program. It shares Wine's services with others, so that these are left to `end`."""

@@ -1,4 +1,4 @@
-"""The altered cores: one program, the list of all cores, and what a study or `check` says of one of them.
+"""The altered cores: one program, the list of all cores, and the results of a study or `check` with one of them.
 
 HYRAX_CONTROLS is the folder of the programs that are wrong on purpose.
 """
@@ -30,6 +30,6 @@ class StudyControl(ProgramTest):
     """A study by a program whose core is altered."""
 
     def study(self, core, name, *options):
-        """What the study says with that core, as JSON, held to its gate."""
+        """Runs the study with that core and --gate; returns the outcome with its JSON document."""
         return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", self.folder,
                            *options)

@@ -21,7 +21,7 @@ SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_move
 UNSEEN = {"gravity_by_one_ulp", "gravity_stronger", "gravity_none", "restitution_softer", "drag_stronger",
           "friction_stronger", "friction_none", "rest_earlier", "rest_later", "two_constants"}
 
-# Short ones that are hard in every way, a stop and a grab.
+# Short scenarios: hard cases, a stop and a grab.
 CASES = [f"scenarios/{name}.json" for name in (
     "hard/any-speed", "hard/corners", "hard/frames-of-no-time", "hard/grazing", "hard/on-a-bound", "hard/rest",
     "hard/sprite-larger-than-window", "hard/trace-of-extremes", "flings/grab-and-throw", "flings/stop-in-flight")]
@@ -66,7 +66,7 @@ class List(StudyControl):
         cores = altered_cores()
         self.assertGreaterEqual(len(cores), 60)
         self.assertEqual(next(iter(cores)), "none")
-        self.assertEqual(len({change for change in cores.values()}), len(cores), "two of the same words")
+        self.assertEqual(len({change for change in cores.values()}), len(cores), "two descriptions are the same")
 
     def test_an_unknown_name_is_refused(self):
         outcome = run_altered("gravity_sideways", "check")
@@ -75,10 +75,10 @@ class List(StudyControl):
 
 
 class EveryCore(StudyControl):
-    """What each core changes, and what sees it."""
+    """What each core changes, and which test detects it."""
 
     def red(self, core):
-        """The invariants of hard-cases that this core breaks, beside what the scenarios' authors expect."""
+        """The invariants of hard-cases that this core breaks, without the expected failures of the scenarios."""
         outcome = self.study(core, "hard-cases", *CASES, self.folder / self.write("threshold.json", THRESHOLD))
         self.assertIn(outcome.exit_code, (AGREED, DISAGREED), outcome)
         broken = {name for case in outcome.json["cases"] for name, entry in case["invariants"].items()
@@ -86,7 +86,7 @@ class EveryCore(StudyControl):
         self.assertEqual(outcome.exit_code == DISAGREED, bool(broken), core)
         return broken - {"expectations"}
 
-    def test_hard_cases_are_red_on_it_or_it_is_known_why_not(self):
+    def test_hard_cases_detect_it_or_the_reason_is_listed(self):
         for core in altered_cores():
             with self.subTest(core=core):
                 self.assertEqual(self.red(core) == set(), core in SAME_BITS | UNSEEN)

@@ -18,7 +18,7 @@ CLASSES = {"bits", "contacts", "shape"}
 
 @functools.cache
 def exercised():
-    """What each scenario exercises, as the unchanged program tells: {path: {"gravity", "ground", ...}}."""
+    """What each scenario exercises, as reported by the unchanged program: {path: {"gravity", "ground", ...}}."""
     with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
         runs = succeed(PROGRAM, "run", "scenarios", "--json", "-o", folder + "/", cwd=SOURCE).json["runs"]
     return {entry["scenario"]: set(entry["exercised"]) for entry in runs}
@@ -39,7 +39,7 @@ class ChangedCore(ProgramTest):
     """Each test is one change; `check` runs over all scenarios of the project."""
 
     def check(self, control, *options):
-        """What the program with that change says of all scenarios."""
+        """The verdicts of the program with that change on all scenarios."""
         if control != "contracted":
             return run_altered(control, "check", *options)
         return run(CONTROLS / "control_contracted", "check", *options, cwd=SOURCE)

@@ -45,38 +45,38 @@ class ProjectsGolden(ProgramTest):
             self.assertEqual((entries[scenario]["class"], first["step"], first["field"], first["ulps"]),
                              ("bits", step, field, 1), scenario)
 
-    def test_a_missing_golden_file_is_no_pass(self):
+    def test_a_missing_golden_file_does_not_pass(self):
         for suffix in (".h5", ".txt"):
             (self.folder / "golden/flings/first-fling").with_suffix(suffix).unlink()
         self.assertEqual(self.check(GOLDEN_MISSING)["scenarios/flings/first-fling.json"]["status"], "missing")
 
-    def test_half_a_golden_file_is_no_pass(self):
+    def test_half_a_golden_file_does_not_pass(self):
         (self.folder / "golden/flings/first-fling.txt").unlink()
         (self.folder / "golden/flings/wall-to-wall.h5").unlink()
         entries = self.check(GOLDEN_MISSING)
         self.assertEqual([path for path, entry in entries.items() if entry["status"] != "agreed"],
                          ["scenarios/flings/first-fling.json", "scenarios/flings/wall-to-wall.json"])
 
-    def test_a_deleted_scenario_is_no_pass(self):
+    def test_a_deleted_scenario_does_not_pass(self):
         (self.folder / "scenarios/flings/first-fling.json").unlink()
         entries = self.check(DISAGREED)
         self.assertEqual([path for path, entry in entries.items() if entry["status"] != "agreed"],
                          ["golden/flings/first-fling"])
 
-    def test_another_margin_is_no_pass(self):
+    def test_another_margin_does_not_pass(self):
         for path in (self.folder / "golden").rglob("*.txt"):
             text = path.read_text(encoding="utf-8")
             path.write_text(text.replace("\nmargin: ", "\nmargin: about "), encoding="utf-8")
         self.assertEqual({entry["status"] for entry in self.check(DISAGREED).values()}, {"disagreed"})
 
-    def test_the_golden_file_of_another_scenario_is_no_pass(self):
+    def test_the_golden_file_of_another_scenario_does_not_pass(self):
         for suffix in (".h5", ".txt"):
             golden = self.folder / "golden/flings"
             (golden / "wall-to-wall").with_suffix(suffix).replace((golden / "first-fling").with_suffix(suffix))
         entry = self.check(GOLDEN_MISSING)["scenarios/flings/first-fling.json"]
         self.assertEqual((entry["status"], entry["class"]), ("disagreed", "shape"))
 
-    def test_an_empty_folder_is_no_pass(self):
+    def test_an_empty_folder_does_not_pass(self):
         shutil.rmtree(self.folder / "scenarios")
         (self.folder / "scenarios/flings").mkdir(parents=True)
         self.expect(BAD_INPUT, "check", says="scenarios: no scenario found")

@@ -33,7 +33,7 @@ class Replays(ProgramTest):
             "steps": STEPS, "expect": {"implementation_px_max": 1e-3}}))
         return path
 
-    def test_a_run_is_played_once_for_all_that_is_wanted_of_it(self):
+    def test_a_run_is_played_once_for_all_outputs(self):
         for options in ((), ("--figure", "fling.svg"), ("--drift",), ("--drift", "--rows", "--figure", "fling.svg"),
                         ("--drift", "--reference", "gsl"), ("-o", "fling.csv", "--drift")):
             with self.subTest(options=options):

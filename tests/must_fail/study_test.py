@@ -11,7 +11,7 @@ from program import AGREED, DISAGREED, SOURCE, main
 class HardCases(StudyControl):
     """Each invariant is broken by a core that does not keep it."""
 
-    # Hard in every way, and short.
+    # Short hard cases of every kind.
     CASES = [f"scenarios/hard/{name}.json" for name in (
         "any-frame", "any-speed", "corners", "frames-of-no-time", "grazing", "on-a-bound", "rest",
         "trace-of-extremes")]
@@ -50,7 +50,7 @@ class HardCases(StudyControl):
         self.assertNotIn("step-energy", broken)
         self.assertNotIn("speed", broken)
 
-    def test_a_finding_that_is_gone_is_told(self):
+    def test_a_finding_that_is_gone_is_reported(self):
         broken = self.broken("drag_needs_time")
         self.assertIn(("frames-of-no-time", "finding gone"), broken["no-time"])
 
@@ -98,7 +98,7 @@ FLIPS = {
     "y_sees_x": {"2.3-new-velocity": "does not hold"},
 }
 NEVER_FLIPPED = {
-    "3-centre": "throws start all over the window, whatever the core does then",
+    "3-centre": "its throws start all over the window with every core",
     "7-fast": "judges a time; a unit test gives it a slow step",
 }
 
@@ -138,7 +138,7 @@ class Paper(StudyControl):
         return next(entry["remark"] for entry in claims if entry["claim"] == claim)
 
     def test_remarks_follow_from_what_was_measured(self):
-        for claim, words, core, other in (
+        for claim, text, core, other in (
                 ("4.2-tunnel", "a clamp cannot be passed", "no_floor", "of "),
                 ("5-energy-retention", "the ratio of speeds, 0.6, squared", "side_walls_softer", "nor its square"),
                 ("3.2.2-signed", "it is |vy| that is compared", "rest_rule_gone", "|vy| is not compared, either"),
@@ -147,18 +147,18 @@ class Paper(StudyControl):
                 ("6.1-reset", "in the air gravity starts it again", "reset_keeps_vy", "it leaves (0, -300) px/s"),
                 ("3-x-first", "nothing penetrates in either order", "y_before_x", "is not the listing's")):
             with self.subTest(claim=claim):
-                self.assertIn(words, self.remark("none", claim))
+                self.assertIn(text, self.remark("none", claim))
                 remark = self.remark(core, claim)
                 self.assertIn(other, remark)
-                if other != words:
-                    self.assertNotIn(words, remark)
+                if other != text:
+                    self.assertNotIn(text, remark)
 
     def test_constants_are_printed_with_all_digits(self):
         outcome = self.study("gravity_by_one_ulp", "paper", "--expect", self.EXPECTED)
         self.assertIn("1200.0000000000002", outcome.json["broken"][0])
         self.assertEqual(self.remark("gravity_by_one_ulp", "5-gravity"), "the paper has 1200")
 
-    def test_a_constant_alone_flips_no_law(self):
+    def test_a_changed_constant_flips_no_law(self):
         self.assertEqual(set(self.flipped("gravity_by_one_ulp")), {"5-gravity"})
 
 
@@ -184,18 +184,18 @@ class Rest(StudyControl):
 
 
 class FrameRate(StudyControl):
-    """What is said of the step is said of the core, and drag by time makes a difference."""
+    """The results for the step hold for the core, and drag by time changes them."""
 
     def test_no_change_is_green(self):
         outcome = self.study("none", "frame-rate")
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 
-    def test_a_core_that_takes_drag_by_time_itself_is_told(self):
+    def test_a_core_with_drag_by_time_is_reported(self):
         outcome = self.study("drag_by_time", "frame-rate")
         self.assertEqual(outcome.exit_code, DISAGREED, outcome)
         self.assertIn("are no more independent of the frame rate", outcome.json["broken"][0])
 
-    def test_a_core_that_remembers_is_told(self):
+    def test_a_core_with_hidden_state_is_reported(self):
         outcome = self.study("hidden_state", "frame-rate")
         self.assertEqual(outcome.exit_code, DISAGREED, outcome)
         self.assertIn("differs from the core", outcome.json["broken"][0])
@@ -208,7 +208,7 @@ class SpeedError(StudyControl):
         outcome = self.study("none", "speed-error")
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 
-    def test_another_flight_is_told(self):
+    def test_another_flight_is_reported(self):
         for core in ("no_gravity", "drag_in_y_twice", "drag_before_gravity", "position_before_velocity"):
             with self.subTest(core=core):
                 self.assertEqual(self.study(core, "speed-error").exit_code, DISAGREED)
@@ -221,7 +221,7 @@ class Needs(StudyControl):
         outcome = self.study("none", "needs", "scenarios/flings")
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 
-    def test_a_core_that_is_not_the_variants_step_is_told(self):
+    def test_a_core_that_is_not_the_variants_step_is_reported(self):
         for core in ("ceiling_stops", "x_by_old_vx", "friction_left_out"):
             with self.subTest(core=core):
                 outcome = self.study(core, "needs", "scenarios/flings")

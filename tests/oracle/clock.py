@@ -6,7 +6,7 @@ import math
 MASK_64 = (1 << 64) - 1
 GOLDEN_GAMMA = 0x9E3779B97F4A7C15
 MAX_DT_S = 1e9
-ALLOWANCE = 1e-9  # of a frame: a time written in decimal still means the frame its author had in mind.
+ALLOWANCE = 1e-9  # of a frame: a time written in decimal still resolves to the intended frame.
 
 
 def splitmix64(seed, k):
@@ -94,7 +94,7 @@ class Timeline:
 
 
 def steps_of_duration(duration_s, dt_s):
-    """The number of frames that a duration takes."""
+    """The number of frames of a duration."""
     return math.ceil(duration_s / dt_s - ALLOWANCE)
 
 

@@ -33,19 +33,19 @@ class ScenarioError(ValueError):
 
 
 def unique_pairs(pairs):
-    """A JSON object, refused if a key stands twice."""
+    """A JSON object; refuses duplicate keys."""
     if len({key for key, _ in pairs}) != len(pairs):
         raise ScenarioError("an object repeats a key")
     return dict(pairs)
 
 
 def refuse_constant(text):
-    """NaN and Infinity are no JSON, though Python's reader knows them."""
+    """Refuses NaN and Infinity, which are not JSON although Python reads them."""
     raise ScenarioError(f"{text} is not a number")
 
 
 def load(path):
-    """The JSON of a file. Numbers stay decimal until it is known whether a real or a whole number is wanted."""
+    """The JSON of a file. Numbers stay decimal until it is known whether a real number or an integer is expected."""
     with open(path, encoding="utf-8") as file:
         return json.load(file, object_pairs_hook=unique_pairs, parse_constant=refuse_constant,
                          parse_float=decimal.Decimal, parse_int=decimal.Decimal)
@@ -64,8 +64,8 @@ def real(place, value, low=-MAX_MAGNITUDE, high=MAX_MAGNITUDE):
     return float(value)
 
 
-def whole(place, value, low, high):
-    """A whole number, however it is written: 60, 60.0 and 6e1 are the same."""
+def integer(place, value, low, high):
+    """An integer in any notation: 60, 60.0 and 6e1 are the same."""
     if not isinstance(value, decimal.Decimal) or not low <= value <= high or value != value.to_integral_value():
         raise ScenarioError(f"{place}: must be a whole number from {low} to {high}, is {value}")
     return int(value)
@@ -74,7 +74,7 @@ def whole(place, value, low, high):
 def read_size_px(place, value, low):
     """(width, height) of a window or a sprite."""
     expect_keys(place, value, ["width_px", "height_px"])
-    return tuple(whole(f"{place}/{key}", value[key], low, MAX_SIDE_PX) for key in ("width_px", "height_px"))
+    return tuple(integer(f"{place}/{key}", value[key], low, MAX_SIDE_PX) for key in ("width_px", "height_px"))
 
 
 def read_sizes(place, value):
@@ -95,7 +95,7 @@ class Event:
         if len(actions) != 1 or len(value) != 2:
             raise ScenarioError(f"{place}: needs one of step and at_s, and one action")
         self.place, self.kind = place, actions[0]
-        self.frame = whole(f"{place}/step", value["step"], 0, steps - 1) if "step" in value else None
+        self.frame = integer(f"{place}/step", value["step"], 0, steps - 1) if "step" in value else None
         self.at_s = real(f"{place}/at_s", value["at_s"]) if "at_s" in value else None
         self.numbers = self._read_numbers(f"{place}/{self.kind}", value[self.kind])
 
@@ -128,7 +128,7 @@ class Scenario:
         self.events = [Event(f"/events/{n}", value, self.steps) for n, value in enumerate(text.get("events", []))]
 
     def _read_clock(self, value):
-        """Sets base_dt_s (None for an array) and dts_s, a function that gives the dt sequence anew."""
+        """Sets base_dt_s (None for an array) and dts_s, a function that starts the dt sequence again."""
         expect_keys("/clock", value, [], ["rate_hz", "dt_s", "jitter"])
         if ("rate_hz" in value) == ("dt_s" in value):
             raise ScenarioError("/clock: needs exactly one of rate_hz and dt_s")
@@ -159,19 +159,19 @@ class Scenario:
             raise ScenarioError(f"/clock/jitter/kind: must be one of {sorted(clock.JITTERS)}")
         key, highest, _ = clock.JITTERS[kind]
         expect_keys("/clock/jitter", value, ["kind", "seed", key])
-        seed = whole("/clock/jitter/seed", value["seed"], 0, clock.MASK_64)
+        seed = integer("/clock/jitter/seed", value["seed"], 0, clock.MASK_64)
         return kind, self.base_dt_s, real(f"/clock/jitter/{key}", value[key], 0.0, highest), seed
 
     def _read_steps(self, text):
         if self.trace_s is not None:
             length = len(self.trace_s)
-            if "duration_s" in text or whole("/steps", text.get("steps", decimal.Decimal(length)), 0, MAX_STEPS) != length:
+            if "duration_s" in text or integer("/steps", text.get("steps", decimal.Decimal(length)), 0, MAX_STEPS) != length:
                 raise ScenarioError("/steps: an array gives the number of steps itself")
             return length
         if ("steps" in text) == ("duration_s" in text):
             raise ScenarioError("/steps: needs exactly one of steps and duration_s")
         if "steps" in text:
-            return whole("/steps", text["steps"], 0, MAX_STEPS)
+            return integer("/steps", text["steps"], 0, MAX_STEPS)
         duration_s = real("/duration_s", text["duration_s"], 0.0, float("inf"))
         if self.base_dt_s == 0.0 or not duration_s / self.base_dt_s <= MAX_STEPS:
             raise ScenarioError("/duration_s: needs a dt above 0 and at most 1e12 steps")
@@ -191,7 +191,7 @@ class Sprite:
         self.met_x = self.met_y = None  # (vx before, vy before, vx after, vy after, overshoot) of the last clamp.
 
     def update(self, dt_s, right_px, bottom_px):
-        """One step; returns the contact byte. Each clamp is noted where it happens, not guessed from the outcome."""
+        """One step; returns the contact byte. Each clamp is recorded when applied, not inferred from the result."""
         vy = (self.vy + GRAVITY_PX_PER_S2 * dt_s) * AIR_DRAG
         vx = self.vx * AIR_DRAG
         x = self.x + vx * dt_s
@@ -255,12 +255,12 @@ class Replay:
             t_s = timeline.advance(dt_s)
             yield t_s, dt_s, sprite.x, sprite.y, sprite.vx, sprite.vy, contact
         if self.pending:
-            raise ScenarioError(f"{self.pending[0].place}: lies beyond the end")
+            raise ScenarioError(f"{self.pending[0].place}: is beyond the end")
 
     def _apply_events(self, frame, start_s, dt_s):
         """Apply what is due in this frame, in file order; returns the frame's dt, which a hitch replaces."""
         base_dt_s = dt_s if self.scenario.base_dt_s is None else self.scenario.base_dt_s
-        # Every event is resolved when its time comes, also behind one that is not due: so that a list out of order shows.
+        # Every event is resolved at its time, even after one that is not due, so that a list out of order is detected.
         for event in self.pending:
             if event.frame is None and clock.is_due(start_s, event.at_s, base_dt_s):
                 event.frame = frame

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A second program for the published replay, written from the specification alone, as a witness for the first."""
+"""A second program for the published replay, written from the specification alone, as an independent check of the first."""
 
 import argparse
 import json
@@ -21,7 +21,7 @@ def plain(value):
 
 
 def replay_one(path):
-    """The entry of one scenario; a bad one says so and does not keep the others from being played."""
+    """The entry of one scenario; a bad one is reported and the others are still played."""
     try:
         return {"scenario": path, **plain(replay.summarise(replay.Scenario(replay.load(path))))}
     except (OSError, ValueError) as error:
@@ -55,7 +55,7 @@ def command_vectors(_):
 
 
 def main():
-    """Read the command line and do what it says."""
+    """Reads the command line and plays the scenarios."""
     parser = argparse.ArgumentParser(description=__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     play = commands.add_parser("replay", help="play scenarios and print what `run --json` says of the runs")

@@ -1,4 +1,4 @@
-"""Test vectors for the parts that another program must get right before a whole run can agree."""
+"""Test vectors for the parts that another program must reproduce before a complete run can agree."""
 
 import itertools
 
@@ -65,7 +65,7 @@ def time_rule_vectors():
 
 
 def counted_rows(count):
-    """Rows that any language can make again; see the rule beside the vectors."""
+    """Rows that any language can reproduce; see the rule in the document."""
     return [(1.0 / 64.0, float(i), i * 0.5, 0.0 - i, 1000.0 - i, i % 32) for i in range(count)]
 
 
@@ -111,7 +111,7 @@ def steps_vectors():
 
 
 def at_s_vectors():
-    """Times of events and the frames they fall in; null lies beyond the end."""
+    """Times of events and the frames they fall in; null is beyond the end."""
     fixed = [(SIXTIETH_S, 900, at_s) for at_s in (
         0.0, -1.0, 1e-12, 1e-10, 0.01, 0.5, 9.5, 14.983333333333333, 14.983333333333334, 14.99, 15.0)]
     fixed += [(0.1, 20, at_s) for at_s in (0.3, 0.7, 1.1, 0.30000000005, 0.3000000001, 0.30000000011, 1.9, 1.95)]
@@ -132,7 +132,7 @@ def at_s_vectors():
 
 
 def all_vectors():
-    """The whole document."""
+    """The complete document."""
     return {
         "format": "hyrax-vectors/1",
         "about": "Made by `second_program.py vectors`. Every double is exact hexadecimal text; seeds and outputs are 64 bits.",

@@ -61,7 +61,7 @@ class Witness(unittest.TestCase):
         expected = [line for path, scenario in short.items() for line in lines_of(path, scenario)]
         self.assertIsNone(first_difference(expected, succeed(PRINT_ROWS, *short).out.splitlines()))
 
-    def test_a_difference_of_one_bit_is_seen(self):
+    def test_a_difference_of_one_bit_is_detected(self):
         path = sorted(FOLDERS[0].rglob("first-fling.json"))[0]
         expected = list(lines_of(str(path), replay.Scenario(replay.load(path))))
         actual = list(expected)

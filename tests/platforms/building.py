@@ -1,4 +1,4 @@
-"""Builds hyrax-replay as a row wants it."""
+"""Builds hyrax-replay for a row."""
 
 from process import succeed
 from rows import PROJECT

@@ -1,4 +1,4 @@
-"""The scenarios, and the hash that each of them must come to."""
+"""The scenarios, and the expected state hash of each."""
 
 import dataclasses
 import json
@@ -9,7 +9,7 @@ from rows import PROJECT
 
 
 class NoConstant(Exception):
-    """A scenario that nothing holds to a hash."""
+    """A scenario without an expected hash."""
 
 
 @dataclasses.dataclass(frozen=True)

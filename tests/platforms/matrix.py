@@ -19,8 +19,8 @@ from wine import Wine
 TIMEOUT_S = 600
 
 
-def tell(text):
-    """On stderr, so that stdout holds nothing but the table."""
+def log(text):
+    """Prints to stderr; stdout has the table only."""
     print(text, file=sys.stderr, flush=True)
 
 
@@ -30,7 +30,7 @@ def flags_of(row):
 
 
 class Matrix:
-    """Plays rows in a scratch folder; holds them to golden files. Use it in a `with`: it may start a Wine."""
+    """Plays rows in a scratch folder and compares them with golden files. Use it in a `with`: it may start Wine."""
 
     def __init__(self, folder, golden):
         self.folder = folder
@@ -46,7 +46,7 @@ class Matrix:
             self._wine.end()
 
     def wine(self):
-        """A prefix that all rows share, made when it is first wanted."""
+        """A prefix that all rows share, created on first use."""
         with self._wine_lock:
             if self._wine is None:
                 self._wine = Wine(self.folder / "wine")
@@ -63,17 +63,17 @@ class Matrix:
     def play(self, rows, jobs):
         """The lines of these rows, in their order, `jobs` rows at a time."""
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            return [line for lines in pool.map(self.lines_told, rows) for line in lines]
+            return [line for lines in pool.map(self.timed_lines, rows) for line in lines]
 
-    def lines_told(self, row):
-        """The lines of a row; tells how long it took."""
+    def timed_lines(self, row):
+        """The lines of a row; logs how long it took."""
         begin = time.monotonic()
         try:
             lines = list(self.lines_of(row))
         except (Failed, TimedOut, OSError) as error:
             verdict = "FAILED to build or run"
             lines = [Result(row.name, row.compiler, flags_of(row), row.runs_on, verdict, True, str(error))]
-        tell(f"{row.name:<32}{time.monotonic() - begin:6.1f} s  {lines[0].verdict}")
+        log(f"{row.name:<32}{time.monotonic() - begin:6.1f} s  {lines[0].verdict}")
         return lines
 
     def lines_of(self, row):
@@ -85,24 +85,24 @@ class Matrix:
         return self.lines_of_program(build(row, self.folder / row.folder), row)
 
     def lines_of_program(self, program, row):
-        """The lines of a program that stands: as it is, and in all variants."""
+        """The lines of a built program: as it is, and in all variants."""
         start = self.starter(program, row, {})
-        told = (compiler_of(start, row), flags_of(row), row.runs_on)
-        yield Result(row.name, *told, *judge(start, row, self.scenarios, row.must))
+        columns = (compiler_of(start, row), flags_of(row), row.runs_on)
+        yield Result(row.name, *columns, *judge(start, row, self.scenarios, row.must))
         for variant in row.variants:
-            if hindrance := hindrance_of(variant, variant.name, *told):
+            if hindrance := hindrance_of(variant, variant.name, *columns):
                 yield hindrance
                 continue
             start = self.starter(program, row, environment_for(variant, self.folder / "preloaded"))
-            yield Result(variant.name, *told, *judge(start, row, self.scenarios, variant.must, variant.is_reversed))
+            yield Result(variant.name, *columns, *judge(start, row, self.scenarios, variant.must, variant.is_reversed))
 
     def line_of_refused_build(self, row):
         """The line of a row whose core must not compile."""
-        told = (row.name, row.compiler, flags_of(row), "")
+        columns = (row.name, row.compiler, flags_of(row), "")
         try:
             build(row, self.folder / row.folder)
         except Failed as failure:
             if row.must.sentence in str(failure):
-                return Result(*told, f"refused by the compiler: {row.must.sentence}")
-            return Result(*told, "FAILED for another reason", True, str(failure))
-        return Result(*told, "NOT REFUSED by the compiler", True)
+                return Result(*columns, f"refused by the compiler: {row.must.sentence}")
+            return Result(*columns, "FAILED for another reason", True, str(failure))
+        return Result(*columns, "NOT REFUSED by the compiler", True)

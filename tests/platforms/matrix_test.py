@@ -38,7 +38,7 @@ class Matrix(unittest.TestCase):
             shutil.copyfile(digest, copy)
 
     def play(self, exit_code, *options, program=os.environ.get("HYRAX_REPLAY", "")):
-        """Plays a program; returns its table and what was told beside it."""
+        """Plays a program; returns its table and its messages on stderr."""
         outcome = run(HERE / "run", "--program", program, "--golden", self.folder / "golden", "--folder", self.scratch,
                       *options)
         self.assertEqual(outcome.exit_code, exit_code, outcome)
@@ -60,7 +60,7 @@ class Matrix(unittest.TestCase):
         self.assertRegex(table, r"this build .* 1 of \d+ DIFFERENT")
         self.assertIn(f"scenarios/{SCENARIO}.json: golden {found.group(1)}", errors)
 
-    def test_a_scenario_without_a_constant_is_told(self):
+    def test_a_scenario_without_a_constant_is_reported(self):
         (self.folder / "golden" / f"{SCENARIO}.txt").unlink()
         _, errors = self.play(BAD_INPUT)
         self.assertIn(f"{SCENARIO}.json: has neither a golden file nor expect.state_hash", errors)
@@ -72,9 +72,9 @@ class Matrix(unittest.TestCase):
         self.assertEqual(table.count("NOT REFUSED: exit code 0"), must.count("starts"))
         self.assertEqual(errors.count("BAD: "), len(THIS_BUILD) + 1)
 
-    def test_no_row_of_that_name_is_told(self):
+    def test_an_unknown_row_is_reported(self):
         _, errors = self.play(BAD_INPUT, "--only", "no such row")
-        self.assertIn("--list tells all there are", errors)
+        self.assertIn("--list prints all rows", errors)
 
 
 class Rows(unittest.TestCase):
@@ -83,13 +83,13 @@ class Rows(unittest.TestCase):
     @unittest.skipUnless(os.path.exists(LOADER) and "avx2" in processor_features(), "no processor features to mask")
     def test_the_mask_of_processor_features_is_one_that_glibc_follows(self):
         def levels(**environment):
-            told = succeed(LOADER, "--list-diagnostics", env={**os.environ, **environment}).out
-            return re.search(r"^dl_hwcaps_subdirs_active=(.*)$", told, re.MULTILINE).group(1)
+            listed = succeed(LOADER, "--list-diagnostics", env={**os.environ, **environment}).out
+            return re.search(r"^dl_hwcaps_subdirs_active=(.*)$", listed, re.MULTILINE).group(1)
 
         self.assertNotEqual(levels(), levels(GLIBC_TUNABLES=MASKED))
 
     def hindrance(self, row, in_ci):
-        """What is said of a row, in CI or not."""
+        """The verdict on a row that cannot run, in CI or not."""
         was, result.IN_CI = result.IN_CI, in_ci
         self.addCleanup(setattr, result, "IN_CI", was)
         return result.hindrance_of(row, row.name)
@@ -100,7 +100,7 @@ class Rows(unittest.TestCase):
         self.assertFalse(self.hindrance(row, False).is_bad)
         self.assertTrue(self.hindrance(row, True).is_bad)
 
-    def test_a_processor_that_cannot_is_no_failure(self):
+    def test_an_unsupported_processor_is_not_a_failure(self):
         row = Row("none", cpu=("no_such_feature",))
         self.assertEqual(self.hindrance(row, True).verdict, "not run here: the processor lacks no_such_feature")
         self.assertFalse(self.hindrance(row, True).is_bad)
@@ -112,7 +112,7 @@ class Rows(unittest.TestCase):
         needed = {need.package for row in (*BUILDS, *CONTROLS, *THIS_BUILD) for need in row.needs}
         self.assertEqual(needed - installed, set())
 
-    def test_every_row_has_a_name_and_a_folder_of_its_own(self):
+    def test_every_row_has_a_unique_name_and_folder(self):
         rows = (*BUILDS, *CONTROLS)
         self.assertEqual(len({row.name for row in rows}), len(rows))
         self.assertEqual(len({row.folder for row in rows}), len(rows))

@@ -1,4 +1,4 @@
-// Stands before the core's library when a control is linked: the self-test that finds nothing.
+// A self-test that finds nothing; linked before the core's library in a control.
 #include "sim/physics/strict_arithmetic.h"
 
 namespace hyrax {

@@ -4,10 +4,10 @@ from rows import EMULATED_STEPS_MAX, NOT_STRICT
 
 
 def compiler_of(start, row):
-    """As the program itself tells it."""
+    """The compiler that the program reports, or else that of the row."""
     lines = start("--version").out.splitlines()
-    told = [line.split(None, 1)[1] for line in lines if line.startswith("compiler ")]
-    return told[0].split(" (")[0] if told else row.compiler
+    reported = [line.split(None, 1)[1] for line in lines if line.startswith("compiler ")]
+    return reported[0].split(" (")[0] if reported else row.compiler
 
 
 def hashes_of(output):

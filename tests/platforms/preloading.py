@@ -35,7 +35,7 @@ def build_locale(folder):
 
 
 def environment_for(variant, folder):
-    """What a variant adds to the environment; its libraries and its locale are made when first wanted."""
+    """What a variant adds to the environment; its libraries and its locale are built on first use."""
     folder.mkdir(parents=True, exist_ok=True)
     added = {"HYRAX_DISTURBED": "round", "ASAN_OPTIONS": "verify_asan_link_order=0"}
     for setting in variant.environment:

@@ -15,7 +15,7 @@ class Result:
     runs_on: str = ""
     verdict: str = ""
     is_bad: bool = False
-    details: str = ""  # What a person needs who wants to know why it is bad.
+    details: str = ""  # Why it is bad.
 
 
 def hindrance_of(row, name, built_by="", flags="", runs_on=""):

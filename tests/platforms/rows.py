@@ -38,10 +38,10 @@ ROUNDED = Verdict("starts", "not rounded to nearest")
 
 @dataclasses.dataclass(frozen=True)
 class Variant:
-    """A build that stands already, run in another way."""
+    """An existing build, run in another way."""
 
     name: str
-    environment: tuple = ()  # NAME=VALUE; {NAME} stands for a library or folder of preloaded.py.
+    environment: tuple = ()  # NAME=VALUE; {NAME} is replaced by a library or folder of preloaded.py.
     is_reversed: bool = False  # The scenarios in the opposite order.
     must: Verdict = AGREES
     needs: tuple = ()
@@ -55,7 +55,7 @@ class Row:
     name: str
     compiler: str = "g++"
     flags: str = "-O2"
-    last_flags: str = ""  # Stand behind those of the project, and so above them; only controls have any.
+    last_flags: str = ""  # After the project's flags, which they override; only controls have any.
     source: pathlib.Path = PROJECT
     toolchain: str = ""
     settings: tuple = ()  # More CMake settings, NAME=VALUE.
@@ -66,7 +66,7 @@ class Row:
     needs: tuple = ()
     cpu: tuple = ()  # Flags of /proc/cpuinfo without which the program cannot run here.
     must: Verdict = AGREES
-    is_blind: bool = False  # The self-test is taken out.
+    is_blind: bool = False  # The self-test is removed.
     variants: tuple = ()
 
     @property

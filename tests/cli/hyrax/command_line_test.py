@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The command line of hyrax.exe: what it says, and the exit codes that a script can rely on."""
+"""The command line of hyrax.exe: its output, and the exit codes that a script can rely on."""
 
 import unittest
 
@@ -11,22 +11,22 @@ HASH_OF_FLING = "0" * 32  # Of another run.
 
 
 class CommandLine(HyraxTest):
-    """Nothing of this shows a window."""
+    """Command lines that show no window."""
 
     def expect_of_hyrax(self, exit_code, *arguments, says=""):
-        """Runs the program to its end; what it says stands on either stream."""
+        """Runs the program to its end; its message is on stdout if it agreed, else on stderr."""
         done = self.wine.run(HYRAX, *arguments, cwd=self.folder)
         self.assertEqual(done.exit_code, exit_code, str(done))
         self.assertIn(says, done.out if exit_code == AGREED else done.err)
-        # Wine tells on stderr when one of its own programs crashes; a crash of this one is its exit code.
+        # Wine reports crashes of its own programs on stderr; a crash of this one changes its exit code.
         of_hyrax = [line for line in done.err.splitlines() if not line.startswith("wine: ")]
         self.assertEqual(of_hyrax if exit_code == AGREED else done.out.splitlines(), [])
 
-    def test_it_tells_of_itself(self):
+    def test_help_and_version(self):
         self.expect_of_hyrax(AGREED, "--help", says="hyrax --record my-fling.json")
         self.expect_of_hyrax(AGREED, "--version", says="hyrax ")
 
-    def test_what_is_no_option_is_refused(self):
+    def test_unknown_options_are_refused(self):
         self.expect_of_hyrax(BAD_INPUT, "--recrod", "x", says="(did you mean --record?); see `hyrax --help`")
         self.expect_of_hyrax(BAD_INPUT, "--exit", says="--exit needs --replay FILE")
         self.expect_of_hyrax(BAD_INPUT, "--seconds", "soon", says="--seconds must be a number 0 .. 1e9 (found soon)")
@@ -35,12 +35,12 @@ class CommandLine(HyraxTest):
         path = self.write("wrong.json", fling(steps=-1))
         self.expect_of_hyrax(BAD_INPUT, "--replay", path, "--exit", says="wrong.json: /steps")
 
-    def test_a_file_that_cannot_be_used_is_told(self):
+    def test_a_file_that_cannot_be_used_is_reported(self):
         self.expect_of_hyrax(CANNOT_ACCESS, "--replay", "missing.json", "--exit", says="missing.json: cannot be read")
         self.expect_of_hyrax(CANNOT_ACCESS, "--record", "nowhere/fling.json", says="nowhere/fling.json: cannot be written")
         self.expect_of_hyrax(CANNOT_ACCESS, "--log", "nowhere/fling.log", says="nowhere/fling.log: cannot be written")
 
-    def test_a_file_that_exists_is_left_as_it_is(self):
+    def test_an_existing_file_is_left_unchanged(self):
         path = self.write("mine.json", fling())
         mine = (self.folder / path).read_bytes()
         for options in (["--record", path], ["--log", path], ["--replay", path, "--log", path]):
@@ -52,7 +52,7 @@ class CommandLine(HyraxTest):
         other = self.write("other.json", fling(expect={"state_hash": HASH_OF_FLING}))
         self.expect_of_hyrax(DISAGREED, "--replay", other, "--exit", says=f"; expected {HASH_OF_FLING}")
 
-    def test_a_replay_in_the_window_comes_to_the_same(self):
+    def test_a_replay_in_the_window_gives_the_same_verdict(self):
         other = self.write("short.json", fling(steps=30, expect={"state_hash": HASH_OF_FLING}))
         self.expect_of_hyrax(DISAGREED, "--replay", other, says="differs")
 

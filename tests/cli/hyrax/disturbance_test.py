@@ -12,7 +12,7 @@ SPRITE_PX = 128
 SCREEN = [1024, 768]
 SMALL_SCREEN = [800, 600]
 
-# The recording is written every second; the writing itself takes a moment.
+# The recording is written every second; writing it takes some time.
 LOST_MAX_S = 1.5
 
 
@@ -115,16 +115,16 @@ class Disturbance(HyraxTest):
         self.wine.end()
 
 
-class StandingClock(HyraxTest):
-    """The program's clocks stand still while a file exists."""
+class StoppedClock(HyraxTest):
+    """The program's clocks are stopped while a file exists."""
 
-    def test_frames_of_no_time_are_played_and_recorded(self):
-        stop = self.folder / "clock-stands"
+    def test_zero_length_frames_are_played_and_recorded(self):
+        stop = self.folder / "clock-stops"
         clock = self.folder / "standing_clock.so"
         succeed("cc", "-shared", "-fPIC", "-O1", "-o", clock, pathlib.Path(__file__).with_name("standing_clock.c"),
                 "-ldl")
         self.wine.run(FLINGER, "sleep", 0)  # Starts Wine's server, whose clock goes on.
-        self.wine.environment.update(LD_PRELOAD=str(clock), HYRAX_CLOCK_STANDS=str(stop))
+        self.wine.environment.update(LD_PRELOAD=str(clock), HYRAX_CLOCK_STOPS=str(stop))
         process = self.start_and_fling()
         stop.touch()
         self.hand("sleep", 1000)

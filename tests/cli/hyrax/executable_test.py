@@ -58,7 +58,7 @@ def resources(path):
 
 
 class Executable(unittest.TestCase):
-    """What stands in the file."""
+    """The contents of the executable file."""
 
     def test_it_needs_only_what_every_windows_has(self):
         for program in (HYRAX, HYRAX_REPLAY):
@@ -93,8 +93,8 @@ class Executable(unittest.TestCase):
         self.assertEqual(len(found[RT_ICON]), 7)
         self.assertEqual(len(found[RT_GROUP_ICON]), 1)
         manifest, = found[RT_MANIFEST].values()
-        for word in (b"PerMonitorV2", b"asInvoker", b"{8e0f7a12-bfb3-4fe8-b9a5-48fd50a15a9a}"):  # The last: Windows 10.
-            self.assertIn(word, manifest)
+        for text in (b"PerMonitorV2", b"asInvoker", b"{8e0f7a12-bfb3-4fe8-b9a5-48fd50a15a9a}"):  # The last: Windows 10.
+            self.assertIn(text, manifest)
         version, = found[RT_VERSION].values()
         project = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
         self.assertIn(project.encode("utf-16-le"), version)
@@ -109,7 +109,7 @@ class Executable(unittest.TestCase):
             self.assertNotRegex(line, r"(?i)gsl|hdf5|mpfr|gmp")
         for program in (HYRAX, HYRAX_REPLAY):
             self.assertNotRegex(program.read_bytes(), rb"gsl_")
-        self.assertRegex(HYRAX_SIM.read_bytes(), rb"gsl_")  # Where it is linked, it is seen.
+        self.assertRegex(HYRAX_SIM.read_bytes(), rb"gsl_")  # Control: found where GSL is linked.
 
     def test_built_again_it_is_the_same_bytes(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A real drag and fling: what the window did is what the model says, and what the recording replays."""
+"""A real drag and fling: the window moves as the model does, and as the recording replays."""
 
 import json
 import multiprocessing
@@ -21,13 +21,13 @@ def burn():
 
 
 class Fling(HyraxTest):
-    """The hand takes the hyrax while it bounces, drags it, and lets it go in motion."""
+    """Catches the bouncing hyrax, drags it, and releases it in motion."""
 
     def assert_was_flung(self, flight):
         """It was held, followed the hand, and left it upwards to the right."""
         self.assertEqual([len(flight.events(kind)) for kind in ("grab", "release")], [1, 1])
         self.assertGreater(len(flight.events("place")), 0)
-        # Of a hand that it did not see for longer, on a busy machine, it knows no speed.
+        # On a busy machine the program may get no pointer positions for longer, and then has no speed of the hand.
         if max(frame["dt_s"] for frame in flight.frames if frame["held"]) < SEEN_S:
             velocity = flight.events("release")[0]["release"]
             self.assertGreater(velocity["vx_px_per_s"], 0)

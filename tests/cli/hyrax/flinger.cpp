@@ -1,8 +1,9 @@
-// A hand, a screen and a rough world for hyrax.exe under Wine: does what its command line says, word by word.
+// Mouse, keyboard, display and process control for tests of hyrax.exe under Wine. Performs the actions of its
+// command line in order.
 //
-//   flinger WORD [NUMBER]...
+//   flinger ACTION [NUMBER]...
 //
-//   find SECONDS          waits until the hyrax has a window; all that follows is about it
+//   find SECONDS          waits until the hyrax has a window, which all other actions use
 //   where                 prints left, top, right and bottom of the window
 //   point X Y             moves the mouse to X, Y from the window's top left corner
 //   by DX DY TIMES MS     moves the mouse TIMES times by DX, DY, and waits MS before each
@@ -12,7 +13,7 @@
 //   post MESSAGE WORD LONG  posts a message to the window
 //   sleep MS
 //   display WIDTH HEIGHT  changes the size of the display
-//   suspend MS            stops the process, and lets it go on after MS
+//   suspend MS            suspends the process for MS
 //
 // Exit codes: 0 done, 1 something could not be done, 2 the command line is wrong.
 #define WIN32_LEAN_AND_MEAN
@@ -58,7 +59,7 @@ void send_mouse(DWORD flags, LONG x = 0, LONG y = 0) {
   if (SendInput(1, &input, sizeof input) != 1) stop(1, "SendInput failed");
 }
 
-// Windows takes points as 65,536ths of the screen and rounds down.
+// Windows reads points as 65,536ths of the screen and rounds down.
 void move_to(POINT to) {
   const LONG width = GetSystemMetrics(SM_CXSCREEN);
   const LONG height = GetSystemMetrics(SM_CYSCREEN);
@@ -129,7 +130,7 @@ struct Hand {
 };
 
 struct Act {
-  std::wstring_view word;
+  std::wstring_view name;
   std::size_t numbers;
   void (*act)(Hand& hand, const long* number);
 };
@@ -163,16 +164,16 @@ constexpr Act kActs[] = {
 };
 constexpr std::size_t kNumbersMax = 4;
 
-const Act& act_of(std::wstring_view word) {
+const Act& act_of(std::wstring_view name) {
   for (const Act& act : kActs)
-    if (act.word == word) return act;
-  stop(2, "there is no such word");
+    if (act.name == name) return act;
+  stop(2, "unknown action");
 }
 
 long number_of(const wchar_t* text) {
   wchar_t* end = nullptr;
   const long value = std::wcstol(text, &end, 0);
-  if (end == text || *end != L'\0') stop(2, "a number is wanted");
+  if (end == text || *end != L'\0') stop(2, "a number is expected");
   return value;
 }
 

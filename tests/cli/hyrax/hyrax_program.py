@@ -1,4 +1,4 @@
-"""hyrax.exe as a user has it: started under Wine, dragged, flung, disturbed, ended; what it wrote, held to the model.
+"""hyrax.exe as a user has it: started under Wine, dragged, flung, disturbed, ended; compared with the model.
 
 HYRAX_REPLAY is the console twin of this machine; HYRAX_WINE names the folder that prepare.py made.
 """
@@ -36,7 +36,7 @@ def read_log(path):
 
 
 class Flight:
-    """What a run of the program left behind: its log, its recording, its exit code."""
+    """The results of a run of the program: its log, its recording, its exit code."""
 
     def __init__(self, folder, exit_code, err):
         self.exit_code = exit_code
@@ -81,19 +81,19 @@ class HyraxTest(ProgramTest):
         self.addCleanup(process.end)
         return process
 
-    def hand(self, *words):
-        """Does what the words say, which flinger.cpp lists."""
-        done = self.wine.run(FLINGER, "find", 30, *words, timeout=TIMEOUT_S)
+    def hand(self, *actions):
+        """Performs actions of the hand, which flinger.cpp lists."""
+        done = self.wine.run(FLINGER, "find", 30, *actions, timeout=TIMEOUT_S)
         self.assertEqual(done.exit_code, 0, done.err)
         return done.out
 
     def wait_for(self, what, has_come):
-        """Waits until the log fulfils a condition: on a busy machine nothing else tells when something is done."""
+        """Waits until the log fulfils a condition: on a busy machine this is the only reliable way to wait."""
         give_up_s = time.monotonic() + TIMEOUT_S
         while not has_come(log := read_log(self.folder / "flight.log")):
             if time.monotonic() > give_up_s:
                 inputs = [(line["t_s"], line["inputs"]) for line in log if line.get("inputs")]
-                self.fail(f"{what}: it did not come to that; inputs {inputs}, at last {log[-1:]}")
+                self.fail(f"{what}: timed out; inputs {inputs}, at last {log[-1:]}")
             time.sleep(0.2)
 
     def wait_for_input(self, kind, count=1):
@@ -117,12 +117,12 @@ class HyraxTest(ProgramTest):
         return process
 
     def end(self, process):
-        """Waits until the program has ended; returns what it left behind."""
+        """Waits until the program has ended; returns its results."""
         outcome = process.wait(TIMEOUT_S)
         return Flight(self.folder, outcome.exit_code, outcome.err)
 
     def close(self, process):
-        """Ends the program as its user does; returns what it left behind."""
+        """Ends the program as its user does; returns its results."""
         self.hand("post", WM_CLOSE, 0, 0)
         flight = self.end(process)
         self.assertEqual(flight.exit_code, 0, flight.err)
@@ -153,7 +153,7 @@ class HyraxTest(ProgramTest):
         self.assert_window_follows(flight)
 
     def assert_window_follows(self, flight):
-        """The system has the window where the model has the hyrax, but for rounding to whole pixels."""
+        """The window is where the model has the hyrax, rounded to pixels."""
         for frame in flight.frames:
             left, top, right, bottom = frame["window_rect_px"]
             origin = frame["work_area_px"]

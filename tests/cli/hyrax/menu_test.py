@@ -17,7 +17,7 @@ WAIT_S = 5
 
 
 class Menu(HyraxTest):
-    """Whatever is chosen, is chosen from a hyrax at rest."""
+    """The entries of the menu, each chosen while the hyrax is at rest."""
 
     def setUp(self):
         super().setUp()
@@ -98,7 +98,7 @@ class Menu(HyraxTest):
         process = self.start_without_recording()
         self.wait_for_sleep()
         self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord("A"), "sleep", OPENS_MS)
-        # The box disables the window below it; the icon beside the clock opens the menu all the same.
+        # The box disables the window below it; the icon beside the clock still opens the menu.
         self.hand("post", TRAY_MESSAGE, 1, RIGHT_BUTTON_UP, "sleep", OPENS_MS, "key", ord("T"))
         self.wait_for_input("fling")
         self.wait_for_sleep()

@@ -30,19 +30,19 @@ class Desktop(Screen):
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def pixels(self):
-        """What is to be seen, as an array [row, column, channel]."""
+        """The visible picture, as an array [row, column, channel]."""
         outcome = succeed("import", "-display", self.display, "-window", "root", "-depth", "8", "rgb:-",
                           env={"PATH": "/usr/bin:/bin", "HOME": "/nonexistent"})
         return numpy.frombuffer(outcome.out_bytes, numpy.uint8).reshape(SIZE_PX[1], SIZE_PX[0], 3).astype(int)
 
     def drag(self, x_px, y_px, steps):
-        """The left button at a point, then steps, 12 ms each: by the server's pointer, which knows what is clear."""
-        words = ["mousemove", x_px, y_px, "mousedown", 1]
+        """Drags with the server's pointer, which ignores transparent pixels, in steps of 12 ms each."""
+        arguments = ["mousemove", x_px, y_px, "mousedown", 1]
         for dx_px, dy_px in steps:
             x_px, y_px = x_px + dx_px, y_px + dy_px
-            words += ["mousemove", x_px, y_px, "sleep", 0.012]
-        words += ["sleep", 0.3, "mouseup", 1, "sleep", 0.3]
-        succeed("xdotool", *words, env={"DISPLAY": self.display})
+            arguments += ["mousemove", x_px, y_px, "sleep", 0.012]
+        arguments += ["sleep", 0.3, "mouseup", 1, "sleep", 0.3]
+        succeed("xdotool", *arguments, env={"DISPLAY": self.display})
 
     def end(self):
         """Ends compositor and server."""
@@ -70,7 +70,7 @@ class Picture(HyraxTest):
         before, now = None, self.screen.pixels()
         give_up_s = time.monotonic() + 30
         while before is None or (before != now).any():
-            self.assertLess(time.monotonic(), give_up_s, "the desktop does not come to rest")
+            self.assertLess(time.monotonic(), give_up_s, "the desktop does not stop changing")
             time.sleep(0.3)
             before, now = now, self.screen.pixels()
         return now

@@ -22,7 +22,7 @@ BUILD_S_MAX = 900
 
 
 def build_programs():
-    """Configured afresh: of a changed toolchain file, an older cache knows nothing."""
+    """Configured from scratch: an existing cache would ignore a changed toolchain file."""
     succeed("cmake", "--fresh", "--log-level=WARNING", "-S", SOURCE, "-B", FOLDER / "mingw", "--preset", "mingw",
             f"-DHYRAX_WERROR={os.environ['HYRAX_WERROR']}")
     succeed("ninja", "-C", FOLDER / "mingw", timeout=BUILD_S_MAX)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The committed pictures are what the drawings render to, and what the program takes them for."""
+"""The committed pictures are the rendered drawings, in the form that the program expects."""
 
 import pathlib
 import struct
@@ -60,7 +60,7 @@ def unfilter(kind, line, now, above):
 
 
 def premultiplied(pixels):
-    """What is seen: colour counts as far as it is opaque."""
+    """The visible picture: colours weighted by their opacity."""
     alpha = pixels[..., 3:]
     return numpy.concatenate([pixels[..., :3] * alpha // 255, alpha], axis=2)
 

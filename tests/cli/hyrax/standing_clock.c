@@ -1,5 +1,5 @@
-// Preloaded into hyrax.exe: while the file that HYRAX_CLOCK_STANDS names exists, the clocks that Wine takes
-// the performance counter from stand still.
+// Preloaded into hyrax.exe: while the file named by HYRAX_CLOCK_STOPS exists, the clocks behind Wine's
+// performance counter are stopped.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>
@@ -10,9 +10,9 @@
 enum { clocks = 16 };
 static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static struct {
-  struct timespec shift;  // What was stood still through, so that time goes on from where it stood.
-  struct timespec stands_at;
-  int stands;
+  struct timespec shift;  // Total stopped time, so that the clock continues where it stopped.
+  struct timespec stopped_at;
+  int is_stopped;
 } state[clocks];
 
 static struct timespec difference(struct timespec a, struct timespec b) {
@@ -29,14 +29,14 @@ int clock_gettime(clockid_t clock, struct timespec* now) {
   if (real == NULL) real = (int (*)(clockid_t, struct timespec*))dlsym(RTLD_NEXT, "clock_gettime");
   const int result = real(clock, now);
   if (result != 0 || clock == CLOCK_REALTIME || clock < 0 || clock >= clocks) return result;
-  const char* const path = getenv("HYRAX_CLOCK_STANDS");
-  const int is_to_stand = path != NULL && access(path, F_OK) == 0;
+  const char* const path = getenv("HYRAX_CLOCK_STOPS");
+  const int must_stop = path != NULL && access(path, F_OK) == 0;
   pthread_mutex_lock(&mutex);
-  if (is_to_stand && !state[clock].stands) state[clock].stands_at = *now;
-  if (!is_to_stand && state[clock].stands)
-    state[clock].shift = difference(*now, difference(state[clock].stands_at, state[clock].shift));
-  state[clock].stands = is_to_stand;
-  *now = difference(is_to_stand ? state[clock].stands_at : *now, state[clock].shift);
+  if (must_stop && !state[clock].is_stopped) state[clock].stopped_at = *now;
+  if (!must_stop && state[clock].is_stopped)
+    state[clock].shift = difference(*now, difference(state[clock].stopped_at, state[clock].shift));
+  state[clock].is_stopped = must_stop;
+  *now = difference(must_stop ? state[clock].stopped_at : *now, state[clock].shift);
   pthread_mutex_unlock(&mutex);
   return 0;
 }

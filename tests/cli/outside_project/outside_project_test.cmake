@@ -24,7 +24,7 @@ execute_process(COMMAND ${WORK}/build/fling_without_flags RESULT_VARIABLE code O
 if(NOT text MATCHES "can fuse")
   message("This machine has no fused multiply-add, so the control has nothing to show.")
 elseif(FLAGS MATCHES "-fsanitize")
-  message("The sanitizers' checks stand between the operations and keep them from being fused.")
+  message("The sanitizers' checks are compiled between the operations and keep them from being fused.")
 elseif(NOT code EQUAL 1)
   message(FATAL_ERROR "The control, without the flags of hyrax::physics, must differ, and gave ${code}:\n${text}")
 endif()

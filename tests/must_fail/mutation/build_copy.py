@@ -98,7 +98,7 @@ class BuildCopy:
             self._end(running)
 
     def _run(self, *command):
-        """Runs a command in a session of its own, of which nothing is left. Raises TimeoutError at the deadline."""
+        """Runs a command in its own session and kills what is left of it. Raises TimeoutError at the deadline."""
         if self._is_stopped or time.monotonic() >= self._deadline_s:
             raise TimeoutError
         self._temporary.mkdir(exist_ok=True)

@@ -1,4 +1,4 @@
-"""Ways to damage a golden file: single bits, and whole rows."""
+"""Ways to damage a golden file: single bits, and complete rows."""
 
 import io
 import random
@@ -8,7 +8,7 @@ import numpy
 
 
 def flipped(content, place, bit):
-    """The bytes with one bit the other way."""
+    """The bytes with one bit flipped."""
     damaged = bytearray(content)
     damaged[place] ^= 1 << bit
     return bytes(damaged)
@@ -39,7 +39,7 @@ def regions(content):
 
 
 def region_of(known, place):
-    """The name of the region that a byte lies in."""
+    """The name of the region that contains a byte."""
     return next((name for name, spans in known.items() for begin, end in spans if begin <= place < end), "structure")
 
 

@@ -30,7 +30,7 @@ def _is_by_one_ulp(mutant, text):
 
 
 def drawn(by_folder, count, generator):
-    """So many mutants, equally many of each folder as far as it has them, in random order."""
+    """So many mutants, equally many of each folder where it has enough, in random order."""
     left = {folder: generator.sample(mutants, len(mutants)) for folder, mutants in by_folder.items()}
     chosen = []
     while len(chosen) < count and any(left.values()):

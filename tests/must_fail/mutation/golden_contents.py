@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What golden files say, as an independent reader finds it: a line a file, of two hashes.
+"""The contents of golden files as an independent reader finds them: two hashes per file, one line each.
 
 The first is of all that a comparison is about; the second of everything that can be read at all, but the
 provenance. It runs
@@ -73,7 +73,7 @@ def _hashes(path):
                 compared = repr(list(_compared(file)))
             except Exception as error:  # pylint: disable=broad-exception-caught
                 compared = f"unreadable: {type(error).__name__}"
-            _everything(file, "", lambda *words: said.append(words))
+            _everything(file, "", lambda *entry: said.append(entry))
     except OSError:
         return "none", "none"
     return tuple(hashlib.sha256(text.encode()).hexdigest()[:16] for text in (compared, repr(said)))

@@ -30,7 +30,7 @@ _READER = pathlib.Path(__file__).with_name("golden_contents.py")
 
 
 def allowed(summary, place, flipped_summary):
-    """What `check` may say of a flipped byte beside a class of difference."""
+    """The allowed verdicts on a flipped byte besides a class of difference."""
     if len(summary) - 1 - _FILE_HASH <= place < len(summary) - 1:
         return {"noted"} if flipped_summary[place:place + 1] in b"0123456789abcdef" else set()
     begin = summary.index(_REASON) + len(_REASON)
@@ -39,7 +39,7 @@ def allowed(summary, place, flipped_summary):
 
 
 def contents(files):
-    """What golden_contents.py says of each golden file; "died" where the file kills it."""
+    """The output of golden_contents.py for each golden file; "died" where the file kills it."""
     with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
         paths = [pathlib.Path(folder, f"{number}.h5") for number in range(len(files))]
         for path, content in zip(paths, files):
@@ -72,7 +72,7 @@ class Damage(unittest.TestCase):
             self.assertEqual(pair.verdicts([(pair.h5, pair.txt), (pair.h5, None), (None, pair.txt)]),
                              ["agreed", "missing", "missing"])
 
-    def test_a_bit_anywhere_in_the_golden_file_is_found_or_noted_where_it_says_nothing(self):
+    def test_a_flipped_bit_anywhere_in_the_golden_file_is_found_or_noted(self):
         for kind, pair in self.pairs.items():
             flips = some_flips(pair.h5, _H5_FLIPS, seed=1)
             files = [flipped(pair.h5, *flip) for flip in flips]

@@ -1,4 +1,4 @@
-"""A golden pair that is damaged in many ways, and what `check` says of every one."""
+"""A golden pair that is damaged in many ways, and the verdict of `check` on each."""
 
 import json
 import pathlib
@@ -8,7 +8,7 @@ import tempfile
 from process import TimedOut, run, succeed
 from program import PROGRAM
 
-# What the published exit codes can be of a golden file that is damaged; a signal is none of them.
+# The allowed exit codes for a damaged golden file; a signal is not allowed.
 EXIT_CODES = {0, 1, 2, 3, 4}
 _BATCH = 250
 
@@ -27,15 +27,15 @@ class GoldenPair:
             self.txt = pathlib.Path(folder, "golden/whole.txt").read_bytes()
 
     def verdicts(self, damaged):
-        """What `check` says of each (.h5 file or None, summary or None): "agreed", "noted" (it agrees, with a note that
-        its bytes are not those that were sealed), a class, "missing", "failed" or "died"."""
+        """The verdict of `check` on each (.h5 file or None, summary or None): "agreed", "noted" (it agrees, with a note
+        that its bytes differ from the blessed ones), a class, "missing", "failed" or "died"."""
         found = []
         for first in range(0, len(damaged), _BATCH):
             found += self._verdicts(damaged[first:first + _BATCH])
         return found
 
     def _verdicts(self, damaged):
-        """One process reads many; where it dies, halves tell by whose fault."""
+        """One process reads many files; where it dies, halving finds the file that kills it."""
         results = self._check(damaged)
         if results is not None:
             return results

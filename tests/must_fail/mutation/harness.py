@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws small changes of what decides verdicts, and asks the everyday tests whether they notice.
+"""Draws small changes of the code that decides verdicts, and runs the everyday tests to see whether they fail.
 
     harness.py --build build/tools                        # 100 mutants, drawn at random
     harness.py --build build/tools --seed 7 --count 10    # ten, the same ones each time
@@ -34,7 +34,7 @@ NONE_SURVIVED, SURVIVED, CANNOT_BUILD = 0, 1, 3
 
 
 def state_of(source):
-    """Time and size of every file of the project but for builds."""
+    """Time and size of every file of the project outside of build folders."""
     paths = [path for top in source.iterdir() if top.name not in ("build", ".git")
              for path in ([top] if top.is_file() else top.rglob("*")) if path.is_file()]
     return {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in paths}
@@ -51,7 +51,7 @@ def faults_in(trials, reasons, everything):
 
 
 def options():
-    """What the command line asks for."""
+    """The options of the command line."""
     here = pathlib.Path(__file__).resolve().parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of all tests, by ninja")
@@ -73,7 +73,7 @@ def options():
 
 
 def run(asked):
-    """Tries what the options ask for; returns the exit code."""
+    """Tries the mutants that the options select; returns the exit code."""
     deadline_s = time.monotonic() + 60.0 * asked.minutes
     build = Build(asked.source, asked.build, asked.tests)
     by_folder = mutants_by_folder(build)

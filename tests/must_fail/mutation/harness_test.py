@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""harness.py tells each fate from the others, in a project of one source, two programs and two tests.
+"""harness.py distinguishes all fates, in a project of one source, two programs and two tests.
 
-Its unit test knows the sign of -5 and of 5 only, so that a change which matters at 0 alone survives.
+Its unit test checks the sign of -5 and of 5 only, so a change that matters only at 0 survives.
 """
 
 import json

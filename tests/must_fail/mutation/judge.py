@@ -1,4 +1,4 @@
-"""Builds a mutant and asks `hyrax-sim check` whether it is the program that the golden files were made with."""
+"""Builds a mutant and runs `hyrax-sim check` on it: does it still agree with the golden files?"""
 
 import concurrent.futures
 import dataclasses
@@ -51,7 +51,7 @@ class Judge:
             raise CannotBuild(f"the unchanged program disagrees with {self.scenarios}: {verdict}")
 
     def try_out(self, mutant, name):
-        """The verdict on a mutant; `name` is of a folder of its own."""
+        """The verdict on a mutant; `name` is the name of its scratch folder."""
         place = self.workshop.folder / name
         subject = self.subject_of[mutant.path]
         try:
@@ -62,7 +62,7 @@ class Judge:
             shutil.rmtree(place, ignore_errors=True)
 
     def prepare_unit_tests(self, mutants):
-        """Makes ready to ask unit tests about these mutants; unchanged, each must pass within the time of a mutant."""
+        """Prepares the unit tests for these mutants; without a change each must pass within the time of a mutant."""
         subjects = {self.subject_of[mutant.path] for mutant in mutants}
         units = sorted({unit for subject in subjects for unit in subject.test_units})
         with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Makes every small change of the core, the jitter and the events, and asks `hyrax-sim check` whether it notices.
+"""Makes every small change of the core, the jitter and the events, and runs `hyrax-sim check` to detect it.
 
     mutation.py --build build/release                     # all mutants, in a table
     mutation.py --build build/release --some 20           # twenty of them, spread over all
     mutation.py --build build/release --only 'update: .* <= '
 
 A mutant is caught (by a scenario, at a step, as a class of difference), or survives. One that survives must
-have its reason in reasons.json; where that says that a unit test tells it, the unit test is run. The exit
-code is 0 if all is as it must be, 1 if not, 3 if nothing can be built.
+have its reason in reasons.json; where that names a unit test, the unit test must catch it. The exit
+code is 0 if all is as expected, 1 if not, 3 if nothing can be built.
 """
 
 import argparse
@@ -50,15 +50,16 @@ def try_all(judge, mutants, jobs):
 
 
 def survivors_without_reason(judge, verdicts, reasons, jobs):
-    """Sentences about those that nothing catches and nothing explains."""
+    """Messages about mutants without a catch and without a reason."""
     survivors = [mutant for mutant, verdict in verdicts.items() if verdict.fate == "survived"]
     unexplained = [mutant for mutant in survivors if (mutant.path, mutant.name) not in reasons]
-    told = [mutant for mutant in survivors if mutant not in unexplained
-            and reasons[mutant.path, mutant.name].is_told_by_unit_test]
-    judge.prepare_unit_tests(told)
+    explained = [mutant for mutant in survivors if mutant not in unexplained
+                 and reasons[mutant.path, mutant.name].is_caught_by_unit_test]
+    judge.prepare_unit_tests(explained)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        tries = [pool.submit(judge.fails_unit_test, mutant, f"told-{number}") for number, mutant in enumerate(told)]
-        unseen = [mutant for mutant, one in zip(told, tries) if not one.result()]
+        tries = [pool.submit(judge.fails_unit_test, mutant, f"unit-test-{number}")
+                 for number, mutant in enumerate(explained)]
+        unseen = [mutant for mutant, one in zip(explained, tries) if not one.result()]
     return [*(f"{mutant.path}: {mutant.name}: survived; add a scenario that catches it, or its reason to reasons.json"
               for mutant in unexplained),
             *(f"{mutant.path}: {mutant.name}: survived, its unit tests as well; add one that catches it"
@@ -66,7 +67,7 @@ def survivors_without_reason(judge, verdicts, reasons, jobs):
 
 
 def options():
-    """What the command line asks for."""
+    """The options of the command line."""
     here = pathlib.Path(__file__).resolve().parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of the project, all tests built")
@@ -82,7 +83,7 @@ def options():
 
 
 def main():
-    """Tries what the options ask for; returns the exit code."""
+    """Tries the mutants that the options select; returns the exit code."""
     asked = options()
     mutants = [mutant for subject in SUBJECTS for mutant in subject.mutants(asked.source)]
     chosen = [mutant for mutant in mutants if not asked.only or asked.only.search(f"{mutant.path}: {mutant.name}")]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The mutation tool tells each fate from the others: it would notice a survivor, and takes no broken build for a catch.
+"""The mutation tool distinguishes all fates: it reports a survivor, and does not count a broken build as caught.
 
 HYRAX_BUILD is a build of the project.
 """
@@ -53,7 +53,7 @@ class Fates(unittest.TestCase):
         self.assertTrue((SOURCE / "scenarios" / f"{verdict.caught_by}.json").exists(), verdict)
         self.assertGreater(int(verdict.step), 0)
 
-    def test_a_change_of_nothing_survives(self):
+    def test_a_change_without_effect_survives(self):
         self.assertEqual(self.fate("m_x = rightBound * 1.0;").fate, "survived")
 
     def test_what_does_not_compile_is_not_caught(self):
@@ -64,11 +64,11 @@ class Fates(unittest.TestCase):
         self.assertEqual(verdict, Verdict("caught", difference="hangs"))
 
     def test_a_unit_test_passes_without_a_change_and_fails_with_one(self):
-        told = next(mutant for mutant in self.judge.subject_of[CORE].mutants(SOURCE)
-                    if mutant.name.endswith("-> physics() : physics(-0.0, 0.0) {}"))
-        self.judge.prepare_unit_tests([told])
+        caught = next(mutant for mutant in self.judge.subject_of[CORE].mutants(SOURCE)
+                      if mutant.name.endswith("-> physics() : physics(-0.0, 0.0) {}"))
+        self.judge.prepare_unit_tests([caught])
         self.assertFalse(self.judge.fails_unit_test(change_of("m_x = rightBound * 1.0;"), "control"))
-        self.assertTrue(self.judge.fails_unit_test(told, "control"))
+        self.assertTrue(self.judge.fails_unit_test(caught, "control"))
 
     def test_a_unit_test_that_fails_without_a_change_is_refused(self):
         judge = Judge(mock.MagicMock(), SUBJECTS, "scenarios")
@@ -94,12 +94,12 @@ class Tool(unittest.TestCase):
         self.assertIn("0 of 1 that change a result are caught", said)
         self.assertIn("FAULT: sim/physics/physics.h: update: without m_vx *= AIR_DRAG;: survived; add a scenario", said)
 
-    def test_without_scenarios_nothing_is_said_to_be_caught(self):
+    def test_without_scenarios_nothing_is_reported_as_caught(self):
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
             exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual((exit_code, said), (3, ""))
 
-    def test_every_mutant_has_a_name_of_its_own(self):
+    def test_every_mutant_has_a_unique_name(self):
         exit_code, said = self.run_tool("--list")
         self.assertEqual(exit_code, 0)
         self.assertGreater(len(said.splitlines()), 600)
@@ -107,7 +107,7 @@ class Tool(unittest.TestCase):
 
 
 class Reasons(unittest.TestCase):
-    """A reason must be of a mutant that there is and that survives."""
+    """A reason must name an existing mutant that survives."""
 
     def setUp(self):
         self.mutant = change_of("m_x = 0.0;")
@@ -178,7 +178,7 @@ class Mutators(unittest.TestCase):
                          ["f: m_x = x; -> m_y = x;", "f: m_x = x; -> m_x = y;", "f: m_y = y; -> m_x = y;",
                           "f: m_y = y; -> m_y = x;"])
 
-    def test_a_line_that_stands_twice_is_numbered(self):
+    def test_a_duplicate_line_is_numbered(self):
         self.assertEqual(self.names("void f() {\n  a();\n  a();\n}\n", "dropped"),
                          ["f: without a();", "f: without a(); [2]"])
 

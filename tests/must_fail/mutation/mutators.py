@@ -12,13 +12,13 @@ _OPERATORS = {
 _STEPS = {"++": "--", "--": "++"}
 _COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="], "==": ["!="], "!=": ["=="]}
 
-# What stands for x and what stands for y, and other pairs of one type that are easily taken for one another.
+# Names for x and for y, and other pairs of the same type that are easily confused.
 _PAIRS = [("m_x", "m_y"), ("m_vx", "m_vy"), ("x", "y"), ("vx", "vy"), ("x_px", "y_px"),
           ("vx_px_per_s", "vy_px_per_s"), ("screenW", "screenH"), ("objW", "objH"),
           ("screenWidth", "screenHeight"), ("objWidth", "objHeight"), ("rightBound", "bottomBound"),
           ("window", "sprite"), ("seed", "frame"), ("seed", "index"), ("seed", "k"), ("base_s", "comp_s"),
           ("base_s", "length_s"), ("dt_s", "nominal_dt_s"), ("early", "late"), ("base_dt_s_", "dt_s")]
-_LEAVES = ("break;", "return;", "throw ", "throw;")  # These leave no value behind, so they can be dropped.
+_LEAVES = ("break;", "return;", "throw ", "throw;")  # These return no value, so they can be dropped.
 _FLAGS_FUSED = ("-O2", "-ffp-contract=fast", "-mfma")  # g++ fuses from -O2 on.
 
 
@@ -54,7 +54,7 @@ class _Mutators:
         self.found = []
 
     def all(self):
-        """The mutants, each with a name of its own."""
+        """The mutants, with unique names."""
         for index, token in enumerate(self.source.tokens):
             function = self.source.function_of(index)
             if self.functions and (function.name if function else "declarations") not in self.functions:
@@ -68,7 +68,7 @@ class _Mutators:
             self._statements(block)
         if any(token.text == "double" for token in self.source.tokens):
             self.found.append(Mutant(self.path, "fused", "multiply-adds fused", flags=_FLAGS_FUSED))
-        return self._told_apart()
+        return self._numbered()
 
     def _add(self, kind, index, begin, end, replacement, name=None):
         function = self.source.function_of(index)
@@ -160,13 +160,13 @@ class _Mutators:
         return self.source.tokens[statement.begin].begin, self.source.tokens[statement.end - 1].end
 
     def _text(self, statement):
-        """The statement on one line; of one that holds others, what stands before them."""
+        """The statement on one line; of a compound statement, the part before its body."""
         begin, end = self._ends(statement)
         text = _one_line(self.source.text[begin:end])
         return text if statement.kind != "compound" else re.sub(r" \{ .*", " {...}", text)
 
-    def _told_apart(self):
-        """Where one line stands twice in a function, its mutants are numbered."""
+    def _numbered(self):
+        """The mutants, with a number where their names are the same."""
         named, seen = [], {}
         for mutant in self.found:
             seen[mutant.name] = seen.get(mutant.name, 0) + 1

@@ -1,4 +1,4 @@
-"""What a build of the project by ninja says of itself: which tests run what, and which objects a source is in."""
+"""Facts about a ninja build of the project: which programs each test runs, and which objects contain a source."""
 
 import collections
 import dataclasses
@@ -31,7 +31,7 @@ def printed(*command):
 
 
 class Build:
-    """What a build of the project says of itself. It is brought up to date, then only read.
+    """Facts about a build of the project, which is brought up to date and then only read.
 
     may_ask: a pattern of the names of the tests that are wanted.
     """
@@ -77,6 +77,6 @@ class Build:
         while "command" in graph["nodes"][node["parent"]]:
             node = graph["nodes"][node["parent"]]
         folder = pathlib.Path(graph["files"][node["file"]]).parent
-        words = re.split(r"[=;]", ";".join([*entry["command"], *properties.get("ENVIRONMENT", [])]))
-        programs = targets.intersection(word.removeprefix(f"{self.folder}/") for word in words)
+        parts = re.split(r"[=;]", ";".join([*entry["command"], *properties.get("ENVIRONMENT", [])]))
+        programs = targets.intersection(part.removeprefix(f"{self.folder}/") for part in parts)
         return Test(entry["name"], folder.relative_to(self.source), frozenset(programs))

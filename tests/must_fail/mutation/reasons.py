@@ -1,4 +1,4 @@
-"""What is written of mutants that `check` cannot tell from the program, and whether it still holds."""
+"""The reasons for mutants that `check` cannot distinguish from the program, and whether they still hold."""
 
 import dataclasses
 import json
@@ -6,13 +6,13 @@ import json
 
 @dataclasses.dataclass(frozen=True)
 class Reason:
-    """Why no scenario tells a mutant from the program, and where a unit test does, that it does.
+    """Why no scenario distinguishes a mutant from the program, and whether a unit test does.
 
-    may_crash: what it does is undefined, so it may as well be caught by crashing.
+    may_crash: its behaviour is undefined, so it may also be caught by a crash.
     """
 
     text: str
-    is_told_by_unit_test: bool
+    is_caught_by_unit_test: bool
     may_crash: bool = False
 
 
@@ -23,14 +23,14 @@ def read_reasons(path):
         for file, names in entry["mutants"].items():
             for name in names:
                 if (file, name) in reasons:
-                    raise ValueError(f"{path}: {file}: {name}: stands twice")
-                reasons[file, name] = Reason(entry["reason"], entry.get("told_by") == "unit test",
+                    raise ValueError(f"{path}: {file}: {name}: duplicate reason")
+                reasons[file, name] = Reason(entry["reason"], entry.get("caught_by") == "unit test",
                                              entry.get("may_crash", False))
     return reasons
 
 
 def faults_of(reasons, mutants, verdicts):
-    """Sentences about reasons that do not hold: of no mutant, or of one that is caught or does not compile.
+    """Messages about reasons that do not hold: their mutant does not exist, is caught or does not compile.
 
     mutants: all there are; verdicts: {mutant: Verdict} of those that were tried.
     """

@@ -1,6 +1,6 @@
-"""C++ as far as the mutation tool needs it: tokens, the functions that hold them, and statements.
+"""C++ as far as the mutation tool needs it: tokens, functions and statements.
 
-It reads sources that clang-format has laid out: a binary operator stands between blanks, a template's
+The sources must be formatted by clang-format: a binary operator has blanks around it, a template's
 bracket does not.
 """
 
@@ -20,7 +20,7 @@ _CLOSES = {"(": ")", "{": "}", "[": "]"}
 
 @dataclasses.dataclass(frozen=True)
 class Token:
-    """One token, and where it stands in the text."""
+    """One token and its position in the text."""
 
     kind: str
     text: str
@@ -52,20 +52,20 @@ def _tokens(text):
             for match in _TOKEN.finditer(text) if match.lastgroup != "skipped"]
 
 
-def _without_template(words):
-    """A declaration's words without its template head."""
-    if words[:1] != ["template"]:
-        return words
+def _without_template(texts):
+    """The texts of a declaration's tokens without its template head."""
+    if texts[:1] != ["template"]:
+        return texts
     depth = 0
-    for index, word in enumerate(words):
-        depth += {"<": 1, ">": -1}.get(word, 0)
-        if word == ">" and depth == 0:
-            return words[index + 1:]
-    return words
+    for index, text in enumerate(texts):
+        depth += {"<": 1, ">": -1}.get(text, 0)
+        if text == ">" and depth == 0:
+            return texts[index + 1:]
+    return texts
 
 
 class SourceText:
-    """A source file, taken apart. Statements stand in blocks: lists of neighbours."""
+    """A parsed source file. A block is the list of its statements."""
 
     def __init__(self, text):
         self.text = text
@@ -87,7 +87,7 @@ class SourceText:
         return self.text[token.begin - 1].isspace() and self.text[token.end].isspace()
 
     def lines_of(self, begin, end):
-        """The whole lines around a piece of the text, on one line, without comments: where they begin, and end."""
+        """The begin and the end of the complete lines around a piece of the text, on one line, without comments."""
         first = self.text.rfind("\n", 0, begin) + 1
         last = self.text.find("\n", end)
         return first, len(self.text) if last < 0 else last
@@ -113,14 +113,14 @@ class SourceText:
             if self._is(index, ";"):
                 header = index + 1
             elif self._is(index, "{"):
-                words = _without_template([token.text for token in self.tokens[header:index]])
-                if words and words[0] in ("namespace", "class", "struct"):
+                texts = _without_template([token.text for token in self.tokens[header:index]])
+                if texts and texts[0] in ("namespace", "class", "struct"):
                     self._find_functions(index + 1, self._partner[index])
-                elif self.tokens[index - 1].kind == "word" and words[-1] not in ("const", "noexcept", "override"):
+                elif self.tokens[index - 1].kind == "word" and texts[-1] not in ("const", "noexcept", "override"):
                     index = self._partner[index] + 1  # A member initialiser, or an enumeration.
                     continue
-                elif "(" in words:
-                    name = words[words.index("(") - 1]
+                elif "(" in texts:
+                    name = texts[texts.index("(") - 1]
                     self.functions.append(Function(name, header, index, self._partner[index]))
                 index = self._partner[index]
                 header = index + 1
@@ -139,7 +139,7 @@ class SourceText:
         self.blocks.append(statements)
 
     def _statement(self, index):
-        """One past a statement's last token; the blocks inside are gathered on the way."""
+        """One past a statement's last token; collects the blocks inside."""
         if self._is(index, "{"):
             self._block(index)
             return self._partner[index] + 1

@@ -1,4 +1,4 @@
-"""What is mutated, and what must then be built and asked."""
+"""What is mutated, and what must then be built and run."""
 
 import dataclasses
 
@@ -9,11 +9,11 @@ from mutators import mutants_of
 class Subject:
     """A source file, and all that a change of it concerns.
 
-    functions: only these are mutated; all of the file where none is named. "declarations" is what stands outside.
-    units: what is compiled anew, since it holds code of the file.
+    functions: only these are mutated; all of the file where none is named. "declarations" is the code outside of functions.
+    units: what is compiled again, since it contains code of the file.
     units_of_layout: and these, where the change is one of a member's type.
-    likely: the scenarios that are asked first.
-    test, test_units: the program of unit tests for what no scenario comes to, and what of it is compiled anew.
+    likely: the scenarios that are checked first.
+    test, test_units: the unit test program for what no scenario reaches, and its units that are compiled again.
     """
 
     path: str
@@ -29,7 +29,7 @@ class Subject:
         return mutants_of(self.path, (source / self.path).read_text(encoding="utf-8"), self.functions)
 
     def units_for(self, mutant):
-        """What is compiled anew for this mutant."""
+        """The units that are compiled again for this mutant."""
         is_of_layout = mutant.kind == "float for double" and mutant.name.startswith("declarations: ")
         return self.units + (self.units_of_layout if is_of_layout else ())
 
@@ -53,7 +53,7 @@ SUBJECTS = (
             units_of_layout=("sim/trajectory/stored_run.cpp", "tools/store/golden_file.cpp",
                              "tools/store/golden_summary.cpp")),
     Subject(_FRAME_CLOCK, (_FRAME_CLOCK,), likely=_JITTER, test="scenario_test", test_units=(_FRAME_CLOCK,)),
-    # What else there is in it keeps in mind how late an event may come, to refuse one that comes after the end.
+    # The other functions compute the latest allowed time of an event, to refuse one after the end.
     Subject(_SCHEDULE, (_SCHEDULE,), likely=_EVENTS, test="scenario_test", test_units=(_SCHEDULE,),
             functions=("declarations", "is_due", "play_to", "jump_to", "play_to_time", "hitch", "is_even", "play",
                        "even_frames_to", "go_to", "timed_end", "schedule_events")),

@@ -11,21 +11,21 @@ _KINDS = ("constant", "operator", "comparison", "dropped", "swapped", "confused"
 
 
 def _fate(mutant, verdict, reasons):
-    """caught, told by a unit test, equivalent, survived, or refused by the compiler."""
+    """caught, unit test, equivalent, survived, or refused."""
     reason = reasons.get((mutant.path, mutant.name))
     if verdict.fate != "survived" or reason is None:
         return verdict.fate
-    return "unit test" if reason.is_told_by_unit_test else "equivalent"
+    return "unit test" if reason.is_caught_by_unit_test else "equivalent"
 
 
 def _cut(line, first, last):
-    """What of a long line lies about its places `first` to `last`."""
+    """The part of a long line around its positions `first` to `last`."""
     first, last = max(first - _AROUND, 0), min(last + _AROUND, len(line))
     return ("..." if first > 0 else "") + line[first:last] + ("..." if last < len(line) else "")
 
 
 def short(name):
-    """A mutant's name; of long lines just what is about the change."""
+    """A mutant's name; long lines are cut to the part around the change."""
     name, number = re.fullmatch(r"(.*?)( \[\d+\])?", name).groups(default="")
     place, _, change = name.partition(": ")
     before, arrow, after = change.partition(" -> ")
@@ -58,7 +58,7 @@ def summary_of(verdicts, reasons):
     fates = {mutant: _fate(mutant, verdict, reasons) for mutant, verdict in verdicts.items()}
     count = collections.Counter((mutant.path, fate) for mutant, fate in fates.items())
     columns = ("caught", "unit test", "equivalent", "refused", "survived")
-    head = ("file", "mutants", "caught by check", "told by a unit test", "equivalent", "refused by the compiler",
+    head = ("file", "mutants", "caught by check", "caught by a unit test", "equivalent", "refused by the compiler",
             "survived")
     lines = [row(head), "|---" * len(head) + "|"]
     for path in dict.fromkeys(mutant.path for mutant in verdicts):

@@ -18,12 +18,12 @@ _NOT_STARTED = Verdict("not tried"), 0.0
 def batches_of(mutant, tests, seconds):
     """The tests in lists, the nearest first: of the same folder; of a like name; the others, the slow ones last."""
     path = pathlib.PurePath(mutant.path)
-    words = {path.parent.name, *re.findall(r"[a-z0-9]+", path.stem)}
+    names = {path.parent.name, *re.findall(r"[a-z0-9]+", path.stem)}
     batches = [[], [], [], []]
     for test in tests:
         above = pathlib.PurePath("tests/unit")
         is_of_folder = test.folder.is_relative_to(above) and path.is_relative_to(test.folder.relative_to(above))
-        is_alike = not words.isdisjoint(re.findall(r"[a-z0-9]+", test.name))
+        is_alike = not names.isdisjoint(re.findall(r"[a-z0-9]+", test.name))
         is_slow = seconds[test.name] > _SLOW_S
         batches[0 if is_of_folder else 1 if is_alike and not is_slow else 2 if not is_slow else 3].append(test)
     return batches

@@ -1,7 +1,7 @@
-"""Builds the program with one changed file: only the units that the change concerns, before a build that stands.
+"""Builds the program with one changed file: only the affected units, linked before those of an existing build.
 
-The flags are those of the build, but for -O1: half the time of -O3, and the same bits. The linker is the
-quickest there is.
+The flags are those of the build with -O1 instead of -O3: half the time, and the same bits. The linker is the
+fastest one installed.
 """
 
 import json
@@ -82,19 +82,19 @@ class Workshop:
         for unit, path in objects.items():
             own = self._commands[unit][self._commands[unit].index("-o") + 1]
             if own in command:
-                command = [str(path) if word == own else word for word in command]
+                command = [str(path) if part == own else part for part in command]
             else:
-                first.append(str(path))  # An archive is then not asked for its own.
+                first.append(str(path))  # The linker then takes no definition from an archive.
         place = command.index("-o")
         _run([command[0], *self._linker, *first, *command[1:place], "-o", str(result), *command[place + 2:]], folder)
 
     @property
     def is_sanitized(self):
         """Whether the build's programs need more memory than they use."""
-        return any("-fsanitize" in word for command in self._commands.values() for word in command)
+        return any("-fsanitize" in part for command in self._commands.values() for part in command)
 
     def _reach(self, name):
-        """A header's name as it stands behind #include, and those of all that it includes, if it is the project's."""
+        """A header's name as written after #include, and the names of all project headers that it includes."""
         if name not in self._reached:
             self._reached[name] = {name}
             if name.startswith('"'):
@@ -120,7 +120,7 @@ class Workshop:
         for option in ("-o", "-c", "-MF", "-MT"):
             if option in command:
                 del command[command.index(option):command.index(option) + 2]
-        command = [word for word in command if not _LEFT_OUT.fullmatch(word)] + ["-O1", "-w"]
+        command = [part for part in command if not _LEFT_OUT.fullmatch(part)] + ["-O1", "-w"]
         # The other objects of the program keep the shipped class; under its name no second one may be defined.
         return [*command, "-Dphysics=mutated_physics"] if _CORE in self._reach(f'"{unit}"') else command
 
@@ -132,7 +132,7 @@ class Workshop:
 
     def _ninja_link(self, target):
         commands = succeed("ninja", "-C", self.build, "-t", "commands", target).out
-        command = [word for word in shlex.split(commands.splitlines()[-1]) if word not in (":", "&&")]
+        command = [part for part in shlex.split(commands.splitlines()[-1]) if part not in (":", "&&")]
         return command, self.build
 
     def _make_link(self, target):

@@ -1,5 +1,5 @@
 // Debian's C++ library for WASI cannot throw. What throws here ends the program: reading a good
-// scenario throws nothing, and a bad one must not be taken for good.
+// scenario throws nothing, and a bad one must not be accepted.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// What hyrax-replay asks of tools/files that WASI's C++ library cannot: it has no <filesystem>. Paths
-// are those of scenario files, one by one.
+// The functions of tools/files that hyrax-replay needs, without <filesystem>, which WASI's C++ library
+// lacks. Every path is a scenario file.
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

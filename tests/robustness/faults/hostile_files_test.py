@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Files made to harm their reader: every command says that they are damaged, soon, and with little memory.
+"""Files made to harm their reader: every command reports damage, quickly and with little memory.
 
 Fuzzers found the first of them, which the HDF5 library crashes on or never comes back from.
 """
@@ -29,7 +29,7 @@ class HostileFile(ProgramTest):
 
     def assert_refused(self, sentence, *commands):
         """Every command is exit 2 with the sentence; `check` still judges the other scenario."""
-        # A sanitizer notices some harm before it is done, and ends the process its own way.
+        # A sanitizer notices some harm before it is done, and ends the process in its own way.
         is_sanitized = "-fsanitize" in self.expect(AGREED, "info").out
         wanted = f"golden/fling.h5: is damaged: {'' if is_sanitized else sentence}"
         for command in commands:
@@ -80,7 +80,7 @@ class HostileFile(ProgramTest):
         self.assertEqual((document["agreed"], document["failed"]), (2, 12))
 
     def grow(self, group, length):
-        """Makes a group's columns say that they have so many elements, of which none is stored."""
+        """Makes a group's columns claim so many elements, of which none is stored."""
         with h5py.File(self.golden, "r+") as file:
             for name in list(file[group]):
                 dtype = file[group][name].dtype
@@ -128,7 +128,7 @@ class HostileFile(ProgramTest):
         self.expect(AGREED, "drift", f"/dev/fd/{read}", pass_fds=[read])
         os.close(read)
 
-    def test_whole_files_in_other_forms_are_no_damage(self):
+    def test_complete_files_in_other_encodings_are_accepted(self):
         with h5py.File(self.golden) as whole, h5py.File(self.folder / "compressed.h5", "w") as copy:
             for name, value in whole.attrs.items():
                 copy.attrs[name] = value
@@ -136,7 +136,7 @@ class HostileFile(ProgramTest):
         self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
 
     def test_a_golden_file_that_describes_less_or_more(self):
-        """Without the descriptions that came later it agrees; what it says besides is a difference."""
+        """Without the descriptions that were added later it agrees; an additional one is a difference."""
         self.golden.unlink()
         self.write("scenarios/fling.json", fling(events=[{"step": 9, "hitch": {"dt_s": 0.5}}]))
         self.bless("scenarios/fling.json")

@@ -21,7 +21,7 @@ static void count(void) {
   if (at != NULL && atol(at) == ++calls) raise(SIGKILL);
 }
 
-__attribute__((destructor)) static void tell(void) {
+__attribute__((destructor)) static void write_count(void) {
   const char* const path = getenv("HYRAX_CALLS");
   FILE* const file = path == NULL ? NULL : fopen(path, "w");
   if (file == NULL) return;

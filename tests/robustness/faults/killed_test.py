@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Killed while it writes, the program leaves the old file or the whole new one, never another.
+"""Killed while it writes, the program leaves the old file or the complete new one, never another.
 
 HYRAX_KILL_AT_CALL names the library that kills it at a chosen call, kill_at_call.c; HYRAX_KILLS says how many random
-moments are tried beside.
+moments are tried in addition.
 """
 
 import os
@@ -27,7 +27,7 @@ class Killed(ProgramTest):
         (self.folder / "before").mkdir()
 
     def write_before(self, path, content):
-        """A file as it stands before each try."""
+        """A file as it is before each try."""
         return self.write(f"before/{path}", content)
 
     def files(self, folder):
@@ -50,12 +50,12 @@ class Killed(ProgramTest):
                 "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
 
     def calls_of(self, *arguments):
-        """How many calls that change files the whole command makes; leaves its outcome in `after`."""
+        """How many calls that change files the complete command makes; leaves its outcome in `after`."""
         self.assertEqual(self.try_in("after", *arguments, env=self.environment(0)).wait().exit_code, AGREED)
         return int((self.folder / "calls").read_text())
 
     def assert_old_or_new(self, what):
-        """Every file is as it was, or as the whole command leaves it."""
+        """Every file is as it was, or as the complete command leaves it."""
         old, _ = self.files("before")
         new, parts = self.files("after")
         self.assertEqual(parts, [])
@@ -68,7 +68,7 @@ class Killed(ProgramTest):
             self.assertTrue(os.path.basename(part).startswith("."), part)
 
     def assert_mended_by(self, *arguments):
-        """The same command once more does what it would have done, and leaves no part behind."""
+        """Repeating the command has the result of an uninterrupted one, and leaves no part file."""
         self.expect(AGREED, *arguments, cwd=self.folder / "now")
         new, _ = self.files("after")
         now, parts = self.files("now")
@@ -136,7 +136,7 @@ class Trajectory(Killed):
 
 
 class Blessing(Killed):
-    """`bless` replaces two files; between the two, nothing may look right that is not."""
+    """`bless` replaces two files; between the two, `check` must not accept a mixture."""
 
     COMMAND = ("bless", "scenarios", "--reason", "another start")
 
@@ -154,15 +154,15 @@ class Blessing(Killed):
         outcome = self.hyrax_sim(*arguments, "scenarios/fling.json", cwd=self.folder / "now")
         return outcome.exit_code, outcome.out + outcome.err
 
-    def is_whole(self):
-        """Whether both files of the blessing stand there."""
+    def is_complete(self):
+        """Whether both new files are in place."""
         new, _ = self.files("after")
         now, _ = self.files("now")
         return all(now[name] == new[name] for name in ("golden/fling.h5", "golden/fling.txt"))
 
-    def assert_told(self):
-        """What is not wholly blessed is no agreement, for the new scenario nor for the old one."""
-        wanted = AGREED if self.is_whole() else DISAGREED
+    def assert_verdicts(self):
+        """Unless both files are new, `check` and `run` disagree."""
+        wanted = AGREED if self.is_complete() else DISAGREED
         for command in (("check",), ("check", "--quick"), ("run", "-o", "run.h5")):
             self.assertEqual(self.verdict(*command)[0], wanted, command)
         (self.folder / "now/run.h5").unlink()
@@ -170,34 +170,34 @@ class Blessing(Killed):
     def test_at_every_call(self):
         seen = set()
         for _ in self.kill_everywhere(*self.COMMAND):
-            self.assert_told()
-            seen.add(self.is_whole())
+            self.assert_verdicts()
+            seen.add(self.is_complete())
             self.assert_mended_by(*self.COMMAND)
         self.assertEqual(seen, {False, True})
 
     def test_at_random_moments(self):
         for _ in self.kill_at_random(*self.COMMAND):
-            self.assert_told()
+            self.assert_verdicts()
         self.assert_mended_by(*self.COMMAND)
 
     def test_between_the_two_files_the_old_scenario_does_not_agree_either(self):
         self.calls_of(*self.COMMAND)
         self.try_in("now", "--version").wait()
         shutil.copyfile(self.folder / "after/golden/fling.txt", self.folder / "now/golden/fling.txt")
-        self.assert_told()
+        self.assert_verdicts()
         self.write("now/scenarios/fling.json", self.old)
         for command in (("check",), ("check", "--quick")):
             exit_code, text = self.verdict(*command)
             self.assertEqual(exit_code, DISAGREED, command)
             self.assertIn("after it was blessed: golden/fling.txt: line ", text)
 
-    def test_a_first_blessing_is_missing_until_its_rows_stand_there(self):
+    def test_a_first_blessing_is_missing_until_its_rows_exist(self):
         for _ in self.kill_everywhere("bless", "scenarios/unblessed.json", "--reason", "x"):
             rows, digest = (self.folder / "now/golden" / f"unblessed.{kind}" for kind in ("h5", "txt"))
             self.assertTrue(digest.exists() or not rows.exists())
             self.assert_mended_by("bless", "scenarios/unblessed.json", "--reason", "x")
 
-    def test_a_digest_written_anew(self):
+    def test_a_rewritten_digest(self):
         digest = self.folder / "before/golden/fling.txt"
         self.write_before("scenarios/fling.json", self.old)
         digest.write_text(digest.read_text().replace("seal: ", "sealed: "))

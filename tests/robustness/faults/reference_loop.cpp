@@ -19,7 +19,7 @@ State flight_of(const physics& body, double dt_s) {
   return {body.x() + vx * dt_s, body.y() + vy * dt_s, vx, vy};
 }
 
-// The walls that the paper's conditions clamp at, told from a flight without walls.
+// The walls at which the paper's conditions clamp a flight without walls.
 std::uint8_t contact_of(const State& flight, double right_px, double bottom_px) {
   std::uint8_t contact = 0;
   if (flight.x_px < 0.0) contact |= static_cast<std::uint8_t>(Wall::left);

@@ -31,7 +31,7 @@ def resident_bytes(process):
 
 
 def flings():
-    """A fling each time the last one has come to rest long ago. Seven of eight go straight up: sideways, a speed at rest
+    """A fling each time the last one has long been at rest. Seven of eight go straight up: sideways, a speed at rest
     is subnormal soon, and a step takes ten times as long."""
     return [{"step": step, "fling": {"vx_px_per_s": 0 if number % 8 else 37 * number % 5000 - 2500,
                                      "vy_px_per_s": -(91 * number % 2500)}}

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Several processes write the same output: one of them wins, whole, and none disturbs another."""
+"""Several processes write the same output: one complete output remains, and none disturbs another."""
 
 import pathlib
 import signal
@@ -33,7 +33,7 @@ class TwoWriters(ProgramTest):
         outcome = process.wait()
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 
-    def test_of_many_at_once_each_succeeds_and_one_file_stands(self):
+    def test_many_writers_at_once_succeed_and_leave_one_file(self):
         for _ in range(8):
             for process in [self.begin("run", f"{speed}.json", "-o", "out.h5") for speed in SPEEDS for _ in range(2)]:
                 self.assert_done(process)
@@ -48,9 +48,9 @@ class TwoWriters(ProgramTest):
         stopped.send(signal.SIGSTOP)
         self.assert_done(self.begin("run", "900.json", "-o", "out.h5"))
         self.assertEqual((self.folder / "out.h5").read_bytes(), self.whole[1])
-        self.assertIn(".out.h5.part", self.names(), "the part of a process that lives is not for others to remove")
+        self.assertIn(".out.h5.part", self.names(), "the part file of a running process must not be removed by others")
 
-    def test_blessings_at_once_leave_a_whole_one(self):
+    def test_concurrent_blessings_leave_a_complete_one(self):
         start = {"x_px": 0, "y_px": 500, "vx_px_per_s": 100, "vy_px_per_s": -400}
         self.write("scenarios/same.json", fling(name="same", start=start))
         for _ in range(8):

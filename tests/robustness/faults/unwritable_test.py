@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What cannot be written is exit 3 with a sentence, and what was there stays: beside `run`, of which run_failure_test
-tells most, for `bless` and `check --junit`, with limits, other users and links."""
+"""An output that cannot be written is exit 3 with a message, and existing files are unchanged: `bless` and
+`check --junit`, with limits, other users and links. For `run` see run_failure_test."""
 
 import os
 import resource
@@ -9,7 +9,7 @@ import shutil
 from process import run
 from program import AGREED, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
 
-# HDF5 1.10 loses what it held of a file that it could not write to its end; that is no fault of ours.
+# HDF5 1.10 leaks the memory of a file that it could not finish writing.
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
 
 
@@ -34,7 +34,7 @@ class Unwritable(ProgramTest):
         self.assertEqual(self.state_of("."), self.before)
 
     def bless_fails(self, *says, **options):
-        """`bless` is exit 3, tells why, and changes nothing."""
+        """`bless` is exit 3 with a message, and changes nothing."""
         self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", says=says, env=ENVIRONMENT, **options)
         self.assert_untouched()
 
@@ -65,7 +65,7 @@ class Limit(Unwritable):
 
 
 class Place(Unwritable):
-    """Folders that are not there, are no folders, or belong to somebody else; links."""
+    """Missing folders, files in place of folders, folders of another user; links."""
 
     def test_the_table_outlives_a_junit_file_in_a_missing_folder(self):
         for arguments, wanted in (((), "1 checked: 0 agreed, 1 disagreed"), (("--json",), '"disagreed": 1')):
@@ -101,13 +101,13 @@ class Place(Unwritable):
         self.assert_untouched()
 
     def unprivileged(self):
-        """The start of a command line by which nobody in particular runs the program; skips where that cannot be."""
+        """The start of a command line that runs the program as another user; skips where that is not possible."""
         if os.geteuid() != 0:
             return []
         command = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
         self.folder.chmod(0o755)
         if shutil.which("setpriv") is None or run(*command, PROGRAM, "--version", cwd="/").exit_code != 0:
-            self.skipTest("nobody else can run the program here (setpriv --reuid=65534)")
+            self.skipTest("the program cannot run as another user here (setpriv --reuid=65534)")
         return command
 
     def as_other(self, *arguments):
@@ -131,7 +131,7 @@ class Place(Unwritable):
             self.assertIn("cannot be written: Permission denied", done.err)
             self.assert_untouched()
 
-    def test_what_may_not_be_read(self):
+    def test_a_file_without_read_permission(self):
         command = self.unprivileged()
         (self.folder / "golden/fling.h5").chmod(0)
         done = run(*command, PROGRAM, "diff", "golden/fling.h5", "fling.h5", cwd=self.folder)

@@ -1,8 +1,8 @@
 // What a fuzzer, or a replay of inputs it once found, calls.
 //
-// A target reads an input as the program reads a file of somebody else's. It may refuse it with a
-// Failure of bad input, and may not crash, hang, take memory out of proportion or break what the
-// target holds of every input that is accepted.
+// A target reads an input as the program reads an untrusted file. It may refuse it with a Failure of
+// bad input, and must not crash, hang, use memory out of proportion or break the invariants that the
+// target checks for accepted input.
 #pragma once
 
 #include <cstddef>

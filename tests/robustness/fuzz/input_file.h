@@ -1,4 +1,4 @@
-// A fuzzer's input as a file. It stands in memory where there is such a place.
+// A fuzzer's input as a file, in memory (/dev/shm) where possible.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What must hold of a scenario that the reader accepted, whatever it says.
+// What must hold for every scenario that the reader accepts.
 #pragma once
 
 #include "sim/replay/replay.h"

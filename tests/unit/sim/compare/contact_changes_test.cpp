@@ -29,7 +29,7 @@ TEST(ContactChanges, IgnoreQuantitiesOtherThanWallAndSteps) {
   EXPECT_TRUE(contact_changes(kBounces, other).is_none());
 }
 
-TEST(ContactChanges, TellAMovedContact) {
+TEST(ContactChanges, ReportAMovedContact) {
   std::vector<Contact> other = kBounces;
   other[2] = at(Wall::ground, 213);
   const ContactChanges changes = contact_changes(kBounces, other);
@@ -40,7 +40,7 @@ TEST(ContactChanges, TellAMovedContact) {
   EXPECT_TRUE(changes.only_b.empty());
 }
 
-TEST(ContactChanges, TellAContactThatLastsLonger) {
+TEST(ContactChanges, ReportAContactThatLastsLonger) {
   std::vector<Contact> other = kBounces;
   other[3].last_step = 599;
   const ContactChanges changes = contact_changes(kBounces, other);
@@ -49,7 +49,7 @@ TEST(ContactChanges, TellAContactThatLastsLonger) {
   EXPECT_EQ(changes.moved[0].to.last_step, 599);
 }
 
-TEST(ContactChanges, TellAVanishedContact) {
+TEST(ContactChanges, ReportAVanishedContact) {
   std::vector<Contact> other = kBounces;
   other.erase(other.begin() + 1);
   const ContactChanges changes = contact_changes(kBounces, other);
@@ -59,7 +59,7 @@ TEST(ContactChanges, TellAVanishedContact) {
   EXPECT_TRUE(changes.moved.empty());
 }
 
-TEST(ContactChanges, TellAnAppearedContact) {
+TEST(ContactChanges, ReportAnAppearedContact) {
   std::vector<Contact> other = kBounces;
   other.insert(other.begin(), at(Wall::top, 20));
   const ContactChanges changes = contact_changes(kBounces, other);
@@ -68,7 +68,7 @@ TEST(ContactChanges, TellAnAppearedContact) {
   EXPECT_TRUE(changes.only_a.empty());
 }
 
-TEST(ContactChanges, DoNotTakeAnotherWallForAMove) {
+TEST(ContactChanges, DoNotReportAnotherWallAsAMove) {
   std::vector<Contact> other = kBounces;
   other[0] = at(Wall::left, 110);
   const ContactChanges changes = contact_changes(kBounces, other);
@@ -79,7 +79,7 @@ TEST(ContactChanges, DoNotTakeAnotherWallForAMove) {
   EXPECT_EQ(changes.only_b[0].wall, Wall::left);
 }
 
-TEST(ContactChanges, KnowTheTwoContactsOfACornerApart) {
+TEST(ContactChanges, DistinguishTheTwoContactsOfACorner) {
   const std::vector<Contact> corner = {at(Wall::right, 50), at(Wall::ground, 50)};
   const std::vector<Contact> wall_only = {at(Wall::right, 50)};
   const ContactChanges changes = contact_changes(corner, wall_only);
@@ -99,7 +99,7 @@ TEST(ContactChanges, PairMovesInOrderAndLeaveTheRest) {
   EXPECT_EQ(changes.only_a[0].step, 30);
 }
 
-TEST(ContactChanges, ToNothingAreAllContacts) {
+TEST(ContactChanges, ToAnEmptyListAreAllContacts) {
   EXPECT_EQ(contact_changes(kBounces, {}).only_a.size(), kBounces.size());
   EXPECT_EQ(contact_changes({}, kBounces).only_b.size(), kBounces.size());
 }

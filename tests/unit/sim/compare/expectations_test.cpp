@@ -1,4 +1,4 @@
-// What an author means to hold, judged rule by rule.
+// The expectations of a scenario, judged rule by rule.
 #include "sim/compare/expectations.h"
 
 #include <gtest/gtest.h>
@@ -26,9 +26,9 @@ Expectation verdict(const Expect& expect, const RunSummary& summary = some_summa
   return verdicts.empty() ? Expectation{} : verdicts.front();
 }
 
-TEST(Judge, SaysNothingWhereNothingIsExpected) { EXPECT_TRUE(judge({}, some_summary()).empty()); }
+TEST(Judge, HasNoVerdictsWithoutExpectations) { EXPECT_TRUE(judge({}, some_summary()).empty()); }
 
-TEST(Judge, TellsInBounds) {
+TEST(Judge, JudgesInBounds) {
   RunSummary outside = some_summary();
   outside.out_of_bounds_step = 12;
   EXPECT_TRUE(verdict({.in_bounds = true}).holds);
@@ -39,7 +39,7 @@ TEST(Judge, TellsInBounds) {
   EXPECT_EQ(std::get<bool>(verdict({.in_bounds = true}, outside).measured), false);
 }
 
-TEST(Judge, TellsFinite) {
+TEST(Judge, JudgesFinite) {
   RunSummary blown_up = some_summary();
   blown_up.non_finite_step = 3;
   EXPECT_TRUE(verdict({.finite = true}).holds);
@@ -48,7 +48,7 @@ TEST(Judge, TellsFinite) {
   EXPECT_EQ(verdict({.finite = true}).rule, "finite");
 }
 
-TEST(Judge, TakesBoundsAsInclusive) {
+TEST(Judge, TreatsBoundsAsInclusive) {
   EXPECT_TRUE(verdict({.final_x_px = Interval{1069.25, 1069.25}}).holds);
   EXPECT_TRUE(verdict({.final_x_px = Interval{1069.25, 2000.0}}).holds);
   EXPECT_TRUE(verdict({.final_x_px = Interval{0.0, 1069.25}}).holds);
@@ -67,12 +67,12 @@ TEST(Judge, NamesRuleWantedAndMeasured) {
   EXPECT_EQ(verdict({.final_y_px = Interval{-kInfinity, 9.0}}).wanted, "at most 9");
 }
 
-TEST(Judge, TellsTheMomentOfRest) {
+TEST(Judge, JudgesTheTimeOfRest) {
   EXPECT_TRUE(verdict({.at_rest_since_s = Interval{8.0, 8.5}}).holds);
   EXPECT_FALSE(verdict({.at_rest_since_s = Interval{-kInfinity, 8.0}}).holds);
 }
 
-TEST(Judge, FindsNoMomentOfRestWithinAnyBounds) {
+TEST(Judge, AcceptsNoTimeOfRestForARestlessRun) {
   RunSummary restless = some_summary();
   restless.at_rest_since_s.reset();
   const Expectation rest = verdict({.at_rest_since_s = Interval{-kInfinity, kInfinity}}, restless);
@@ -98,7 +98,7 @@ TEST(Judge, CountsTheContactsOfEachWall) {
   }
 }
 
-TEST(Judge, ComparesTheWholeStateHash) {
+TEST(Judge, ComparesAllOfTheStateHash) {
   std::string hash = hex(some_summary().state_hash);
   EXPECT_TRUE(verdict({.state_hash = hash}).holds);
   hash.back() = '1';
@@ -140,7 +140,7 @@ TEST(Judge, KeepsTheOrderOfTheFormat) {
   EXPECT_EQ(rules, "in_bounds finite final_y_px at_rest_since_s contacts/ground state_hash ");
 }
 
-TEST(BoundsErrors, LooksForEachOfThem) {
+TEST(BoundsErrors, DetectsEachOfThem) {
   EXPECT_FALSE(bounds_errors({.in_bounds = true}));
   EXPECT_TRUE(bounds_errors({.implementation_px_max = 0.0}));
   EXPECT_TRUE(bounds_errors({.truncation_px_max = 0.0}));

@@ -41,7 +41,7 @@ TEST(FirstDifference, NamesStepFieldValuesAndUlps) {
   }
 }
 
-TEST(FirstDifference, LooksInTheOrderOfTheFields) {
+TEST(FirstDifference, ComparesTheFieldsInOrder) {
   Row actual = some_row();
   for (auto field = kRowFields.rbegin(); field != kRowFields.rend(); ++field) {
     actual = with_fault(actual, field->name);
@@ -49,7 +49,7 @@ TEST(FirstDifference, LooksInTheOrderOfTheFields) {
   }
 }
 
-TEST(FirstDifference, TellsTheZerosApart) {
+TEST(FirstDifference, DistinguishesSignedZeros) {
   Row expected = some_row();
   Row actual = some_row();
   expected.vx_px_per_s = 0.0;

@@ -19,7 +19,7 @@ namespace hyrax {
 
 inline constexpr std::string_view kSomePhysics = "hyrax-physics/1";
 
-/// The fields that a fault can be put into; the contact byte is the one that is no double.
+/// The fields that a fault can be put into; all are doubles except the contact byte.
 inline const std::map<std::string_view, double Row::*> kFaultyFields = {
     {"t", &Row::t_s},  {"dt", &Row::dt_s},        {"x", &Row::x_px},
     {"y", &Row::y_px}, {"vx", &Row::vx_px_per_s}, {"vy", &Row::vy_px_per_s}};
@@ -34,7 +34,7 @@ inline Row with_fault(Row row, std::string_view field) {
   return row;
 }
 
-/// A change of one row of a run, on its way into a sink.
+/// A change of one row of a run before it reaches a sink.
 struct Fault {
   std::int64_t step = 0;
   std::function<Row(const Row&)> change;
@@ -44,7 +44,7 @@ inline Fault one_ulp(std::int64_t step, std::string_view field) {
   return {step, [field = std::string(field)](const Row& row) { return with_fault(row, field); }};
 }
 
-/// Hands a run on with a fault put in, as a replay would that had made it.
+/// Passes a run to a sink with one fault, as a replay with that fault would.
 class FaultySink : public RowSink {
  public:
   FaultySink(RowSink& sink, Fault fault) : sink_(sink), fault_(std::move(fault)) {}
@@ -96,7 +96,7 @@ inline StoredRun kept_run(const Scenario& scenario) {
   return run;
 }
 
-/// Plays a kept block anew, as the program does.
+/// Plays a kept block again, as the program does.
 inline RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
   struct TakeBlock : RowSink {
     Wants wants() const override { return {.blocks = true}; }

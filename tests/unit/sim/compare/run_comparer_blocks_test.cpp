@@ -22,7 +22,7 @@ class LongRun : public testing::Test {
   StoredRun kept_ = kept_run(scenario_);
 };
 
-const std::int64_t kTellingSteps[] = {
+const std::int64_t kFaultSteps[] = {
     0, 1, 2000, kBlock - 1, kBlock, kBlock + 1, 2 * kBlock - 1, 3 * kBlock + 50, kSteps - 1, kSteps};
 
 TEST_F(LongRun, AgreesWithItself) {
@@ -33,7 +33,7 @@ TEST_F(LongRun, AgreesWithItself) {
 }
 
 TEST_F(LongRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
-  for (const std::int64_t step : kTellingSteps)
+  for (const std::int64_t step : kFaultSteps)
     for (const RowField& field : kRowFields) {
       if (field.name == "t") continue;  // Blocks hold no t; keyframes do.
       const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(step, field.name)});
@@ -47,9 +47,9 @@ TEST_F(LongRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
     }
 }
 
-// Where the core was changed, a block cannot be played anew: then the kept row checks tell.
+// With a changed core a block cannot be played again: then the kept row checks find the step.
 TEST_F(LongRun, AFaultIsFoundByRowChecksWhereTheCoreHasChanged) {
-  for (const std::int64_t step : kTellingSteps)
+  for (const std::int64_t step : kFaultSteps)
     for (const RowField& field : kRowFields) {
       if (field.name == "t") continue;
       const Playing playing{.fault = one_ulp(step, field.name), .can_expand = false};
@@ -101,7 +101,7 @@ TEST_F(LongRun, ADamagedKeyframeIsNoAgreement) {
   EXPECT_TRUE(is_found());
 }
 
-// A sprite at rest repeats the same block; it is kept once, however the replay hands it on.
+// A sprite at rest repeats the same block; it is kept once, whether the replay skips repetitions or not.
 class RestingRun : public testing::Test {
  protected:
   const Scenario scenario_ = fling_at(240.0, 60 * kBlock);

@@ -68,7 +68,7 @@ TEST_F(ShortRun, ANanInBothIsADifference) {
   EXPECT_EQ(comparison.first->field, "x");
 }
 
-TEST_F(ShortRun, OnlyTheFirstFaultIsTold) {
+TEST_F(ShortRun, OnlyTheFirstFaultIsReported) {
   StoredRun damaged = kept_;
   damaged.rows.x_px[200] += 1.0;
   damaged.rows.dt_s[300] += 1.0;
@@ -124,7 +124,7 @@ TEST_F(ShortRun, OfAnotherLengthDiffersInShape) {
   longer.length = kSteps + 1;
   Comparison comparison = compare(kept_, longer);
   EXPECT_EQ(comparison.difference, DifferenceClass::shape);
-  kept_.scenario = longer;  // A golden file that was cut short says the same scenario.
+  kept_.scenario = longer;  // A truncated golden file names the same scenario.
   comparison = compare(kept_, longer);
   EXPECT_EQ(comparison.difference, DifferenceClass::shape);
   EXPECT_NE(comparison.shape.find("330 steps"), std::string::npos) << comparison.shape;
@@ -139,7 +139,7 @@ TEST_F(ShortRun, OfAnotherScenarioDiffersInShapeEvenWithEqualRows) {
   EXPECT_NE(comparison.shape.find("another scenario"), std::string::npos) << comparison.shape;
 }
 
-TEST_F(ShortRun, OfTheSameScenarioInOtherWordsAgrees) {
+TEST_F(ShortRun, OfTheSameScenarioWithOtherTextsAgrees) {
   Scenario renamed = scenario_;
   renamed.name = "another-name";
   renamed.description = "another description";

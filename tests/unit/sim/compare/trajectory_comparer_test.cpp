@@ -12,7 +12,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(Tolerance, OfNothingAcceptsEqualBitsOnly) {
+TEST(Tolerance, ByDefaultAcceptsEqualBitsOnly) {
   const Tolerance exact;
   EXPECT_TRUE(exact.is_exact());
   EXPECT_TRUE(exact.accepts(1.5, 1.5));
@@ -50,7 +50,7 @@ TEST(Tolerance, NeverAcceptsNan) {
   EXPECT_FALSE(wide.accepts(1.0, kNan));
 }
 
-TEST(Tolerance, AcceptsInfinityForItselfOnly) {
+TEST(Tolerance, AcceptsEqualInfinitiesOnly) {
   const Tolerance wide{.abs = 1e300, .rel = 1.0, .ulps = std::numeric_limits<std::int64_t>::max()};
   EXPECT_TRUE(wide.accepts(-kInfinity, -kInfinity));
   EXPECT_FALSE(wide.accepts(1.0, kInfinity));
@@ -83,7 +83,7 @@ TEST(TrajectoryComparer, FindsNothingInEqualRows) {
   for (const auto& worst : comparer.worst()) EXPECT_FALSE(worst);
 }
 
-TEST(TrajectoryComparer, TellsTheFirstAndTheWorst) {
+TEST(TrajectoryComparer, ReportsTheFirstAndTheWorst) {
   TrajectoryComparer comparer({});
   comparer.compare(row_at(0, 1.0), row_at(0, 1.0));
   comparer.compare(row_at(1, 1.0), row_at(1, 1.5));
@@ -100,7 +100,7 @@ TEST(TrajectoryComparer, TellsTheFirstAndTheWorst) {
   EXPECT_EQ(worst->abs(), 3.0);
 }
 
-TEST(TrajectoryComparer, TellsTheWorstWithinTheTolerance) {
+TEST(TrajectoryComparer, ReportsTheWorstWithinTheTolerance) {
   TrajectoryComparer comparer({.abs = 1.0});
   comparer.compare(row_at(5, 1.0), row_at(5, 1.5));
   EXPECT_FALSE(comparer.first());
@@ -108,7 +108,7 @@ TEST(TrajectoryComparer, TellsTheWorstWithinTheTolerance) {
   EXPECT_EQ(comparer.worst()[2]->abs(), 0.5);
 }
 
-TEST(TrajectoryComparer, TakesNanForTheWorst) {
+TEST(TrajectoryComparer, RanksNanAsTheWorst) {
   TrajectoryComparer comparer({.abs = 1e9});
   comparer.compare(row_at(1, 1.0), row_at(1, 1e6));
   comparer.compare(row_at(2, kNan), row_at(2, kNan));
@@ -121,7 +121,7 @@ TEST(TrajectoryComparer, TakesNanForTheWorst) {
   EXPECT_TRUE(std::isnan(comparer.worst()[2]->abs()));
 }
 
-TEST(TrajectoryComparer, TakesInfinityForWorseThanAnyNumber) {
+TEST(TrajectoryComparer, RanksInfinityAboveAnyNumber) {
   TrajectoryComparer comparer({});
   comparer.compare(row_at(1, 1.0), row_at(1, -kInfinity));
   comparer.compare(row_at(2, 1.0), row_at(2, 1e300));
@@ -156,7 +156,7 @@ TEST(TrajectoryComparer, ComparesContactsWithinTheTolerance) {
   EXPECT_EQ(far.first()->step, 9);
 }
 
-TEST(TrajectoryComparer, TellsMovedContactsWhateverTheTolerance) {
+TEST(TrajectoryComparer, ReportsMovedContactsAtAnyTolerance) {
   TrajectoryComparer comparer({.abs = 1e9});
   comparer.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(10, 1.0)});
   EXPECT_EQ(comparer.contacts().moved.size(), 1u);

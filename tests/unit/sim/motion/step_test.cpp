@@ -37,7 +37,7 @@ bool agrees(const State& start, double dt_s, const World& world, const PartSet& 
 double below(double value) { return std::nextafter(value, -HUGE_VAL); }
 double above(double value) { return std::nextafter(value, HUGE_VAL); }
 
-// States on, one ulp beside, and far from every bound that a comparison of the step looks at.
+// States on, one ulp beside, and far from every bound that the step compares with.
 template <class Visit>
 void visit_edges(const Visit& visit) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

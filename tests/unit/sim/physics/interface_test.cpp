@@ -38,10 +38,10 @@ static_assert(std::is_constructible_v<physics, double, double, double>);
 static_assert(std::is_constructible_v<physics, double, double, double, double>);
 static_assert(std::is_trivially_copyable_v<physics> && sizeof(physics) == 4 * sizeof(double));
 
-// A zero without a sign; EXPECT_EQ takes -0.0 for one.
+// Positive zero; EXPECT_EQ accepts -0.0 as well.
 bool is_plain_zero(double value) { return std::bit_cast<std::uint64_t>(value) == 0; }
 
-TEST(PhysicsInterface, StandsStillAtTheOriginByDefault) {
+TEST(PhysicsInterface, StartsAtRestAtTheOriginByDefault) {
   const physics body;
   EXPECT_TRUE(is_plain_zero(body.x()));
   EXPECT_TRUE(is_plain_zero(body.y()));
@@ -49,7 +49,7 @@ TEST(PhysicsInterface, StandsStillAtTheOriginByDefault) {
   EXPECT_TRUE(is_plain_zero(body.vy()));
 }
 
-TEST(PhysicsInterface, StandsStillWhereItIsPut) {
+TEST(PhysicsInterface, StartsAtRestAtAGivenPosition) {
   const physics body(3.0, 4.0);
   EXPECT_EQ(body.x(), 3.0);
   EXPECT_EQ(body.y(), 4.0);

@@ -1,5 +1,5 @@
-// The paper's listing once more, written from the paper's page and not from the core: the second
-// opinion that physics::update is held to.
+// The paper's listing once more, written from the paper's page and not from the core: the
+// independent copy that physics::update is compared with.
 //
 // Source: "Use of physics in hyrax.exe", section 6.
 #pragma once

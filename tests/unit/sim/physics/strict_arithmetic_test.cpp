@@ -1,4 +1,4 @@
-// The self-test of arithmetic: quiet on a strict machine, and it finds what a caller can spoil.
+// The self-test of arithmetic: passes on a strict machine, and detects modes that a caller can change.
 #include "sim/physics/strict_arithmetic.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace hyrax {
 namespace {
 
-// What the self-test says while rounding goes elsewhere.
+// The self-test's result in this rounding mode.
 std::string fault_when_rounding(int mode) {
   std::fesetround(mode);
   const auto fault = arithmetic_fault();
@@ -44,7 +44,7 @@ TEST(StrictArithmetic, PassesAgainOnceRoundingIsRestored) {
 constexpr unsigned kFlushToZero = 0x8000u;
 constexpr unsigned kDenormalsAreZero = 0x0040u;
 
-// What the self-test says while the control register has these bits set.
+// The self-test's result with these bits of the control register set.
 std::string fault_with_control_bits(unsigned bits) {
   const unsigned saved = _mm_getcsr();
   _mm_setcsr(saved | bits);

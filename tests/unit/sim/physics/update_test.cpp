@@ -72,8 +72,8 @@ std::vector<double> edge_speeds() {
   std::vector<double> values = {0.0,   -0.0,   kSubnormal, -kSubnormal, DBL_MIN, -DBL_MIN,
                                 1.0,   -1.0,   1234.5,     -987.6,      1e12,    -1e12,
                                 1e300, -1e300, kInfinity,  -kInfinity,  kNaN};
-  // Speeds that a bounce turns to the rest threshold, just above it and just below: at dt = 0 the
-  // one that comes to 5 exactly is within a few ulps of 5 / (0.999 * 0.6).
+  // Speeds that a bounce turns into the rest threshold, just above it and just below: at dt = 0 the
+  // one that becomes exactly 5 is within a few ulps of 5 / (0.999 * 0.6).
   double speed = 5.0 / (0.999 * 0.6);
   for (int ulp = 0; ulp < 4; ++ulp) speed = std::nextafter(speed, 0.0);
   for (int ulp = 0; ulp < 9; ++ulp, speed = std::nextafter(speed, kInfinity)) {
@@ -92,7 +92,7 @@ const std::vector<Sizes> kEdgeSizes = {{1920, 1080, 128, 128},       {128, 96, 1
                                        {0, 0, 1'000'000, 1'000'000}, {1'000'000, 50, 1, 128}};
 
 // The axes meet only at the ground, where friction acts on vx: so one axis runs through all its
-// edges while the other stands in flight, on a bound or beyond it.
+// edges while the other is in flight, on a bound or beyond it.
 template <class Visit>
 void for_each_edge_step(const Visit& visit) {
   const std::vector<double> speeds = edge_speeds();
@@ -154,7 +154,7 @@ TEST(PhysicsUpdate, AgreesWithTheListingOverALongRun) {
   }
 }
 
-// Controls: each slip of the listing shows at the edges, so none of them could hide in the core.
+// Controls: each slip changes the result at the edges, so the comparison would find it in the core.
 template <class SlipTag>
 class PhysicsUpdateControl : public testing::Test {};
 

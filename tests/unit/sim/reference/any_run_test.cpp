@@ -1,4 +1,4 @@
-// Whatever is played, the reference has no fault and the core's error is rounding.
+// Random runs: the reference has no fault and the core's error is rounding.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -64,7 +64,7 @@ Scenario interrupted_by(const Action& action) {
 }
 
 // Clamped in row 2 and in row 3, which no flight comes before.
-TEST(ArcCutter, HandsOnABounceAfterOneStep) {
+TEST(ArcCutter, ReportsABounceAfterOneStep) {
   const Scenario scenario = open_sky({300.0, -500.0}, 60.0, 4);
   Columns rows = rows_of(scenario);
   rows.contact[2] = rows.contact[3] = static_cast<std::uint8_t>(Wall::ground);
@@ -74,7 +74,7 @@ TEST(ArcCutter, HandsOnABounceAfterOneStep) {
   EXPECT_EQ(c.skipped_arcs, 3);
 }
 
-TEST(ArcCutter, TakesAnUndisturbedFlightAsOneArc) {
+TEST(ArcCutter, FindsOneArcInAnUndisturbedFlight) {
   const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 30));
   ASSERT_EQ(c.arcs.size(), 1u);
   EXPECT_EQ(c.arcs[0].start.row.step, 0);
@@ -96,7 +96,7 @@ TEST(ArcCutter, CutsAtEveryClampedStep) {
 
 TEST(ArcCutter, CountsEveryClampedRowOnceAsBeginningAnArc) {
   Scenario scenario = fling();
-  scenario.length = std::int64_t{3000};  // Comes to rest on the floor.
+  scenario.length = std::int64_t{3000};  // Long enough to rest on the floor.
   const Columns rows = rows_of(scenario);
   std::int64_t clamped = 0;
   for (const std::uint8_t contact : rows.contact) clamped += contact != 0;
@@ -160,7 +160,7 @@ TEST(ArcCutter, FollowsTheSizesInForce) {
   EXPECT_EQ(c.arcs[1].start.bounds.bottom_px, 800'000.0 - 128.0);
 }
 
-TEST(ArcCutter, KnowsNoArcWhileTheSpriteIsHeld) {
+TEST(ArcCutter, HasNoArcWhileTheSpriteIsHeld) {
   Scenario scenario = interrupted_by(Grab{});
   scenario.events.push_back({std::int64_t{15}, Place{{7000.0, 8000.0}}});
   scenario.events.push_back({std::int64_t{20}, Release{{50.0, -60.0}}});
@@ -174,7 +174,7 @@ TEST(ArcCutter, KnowsNoArcWhileTheSpriteIsHeld) {
   EXPECT_EQ(c.skipped_arcs, 0);
 }
 
-TEST(ArcCutter, SaysInputWhereAnInputFallsOnTheRowBeforeAClamp) {
+TEST(ArcCutter, ReportsAnInputOnTheRowBeforeAClamp) {
   Scenario scenario = fling();
   const std::int64_t clamped_step = cut(scenario).arcs.at(0).clamped_step.value();
   scenario.events.push_back({clamped_step - 1, Resize{Size{1921, 1080}, std::nullopt}});
@@ -193,7 +193,7 @@ TEST(ArcCutter, SkipsArcsOfFewerThanTwoSteps) {
   EXPECT_EQ(c.skipped_arcs, 2);
 }
 
-TEST(ArcCutter, FindsNothingInARunOfNoFrames) {
+TEST(ArcCutter, FindsNothingInARunWithoutFrames) {
   const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 0));
   EXPECT_TRUE(c.arcs.empty());
   EXPECT_EQ(c.skipped_arcs, 0);

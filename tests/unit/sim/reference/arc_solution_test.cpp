@@ -35,7 +35,7 @@ WideMotion discrete_truth(double v, double h, int n) {
   return {Wide(h) * (sum * v + gain * (a / (Wide(1.0) - a)) * (Wide(n) - sum)), power * v + gain * sum};
 }
 
-// Flies frames of these dt and holds each row to what `truth` has come to.
+// Flies frames of these dt; returns the largest distance of a row from `truth` at its time.
 template <class Truth, class Ours>
 double worst_error(const std::vector<double>& frames_s, double v, Truth truth_after, const Ours& ours) {
   ArcSolution solution((Model()));
@@ -106,7 +106,7 @@ TEST(MatchedFlight, SolvesTheOdeOverAHundredSeconds) {
   }
 }
 
-TEST(MatchedFlight, TakesEachFramesOwnRateUnderJitter) {
+TEST(MatchedFlight, UsesEachFramesOwnRateUnderJitter) {
   EXPECT_LT(worst_error(jittered_frames(6000), 700.0, MatchedTruth{{0.0, 700.0}},
                         [](const ArcSolution& s) { return s.matched(); }),
             kTolerance);
@@ -121,7 +121,7 @@ TEST(MatchedFlight, AgreesWithTheContinuousClosedForm) {
   EXPECT_NEAR(solution.matched().dx_px, fly(500.0, 0.0, k, 1.5).displacement_px, 1e-12);
 }
 
-TEST(MatchedFlight, IsOnlyDampedByAFrameOfNoTime) {
+TEST(MatchedFlight, IsOnlyDampedByAZeroLengthFrame) {
   ArcSolution solution((Model()));
   solution.start({500.0, -900.0}, true);
   solution.advance(0.0);

@@ -43,7 +43,7 @@ Wide true_time_s(double height_px, double rate_hz) {
   return low;
 }
 
-TEST(ContactErrors, TakeTheTrueTimeOfImpact) {
+TEST(ContactErrors, UseTheTrueTimeOfImpact) {
   for (const double rate_hz : {24.0, 60.0, 144.0, 1000.0})
     for (const double height_px : {20.0, 321.0, 952.0}) {
       const Scenario scenario = fall(height_px, rate_hz);
@@ -57,7 +57,7 @@ TEST(ContactErrors, TakeTheTrueTimeOfImpact) {
 
 // The clamped row comes within a frame of where the run passed the wall, and the run is ahead of
 // the matched ODE by (G h t / 2) / v = h / 2.
-TEST(ContactErrors, OfTimeLieWithinAFrameAndAHalf) {
+TEST(ContactErrors, OfTimeAreWithinAFrameAndAHalf) {
   for (const double height_px : {20.0, 100.0, 321.0, 952.0}) {
     const double error_s = first_contact(fall(height_px, 60.0)).time_error_s.value();
     EXPECT_GT(error_s, -0.6 / 60.0);
@@ -111,7 +111,7 @@ TEST(ContactErrors, FindTheEnergyThatTheClampedStepTakes) {
   EXPECT_LT(change, 0.0);
 }
 
-TEST(ContactErrors, OfSideWallsLookAtTheHorizontalSpeed) {
+TEST(ContactErrors, OfSideWallsUseTheHorizontalSpeed) {
   Scenario scenario = fling();
   scenario.start = {1000.0, 300.0};
   scenario.start_velocity = {1500.0, -300.0};
@@ -124,7 +124,7 @@ TEST(ContactErrors, OfSideWallsLookAtTheHorizontalSpeed) {
   EXPECT_NEAR(static_cast<double>(contact.step) / 60.0 - contact.time_error_s.value(), t, 1e-12);
 }
 
-TEST(ContactErrors, OfTheTopLookUpwards) {
+TEST(ContactErrors, OfTheTopUseTheUpwardSpeed) {
   Scenario scenario = fling();
   scenario.start = {500.0, 300.0};
   scenario.start_velocity = {0.0, -1500.0};
@@ -133,7 +133,7 @@ TEST(ContactErrors, OfTheTopLookUpwards) {
   EXPECT_NEAR(contact.effective_restitution.value(), 0.6, 0.6 * 20.0 / 1300.0);
 }
 
-// The hitch's straight line goes far past the floor; the arc's own rate tells when it was met.
+// The hitch's straight line goes far past the floor; the time of impact follows from the arc's own rate.
 TEST(ContactErrors, CountALongFrameFromWhereTheFloorWasMet) {
   Scenario scenario = fall(321.0, 60.0);
   const std::int64_t clamped_step = first_contact(scenario).step;
@@ -144,7 +144,7 @@ TEST(ContactErrors, CountALongFrameFromWhereTheFloorWasMet) {
 }
 
 TEST(ContactErrors, HaveNoTimeWhereTheWallIsNotMetInTwoFrames) {
-  // The run is told to touch the floor where neither it nor the ODE comes near.
+  // A contact byte that claims the floor where neither the run nor the ODE is near it.
   const Scenario scenario = open_sky({0.0, -500.0}, 60.0, 30);
   Columns rows = fly_by(paper_step(0.999), scenario);
   rows.contact.back() = static_cast<std::uint8_t>(Wall::ground);

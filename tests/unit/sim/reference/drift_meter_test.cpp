@@ -74,7 +74,7 @@ TEST(ImplementationError, OfTheShippedCoreIsRounding) {
   EXPECT_LT(measured.arcs.at(0).implementation_px, 1e-8);
 }
 
-TEST(ImplementationError, SeesDragBeforeGravity) {
+TEST(ImplementationError, DetectsDragBeforeGravity) {
   const auto drag_first = [](Row& row) {
     row.vx_px_per_s *= 0.999;
     row.vy_px_per_s *= 0.999;
@@ -122,20 +122,20 @@ TEST_P(FusedOperation, ChangesTheImplementationError) {
   EXPECT_GT(changed, 0u);
 }
 
-TEST_P(FusedOperation, IsCountedAsStepsAstray) {
+TEST_P(FusedOperation, IsCountedAsStepsThatDiffer) {
   Measured fused;
   EXPECT_GT(measured_with(GetParam(), fused).summary.steps_astray, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(ImplementationError, FusedOperation, testing::Range(1, 4));
 
-TEST(StepsAstray, AreNoneOfTheShippedCores) {
+TEST(StepsThatDiffer, AreZeroForTheShippedCores) {
   Measured measured;
   measure(fling(), measured);
   EXPECT_EQ(measured.summary.steps_astray, 0);
 }
 
-TEST(StepsAstray, FindsOneUnitInTheLastPlace) {
+TEST(StepsThatDiffer, IncludeOneUnitInTheLastPlace) {
   const Scenario scenario = open_sky({407.0, -903.0}, 60.0, 200);
   Columns rows = rows_of(scenario);
   rows.vy_px_per_s.back() = std::nextafter(rows.vy_px_per_s.back(), 0.0);
@@ -144,7 +144,7 @@ TEST(StepsAstray, FindsOneUnitInTheLastPlace) {
   EXPECT_EQ(measured.summary.steps_astray, 1);
 }
 
-TEST(ImplementationError, SeesAHitchAsAFrameOfItsOwn) {
+TEST(ImplementationError, TreatsAHitchAsItsOwnFrame) {
   Scenario scenario = open_sky({400.0, -900.0}, 60.0, 120);
   scenario.events.push_back({std::int64_t{50}, Hitch{0.5}});
   Measured measured;
@@ -174,7 +174,7 @@ TEST(ArcErrors, SayWhereXWasNotSolved) {
   EXPECT_TRUE(measured.arcs.at(0).solves_x);
 }
 
-TEST(DriftMeter, HandsOnEveryRowOfAnArcOnRequest) {
+TEST(DriftMeter, PassesEveryRowOfAnArcOnRequest) {
   Measured measured(true);
   measure(fling(), measured);
   std::size_t rows = 0;
@@ -207,7 +207,7 @@ TEST(DriftMeter, PutsTheWorstOfTheRunOnTop) {
   EXPECT_EQ(measured.summary.contacts, static_cast<std::int64_t>(measured.contacts.size()));
 }
 
-TEST(DriftMeter, SaysNothingOfARunWithoutArcs) {
+TEST(DriftMeter, HasNoErrorsForARunWithoutArcs) {
   Measured measured;
   measure(open_sky({0.0, 0.0}, 60.0, 1), measured);
   EXPECT_EQ(measured.summary.arcs, 0);
@@ -215,7 +215,7 @@ TEST(DriftMeter, SaysNothingOfARunWithoutArcs) {
   EXPECT_EQ(measured.summary.skipped_arcs, 1);
 }
 
-// Of a run that repeats itself a meter takes the beginning, and sums up the same.
+// Of a run that repeats itself a meter reads the beginning only, with the same summary.
 TEST(DriftMeter, NeedsNoRowsOfPeriodsWithoutAnArc) {
   for (const double rate_hz : {60.0, 100.0, 240.0}) {
     Scenario scenario = open_sky({900.0, -900.0}, rate_hz, 250'000);

@@ -45,13 +45,13 @@ TEST(EnergyDrift, WithoutDragIsThatFall) {
   Measured measured;
   measure(scenario, flight_without_drag(), measured, nullptr, {.air_drag = 1.0});
   const ArcErrors& arc = measured.arcs.at(0);
-  // The difference never sees the energies of 7e8, so its rounding is that of the run alone.
+  // The difference is formed without the energies of 7e8, so its rounding is that of the run alone.
   EXPECT_NEAR(arc.energy_drift_rel_end * arc.energy_largest_px2_per_s2, -10.0 * kFall_px2_per_s3, 1e-6);
   EXPECT_NEAR(arc.energy_drift_rel_max, -arc.energy_drift_rel_end, 1e-15);
   EXPECT_NEAR(*arc.energy_drift_slope_per_s * arc.energy_largest_px2_per_s2, -kFall_px2_per_s3, 1e-7);
 }
 
-// Control: dynamics in which nothing drifts are seen to have no drift.
+// Control: dynamics without drift have a measured drift of zero.
 TEST(EnergyDrift, OfTheMatchedOdeItselfIsNone) {
   const auto exact_step = [](Row& row) {
     row.y_px += row.dt_s * (row.vy_px_per_s + kGravity * row.dt_s / 2.0);

@@ -1,4 +1,4 @@
-// Every scenario there is, hard and far-away ones included, against the reference.
+// Every scenario, including the hard ones and those far from the origin, against the reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -106,14 +106,14 @@ TEST(GslFlight, FindsTheTimeOfImpact) {
   }
 }
 
-TEST(GslFlight, CrossesAWallWhereItStandsOnIt) {
+TEST(GslFlight, CrossesAWallAtOnceWhenOnIt) {
   GslFlight gsl;
   EXPECT_EQ(gsl.time_of_impact({0.0, 10.0, 0.0, 0.06}, 1.0)->t_s, 0.0);
   EXPECT_EQ(gsl.time_of_impact({0.0, 0.0, 1200.0, 0.06}, 1.0)->t_s, 0.0);
   EXPECT_FALSE(gsl.time_of_impact({0.0, -10.0, 0.0, 0.06}, 1.0));
 }
 
-TEST(GslFlight, HasNoTimeOfImpactOfWhatIsNoNumber) {
+TEST(GslFlight, HasNanAsTimeOfImpactForNan) {
   GslFlight gsl;
   EXPECT_TRUE(std::isnan(gsl.time_of_impact({kNaN, 10.0, 0.0, 0.06}, 1.0)->t_s));
 }
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(GslFlight, AnyStepper,
                            return std::string(kGslStepperNames[static_cast<std::size_t>(test.param)]);
                          });
 
-TEST(GslFlight, ComputesNothingInXThatIsNotAsked) {
+TEST(GslFlight, LeavesXAtZeroWhenNotRequested) {
   GslFlight gsl;
   gsl.start(kVelocity, false);
   ASSERT_TRUE(gsl.advance(kFrame_s));
@@ -170,7 +170,7 @@ TEST(GslFlight, RefusesAResultThatIsNotFinite) {
   EXPECT_FALSE(gsl.advance(100.0));
 }
 
-TEST(GslFlight, IsAJudgeAtFullAccuracyAlone) {
+TEST(GslFlight, IsAJudgeOnlyAtFullAccuracy) {
   EXPECT_TRUE(GslFlight().is_judge());
   EXPECT_TRUE(GslFlight({.tolerance = 1e-13}).is_judge());
   EXPECT_FALSE(GslFlight({.tolerance = 1e-9}).is_judge());
@@ -195,7 +195,7 @@ TEST(DriftMeterWithGsl, HasNoSuchFigureWithoutIt) {
   EXPECT_FALSE(measured.summary.gsl_vs_closed_px);
 }
 
-// Control: GSL's answers, changed on their way.
+// Control: GSL's answers with a change.
 struct AlteredSolver final : FlightSolver {
   void start(const Velocity& velocity, bool solves_x) override { gsl.start(velocity, solves_x); }
   bool advance(double dt_s) override { return gsl.advance(dt_s) && !fails; }
@@ -251,7 +251,7 @@ TEST(DriftMeterWithGsl, ComparesTheTimeOfImpact) {
   EXPECT_EQ(fault_with(solver), "time of impact differs");
 }
 
-TEST(DriftMeterWithGsl, TakesNanForADifference) {
+TEST(DriftMeterWithGsl, TreatsNanAsADifference) {
   for (double AlteredSolver::*value :
        {&AlteredSolver::off_px, &AlteredSolver::speed_factor, &AlteredSolver::impact_factor}) {
     AlteredSolver solver;
@@ -260,7 +260,7 @@ TEST(DriftMeterWithGsl, TakesNanForADifference) {
   }
 }
 
-TEST(DriftMeterWithGsl, CallsSolutionsThatDifferAFaultOfTheReference) {
+TEST(DriftMeterWithGsl, ReportsDifferentSolutionsAsAFaultOfTheReference) {
   AlteredSolver solver;
   solver.off_px = 2e-9;
   Measured measured;

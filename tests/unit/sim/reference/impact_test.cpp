@@ -107,7 +107,7 @@ TEST(TimeOfImpact, AfterABounceIsTheNextOne) {
   EXPECT_NEAR(time_of_impact({0.0, -600.0, kGravity, 0.0}, 10.0)->t_s, 1.0, 1e-15);
 }
 
-TEST(TimeOfImpact, OfAStandOnTheWallIsNow) {
+TEST(TimeOfImpact, IsZeroOnTheWall) {
   const auto impact = time_of_impact({0.0, 0.0, kGravity, 0.06}, 1.0);
   ASSERT_TRUE(impact);
   EXPECT_EQ(impact->t_s, 0.0);

@@ -23,7 +23,7 @@ double largest(std::initializer_list<double> differences) {
   return distance.value();
 }
 
-TEST(LargestDistance, KeepsANanWhateverComesBeforeAndAfter) {
+TEST(LargestDistance, KeepsANanAmongOtherValues) {
   EXPECT_EQ(largest({1.0, -3.0, 2.0}), 3.0);
   EXPECT_TRUE(std::isnan(largest({kNaN})));
   EXPECT_TRUE(std::isnan(largest({kNaN, 1.0})));

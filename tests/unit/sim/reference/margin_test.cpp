@@ -162,7 +162,7 @@ TEST(Margin, IsNotLimitedByAnEdgeThatTheStartDoesNotMove) {
   EXPECT_GT(*margin_of(scenario).half_width, 1.0);
 }
 
-TEST(Margin, OfAKnifeEdgeIsNextToNothing) {
+TEST(Margin, OfAKnifeEdgeIsTiny) {
   // Aimed so that a later row just misses the right wall, by 1e-9 px.
   Scenario scenario = fling();
   const Columns rows = rows_of(scenario);
@@ -179,13 +179,13 @@ TEST(Margin, OfAKnifeEdgeIsNextToNothing) {
 // The wall clamps what comes out beyond it after rounding: half a unit in the last place of 1792.
 TEST(Margin, OnTheEdgeItselfIsARounding) {
   Scenario scenario = fling();
-  scenario.clock.base = FixedStep{0.0};  // Nothing moves, so every row stands on the bound.
+  scenario.clock.base = FixedStep{0.0};  // Nothing moves, so every row is on the bound.
   scenario.start = {1792.0, 300.0};
   EXPECT_EQ(margin_of(scenario).half_width, 0x1p-43);
 }
 
 // A speed that has shrunk below the last place of the wall's coordinate moves nothing any more; nor
-// does it make an edge of the wall that it stands on.
+// does it make the wall that it touches an edge.
 TEST(Margin, IsNotLimitedByASpeedThatIsRoundedAway) {
   Scenario scenario = fling();
   scenario.window = {1920, 256};

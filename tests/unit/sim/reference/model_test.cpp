@@ -7,7 +7,7 @@
 namespace hyrax {
 namespace {
 
-// The witness has its own copy of the paper's table; here alone the two meet.
+// The reference has its own copy of the paper's constants; this test alone compares it with the core's.
 TEST(Model, HasTheConstantsOfTheShippedCore) {
   const Model model;
   EXPECT_EQ(model.gravity_px_per_s2, physics::GRAVITY);

@@ -13,7 +13,7 @@
 
 namespace hyrax {
 
-/// What a DriftMeter hands on.
+/// Collects the results of a DriftMeter.
 struct Measured : DriftSink {
   explicit Measured(bool wants_all_rows = false) : wants_rows_(wants_all_rows) {}
   [[nodiscard]] bool wants_rows() const override { return wants_rows_; }
@@ -86,7 +86,7 @@ inline Scenario open_sky(const Velocity& velocity, double rate_hz, std::int64_t 
 /// One frame of a test double: moves the row's state by its dt.
 using StepDouble = std::function<void(Row&)>;
 
-/// The scenario's flight by a test double that knows no walls and no events.
+/// The scenario's flight by a test double without walls and events.
 inline Columns fly_by(const StepDouble& step, const Scenario& scenario) {
   Row row;
   row.x_px = scenario.start.x_px;

@@ -1,4 +1,4 @@
-// Numbers of 256 bits, for what the reference itself is held to.
+// Numbers of 256 bits, for the values that the reference is compared with.
 #pragma once
 
 #include <mpfr.h>
@@ -49,7 +49,7 @@ class Wide {
 };
 
 /// phi1 and phi2 in the textbook form. It cancels 2 log2(1 / |z|) bits of the 256, so that 100 are
-/// left at |z| = 1e-23; at z = 0 the limits stand.
+/// left at |z| = 1e-23; at z = 0 they are the limits.
 struct WideTextbookPhi {
   explicit WideTextbookPhi(const Wide& z) {
     if (z.rounded() == 0.0) return;

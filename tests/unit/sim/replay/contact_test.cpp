@@ -1,4 +1,4 @@
-// Which steps make a contact, and what is told of its first one.
+// Which steps make a contact, and what is recorded of its first one.
 #include <gtest/gtest.h>
 
 #include "sim/replay/replay.h"
@@ -89,7 +89,7 @@ TEST(Contact, InEachOtherCornerIsTwoAsWell) {
 }
 
 TEST(Contact, DoesNotBeginOnTheBoundItself) {
-  // At dt 0 nothing moves: the sprite stands on both bounds and touches neither.
+  // At dt 0 nothing moves: the sprite is on both bounds and touches neither.
   EXPECT_TRUE(Played(Throw{{kRight_px, kFloor_px}, {900.0, 700.0}}, 0.0).contacts().empty());
   EXPECT_TRUE(Played(Throw{{0.0, 0.0}, {-900.0, -700.0}}, 0.0).contacts().empty());
 }
@@ -103,7 +103,7 @@ TEST(Contact, OfRestIsOneThatDoesNotEnd) {
   EXPECT_EQ(played.summary.clamped_steps.ground, 100);
   EXPECT_EQ(played.summary.rest_steps, 100);
   EXPECT_EQ(played.trace.rows()[50].contact, 24);
-  // Told of its first step, in which the speed of one frame's fall was zeroed.
+  // Recorded at its first step, in which the speed of one frame's fall was zeroed.
   EXPECT_EQ(played.contacts()[0].vy_before_px_per_s, 1200.0 * (1.0 / 240.0) * kDrag);
   EXPECT_EQ(played.contacts()[0].vy_after_px_per_s, 0.0);
 }
@@ -125,7 +125,7 @@ TEST(Contact, EndsWhereTheSpriteIsGrabbed) {
   EXPECT_EQ(played.contacts()[1].last_step, 20);
 }
 
-TEST(Contact, GoesOnWhileAnotherWallIsMet) {
+TEST(Contact, ContinuesWhileAnotherWallIsHit) {
   // Along the floor into the right wall.
   const Played played(Throw{{kRight_px - 30.0, kFloor_px}, {2500.0, 0.0}, 10}, 1.0 / 240.0);
   ASSERT_EQ(played.contacts().size(), 2u);
@@ -133,7 +133,7 @@ TEST(Contact, GoesOnWhileAnotherWallIsMet) {
   EXPECT_EQ(played.contacts()[0].last_step, 10);
   EXPECT_EQ(played.contacts()[1].wall, Wall::right);
   EXPECT_GT(played.contacts()[1].step, 1);
-  // The wall met first, so its "before" is that of the flight, and friction comes behind it.
+  // The wall met first, so its "before" is that of the flight, and friction acts after it.
   const Row& row = played.trace.rows()[static_cast<std::size_t>(played.contacts()[1].step)];
   EXPECT_EQ(row.vx_px_per_s, played.contacts()[1].vx_after_px_per_s * kFriction);
 }
@@ -149,7 +149,7 @@ TEST(Contact, OfAnotherWallInTheNextStepIsAnother) {
   EXPECT_EQ(trace.contacts()[1].wall, Wall::left);
 }
 
-TEST(Contact, AtTheFirstStepIsToldOfByADistanceFarOutside) {
+TEST(Contact, AtTheFirstStepReportsTheOvershootOfAStartFarOutside) {
   const Played played(Throw{{1e12, -1e12}, {}});
   ASSERT_EQ(played.contacts().size(), 2u);
   EXPECT_EQ(played.contacts()[0].overshoot_px, 1e12 - kRight_px);

@@ -1,6 +1,6 @@
-// The frame rule to the letter, one physics::update a frame: what the replay must come to.
+// The frame rule implemented literally, one physics::update a frame: the result that the replay must give.
 //
-// Clamps are seen in the flight without walls by the paper's own conditions, every contact is
+// Clamps are found by the paper's own conditions on the flight without walls, every contact is
 // found again from the rows, and nothing is batched, skipped or resumed.
 #pragma once
 

@@ -16,7 +16,7 @@ RunSummary play(const Scenario& scenario, TraceSink& trace, bool skips_repetitio
   return replay(scenario, trace, {.skips_repetition = skips_repetition, .checks_bounds = true});
 }
 
-// Plays both ways, holds them equal, and returns what skipping came to.
+// Plays with and without skipping, expects equal results, and returns those with skipping.
 RunSummary expect_skipping_changes_nothing(const Scenario& scenario, std::int64_t rows_every,
                                            const std::string& which) {
   const RowSink::Wants wants{.rows_every = rows_every, .contacts = true, .blocks = true};
@@ -62,17 +62,17 @@ TEST(SkippedRepetition, ChangesNothingInRandomFlings) {
         expect_skipping_changes_nothing(any_fling(seed, 12'000), rows_every, "seed " + std::to_string(seed));
     if (summary.periodic_from_step) periods.insert(summary.period_steps);
   }
-  // Buzz and true rest come to one state, the two-step cycle and a sprite that fits nowhere to two.
+  // Residual speed and zero speed have period 1, the two-cycle and a sprite wider than its window have 2.
   EXPECT_EQ(periods, (std::set<std::int64_t>{1, 2}));
 }
 
-TEST(SkippedRepetition, EndsAtEveryStepOfAPeriodAlike) {
+TEST(SkippedRepetition, MayEndAtAnyStepOfAPeriod) {
   // The rest of this fling repeats with a period of two steps.
   for (std::int64_t steps = 6000; steps < 6010; ++steps)
     expect_skipping_changes_nothing(fling_at(120.0, steps), 1, std::to_string(steps) + " steps");
 }
 
-TEST(SkippedRepetition, GoesOnBehindALaterInput) {
+TEST(SkippedRepetition, ContinuesAfterALaterInput) {
   for (const std::int64_t frame : {8191, 8192, 8193, 9000, 9001}) {
     const Scenario scenario =
         fling_at(60.0, 20'000, {{frame, Resize{Size{800, 600}, {}}}, {frame + 4000, Fling{{500.0, -800.0}}}});
@@ -89,7 +89,7 @@ TEST(SkippedRepetition, CoversAHeldSprite) {
   EXPECT_LT(summary.steps_computed, 15'000);
 }
 
-TEST(SkippedRepetition, CoversTimeThatStandsStill) {
+TEST(SkippedRepetition, CoversZeroLengthFrames) {
   Scenario scenario = fling_at(60.0, 100'000);
   scenario.clock.base = FixedStep{0.0};
   scenario.start_velocity = {};
@@ -97,15 +97,15 @@ TEST(SkippedRepetition, CoversTimeThatStandsStill) {
   EXPECT_EQ(summary.periodic_from_step, 0);
 }
 
-TEST(SkippedRepetition, HandsOnNoMoreContactsThanAreTaken) {
-  // A sprite wider than its window knocks on both walls for ever.
+TEST(SkippedRepetition, PassesNoMoreContactsThanAreRecorded) {
+  // A sprite wider than its window touches both walls in turn forever.
   Scenario scenario = fling_at(60.0, 1'500'000);
   scenario.window = {100, 1080};
   const RunSummary summary = expect_skipping_changes_nothing(scenario, 0, "knocking");
   EXPECT_GT(summary.contacts.left + summary.contacts.right, kContactsRecordedMax);
 }
 
-TEST(SkippedRepetition, IsNotLookedForUnderJitter) {
+TEST(SkippedRepetition, IsDisabledUnderJitter) {
   Scenario scenario = fling_at(60.0, 20'000);
   scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.0, 1};
   TraceSink trace(RowSink::Wants{});

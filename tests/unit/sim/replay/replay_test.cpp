@@ -52,7 +52,7 @@ TEST(Replay, PlaysRandomFlingsByTheFrameRule) {
     expect_plain_run(any_fling(seed, 1000), "seed " + std::to_string(seed));
 }
 
-TEST(Replay, OfNoStepsHoldsTheStartAlone) {
+TEST(Replay, WithoutStepsHoldsTheStartOnly) {
   TraceSink trace;
   const RunSummary summary = replay(fling_at(60.0, 0), trace);
   ASSERT_EQ(trace.rows().size(), 1u);
@@ -139,7 +139,7 @@ TEST(Replay, EndsWhereAFramesDtOverflowsTheSpeed) {
   EXPECT_TRUE(same_trace(skipping, computing));
 }
 
-TEST(Replay, TellsWhatTheRunExercised) {
+TEST(Replay, ReportsWhatTheRunExercised) {
   TraceSink trace;
   const RunSummary slides = replay(fling_at(60.0, 600), trace);
   EXPECT_TRUE(slides.had_gravity && slides.had_drag && slides.had_friction);

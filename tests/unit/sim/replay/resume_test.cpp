@@ -1,4 +1,4 @@
-// A run that is cut, stopped and resumed comes to the same bits.
+// A run that is cut, stopped and resumed has the same bits.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -53,11 +53,11 @@ void expect_resumable_everywhere(const Scenario& scenario) {
   }
 }
 
-TEST(ResumedReplay, GoesOnToTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
+TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
 
-TEST(ResumedReplay, GoesOnFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
+TEST(ResumedReplay, ContinuesFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
 
-TEST(ResumedReplay, GoesOnFromARecordedTrace) {
+TEST(ResumedReplay, ContinuesFromARecordedTrace) {
   Scenario scenario = fling_at(60.0, 0);
   RecordedSteps trace;
   for (int frame = 0; frame < 200; ++frame) trace.dt_s.push_back(frame % 7 == 0 ? 0.0333 : 0.0167);
@@ -66,7 +66,7 @@ TEST(ResumedReplay, GoesOnFromARecordedTrace) {
   expect_resumable_everywhere(scenario);
 }
 
-TEST(ResumedReplay, RecordsTheRowsThatAWholeRunRecords) {
+TEST(ResumedReplay, RecordsTheRowsOfAnUninterruptedRun) {
   const Scenario scenario = fling_at(60.0, 100);
   for (const std::int64_t every : {1, 3, 10, 64, 1000})
     for (const std::int64_t step : {0, 1, 29, 30, 99}) {
@@ -124,7 +124,7 @@ TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
   EXPECT_EQ(resumed.finish().contacts, WallCounts{});
 }
 
-// Control: a keyframe that is off by one bit does not go unseen.
+// Control: a keyframe that is off by one bit is detected.
 TEST(ResumedReplay, DiffersFromAKeyframeThatIsOneUlpOff) {
   const Scenario scenario = fling_at(60.0, 100);
   const Played whole(scenario);
@@ -149,7 +149,7 @@ void expect_periodic_from(const std::vector<Row>& rows, std::int64_t step, std::
   }
 }
 
-TEST(ResumedReplay, LooksForRepetitionFromItsKeyframeOn) {
+TEST(ResumedReplay, DetectsRepetitionFromItsKeyframeOn) {
   const Scenario scenario = fling_at(60.0, 30'000);
   const Played whole(scenario);
   const std::int64_t periodic_from = whole.summary.periodic_from_step.value();
@@ -192,17 +192,17 @@ void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::in
   EXPECT_TRUE(same_trace(trace, whole)) << "seed " << seed << ", pieces " << piece_max;
 }
 
-TEST(ReplayInPieces, ComesToTheSameRun) {
+TEST(ReplayInPieces, GivesTheSameRun) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) expect_same_in_pieces(eventful_fling(), seed, 9);
 }
 
-TEST(ReplayInPieces, ComesToTheSameRunWhereItRepeats) {
+TEST(ReplayInPieces, GivesTheSameRunWhereItRepeats) {
   for (const std::int64_t piece_max : {2, 50, 3000, 30'000})
     for (std::uint64_t seed = 0; seed < 5; ++seed)
       expect_same_in_pieces(fling_at(60.0, 30'000), seed, piece_max);
 }
 
-TEST(ReplayInPieces, ComesToTheSameRunInRandomFlings) {
+TEST(ReplayInPieces, GivesTheSameRunInRandomFlings) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Scenario scenario = any_fling(seed, 12'000);
     if (seed % 8 == 7) scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.3, seed};
@@ -213,14 +213,14 @@ TEST(ReplayInPieces, ComesToTheSameRunInRandomFlings) {
   }
 }
 
-TEST(ReplayInPieces, ComesToTheSameRunWhereItBecomesNonFinite) {
+TEST(ReplayInPieces, GivesTheSameRunWhereItBecomesNonFinite) {
   Scenario scenario = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
   scenario.start_velocity = {1e12, 1e12};
   for (std::uint64_t seed = 0; seed < 5; ++seed) expect_same_in_pieces(scenario, seed, 5);
 }
 
-TEST(ReplayInPieces, ComesToTheSameContactsWhereTheListIsFull) {
-  // A sprite wider than its window touches both walls in turn for ever.
+TEST(ReplayInPieces, GivesTheSameContactsWhereTheListIsFull) {
+  // A sprite wider than its window touches both walls in turn forever.
   Scenario scenario = fling_at(60.0, 1'200'000);
   scenario.window = {100, 1080};
   for (const std::int64_t piece_max : {1000, 400'000})

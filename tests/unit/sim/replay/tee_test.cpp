@@ -45,7 +45,7 @@ class FewerAndFewer : public RowSink {
   Repetition repetition;
 };
 
-TEST(Tee, GivesASinkFewerRowsAsItWantsFewer) {
+TEST(Tee, GivesASinkFewerRowsWhenItRequestsFewer) {
   FewerAndFewer sink;
   const RunSummary summary = replay(fling_at(60.0, 10'000'000), sink);
   ASSERT_GT(sink.steps.size(), 5001u);
@@ -53,7 +53,7 @@ TEST(Tee, GivesASinkFewerRowsAsItWantsFewer) {
     ASSERT_EQ(sink.steps[static_cast<std::size_t>(step)], step);
   EXPECT_EQ(sink.steps[5001], 6000);
   EXPECT_EQ(sink.steps[5002], 7000);
-  EXPECT_LT(sink.steps.size(), 10'001u);  // It is asked again after a batch.
+  EXPECT_LT(sink.steps.size(), 10'001u);  // It is queried again after a batch.
   EXPECT_EQ(sink.repetition.from_step, summary.periodic_from_step);
   EXPECT_EQ(sink.repetition.period_steps, summary.period_steps);
 }

@@ -1,4 +1,4 @@
-// A sink that keeps everything it is told, and how two such traces differ.
+// A sink that records everything it receives, and how two such traces differ.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ class TraceSink : public RowSink {
   void contact_ended(std::int64_t index, std::int64_t last_step) override {
     Contact& contact = contacts_.at(static_cast<std::size_t>(index));
     EXPECT_EQ(contact.last_step, contact.step) << "contact " << index << " ended twice";
-    EXPECT_GT(last_step, contact.step) << "contact " << index << " of one step was told of again";
+    EXPECT_GT(last_step, contact.step) << "contact " << index << " of one step was reported again";
     contact.last_step = last_step;
   }
   void block(const Block& block, std::int64_t count) override {
@@ -110,9 +110,9 @@ class TraceSink : public RowSink {
 
   const std::vector<Row>& rows() const { return rows_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
-  /// Every block, those told of as repetitions one by one.
+  /// Every block, with repetitions listed one by one.
   const std::vector<BlockSeen>& blocks() const { return blocks_; }
-  /// As told: one for a block and its repetitions.
+  /// As received: one for a block and its repetitions.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 
  private:

@@ -1,4 +1,4 @@
-// What each action does to a body, and what it leaves as it is.
+// What each action does to a body, and what it leaves unchanged.
 #include "sim/scenario/apply.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ void expect(const World& world, const State& state, const Size& window, const Si
 constexpr Size kWindow{800, 600};
 constexpr Size kSprite{64, 32};
 
-TEST(Apply, SetsVelocityOrPositionAlone) {
+TEST(Apply, SetsOnlyVelocityOrPosition) {
   expect(after(Fling{{-0.0, 6.0}}), {1.0, 2.0, -0.0, 6.0}, kWindow, kSprite, false);
   expect(after(Place{{5.0, 6.0}}), {5.0, 6.0, 3.0, 4.0}, kWindow, kSprite, false);
   expect(after(Stop{}), {1.0, 2.0, 0.0, 0.0}, kWindow, kSprite, false);
@@ -35,13 +35,13 @@ TEST(Apply, ResizesWhatIsNamed) {
   expect(after(Resize{Size{5, 6}, Size{7, 8}}), state, {5, 6}, {7, 8}, false);
 }
 
-TEST(Apply, StopsAndHoldsWhatIsGrabbedUntilItIsReleased) {
+TEST(Apply, StopsAndHoldsAGrabbedSpriteUntilItsRelease) {
   expect(after(Grab{}), {1.0, 2.0, 0.0, 0.0}, kWindow, kSprite, true);
   expect(after(Release{{5.0, 6.0}}, true), {1.0, 2.0, 5.0, 6.0}, kWindow, kSprite, false);
   expect(after(Fling{{5.0, 6.0}}, true), {1.0, 2.0, 5.0, 6.0}, kWindow, kSprite, true);
 }
 
-TEST(Apply, LeavesTheStateAsItIsInAHitch) {
+TEST(Apply, LeavesTheStateUnchangedInAHitch) {
   expect(after(Hitch{0.5}), {1.0, 2.0, 3.0, 4.0}, kWindow, kSprite, false);
 }
 

@@ -38,7 +38,7 @@ TEST(SplitMix64, DrawsThePublishedOutputs) {
 }
 
 TEST(SplitMix64, StaysBelowOne) {
-  // The largest output there can be makes the largest unit draw.
+  // The largest possible output makes the largest unit draw.
   EXPECT_LT(static_cast<double>(~std::uint64_t{0} >> 11) * 0x1p-53, 1.0);
 }
 
@@ -59,7 +59,7 @@ TEST(Jitter, HoldsEveryKindOfVector) {
   for (const int count : kinds) EXPECT_GE(count, 5);
 }
 
-TEST(FrameClock, OfARateTakesItsReciprocal) {
+TEST(FrameClock, OfARateUsesItsReciprocal) {
   const Clock clock{FixedRate{144.0}, {}};
   EXPECT_EQ(bits(FrameClock(clock).dt_s(0)), bits(1.0 / 144.0));
   EXPECT_EQ(bits(FrameClock(clock).dt_s(999'999'999'999)), bits(1.0 / 144.0));
@@ -80,7 +80,7 @@ TEST(FrameClock, WithJitterDrawsByFrameAndKeepsItsBase) {
   EXPECT_EQ(bits(frames.nominal_dt_s(5)), bits(1.0 / 60.0));
 }
 
-TEST(FrameClock, OfATraceTakesItsFrames) {
+TEST(FrameClock, OfATraceUsesItsFrames) {
   const Clock clock{RecordedSteps{{0.1, 0.0, 0.3}}, {}};
   const FrameClock frames(clock);
   EXPECT_FALSE(frames.is_fixed());
@@ -97,7 +97,7 @@ TEST(StepCount, OfADurationIsThePublishedOne) {
   }
 }
 
-TEST(StepCount, OfStepsIsWhatTheySay) {
+TEST(StepCount, OfStepsIsTheirNumber) {
   EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, std::int64_t{900})), 900);
   EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, kStepsMax)), kStepsMax);
 }
@@ -106,13 +106,13 @@ TEST(StepCount, OfATraceIsItsLength) {
   EXPECT_EQ(step_count(of_length({RecordedSteps{{0.1, 0.1, 0.1}}, {}}, {})), 3);
 }
 
-TEST(StepCount, OfADurationPastTheLimitSaysSo) {
+TEST(StepCount, OfADurationPastTheLimitExceedsTheLimit) {
   EXPECT_EQ(step_count(of_length({FixedStep{1e-9}, {}}, 1e3)), kStepsMax);
   EXPECT_EQ(step_count(of_length({FixedStep{1e-9}, {}}, 1001.0)), kStepsMax + 1);
   EXPECT_EQ(step_count(of_length({FixedStep{5e-324}, {}}, 1e308)), kStepsMax + 1);
 }
 
-TEST(PlaysTheSame, LooksAwayFromWhatIsOnlySaid) {
+TEST(PlaysTheSame, IgnoresNameDescriptionAndExpectations) {
   Scenario a = of_length({FixedRate{60.0}, {}}, std::int64_t{10});
   Scenario b = a;
   b.name = "other";
@@ -122,7 +122,7 @@ TEST(PlaysTheSame, LooksAwayFromWhatIsOnlySaid) {
   EXPECT_TRUE(plays_the_same(a, b));
 }
 
-TEST(PlaysTheSame, SeesEverythingThatPlays) {
+TEST(PlaysTheSame, DetectsEveryChangeThatAffectsTheRun) {
   const Scenario a = of_length({FixedRate{60.0}, {}}, std::int64_t{10});
   std::vector<Scenario> others(8, a);
   others[0].window.width_px = 1;
@@ -136,12 +136,12 @@ TEST(PlaysTheSame, SeesEverythingThatPlays) {
   for (const Scenario& other : others) EXPECT_FALSE(plays_the_same(a, other)) << &other - others.data();
 }
 
-TEST(PlaysTheSame, TakesATraceWithAndWithoutStepsAsOne) {
+TEST(PlaysTheSame, IgnoresTheStepCountOfATrace) {
   const Clock clock{RecordedSteps{{0.1, 0.2}}, {}};
   EXPECT_TRUE(plays_the_same(of_length(clock, {}), of_length(clock, std::int64_t{2})));
 }
 
-TEST(LongestFrame, IsThatOfTheKindOfJitter) {
+TEST(LongestFrame, DependsOnTheKindOfJitter) {
   const auto longest_s = [](Jitter::Kind kind, double amount, double dt_s) {
     return longest_dt_s({FixedStep{dt_s}, Jitter{kind, amount, 1}});
   };

@@ -47,7 +47,7 @@ Scenario scenario_of(const Json& entry) {
   const std::vector<double> dts_s = exact_list(entry, "dts_s");
   const auto steps = static_cast<std::int64_t>(dts_s.size());
   if (clock == "array") return with_events({RecordedSteps{dts_s}, {}}, steps, {timed});
-  // A fixed clock whose odd frames are hitches; those before the event stand before it.
+  // A fixed clock whose odd frames are hitches; those before the event come before it in the list.
   std::vector<Event> events;
   const std::int64_t frame = published_frame(entry);
   for (std::int64_t at = 0; at < steps; ++at) {
@@ -67,7 +67,7 @@ TEST(Schedule, ResolvesTimesToThePublishedFrames) {
   }
 }
 
-TEST(Schedule, TakesStepsAsTheyAre) {
+TEST(Schedule, KeepsSteps) {
   EXPECT_EQ(at_one_hz(5, {at_step(0), at_step(2), at_step(2), at_step(4)}).frames,
             (std::vector<std::int64_t>{0, 2, 2, 4}));
 }
@@ -78,7 +78,7 @@ TEST(Schedule, RefusesAStepBeyondTheEnd) {
   EXPECT_EQ(result.faulty[0].fault, ScheduleFault::beyond_end);
 }
 
-TEST(Schedule, RefusesAnyEventOfARunOfNoFrames) {
+TEST(Schedule, RefusesAnyEventOfARunWithoutFrames) {
   EXPECT_EQ(at_one_hz(0, {at_step(0), at_time(0.0)}).faulty.size(), 2u);
 }
 
@@ -99,11 +99,11 @@ TEST(Schedule, RefusesATimeBeforeAStepAbove) {
   EXPECT_EQ(at_one_hz(5, {at_step(3), at_time(2.5)}).frames, (std::vector<std::int64_t>{3, 3}));
 }
 
-TEST(Schedule, TakesAnEarlierTimeOfTheSameFrame) {
+TEST(Schedule, AcceptsAnEarlierTimeInTheSameFrame) {
   EXPECT_EQ(at_one_hz(5, {at_time(2.9), at_time(2.1)}).frames, (std::vector<std::int64_t>{3, 3}));
 }
 
-TEST(Schedule, TellsOfEveryFault) {
+TEST(Schedule, ReportsEveryFault) {
   const Schedule result = at_one_hz(5, {at_step(3), at_step(1), at_step(4), at_step(9), at_step(0)});
   EXPECT_EQ(result.frames, (std::vector<std::int64_t>{3, -1, 4, -1, -1}));
   EXPECT_EQ(result.faulty.size(), 3u);
@@ -114,7 +114,7 @@ TEST(Schedule, DoesNotJudgeAnEventByOneBeyondTheEnd) {
             (std::vector<std::int64_t>{1, -1, -1, 2, 3}));
 }
 
-TEST(Schedule, LooksAgainForATimeBeyondTheEndOnceAHitchCameBetween) {
+TEST(Schedule, SearchesAgainForATimeBeyondTheEndAfterAHitch) {
   EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_step(2, Hitch{8.0}), at_time(9.0)}).frames,
             (std::vector<std::int64_t>{-1, 2, 3}));
 }
@@ -125,11 +125,11 @@ TEST(Schedule, WalksOnceForManyTimesBeyondTheEnd) {
   EXPECT_EQ(schedule(with_events(clock, 100'000, events)).faulty.size(), events.size());
 }
 
-TEST(Schedule, LetsAHitchMoveTheTimesBehindIt) {
+TEST(Schedule, LetsAHitchMoveTheTimesAfterIt) {
   EXPECT_EQ(at_one_hz(9, {at_step(1, Hitch{0.25}), at_time(2.25)}).frames, (std::vector<std::int64_t>{1, 3}));
 }
 
-TEST(Schedule, TakesTheLastOfTwoHitchesInAFrame) {
+TEST(Schedule, UsesTheLastOfTwoHitchesInAFrame) {
   EXPECT_EQ(at_one_hz(9, {at_step(0, Hitch{0.5}), at_step(0, Hitch{3.0}), at_time(3.0)}).frames,
             (std::vector<std::int64_t>{0, 0, 1}));
 }
@@ -140,7 +140,7 @@ TEST(Schedule, ResolvesAnHourlongWaitOfManyFramesAtOnce) {
 }
 
 // Even where the limit of walked frames would let it walk them all.
-TEST(Schedule, DrawsNoJitterThatNoTimeAsksFor) {
+TEST(Schedule, DrawsNoJitterAfterTheLastTimedEvent) {
   const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
   const Scenario scenario =
       with_events(clock, kStepsMax, {at_time(0.5), at_step(kStepsMax - 2), at_step(kStepsMax - 1)});
@@ -148,7 +148,7 @@ TEST(Schedule, DrawsNoJitterThatNoTimeAsksFor) {
 }
 
 // Start times far from zero are far apart: many short frames start at the same rounded time.
-TEST(Schedule, TakesTheFirstOfManyFramesThatStartAtTheSameTime) {
+TEST(Schedule, PicksTheFirstOfManyFramesThatStartAtTheSameTime) {
   const double after_a_gap_s = std::nextafter(1e9, kInfinity);
   const Scenario scenario =
       with_events({FixedStep{1e-9}, {}}, 1000, {at_step(0, Hitch{1e9}), at_time(after_a_gap_s)});
@@ -202,8 +202,8 @@ TEST(Schedule, LeavesAFixedClockWithoutThatLimit) {
   EXPECT_EQ(schedule(scenario).frames.back(), 500'000'000'001);
 }
 
-// Each would take hours, or the life of the universe, if every frame were walked.
-TEST(Schedule, RefusesAtOnceWhatIsTooFarForEveryKindOfJitter) {
+// Walking every frame of one of these would take hours at least.
+TEST(Schedule, RefusesQuicklyWhatIsTooFarForEveryKindOfJitter) {
   for (const auto& [kind, amount] : {std::pair{Jitter::Kind::uniform, 1.0},
                                      {Jitter::Kind::normal, 10.0},
                                      {Jitter::Kind::missed_frames, 0.5}}) {
@@ -217,7 +217,7 @@ TEST(Schedule, RefusesAtOnceWhatIsTooFarForEveryKindOfJitter) {
 }
 
 // The time of that step is unknown, so the end's is as well.
-TEST(Schedule, RefusesATimeBehindAStepThatIsTooFar) {
+TEST(Schedule, RefusesATimeAfterAStepThatIsTooFar) {
   for (const std::int64_t step : {kStepsMax / 2, kStepsMax / 10 * 9}) {
     const Clock clock = jittered(Jitter::Kind::uniform, 0.5);
     const Schedule result =
@@ -228,8 +228,8 @@ TEST(Schedule, RefusesATimeBehindAStepThatIsTooFar) {
   }
 }
 
-// Between the mean and the longest time only a walk can tell, and a hitch makes what it found void.
-TEST(Schedule, DoesNotWalkInVainForEveryEvent) {
+// Between the mean and the longest time only a walk finds the frame, and a hitch invalidates its result.
+TEST(Schedule, WalksToTheEndOnceForManyLateEvents) {
   RecordedSteps trace;
   trace.dt_s.assign(101, 1.0);
   for (const Clock& clock : {jittered(Jitter::Kind::missed_frames, 0.0), Clock{trace, {}}}) {
@@ -240,22 +240,22 @@ TEST(Schedule, DoesNotWalkInVainForEveryEvent) {
   }
 }
 
-TEST(Schedule, WalksInVainOnceMoreWhereThatIsAFrameShortOfTheLimit) {
+TEST(Schedule, WalksToTheEndOnceMoreWhenOneFrameShortOfTheLimit) {
   const Scenario twice = with_events(jittered(Jitter::Kind::missed_frames, 0.0), kStepsMax,
                                      {at_step(1), at_time(150.0), at_time(150.0), at_time(150.0)});
   EXPECT_EQ(walked_to_100(twice).frames, (std::vector<std::int64_t>{1, -1, -1, -1}));
   EXPECT_EQ(walked_to_100(twice).faulty.size(), 2u);
 }
 
-// A time beyond the end teaches how late the last frame is due, to the last bit.
-TEST(Schedule, FindsTheLatestTimeOfTheLastFrameBehindOneBeyondTheEnd) {
+// A time beyond the end gives the latest time of the last frame, to the last bit.
+TEST(Schedule, FindsTheLatestTimeOfTheLastFrameAfterOneBeyondTheEnd) {
   double latest_s = 4.0;
   while (4.0 >= std::nextafter(latest_s, kInfinity) - 1e-9) latest_s = std::nextafter(latest_s, kInfinity);
   EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_time(latest_s)}).frames, (std::vector<std::int64_t>{-1, 4}));
   EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_time(std::nextafter(latest_s, kInfinity))}).frames.back(), -1);
 }
 
-// The rule to the letter: every frame, one after the other, for every event anew.
+// The rule implemented literally: for every event, every frame from the first one.
 Schedule walk_plainly(const Scenario& scenario, std::int64_t steps) {
   const FrameClock clock(scenario.clock);
   std::vector<double> dts_s;
@@ -317,7 +317,7 @@ Clock any_clock(Draws& draws, std::int64_t steps) {
   }
 }
 
-// Events about as they come, timed ones within some ulps of where the allowance ends.
+// Events roughly in order, timed ones within some ulps of the end of the allowance.
 std::vector<Event> any_events(Draws& draws, const Clock& clock, std::int64_t steps) {
   const FrameClock frames(clock);
   Timeline timeline;
@@ -337,7 +337,7 @@ std::vector<Event> any_events(Draws& draws, const Clock& clock, std::int64_t ste
   return events;
 }
 
-TEST(Schedule, AgreesWithAPlainWalkWhateverTheClock) {
+TEST(Schedule, AgreesWithAPlainWalkForEveryClock) {
   int faulty = 0;
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
     Draws draws(seed);
@@ -364,7 +364,7 @@ Scenario with_events(std::vector<Event> events) {
   return scenario;
 }
 
-TEST(Inputs, OfARunEndWithIt) {
+TEST(Inputs, EndWithTheRun) {
   const Scenario scenario =
       with_events({{std::int64_t{0}, Stop{}}, {std::int64_t{3}, Grab{}}, {std::int64_t{4}, Release{}}});
   EXPECT_EQ(inputs_of(scenario, 4), (std::vector<Input>{{0, Stop{}}, {3, Grab{}}}));

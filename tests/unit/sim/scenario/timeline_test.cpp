@@ -36,7 +36,7 @@ TEST(Timeline, PlaysEqualFramesAtOnceToTheSameTime) {
   }
 }
 
-TEST(Timeline, LooksAheadToTheTimeItComesTo) {
+TEST(Timeline, PredictsTheTimeOfALaterFrame) {
   Timeline timeline;
   timeline.play(0.5);
   timeline.play(0.1, 3);
@@ -51,7 +51,7 @@ TEST(Timeline, DoesNotDriftOverALongRun) {
   EXPECT_EQ(timeline.time_s(), 1e12 * 0.1);
 }
 
-TEST(Timeline, KeepsWhatASegmentLosesBesideALongOne) {
+TEST(Timeline, KeepsShortFramesAfterALongOne) {
   Timeline timeline;
   timeline.play(1e9);
   for (int frame = 0; frame < 1000; ++frame) {

@@ -7,7 +7,7 @@
 namespace hyrax {
 namespace {
 
-// Frames of a throw across a desktop after which the order tells, of 300.
+// How many of the 300 frames of a throw across a desktop differ from the core with this order.
 int frames_unlike_core(StepOrder order) {
   constexpr Bounds kBounds{1792, 952};
   State core{300.0, 500.0, 2400.0, -700.0};
@@ -31,7 +31,7 @@ TEST(ListingStep, IsAnotherInAnother) {
     EXPECT_GT(frames_unlike_core(order), 0);
 }
 
-TEST(ListingStep, TakesTheConstantsItIsGiven) {
+TEST(ListingStep, UsesTheGivenConstants) {
   Constants elastic = core_constants();
   elastic.air_drag = 1.0;
   elastic.restitution = 1.0;

@@ -1,4 +1,4 @@
-// Costs by a clock that the test turns itself.
+// Costs by a clock that the test controls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace hyrax {
 namespace {
 
-TEST(MeasureCosts, TellsEachWorkByItsOwnTime) {
+TEST(MeasureCosts, MeasuresEachWorkSeparately) {
   std::int64_t now_ns = 0;
   const std::vector<std::function<void()>> works = {[&] { now_ns += 100; }, [&] { now_ns += 7'000; },
                                                     [&] { now_ns += 200'000; }};
@@ -19,7 +19,7 @@ TEST(MeasureCosts, TellsEachWorkByItsOwnTime) {
   EXPECT_EQ(measured.costs[2].upper_quartile_ns, 200'000.0);
 }
 
-TEST(MeasureCosts, AMedianDoesNotFeelAFewSlowMoments) {
+TEST(MeasureCosts, AMedianIgnoresAFewSlowRuns) {
   std::int64_t now_ns = 0;
   int runs = 0;
   const std::vector<std::function<void()>> works = {[&] { now_ns += ++runs % 5 == 0 ? 900'000 : 100'000; }};
@@ -46,7 +46,7 @@ TEST(MeasureCosts, TheOrderIsMixedAndEveryWorkHasAllItsSamples) {
   EXPECT_LT(in_turn, 50);
 }
 
-TEST(MeasureCosts, TheProbeSeesAClockThatChanges) {
+TEST(MeasureCosts, TheProbeDetectsAClockThatChanges) {
   std::int64_t now_ns = 0;
   std::int64_t tick_ns = 100;
   const std::vector<std::function<void()>> works = {[&] { now_ns += 100'000; }};
@@ -56,7 +56,7 @@ TEST(MeasureCosts, TheProbeSeesAClockThatChanges) {
   EXPECT_GT(measure_costs(works, slowing, {.repetitions = 400}).probe.drift_rel, 0.5);
 }
 
-TEST(Quantile, LiesBetweenItsNeighbours) {
+TEST(Quantile, IsBetweenItsNeighbours) {
   EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
   EXPECT_EQ(quantile({1.0, 2.0}, 0.25), 1.25);
   EXPECT_EQ(quantile({7.0}, 0.95), 7.0);

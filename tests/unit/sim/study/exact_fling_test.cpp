@@ -45,7 +45,7 @@ TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
   ExactFling fling(laws);
   fling.start({100.0, 1000.0, 500.0, 0.0}, kBounds);
   const double rate_per_s = laws.drag_rate_per_s + laws.friction_rate_per_s;
-  // It stands on the ground: met at once, which takes its fifth.
+  // It starts on the ground: the contact is immediate and takes a fifth of its speed.
   EXPECT_NEAR(fling.at(100.0).x_px, 100.0 + 0.8 * 500.0 / rate_per_s, 1e-10);
 }
 

@@ -29,7 +29,7 @@ MethodErrors errors_of(const std::string& method, const Problem& problem, double
   return measure_errors(problem, kind_of(method), stage_frames_s(problem, rate_hz), rate_hz);
 }
 
-// Order from two rates that lie a factor of two apart.
+// Order from two rates that differ by a factor of two.
 double order_of(const std::string& method, const Problem& problem, double rate_hz) {
   return fitted_order({1.0 / rate_hz, 0.5 / rate_hz},
                       {errors_of(method, problem, rate_hz).position_px,
@@ -75,7 +75,7 @@ TEST(FrameMethods, TheExactOnesAreExactInFlight) {
     }
 }
 
-// What the truth says of impacts is where methods that find them frame by frame tend to.
+// Methods that find impacts frame by frame converge to the exact impacts.
 TEST(FrameMethods, AllThatSolveTheFixedLawsTendToTheSameFling) {
   for (const char* name : {"fling", "corner-fling", "jittered-fling"}) {
     const Problem fling = problem_named(name);

@@ -1,4 +1,4 @@
-// Cases, their families, and what is said of them.
+// Cases, their families and their verdicts.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -102,13 +102,13 @@ TEST(HardCase, BoundsOfErrorsAreExpectationsToo) {
   }
 }
 
-// What the expected failure of these cases says: at every rate the position stands still, only vy differs.
+// The documented reason of their expected failure: at every rate the position stands still, only vy differs.
 TEST(HardCase, ThePositionStandsStillAtEveryRate) {
   int zero_speed = 0;
   for (const HardCase& hard_case : hard_cases_of(named("rest"))) {
     if (!hard_case.must_come_to_rest) continue;
-    RowSink nobody;
-    EXPECT_TRUE(replay(hard_case.scenario, nobody).at_rest_since_s) << hard_case.name;
+    RowSink null_sink;
+    EXPECT_TRUE(replay(hard_case.scenario, null_sink).at_rest_since_s) << hard_case.name;
     const bool is_held = judged(hard_case, Invariant::comes_to_rest) == CaseVerdict::held;
     EXPECT_EQ(is_held, hard_case.expected_failures.empty()) << hard_case.name;
     zero_speed += is_held;

@@ -22,7 +22,7 @@ Scenario scenario_named(const std::string& name) {
   return load_scenario(std::string(HYRAX_SOURCE_DIR) + "/scenarios/" + name + ".json");
 }
 
-// Time stands still: no time is saved.
+// With a fake clock on which every part costs the same: no time is saved.
 SceneNeeds needs_of(const Scenario& scenario, double within_px = 1.0) {
   NeedsOptions options;
   options.within_px = within_px;
@@ -62,7 +62,7 @@ TEST(Script, WithAllPartsIsTheReplayBitForBit) {
   }
 }
 
-TEST(Needs, OfAFlingAreWhatItMeets) {
+TEST(Needs, OfAFlingAreThePartsItExercises) {
   const SceneNeeds scene = needs_of(scenario_named("flings/first-fling"));
   for (const char* part : {"gravity", "drag", "right wall", "ground", "friction", "restitution"})
     EXPECT_EQ(need_of_part(scene, part), Need::needed) << part;

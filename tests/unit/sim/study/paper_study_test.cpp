@@ -9,7 +9,7 @@
 namespace hyrax {
 namespace {
 
-TEST(SpeedClaim, HoldsForAFastStepAlone) {
+TEST(SpeedClaim, HoldsOnlyForAFastStep) {
   EXPECT_EQ(speed_claims(1e-8).front().verdict, ClaimVerdict::holds);
   EXPECT_EQ(speed_claims(1e-4).front().verdict, ClaimVerdict::does_not_hold);
 }

@@ -69,7 +69,7 @@ TEST(ProblemOfScenario, JitterGoesWithTheRate) {
   EXPECT_LT(largest_s, 0.0006);
 }
 
-TEST(ProblemOfScenario, ALongOneIsCutAndSaysSo) {
+TEST(ProblemOfScenario, ALongOneIsCutWithANote) {
   Scenario scenario = fling();
   scenario.length = std::int64_t{1'000'000'000};
   const Problem problem = problem_of(scenario).problem.value();

@@ -28,7 +28,7 @@ TEST(FinalState, IsResidualSpeedBetweenNeighbouringDoubles) {
             FinalState::residual_speed);
 }
 
-TEST(FinalState, IsATwoCycleWhicheverRowComesFirst) {
+TEST(FinalState, IsATwoCycleForEitherFirstRow) {
   const Constants core = core_constants();
   const double thrown = -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0;
   EXPECT_EQ(state_of(0.0, thrown), FinalState::two_cycle);

@@ -90,7 +90,7 @@ TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
   EXPECT_EQ(plots[0].texts[0].text, "no error at all");
 }
 
-TEST(SpeedErrorFigure, TheSentencesOnFreeFlightAreOnItsFigureAlone) {
+TEST(SpeedErrorFigure, TheSentencesOnFreeFlightAreOnlyOnItsFigure) {
   SpeedError study = some_study();
   study.problems.push_back(study.problems.front());
   for (std::size_t i = 0; i < 6; ++i) {

@@ -1,4 +1,4 @@
-// Orders, fronts, answers, and the rules that a study is held to, each with a study that breaks it.
+// Orders, fronts, answers, and the rules that a study must keep, each with a study that breaks it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace hyrax {
 namespace {
 
-// A clock that ticks once a look: costs mean nothing, and no time passes.
+// A clock that ticks once per reading: costs are meaningless, and no real time passes.
 SpeedError some_study() {
   static const SpeedError study = [] {
     std::int64_t now_ns = 0;
@@ -34,7 +34,7 @@ TEST(FittedOrder, IsTheSlopeOfALineThroughPowers) {
   EXPECT_NEAR(fitted_order({1.0, 0.5}, {1.0, 2.0}), -1.0, 1e-12);
 }
 
-TEST(ParetoFront, IsWhatNothingElseBeats) {
+TEST(ParetoFront, HasThePointsThatNoOtherBeats) {
   EXPECT_EQ(pareto_front({1.0, 2.0, 3.0, 4.0}, {5.0, 6.0, 1.0, 1.0}),
             (std::vector<bool>{true, false, true, false}));
   EXPECT_EQ(pareto_front({1.0, 1.0}, {2.0, 1.0}), (std::vector<bool>{false, true}));
@@ -109,7 +109,7 @@ TEST(SpeedErrorRules, FindATruncationThatIsNotItsClosedForm) {
   EXPECT_TRUE(is_broken(study, "first order"));
 }
 
-TEST(SpeedErrorRules, FindAPapersStepThatIsNotWhereTheReferenceSeesIt) {
+TEST(SpeedErrorRules, FindAPapersStepThatDiffersFromTheReference) {
   SpeedError study = some_study();
   study.points[0].errors.position_px *= 1.001;
   EXPECT_TRUE(is_broken(study, "as far from the fixed ODE"));

@@ -12,7 +12,7 @@
 namespace hyrax {
 namespace {
 
-// Hands rows on to a watch, one of them changed.
+// Passes rows to a watch, one of them changed.
 class Tampering : public RowSink {
  public:
   Tampering(StepWatch& watch, std::int64_t step, std::function<void(Row&)> change)
@@ -52,7 +52,7 @@ constexpr std::int64_t kInFlight = 10;
 void expect_broken(Invariant invariant, const std::function<void(Row&)>& change) {
   const InvariantMeasures measures = watched(fling_at(60.0, 300), kInFlight, change);
   EXPECT_FALSE(of(measures, invariant).holds);
-  // The row after the changed one is astray as well, since it starts elsewhere.
+  // The row after the changed one breaks it as well, since its start is changed.
   EXPECT_GE(of(measures, invariant).worst_step, kInFlight);
   EXPECT_LE(of(measures, invariant).worst_step, kInFlight + 1);
 }
@@ -61,9 +61,9 @@ TEST(StepWatch, AThrowKeepsAllInvariants) {
   for (const InvariantMeasure& measure : watched(fling_at(60.0, 600))) EXPECT_TRUE(measure.holds);
 }
 
-TEST(StepWatch, SoDoesOneWithEveryKindOfInput) {
+TEST(StepWatch, EveryKindOfInputKeepsAllInvariants) {
   Scenario scenario = eventful_fling();
-  // But for the one that makes the sprite wider than its window, which has two walls claim it.
+  // Leaves out the event that makes the sprite wider than its window: two walls clamp it.
   std::erase_if(scenario.events, [](const Event& event) {
     const Resize* const resize = std::get_if<Resize>(&event.action);
     return resize != nullptr && resize->sprite == Size{1000, 64};
@@ -136,13 +136,13 @@ TEST(StepWatch, FindsAMirrorThatIsBroken) {
 TEST(StepWatch, FindsAYThatIsMovedByAnUlp) {
   expect_broken(Invariant::y_alone, [](Row& row) { row.vy_px_per_s = std::nextafter(row.vy_px_per_s, 0.0); });
 }
-TEST(StepWatch, KnowsThatDragActsInAFrameOfNoTime) {
+TEST(StepWatch, FindsThatDragActsInAZeroLengthFrame) {
   Scenario scenario = fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}});
   const InvariantMeasures measures = watched(scenario);
   EXPECT_FALSE(of(measures, Invariant::no_time).holds);
   EXPECT_EQ(of(measures, Invariant::no_time).worst_step, 21);
 }
-TEST(StepWatch, AsksForNoTimeOnlyWhereItPasses) {
+TEST(StepWatch, ChecksNoTimeOnlyInZeroLengthFrames) {
   EXPECT_FALSE(of(watched(fling_at(60.0, 60)), Invariant::no_time).is_checked);
 }
 

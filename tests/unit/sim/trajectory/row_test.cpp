@@ -74,7 +74,7 @@ TEST(RowBlock, AppendsRowsOfAnother) {
   EXPECT_EQ(to.row(2).x_px, 3.0);
 }
 
-TEST(RowBlock, ForgetsRowsWhenShrunk) {
+TEST(RowBlock, DropsRowsWhenShrunk) {
   RowBlock block;
   for (const double x_px : {1.0, 2.0, 3.0}) append(block, x_px);
   block.shrink(1);
@@ -83,13 +83,13 @@ TEST(RowBlock, ForgetsRowsWhenShrunk) {
   EXPECT_EQ(block.row(1).x_px, 7.0);
 }
 
-TEST(SameBits, TellsZerosApartAndTakesNaNForItself) {
+TEST(SameBits, DistinguishesSignedZerosAndAcceptsEqualNans) {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(same_bits(0.0, -0.0));
   EXPECT_TRUE(same_bits(not_a_number, not_a_number));
 }
 
-TEST(FiniteState, LooksAtEveryPart) {
+TEST(FiniteState, ChecksEveryField) {
   EXPECT_TRUE(is_finite(State{}));
   for (double Row::*const field : {&Row::x_px, &Row::y_px, &Row::vx_px_per_s, &Row::vy_px_per_s}) {
     Row row;
@@ -116,7 +116,7 @@ TEST(Columns, GiveBackTheRowsTheyTook) {
   EXPECT_EQ(columns.size(), 0u);
 }
 
-TEST(Wall, HasAPlaceOfItsOwnAmongTheBits) {
+TEST(Wall, HasItsOwnBit) {
   std::set<int> seen = {kRestBit};
   for (const Wall wall : kWalls) {
     EXPECT_TRUE(seen.insert(static_cast<int>(wall)).second);

@@ -1,4 +1,4 @@
-// The state hash against the published vectors, and that nothing of a row escapes it.
+// The state hash against the published vectors, and its dependence on every bit of a row.
 #include "sim/trajectory/state_hash.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::vector<Row> rows_of(const Json& entry) {
                       .contact = static_cast<std::uint8_t>(integer_of(row, "contact"))});
     return rows;
   }
-  // The rule that stands beside the long ones.
+  // Long vectors give a count only; this rule makes their rows.
   for (std::int64_t i = 0; i < integer_of(entry, "count"); ++i) {
     const auto at = static_cast<double>(i);
     rows.push_back({.dt_s = 1.0 / 64.0,
@@ -75,7 +75,7 @@ TEST(StateHash, IsMadeOfThePublishedBlockDigests) {
   }
 }
 
-TEST(StateHash, OfTheSameBlockManyTimesOverIsTheHashOfThemAll) {
+TEST(StateHash, OfARepeatedBlockIsTheHashOfAllItsRows) {
   const Digest block = block_digests(kTwoRows).front();
   for (const std::int64_t count :
        {std::int64_t{1}, std::int64_t{2}, std::int64_t{4096}, std::int64_t{10'000}}) {
@@ -87,7 +87,7 @@ TEST(StateHash, OfTheSameBlockManyTimesOverIsTheHashOfThemAll) {
   }
 }
 
-TEST(StateHash, CanBeAskedOnTheWay) {
+TEST(StateHash, CanBeReadBeforeTheEnd) {
   StateHash asked;
   StateHash quiet;
   for (const Digest& block : block_digests(kTwoRows)) {
@@ -127,7 +127,7 @@ TEST(StateHash, LetsNoTwoSignFlipsCancel) {
     }
 }
 
-TEST(StateHash, KnowsTheOrderOfRows) {
+TEST(StateHash, DependsOnTheOrderOfRows) {
   EXPECT_NE(state_hash({kTwoRows[1], kTwoRows[0]}), state_hash(kTwoRows));
 }
 

@@ -1,4 +1,4 @@
-// Writing that leaves the old file or the whole new one, and nothing else.
+// Atomic writing leaves the old file or the complete new one, and nothing else.
 #include "tools/files/atomic_file.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ class AtomicFileTest : public testing::Test {
   const fs::path folder_ = fs::path(testing::TempDir()) / ("hyrax-atomic-file-" + std::to_string(getpid()));
 };
 
-TEST_F(AtomicFileTest, PutsAWholeFileInItsPlace) {
+TEST_F(AtomicFileTest, WritesACompleteFile) {
   const std::string text = std::string("a\0b\r\n", 5) + std::string(200'000, 'x');
   write_text_file(path("new.txt"), text);
   EXPECT_EQ(read_text_file(path("new.txt")), text);
@@ -64,7 +64,7 @@ TEST_F(AtomicFileTest, ReplacesAnOldFile) {
   EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
 }
 
-TEST_F(AtomicFileTest, TakesANewNameOnly) {
+TEST_F(AtomicFileTest, AcceptsANewNameOnly) {
   AtomicFile fresh(path("new.txt"));
   fresh.write("new");
   fresh.commit_as_new();
@@ -96,7 +96,7 @@ TEST_F(AtomicFileTest, IsReadableForOthersAsAnyNewFile) {
   EXPECT_EQ(status.st_mode & 0777u, 0644u);
 }
 
-TEST_F(AtomicFileTest, LeavesTheOldFileUntilItIsWhole) {
+TEST_F(AtomicFileTest, LeavesTheOldFileUntilTheNewOneIsComplete) {
   AtomicFile file(old_file("a.txt"));
   file.write("half of what is to co");
   EXPECT_EQ(read_text_file(path("a.txt")), "old");
@@ -117,7 +117,7 @@ TEST_F(AtomicFileTest, LeavesTheOldFileWhereItIsGivenUp) {
   EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
 }
 
-TEST_F(AtomicFileTest, LeavesNothingWhereItsPlaceIsTakenByAFolderMeanwhile) {
+TEST_F(AtomicFileTest, LeavesNothingWhenAFolderTakesItsNameMeanwhile) {
   {
     AtomicFile file(path("a"));
     file.write("new");
@@ -169,7 +169,7 @@ TEST_F(AtomicFileTest, RefusesAPipeAndLeavesItThere) {
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
-TEST_F(AtomicFileTest, RefusesAFolderThatIsNotThere) {
+TEST_F(AtomicFileTest, RefusesAMissingFolder) {
   EXPECT_EQ(refusal(path("no/such/file.txt")),
             path("no/such/file.txt") + ": cannot be written: No such file or directory");
 }

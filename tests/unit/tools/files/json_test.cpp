@@ -18,7 +18,7 @@ using namespace std::string_literals;
 
 Json parsed(const std::string& text) { return parse_json(text, "f.json"); }
 
-// What is said of a text that is no JSON.
+// The messages for text that is not JSON.
 std::string refusal(const std::string& text) {
   try {
     static_cast<void>(parsed(text));
@@ -57,14 +57,14 @@ TEST(Json, KeepsTheSignOfZero) {
   EXPECT_EQ(to_text(parsed("-0")), "-0");
 }
 
-TEST(Json, KeepsWholeNumbersOf64Bits) {
+TEST(Json, KeepsIntegersOf64Bits) {
   EXPECT_EQ(*parsed("18446744073709551615").get<std::uint64_t>(), 18446744073709551615u);
   EXPECT_EQ(*parsed("-9223372036854775808").get<std::int64_t>(), std::numeric_limits<std::int64_t>::min());
   EXPECT_EQ(to_text(parsed("18446744073709551615")), "18446744073709551615");
   EXPECT_EQ(to_text(parsed("9007199254740993")), "9007199254740993");
 }
 
-TEST(Json, TakesLargerWholeNumbersAsDoubles) {
+TEST(Json, ReadsLargerIntegersAsDoubles) {
   EXPECT_EQ(*parsed("18446744073709551616").get<double>(), 0x1p64);
   EXPECT_EQ(*parsed("-9223372036854775809").get<double>(), -0x1p63);
 }
@@ -119,7 +119,7 @@ TEST(Json, EscapesWhatATextCannotHold) {
   EXPECT_EQ(*parsed(to_text(parsed(text))).get<std::string>(), "\"\\\n\0ä\u2028"s);
 }
 
-TEST(Json, IndentsDownToTheDepthAsked) {
+TEST(Json, IndentsDownToTheGivenDepth) {
   const Json json = parsed(R"({"a": {"b": [1, 2]}, "c": [], "d": {}})");
   EXPECT_EQ(to_text(json), R"({ "a": { "b": [1, 2] }, "c": [], "d": {} })");
   EXPECT_EQ(to_text(json, {.depth_indented = 1}),
@@ -148,7 +148,7 @@ TEST(JsonRefusal, IsForWhatFollowsTheDocument) {
   EXPECT_EQ(refusal("{} \r\n\t"), "taken");
 }
 
-TEST(JsonRefusal, IsForAZeroByteWhereverItStands) {
+TEST(JsonRefusal, IsForAZeroByteAnywhere) {
   EXPECT_TRUE(is_refused_at("{}\0"s, "line 1, column 3", "zero byte"));
   EXPECT_TRUE(is_refused_at("{}\n\0 x"s, "line 2, column 1", "zero byte"));
   EXPECT_TRUE(is_refused_at("\0"s, "line 1, column 1", "zero byte"));
@@ -174,7 +174,7 @@ TEST(JsonRefusal, ShowsOnlyTheEndOfALongTokenAndOnlyWhatCanBeRead) {
   EXPECT_NE(said.find("xxx?'"), std::string::npos);
 }
 
-TEST(JsonRefusal, IsForNumbersThatJsonDoesNotKnow) {
+TEST(JsonRefusal, IsForNumbersThatJsonDoesNotAllow) {
   for (const char* text :
        {"NaN", "Infinity", "-Infinity", "+1", ".5", "1.", "01", "-", "0x10", "1e", "1e+", "--1"})
     EXPECT_NE(refusal(text), "taken") << text;
@@ -208,7 +208,7 @@ std::string set(const std::string& document, const std::string& pointer, const J
   }
 }
 
-TEST(JsonPointer, SetsWhatStandsThere) {
+TEST(JsonPointer, ReplacesTheValueAtThePointer) {
   EXPECT_EQ(set(R"({"a": {"b": 1}, "c": 2})", "/a/b", 3), R"({ "a": { "b": 3 }, "c": 2 })");
   EXPECT_EQ(set("[1, 2, 3]", "/1", 9), "[1, 9, 3]");
   EXPECT_EQ(set("{}", "", 9), "9");
@@ -228,7 +228,7 @@ TEST(JsonPointer, ReadsItsEscapes) {
   EXPECT_EQ(pointer_to("/x", "a/~b"), "/x/a~1~0b");
 }
 
-TEST(JsonPointer, SaysWhereItLeadsNowhere) {
+TEST(JsonPointer, ReportsAPlaceThatDoesNotExist) {
   EXPECT_NE(set("{}", "a", 1).find("is not a JSON Pointer; it must begin with '/'"), std::string::npos);
   EXPECT_EQ(set("[1]", "/1", 9), "/1: does not exist (found no '1')");
   EXPECT_EQ(set("[1]", std::string("/\0\x1b", 3), 9),

@@ -29,7 +29,7 @@ class PartFileTest : public testing::Test {
   const fs::path folder_ = fs::path(testing::TempDir()) / ("hyrax-part-file-" + std::to_string(getpid()));
 };
 
-TEST_F(PartFileTest, IsHiddenBesideItsTarget) {
+TEST_F(PartFileTest, IsAHiddenFileNextToItsTarget) {
   const AtomicFile part(path("a.h5"));
   EXPECT_EQ(part.part_path(), path(".a.h5.part"));
   EXPECT_EQ(fs::file_size(part.part_path()), 0u);
@@ -54,7 +54,7 @@ TEST_F(PartFileTest, MakesRoomWhereItsWriterWasKilled) {
   EXPECT_TRUE(fs::exists(path(".b.h5.part"))) << "another output's";
 }
 
-TEST_F(PartFileTest, LeavesAloneWhatIsNoPartOfOurs) {
+TEST_F(PartFileTest, SkipsNamesThatAreNotItsPartFiles) {
   fs::create_directory(path(".a.h5.part"));
   fs::create_symlink("victim", path(".a.h5.2.part"));
   std::ofstream(path("victim")) << "somebody else's";

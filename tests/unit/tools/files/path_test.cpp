@@ -20,7 +20,7 @@ TEST(FileName, HasFolderStemAndExtension) {
   expect_parts("/fling", "/", "fling", "");
 }
 
-TEST(FileName, TakesNoDotOfAFolderForItsOwn) {
+TEST(FileName, IgnoresDotsInFolderNames) {
   expect_parts("a.b/fling", "a.b/", "fling", "");
   expect_parts("../fling.json", "../", "fling", ".json");
 }

@@ -1,4 +1,4 @@
-// Text of others on its way to a terminal.
+// Untrusted text made printable for a terminal.
 #include "tools/files/printable.h"
 
 #include <gtest/gtest.h>

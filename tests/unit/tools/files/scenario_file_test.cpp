@@ -30,7 +30,7 @@ class ScenarioFile : public testing::Test {
     std::ofstream(folder_ + name) << text;
     return folder_ + name;
   }
-  // What is said of the file and its overrides.
+  // The message for the file and its overrides.
   static std::string refusal(const std::string& path, const std::vector<Override>& overrides = {}) {
     try {
       static_cast<void>(load_scenario(path, overrides));
@@ -94,7 +94,7 @@ TEST_F(ScenarioFile, NeedsANameWhereItsOwnIsNone) {
   EXPECT_EQ(load_scenario(path, {{"/name", "a-name"}}).name, "a-name");
 }
 
-TEST_F(ScenarioFile, TellsEveryFaultInALineOfItsOwn) {
+TEST_F(ScenarioFile, ReportsEveryFaultInALineOfItsOwn) {
   const std::string path =
       file("bad.json", R"({"format": "hyrax-scenario/1", "steps": -1, "clock": {"rate_hz": -60}})");
   const std::string said = refusal(path);
@@ -142,19 +142,19 @@ TEST_F(ScenarioFile, TakesALaterOverrideOverAnEarlierOne) {
   EXPECT_EQ(step_count(load_scenario(path, {{"/steps", "7"}, {"/steps", "8"}})), 8);
 }
 
-// What a key says may be meant for a terminal.
-TEST_F(ScenarioFile, TellsAKeyInPrintableCharacters) {
-  const std::string told = refusal(file("bad.json", R"({"\u0000\u001b[2J\n": 1})"), {});
-  EXPECT_NE(told.find(R"(/\u0000\u001b[2J\u000a: unknown key)"), std::string::npos) << told;
+// A key may contain control sequences for a terminal.
+TEST_F(ScenarioFile, PrintsAKeyInPrintableCharacters) {
+  const std::string message = refusal(file("bad.json", R"({"\u0000\u001b[2J\n": 1})"), {});
+  EXPECT_NE(message.find(R"(/\u0000\u001b[2J\u000a: unknown key)"), std::string::npos) << message;
 }
 
-// Looking through all earlier keys for each would take a while.
-TEST_F(ScenarioFile, TellsManyKeysThatMayNotStand) {
+// Comparing each key with all earlier ones would be slow.
+TEST_F(ScenarioFile, ReportsManyUnknownKeys) {
   std::string text = "{";
   for (int key = 0; key < 100'000; ++key) text += "\"" + std::to_string(key) + "\": 0,";
-  const std::string told = refusal(file("keys.json", text + "\"0\": 0}"), {});
-  EXPECT_NE(told.find("/99999: unknown key"), std::string::npos);
-  EXPECT_NE(told.find("/0: duplicate key"), std::string::npos);
+  const std::string message = refusal(file("keys.json", text + "\"0\": 0}"), {});
+  EXPECT_NE(message.find("/99999: unknown key"), std::string::npos);
+  EXPECT_NE(message.find("/0: duplicate key"), std::string::npos);
 }
 
 TEST_F(ScenarioFile, HoldsOverridesToTheSameRules) {
@@ -177,7 +177,7 @@ TEST_F(ScenarioFile, ReadsTheSameOnceWritten) {
   }
 }
 
-TEST_F(ScenarioFile, ReadsTheSameBitsOnceWrittenWhateverTheFling) {
+TEST_F(ScenarioFile, ReadsTheSameBitsOnceWrittenForRandomFlings) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     Scenario scenario = any_fling(seed, 1000);
     scenario.clock.jitter =

@@ -1,4 +1,4 @@
-// The reader over the table of good and bad documents that the JSON Schema is held to as well.
+// The reader against the table of good and bad documents, which also tests the JSON Schema.
 #include <gtest/gtest.h>
 
 #include "tools/files/failure.h"
@@ -46,8 +46,8 @@ Json document_of(const Json& entry) {
   return document;
 }
 
-// What the reader says of an entry's document, a line a fault; nothing of a good one.
-std::string told(const Json& entry) {
+// The reader's message for an entry's document, one line per fault; empty for a good one.
+std::string message_for(const Json& entry) {
   try {
     const Scenario scenario = to_scenario(document_of(entry), kSource, "base");
     return scenario.name.empty() ? "a good scenario has a name" : "";
@@ -68,27 +68,28 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 // "SOURCE: PLACE: ... a part of the sentence ...".
-bool tells(const std::string& line, const std::string& place, const std::string& part) {
+bool reports(const std::string& line, const std::string& place, const std::string& part) {
   const std::string beginning = std::string(kSource) + ": " + place + (place.starts_with('/') ? ": " : "");
   return line.starts_with(beginning) && line.find(part, beginning.size()) != std::string::npos;
 }
 
-// Every fault of the entry is told in a line of its own, and nothing else is told.
-void expect_told(const Json& entry) {
-  std::vector<std::string> lines = lines_of(told(entry));
-  if (const Json* faults = entry.find("tells"))
+// Every fault of the entry is reported in a line of its own, and nothing else is reported.
+void expect_reported(const Json& entry) {
+  std::vector<std::string> lines = lines_of(message_for(entry));
+  if (const Json* faults = entry.find("faults"))
     for (const Json& fault : *faults->get<Json::Array>()) {
       const Json::Array& pair = *fault.get<Json::Array>();
       const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
-        return tells(text, *pair[0].get<std::string>(), *pair[1].get<std::string>());
+        return reports(text, *pair[0].get<std::string>(), *pair[1].get<std::string>());
       });
       if (line != lines.end())
         lines.erase(line);
       else
-        ADD_FAILURE() << text_of(entry, "name") << ": not told: " << *pair[0].get<std::string>() << ": "
-                      << *pair[1].get<std::string>() << "\n but: " << told(entry);
+        ADD_FAILURE() << text_of(entry, "name") << ": not reported: " << *pair[0].get<std::string>() << ": "
+                      << *pair[1].get<std::string>() << "\n but: " << message_for(entry);
     }
-  for (const std::string& line : lines) ADD_FAILURE() << text_of(entry, "name") << ": told: " << line;
+  for (const std::string& line : lines)
+    ADD_FAILURE() << text_of(entry, "name") << ": also reported: " << line;
 }
 
 TEST(ScenarioVerdicts, AreWhatTheReaderSays) {
@@ -99,7 +100,7 @@ TEST(ScenarioVerdicts, AreWhatTheReaderSays) {
 
 TEST(ScenarioVerdicts, OfGoodDocumentsReadTheSameOnceWritten) {
   for (const Json& entry : *table().find("verdicts")->get<Json::Array>()) {
-    if (entry.find("tells") != nullptr) continue;
+    if (entry.find("faults") != nullptr) continue;
     const Scenario scenario = to_scenario(document_of(entry), kSource, "base");
     const std::string text = scenario_file_text(scenario);
     const Scenario again = parse_scenario(text, "written");
@@ -129,9 +130,9 @@ TEST(ScenarioVerdicts, ListOnlyTheFirstOfVeryManyErrors) {
 // Control: a table that expects too little, or something else, does not pass.
 TEST(ScenarioVerdicts, NeedTheirPlaceAndSentence) {
   const std::string line = std::string(kSource) + ": /clock/rate_hz: must be greater than 0 (found -60)";
-  EXPECT_TRUE(tells(line, "/clock/rate_hz", "greater than 0"));
-  EXPECT_FALSE(tells(line, "/clock", "greater than 0"));
-  EXPECT_FALSE(tells(line, "/clock/rate_hz", "at most 1"));
+  EXPECT_TRUE(reports(line, "/clock/rate_hz", "greater than 0"));
+  EXPECT_FALSE(reports(line, "/clock", "greater than 0"));
+  EXPECT_FALSE(reports(line, "/clock/rate_hz", "at most 1"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds the JSON Schema of scenario files to the verdicts that the reader is held to.
+"""The JSON Schema of scenario files against the verdicts of the reader.
 
 Usage: schema_test.py SCHEMA.json SCENARIO_DIR...
 """
@@ -16,7 +16,7 @@ TABLE = pathlib.Path(__file__).with_name("verdicts.json")
 
 
 def refuse_constant(text):
-    """NaN and Infinity are no JSON, though Python's reader knows them."""
+    """Refuses NaN and Infinity, which are not JSON although Python reads them."""
     raise ValueError(f"{text} is not JSON")
 
 
@@ -31,7 +31,7 @@ def tokens(pointer):
 
 
 def document_of(entry, base):
-    """An entry's document: a whole text, or the base with some values put over it and some taken out."""
+    """An entry's document: a complete text, or the base with some values replaced and some removed."""
     if "text" in entry:
         return parse(entry["text"])
     document = copy.deepcopy(base)
@@ -64,7 +64,7 @@ class Schema(unittest.TestCase):
         cls.base, cls.entries = table["base"], table["verdicts"]
 
     def takes(self, entry):
-        """Whether the schema takes an entry's document; what is no JSON does not come so far."""
+        """Whether the schema accepts an entry's document; text that is not JSON is never accepted."""
         try:
             return self.validator.is_valid(document_of(entry, self.base))
         except ValueError:
@@ -75,12 +75,12 @@ class Schema(unittest.TestCase):
 
     def test_agrees_with_the_reader_over_the_table(self):
         differing = [entry["name"] for entry in self.entries
-                     if "only_reader" not in entry and self.takes(entry) != ("tells" not in entry)]
+                     if "only_reader" not in entry and self.takes(entry) != ("faults" not in entry)]
         self.assertEqual(differing, [])
 
-    def test_takes_what_only_the_reader_can_tell(self):
-        told = [entry["name"] for entry in self.entries if "only_reader" in entry and not self.takes(entry)]
-        self.assertEqual(told, [], "the schema tells of these too: take `only_reader` away")
+    def test_accepts_what_only_the_reader_detects(self):
+        refused = [entry["name"] for entry in self.entries if "only_reader" in entry and not self.takes(entry)]
+        self.assertEqual(refused, [], "the schema refuses these too: remove `only_reader`")
 
     def test_takes_every_scenario_file(self):
         paths = [path for folder in FOLDERS for path in sorted(folder.rglob("*.json"))]
@@ -113,11 +113,11 @@ class Schema(unittest.TestCase):
         look("", self.schema)
         self.assertEqual(open_places, [])
 
-    def test_control_a_schema_without_a_limit_is_seen(self):
+    def test_control_a_schema_without_a_limit_is_detected(self):
         loose = copy.deepcopy(self.schema)
         del loose["$defs"]["window_side_px"]["maximum"]
         validator = jsonschema.Draft202012Validator(loose)
-        taken = [entry["name"] for entry in self.entries if "tells" in entry and "only_reader" not in entry
+        taken = [entry["name"] for entry in self.entries if "faults" in entry and "only_reader" not in entry
                  and "text" not in entry and validator.is_valid(document_of(entry, self.base))]
         self.assertIn("/window/width_px above", taken)
 

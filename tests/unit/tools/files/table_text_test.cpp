@@ -30,8 +30,8 @@ TEST(CsvText, NumbersAreShortestRoundTripAndWhatDoesNotExistIsEmpty) {
 
 TEST(CsvText, TextIsQuotedWhereItMustBe) {
   const Table table{
-      "t", "", {{"words", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
-  EXPECT_EQ(csv_text(table), "words\nplain\n\"a, b\"\n\"the \"\"step\"\"\"\n\"two\nlines\"\n");
+      "t", "", {{"texts", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
+  EXPECT_EQ(csv_text(table), "texts\nplain\n\"a, b\"\n\"the \"\"step\"\"\"\n\"two\nlines\"\n");
 }
 
 const double kMissing = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// The message for a word that is none of the allowed ones.
+// The message for an unknown name: what is allowed, and a suggestion.
 #include "tools/files/unknown_word.h"
 
 #include <gtest/gtest.h>

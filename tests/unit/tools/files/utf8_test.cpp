@@ -14,7 +14,7 @@ void expect_character(const std::string& text, std::size_t bytes, std::int32_t c
   EXPECT_EQ(character.code, code) << text;
 }
 
-TEST(Utf8, KnowsTheFirstAndLastCharacterOfEachLength) {
+TEST(Utf8, AcceptsTheFirstAndLastCharacterOfEachLength) {
   expect_character(std::string("\0", 1), 1, 0);
   expect_character("\x7f", 1, 0x7f);
   expect_character("\xc2\x80", 2, 0x80);

@@ -1,4 +1,4 @@
-// The line of progress: its estimate goes by what is done, and says nothing before something is.
+// The progress line: its estimate is based on completed work, and is left out before any work is done.
 #include <gtest/gtest.h>
 
 #include "tools/hyrax-sim/command_line/progress.h"

@@ -1,4 +1,4 @@
-// Modes that a foreign library leaves behind are put right before the next frame.
+// Floating-point modes changed by another library are restored before the next frame.
 #include <gtest/gtest.h>
 
 #if defined(__x86_64__)

@@ -23,7 +23,7 @@ TEST(Desk, PutsAPositionFarOutsideWhereTheScreenEnds) {
   EXPECT_EQ(on_screen(kMain, {nan, 0.0}).y_px, 0);
 }
 
-TEST(Desk, ThatStaysAsItIsNeedsNoInput) { EXPECT_TRUE(inputs_of_move(kMain, kMain, {5.0, 5.0}).empty()); }
+TEST(Desk, WithoutChangesNeedsNoInput) { EXPECT_TRUE(inputs_of_move(kMain, kMain, {5.0, 5.0}).empty()); }
 
 TEST(Desk, OfAnotherSizeIsAResize) {
   Desk smaller = kMain;
@@ -32,7 +32,7 @@ TEST(Desk, OfAnotherSizeIsAResize) {
   EXPECT_EQ(inputs, (std::vector<Action>{Resize{Size{1920, 600}, {}}}));
 }
 
-TEST(Desk, OfAnotherScalingResizesTheSpriteAlone) {
+TEST(Desk, OfAnotherScalingResizesOnlyTheSprite) {
   Desk sharper = kMain;
   sharper.sprite = {192, 192};
   EXPECT_EQ(inputs_of_move(kMain, sharper, {5.0, 5.0}), (std::vector<Action>{Resize{{}, Size{192, 192}}}));
@@ -45,7 +45,7 @@ TEST(Desk, ElsewhereKeepsThePointOfTheScreen) {
   EXPECT_EQ(on_screen(kMain, {-300.25, 10.5}), on_screen(kLeftOfIt, {979.75, 210.5}));
 }
 
-TEST(Desk, WhoseTaskBarMovesToTheTopMovesItsOriginAlone) {
+TEST(Desk, WhoseTaskBarMovesToTheTopMovesOnlyItsOrigin) {
   Desk below = kMain;
   below.origin.y_px = 40;
   EXPECT_EQ(inputs_of_move(kMain, below, {5.0, 100.0}), (std::vector<Action>{Place{{5.0, 60.0}}}));

@@ -22,7 +22,7 @@ TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
   EXPECT_EQ(hand.velocity(300 * kMs), (Velocity{1200.0, -900.0}));
 }
 
-TEST(Hand, ForgetsWhatItDidBefore) {
+TEST(Hand, IgnoresOlderMoves) {
   Hand hand(kTicksPerS, {0, 0}, 0);
   hand.move({-900, 300}, 100 * kMs);
   for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kMs);
@@ -53,7 +53,7 @@ TEST(Hand, DoesNotThrowByAClickThatTrembles) {
 
 TEST(Hand, ThatNeverMovedGivesNothing) { EXPECT_EQ(Hand(kTicksPerS, {7, 7}, 5).velocity(5), Velocity{}); }
 
-TEST(Hand, UnderAClockThatStandsStillIsAsFastAsInTheShortestDrag) {
+TEST(Hand, WithAStoppedClockIsAsFastAsInTheShortestDrag) {
   Hand hand(kTicksPerS, {0, 0}, 50);
   hand.move({30, -10}, 50);
   EXPECT_EQ(hand.velocity(50), (Velocity{3000.0, -1000.0}));

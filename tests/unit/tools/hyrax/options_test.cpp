@@ -24,7 +24,7 @@ TEST(Options, AreAllLeftOut) {
   EXPECT_FALSE(options.only_exits || options.wants_help || options.wants_version);
 }
 
-TEST(Options, StandBesideTheirValueOrBehindAnEqualsSign) {
+TEST(Options, AcceptTheirValueAfterASpaceOrAnEqualsSign) {
   const Options options = parse_options({"--record", "a b.json", "--log=run.log", "--seconds", "2.5"});
   EXPECT_EQ(options.record_path, "a b.json");
   EXPECT_EQ(options.log_path, "run.log");
@@ -58,7 +58,7 @@ TEST(Options, RefuseSecondsThatAreNoTime) {
         << text;
 }
 
-TEST(Options, RefuseWhatCannotStandTogether) {
+TEST(Options, RefuseCombinationsThatAreNotAllowed) {
   EXPECT_NE(refusal({"--exit"}).find("--exit needs --replay FILE"), std::string::npos);
   EXPECT_NE(refusal({"--record", "a", "--replay", "b"}).find("is not allowed with"), std::string::npos);
 }

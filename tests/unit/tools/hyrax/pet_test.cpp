@@ -17,7 +17,7 @@ constexpr std::int64_t kMs = kTicksPerS / 1000;
 constexpr std::int64_t kFrame = kTicksPerS / 60;
 constexpr Desk kDesk{{100, 50}, {1024, 768}, {128, 128}};
 
-// A hyrax on a desk, and a clock that the test turns.
+// A hyrax on a desk, and a clock that the test controls.
 class PetOnADesk : public testing::Test {
  protected:
   void frames(int count, std::int64_t frame_ticks = kFrame) {
@@ -42,13 +42,13 @@ class PetOnADesk : public testing::Test {
   }
   const Row& row() const { return pet.session().now().row; }
 
-  // What was shown replays to the same bits, whatever was done.
+  // After every test: the shown frames replay to the same bits.
   void TearDown() override {
     const Tape tape = pet.session().just_happened();
     if (tape.frames() == 0) return;
-    RowSink nobody;
+    RowSink null_sink;
     const Scenario read = parse_scenario(scenario_file_text(tape.scenario("pet")), "pet");
-    EXPECT_EQ(hex(replay(read, nobody).state_hash), hex(tape.state_hash()));
+    EXPECT_EQ(hex(replay(read, null_sink).state_hash), hex(tape.state_hash()));
   }
 
   std::int64_t ticks = 77;
@@ -70,7 +70,7 @@ TEST_F(PetOnADesk, MovesByTheTimeThatPassed) {
   EXPECT_TRUE(same_bits(row().dt_s, 3.0));
 }
 
-TEST_F(PetOnADesk, IsOnlyDampedWhileTheClockStandsStill) {
+TEST_F(PetOnADesk, IsOnlyDampedWhileTheClockIsStopped) {
   frames(5);
   const Row before = row();
   frames(1, 0);
@@ -79,13 +79,13 @@ TEST_F(PetOnADesk, IsOnlyDampedWhileTheClockStandsStill) {
   EXPECT_TRUE(same_bits(row().vy_px_per_s, before.vy_px_per_s * 0.999));
 }
 
-TEST_F(PetOnADesk, DoesNotSleepInTheAirUnderAClockThatStandsStill) {
+TEST_F(PetOnADesk, DoesNotSleepInTheAirWhileTheClockIsStopped) {
   frames(5);
   frames(10 * Session::kStillFrames, 0);
   EXPECT_FALSE(pet.is_asleep());
 }
 
-TEST_F(PetOnADesk, TakesAClockThatGoesBackForOneThatStands) {
+TEST_F(PetOnADesk, TreatsAClockThatGoesBackAsStopped) {
   frames(2);
   frames(1, -5 * kMs);
   EXPECT_TRUE(same_bits(row().dt_s, 0.0));
@@ -164,7 +164,7 @@ TEST_F(PetOnADesk, SleepsInAHandThatDoesNotMove) {
   frames(10);
 }
 
-TEST_F(PetOnADesk, StandsStillWhilePaused) {
+TEST_F(PetOnADesk, DoesNotMoveWhilePaused) {
   frames(10);
   pet.pause();
   frames(10);
@@ -174,14 +174,14 @@ TEST_F(PetOnADesk, StandsStillWhilePaused) {
   EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
 }
 
-TEST_F(PetOnADesk, GoesOnWhenItIsGrabbedInAPause) {
+TEST_F(PetOnADesk, ContinuesWhenItIsGrabbedInAPause) {
   frames(10);
   pet.pause();
   grab();
   EXPECT_FALSE(pet.is_paused());
 }
 
-TEST_F(PetOnADesk, ComesBackToWhereItBegan) {
+TEST_F(PetOnADesk, IsResetToItsFirstPosition) {
   frames(100);
   grab();
   pet.reset(ticks);
@@ -210,7 +210,7 @@ TEST_F(PetOnADesk, FallsOnWhenTheWorkAreaGrows) {
   EXPECT_TRUE(same_bits(row().y_px, 1000.0 - 128.0));
 }
 
-TEST_F(PetOnADesk, LivesOnADeskSmallerThanItself) {
+TEST_F(PetOnADesk, AcceptsADeskSmallerThanItself) {
   Desk tiny = kDesk;
   tiny.work_area = {100, 90};
   pet.move_to(tiny, ticks);

@@ -1,4 +1,4 @@
-// A scenario before the eyes of a user.
+// Playback of a scenario in the window.
 #include "tools/hyrax/playback.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ Scenario fling_with_hash(const std::string& hash) {
 }
 
 std::string right_hash() {
-  RowSink nobody;
-  return hex(replay(fling_at(60.0, 120), nobody).state_hash);
+  RowSink null_sink;
+  return hex(replay(fling_at(60.0, 120), null_sink).state_hash);
 }
 
 TEST(Playback, KeepsThePaceOfTheScenariosClock) {
@@ -33,7 +33,7 @@ TEST(Playback, KeepsThePaceOfTheScenariosClock) {
   EXPECT_TRUE(playback.is_over());
 }
 
-TEST(Playback, ComesToTheSameVerdictAsAReplayAtOnce) {
+TEST(Playback, GivesTheSameVerdictAsAReplay) {
   const Scenario scenario = fling_with_hash(right_hash());
   Playback playback(scenario, kTicksPerS, 0);
   for (std::int64_t ticks = 0; !playback.is_over(); ticks += 17) playback.play(ticks);

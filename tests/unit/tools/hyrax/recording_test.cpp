@@ -1,4 +1,4 @@
-// A recording on the disk, at every moment and in the end.
+// A recording on disk, during a session and at its end.
 #include "tools/hyrax/recording.h"
 
 #include <gtest/gtest.h>
@@ -51,11 +51,11 @@ class RecordedSession : public testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  // Frames of a file that comes to the hash it carries.
+  // Frames of a file that replays to its own state hash.
   static std::int64_t good_frames(const std::string& path) {
     const Scenario scenario = load_scenario(path);
-    RowSink nobody;
-    const RunSummary summary = replay(scenario, nobody);
+    RowSink null_sink;
+    const RunSummary summary = replay(scenario, null_sink);
     EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash)) << path;
     return summary.steps;
   }
@@ -67,7 +67,7 @@ class RecordedSession : public testing::Test {
   const std::string folder_ = testing::TempDir() + "hyrax-recording-" + std::to_string(getpid()) + "/";
 };
 
-TEST_F(RecordedSession, IsWholeAtEverySave) {
+TEST_F(RecordedSession, IsCompleteAfterEverySave) {
   play(10);
   session.start_recording(path("Fling 1.json"), saver);
   for (int second = 1; second <= 5; ++second) {
@@ -82,7 +82,7 @@ TEST_F(RecordedSession, IsWholeAtEverySave) {
   EXPECT_EQ(load_scenario(path("Fling 1.json")).name, "fling-1");
 }
 
-TEST_F(RecordedSession, GoesOnInPartsAndEndsAsOneFile) {
+TEST_F(RecordedSession, ContinuesInPartsAndEndsAsOneFile) {
   session.start_recording(path("long.json"), saver);
   play(2 * Recording::kPartFrames + 500);
   save();
@@ -95,7 +95,7 @@ TEST_F(RecordedSession, GoesOnInPartsAndEndsAsOneFile) {
   EXPECT_EQ(good_frames(path("long.json")), 2 * Recording::kPartFrames + 500);
 }
 
-TEST_F(RecordedSession, NeitherReplacesNorRemovesAFileOfAnother) {
+TEST_F(RecordedSession, NeitherReplacesNorRemovesOtherFiles) {
   write_text_file(path("long-2.json"), "mine");
   write_text_file(path("long-4.json"), "mine, too");
   session.start_recording(path("long.json"), saver);
@@ -160,8 +160,8 @@ TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
   EXPECT_EQ(good_frames(path("fling-2.json")), 20);
 }
 
-// As where memory is short.
-TEST_F(RecordedSession, OutlivesEveryExceptionOfASave) {
+// Simulates a system that runs out of memory.
+TEST_F(RecordedSession, SurvivesEveryExceptionOfASave) {
   ScenarioSaver short_of_memory([](const Scenario& scenario) {
     if (step_count(scenario) > 5) throw std::bad_alloc();
     return scenario_file_text(scenario);
@@ -184,7 +184,7 @@ TEST_F(RecordedSession, WithoutAFrameIsNoFile) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(RecordedSession, TellsOfAPlaceThatCannotBeWritten) {
+TEST_F(RecordedSession, ReportsAPathThatCannotBeWritten) {
   session.start_recording(path("missing/fling.json"), saver);
   play(10);
   save();

@@ -1,4 +1,4 @@
-// What is kept of a session is a scenario that a replay plays to the same bits.
+// A recorded session is a scenario that replays to the same bits.
 #include "tools/hyrax/tape.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Keyframe start() {
   return start;
 }
 
-// A trembling display of 60 Hz, now and then with two frames at the same time.
+// A jittery display of 60 Hz, sometimes with two frames at the same time.
 double dt_s(std::int64_t frame) {
   const double draw = split_mix64_unit(11, static_cast<std::uint64_t>(frame));
   return draw < 0.01 ? 0.0 : 0.0167 + 0.004 * (draw - 0.5);
@@ -52,11 +52,11 @@ void live(Session& session) {
   play(session, 300);
 }
 
-// What a file of it comes to.
+// The summary of replaying its scenario file.
 RunSummary replayed_from_text(const Tape& tape) {
   const Scenario read = parse_scenario(scenario_file_text(tape.scenario("tape")), "tape");
-  RowSink nobody;
-  return replay(read, nobody);
+  RowSink null_sink;
+  return replay(read, null_sink);
 }
 
 void expect_replays(const Tape& tape, const Keyframe& end) {
@@ -82,7 +82,7 @@ TEST(Tape, OfManyBlocksReplaysToTheSameBits) {
   expect_replays(tape, session.now());
 }
 
-// A control: the hash is of what was shown, not of what a replay would make of it.
+// A control: the hash is of what was shown, not of its replay.
 TEST(Tape, WithAnotherStateThanTheModelsDoesNotReplay) {
   Session session(start());
   Tape tape(session.now());

@@ -117,7 +117,7 @@ TEST(ErrorsFigure, NoErrorHasTheColourOfAWall) {
     for (const TopDot& dot : plot_of(figure).top_dots) EXPECT_NE(series.look.tone, dot.tone);
 }
 
-TEST(RestitutionFigure, DrawsThePapersValueAndSaysTheMean) {
+TEST(RestitutionFigure, DrawsThePapersValueAndPrintsTheMean) {
   const Figure figure = restitution_of(MeasuredRun(4));
   const Plot& plot = plot_of(figure);
   ASSERT_EQ(plot.marks.size(), 1u);
@@ -132,7 +132,7 @@ TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
   EXPECT_EQ(plot_of(restitution_of(run)).series[0].x, std::vector<double>{1.0});
 }
 
-TEST(DriftFigures, SayWhereThereIsNothingToShow) {
+TEST(DriftFigures, NoteWhereThereIsNoData) {
   const std::vector<Figure> figures = drift_figures(MeasuredRun(0).picture());
   for (std::size_t figure = 0; figure < 3; ++figure)
     EXPECT_NE(figure_script(figures[figure]).find("no flight of two steps or more"), std::string::npos);

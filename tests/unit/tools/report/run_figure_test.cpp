@@ -59,10 +59,10 @@ std::vector<Contact> contacts_at_each_wall(std::int64_t count) {
   return contacts;
 }
 
-double number_after(const std::string& script, const std::string& words) {
-  const std::size_t at = script.find(words);
-  EXPECT_NE(at, std::string::npos) << words;
-  return std::stod(script.substr(at + words.size()));
+double number_after(const std::string& script, const std::string& text) {
+  const std::size_t at = script.find(text);
+  EXPECT_NE(at, std::string::npos) << text;
+  return std::stod(script.substr(at + text.size()));
 }
 
 // The points of a data block, and the broken lines between them.
@@ -75,7 +75,7 @@ std::size_t lines_in_block(const std::string& script, const std::string& name) {
   return lines;
 }
 
-// Every tag that opens closes, in order, and no stray `<` or `&` stands in the text.
+// Every opened tag is closed, in order, and the text has no stray `<` or `&`.
 bool is_well_formed(const std::string& xml) {
   std::vector<std::string> open;
   for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at)) {
@@ -117,7 +117,7 @@ class RunFigureTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-// A user's machine may be without; one that guards the project may not.
+// gnuplot is optional for users and required in CI.
 #define SKIP_WITHOUT_GNUPLOT()                                           \
   if (!has_gnuplot()) {                                                  \
     ASSERT_EQ(std::getenv("CI"), nullptr) << "gnuplot is not installed"; \
@@ -180,8 +180,8 @@ TEST_F(RunFigureTest, TheWayBetweenRowsFarApartIsNotMadeUp) {
 TEST_F(RunFigureTest, TheLegendCountsContactsThatAreNotDrawn) {
   const std::string script = run_figure_script(some_fling(), colourful_rows(10), contacts_at_each_wall(4),
                                                WallCounts{5, 6, 7, 1'234'567});
-  for (const std::string words : {"'left 5'", "'right 6'", "'top 7'", "'ground 1234567'"})
-    EXPECT_NE(script.find(words), std::string::npos) << words;
+  for (const std::string label : {"'left 5'", "'right 6'", "'top 7'", "'ground 1234567'"})
+    EXPECT_NE(script.find(label), std::string::npos) << label;
 }
 
 TEST_F(RunFigureTest, LeavesOutRowsThatAreNotFinite) {
@@ -199,7 +199,7 @@ TEST_F(RunFigureTest, APathHasNoMorePointsThanItsBound) {
   EXPECT_NE(script.find("path drawn up to "), std::string::npos) << "and says what is missing";
 }
 
-TEST_F(RunFigureTest, AStartFarOutsideLeavesTheWindowLargeAndIsTold) {
+TEST_F(RunFigureTest, AStartFarOutsideLeavesTheWindowLargeAndIsNoted) {
   Scenario scenario = some_fling();
   scenario.start = {-1'000'000, 1'000'000};
   Columns rows;
@@ -242,9 +242,9 @@ TEST_F(RunFigureTest, PictureAndSeriesHaveNamesForPeople) {
 }
 
 // The y of a label on the canvas, from its lower edge, as a part of its height.
-double label_y(const std::string& script, const std::string& words) {
-  const std::size_t at = script.find("set label '" + words + "' at screen ");
-  EXPECT_NE(at, std::string::npos) << words;
+double label_y(const std::string& script, const std::string& label) {
+  const std::size_t at = script.find("set label '" + label + "' at screen ");
+  EXPECT_NE(at, std::string::npos) << label;
   return std::stod(script.substr(script.find(',', at) + 1));
 }
 
@@ -272,8 +272,8 @@ TEST_F(RunFigureTest, GrabsReleasesAndResizesHaveTheirTimes) {
                      {std::int64_t{30}, Release{{100, 0}}},
                      {std::int64_t{45}, Resize{Size{1600, 1080}, std::nullopt}}};
   const std::string script = run_figure_script(scenario, dropped_rows(60), {});
-  for (const std::string words : {"'grab 0.25 s'", "'release 0.5 s'", "'window 0.75 s'"})
-    EXPECT_NE(script.find(words), std::string::npos) << words;
+  for (const std::string label : {"'grab 0.25 s'", "'release 0.5 s'", "'window 0.75 s'"})
+    EXPECT_NE(script.find(label), std::string::npos) << label;
 }
 
 TEST_F(RunFigureTest, OneFastThrowLeavesTheRestItsColours) {
@@ -334,7 +334,7 @@ TEST_F(RunFigureTest, TheLargestPictureKeepsItsBound) {
   EXPECT_LT(std::filesystem::file_size(path("a.svg")), kSvgBytesMax);
 }
 
-TEST_F(RunFigureTest, DrawsRunsOfNoRowsAndOfOne) {
+TEST_F(RunFigureTest, DrawsRunsWithoutRowsAndWithOneRow) {
   SKIP_WITHOUT_GNUPLOT();
   draw_run_figure(path("none.svg"), some_fling(), Columns{}, {});
   draw_run_figure(path("one.svg"), some_fling(), colourful_rows(1), {});
@@ -349,7 +349,7 @@ TEST_F(RunFigureTest, TheSameRunGivesTheSameFile) {
   EXPECT_EQ(read_text_file(path("a.svg")), read_text_file(path("b.svg")));
 }
 
-TEST_F(RunFigureTest, ARefusedScriptIsToldInGnuplotsWordsAndLeavesTheOldFile) {
+TEST_F(RunFigureTest, ARefusedScriptQuotesGnuplotAndLeavesTheOldFile) {
   SKIP_WITHOUT_GNUPLOT();
   write_text_file(path("a.svg"), "old");
   try {
@@ -372,7 +372,7 @@ TEST_F(RunFigureTest, AScriptThatDrawsNothingLeavesTheOldFile) {
   EXPECT_EQ(read_text_file(path("a.svg")), "old");
 }
 
-TEST_F(RunFigureTest, WithoutGnuplotTheSentenceTellsTheRemedy) {
+TEST_F(RunFigureTest, WithoutGnuplotTheMessageNamesTheRemedy) {
   write_text_file(path("a.svg"), "old");
   const char* const usual = std::getenv("PATH");
   const std::string usual_path = usual == nullptr ? "" : usual;
@@ -394,7 +394,7 @@ TEST_F(RunFigureTest, WithoutGnuplotTheSentenceTellsTheRemedy) {
   EXPECT_EQ(files(), 1u);
 }
 
-TEST_F(RunFigureTest, AFolderThatIsNotThereIsTold) {
+TEST_F(RunFigureTest, AMissingFolderIsReported) {
   try {
     draw_run_figure(path("no/such/a.svg"), some_fling(), colourful_rows(10), {});
     FAIL() << "no failure";

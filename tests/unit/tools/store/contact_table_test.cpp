@@ -27,7 +27,7 @@ Contact contact_number(std::int64_t number) {
 
 class Contacts : public testing::Test {
  protected:
-  // A file with so many contacts, of which some are told to last longer once later ones came.
+  // A file with so many contacts, of which some are extended after later ones were written.
   std::vector<Contact> write(std::int64_t count, const std::vector<std::int64_t>& lasting) {
     std::vector<Contact> contacts;
     TrajectoryWriter writer(path_, fling_at(60.0, 0), 0);
@@ -77,7 +77,7 @@ TEST_F(Contacts, AreTheSameBytesEachTime) {
 }
 
 TEST_F(Contacts, OfARunWithManyOfThemAreThePlayedOnes) {
-  // Room for little: a ground contact every other step at a dt with which the sprite bounces for ever.
+  // Room for little: a ground contact every other step at a dt with which the sprite bounces forever.
   Scenario scenario = fling_at(60.0, 12'000);
   scenario.window = {200, 130};
   scenario.start = {10.0, 0.0};

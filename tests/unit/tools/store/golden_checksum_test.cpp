@@ -14,7 +14,7 @@ namespace {
 
 using Change = std::function<void(StoredRun&)>;
 
-// How many of the changes leave the hash of the contents as it is.
+// How many of the changes leave the hash of the contents unchanged.
 std::size_t unseen(const StoredRun& run, const std::vector<Change>& changes) {
   return static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), [&](const Change& change) {
     StoredRun changed = run;
@@ -74,7 +74,7 @@ TEST(ContentsChecksum, IsTheSameWhetherContactsAreHeldOrNot) {
   EXPECT_EQ(contents_checksum(without), contents_checksum(run));
 }
 
-TEST(ContentsChecksum, TellsTheZerosApart) {
+TEST(ContentsChecksum, DistinguishesSignedZeros) {
   StoredRun run = kept_run(eventful_fling());
   run.final.vx_px_per_s = 0.0;
   EXPECT_EQ(unseen(run, {[](StoredRun& changed) { changed.final.vx_px_per_s = -0.0; }}), 0u);

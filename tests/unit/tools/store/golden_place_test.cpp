@@ -1,4 +1,4 @@
-// Where a scenario's golden file stands.
+// The path of a scenario's golden file.
 #include "tools/store/golden_place.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The summary beside a golden file.
+// The summary of a golden file.
 #include "tools/store/golden_summary.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A child process takes the harm.
+// A harmful file harms a child process only.
 #include "tools/store/isolated_read.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST_F(IsolatedRead, ReportsAReadingThatDoesNotEnd) {
 }
 
 // A parent may ignore or block the signals by which the limits end the child.
-TEST_F(IsolatedRead, IsUnderLimitsWhateverThisProcessInherited) {
+TEST_F(IsolatedRead, IsUnderLimitsRegardlessOfInheritedSignals) {
   sigset_t blocked;
   sigset_t before;
   sigemptyset(&blocked);
@@ -77,7 +77,7 @@ TEST_F(IsolatedRead, IsUnderLimitsWhateverThisProcessInherited) {
 }
 
 TEST_F(IsolatedRead, WithoutAnOutcomeIsNoSuccess) {
-  std::signal(SIGCHLD, SIG_IGN);  // The system then forgets how a child ended.
+  std::signal(SIGCHLD, SIG_IGN);  // The system then discards how a child ended.
   try {
     read_isolated(path_, [] { std::raise(SIGSEGV); });
     ADD_FAILURE() << "should have refused";

@@ -43,7 +43,7 @@ class Refusal : public testing::Test {
   const std::string path_ = folder_.at("run.h5");
 };
 
-TEST_F(Refusal, IsNotMadeOfAWholeFile) {
+TEST_F(Refusal, DoesNotOccurForACompleteFile) {
   EXPECT_EQ(refusal([&] { read_all(path_); }), "");
 }
 
@@ -171,7 +171,7 @@ TEST_F(Refusal, OfATableOfTwoAxes) {
   expect_refused("/trajectory/x");
 }
 
-TEST_F(Refusal, OfNoRows) {
+TEST_F(Refusal, OfAFileWithoutRows) {
   replace("/trajectory/step", H5T_STD_I64LE, {0});
   expect_refused("/trajectory");
 }

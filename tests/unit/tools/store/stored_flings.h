@@ -38,8 +38,8 @@ inline std::vector<Row> rows_of(const TrajectoryFile& file) {
   return rows;
 }
 
-/// The sentence with which reading refuses; empty where it does not. Fails the test for any other
-/// exit code than the one of bad input.
+/// The message of a refused read, empty if it succeeds. Fails the test for any exit code other than
+/// that of bad input.
 inline std::string refusal(const std::function<void()>& read) {
   try {
     read();

@@ -17,7 +17,7 @@ std::vector<Table> some_tables() {
            {{"error", "px", "distance", std::vector<double>{1.5, 2.5}},
             {"rows", "1", "count", std::vector<std::int64_t>{3, 4}},
             {"method", "", "name", std::vector<std::string>{"exact", "the paper's"}}}},
-          {"empty", "none", {{"word", "", "nothing", std::vector<std::string>{}}}}};
+          {"empty", "none", {{"text", "", "nothing", std::vector<std::string>{}}}}};
 }
 
 class StudyFile : public testing::Test {
@@ -51,7 +51,7 @@ TEST_F(StudyFile, HasEqualBytesForEqualContentAndOthersForOther) {
   EXPECT_NE(bytes_of(path_), bytes_of(folder_.at("other.h5")));
 }
 
-TEST_F(StudyFile, IsThereWholeOrNotAtAll) {
+TEST_F(StudyFile, IsCompleteOrMissing) {
   EXPECT_THROW(write_study_file(folder_.at("none/study.h5"), kHead, some_tables()), Failure);
   EXPECT_TRUE(folder_.names().empty());
 }

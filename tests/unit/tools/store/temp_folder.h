@@ -1,4 +1,4 @@
-// A folder that is gone when its test ends.
+// A folder that is removed when its test ends.
 #pragma once
 
 #include <gtest/gtest.h>

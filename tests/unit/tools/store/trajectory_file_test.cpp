@@ -55,7 +55,7 @@ TEST_F(StoredRunFile, HoldsEmptyListsAsDatasetsOfLengthZero) {
         << name;
 }
 
-TEST_F(StoredRunFile, OfNoStepsHoldsTheStart) {
+TEST_F(StoredRunFile, WithoutStepsHoldsTheStart) {
   write_run(path_, fling_at(60.0, 0));
   const std::vector<Row> rows = rows_of(TrajectoryFile(path_));
   ASSERT_EQ(rows.size(), 1u);
@@ -127,7 +127,7 @@ TEST_F(StoredRunFile, IsOpenedHoweverCostlyItsScenario) {
   EXPECT_EQ(jittered.events.size(), 1u);
 }
 
-TEST_F(StoredRunFile, IsNotThereBeforeItIsWhole) {
+TEST_F(StoredRunFile, DoesNotExistBeforeItIsComplete) {
   {
     TrajectoryWriter writer(path_, fling_at(60.0, 10), 10);
     EXPECT_FALSE(std::filesystem::exists(path_));
