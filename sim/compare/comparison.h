@@ -72,9 +72,9 @@ inline constexpr std::array<ContactField, 8> kContactFields = {{
 /// Where two runs part.
 struct Divergence {
   std::int64_t step = 0;  ///< Row number.
-  /// One of kRowFields or kContactFields, or "state" where only a digest tells.
+  /// One of kRowFields or kContactFields, or "state" if only a digest is known.
   std::string field;
-  std::optional<double> expected;  ///< Not known where only a row check or a digest tells.
+  std::optional<double> expected;  ///< Unknown if only a row check or a digest is kept.
   std::optional<double> actual;
   std::optional<std::uint64_t> ulps;
 };

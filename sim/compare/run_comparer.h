@@ -14,8 +14,8 @@ namespace hyrax {
 /// verdict.
 class RunComparer : public RowSink {
  public:
-  /// Plays the rows of a kept block anew from its keyframe: where they give the kept digest they
-  /// are the kept rows, and the differing one can be told exactly.
+  /// Replays the rows of a kept block from its keyframe. If they give the kept digest, they are the kept
+  /// rows, and the row that differs is found exactly.
   using Expand = std::function<RowBlock(const StoredBlock&)>;
 
   /// Refers to `kept`.

@@ -2,7 +2,7 @@
 //
 // Source: "Use of physics in hyrax.exe", section 6. Names, signatures, constants and the order of
 // operations are the paper's; where its words and its listing differ, the listing holds.
-// It stands in a header so that a hot loop keeps the state in registers: called out of line, the
+// It is in a header so that a hot loop keeps the state in registers: called out of line, the
 // state goes through memory at every step.
 #pragma once
 

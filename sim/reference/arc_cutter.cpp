@@ -7,7 +7,7 @@
 namespace hyrax {
 namespace {
 
-// Far beyond what any scenario comes to, and far enough below the largest double for squares.
+// Far beyond the state of any scenario, and far enough below the largest double for squares.
 constexpr double kStateMax = 1e100;
 
 bool is_measurable(const Row& row) {

@@ -9,7 +9,7 @@ double largest(double so_far, double a, double b) {
   return larger(so_far, larger(std::fabs(a), std::fabs(b)));
 }
 
-void see_worst(std::optional<Worst>& worst, std::optional<double> value, std::int64_t step) {
+void include_worst(std::optional<Worst>& worst, std::optional<double> value, std::int64_t step) {
   if (!value) return;
   if (!worst || std::fabs(*value) > std::fabs(worst->value) ||
       (std::isnan(*value) && !std::isnan(worst->value)))
@@ -51,7 +51,7 @@ void ArcMeter::open(const ArcStart& start, bool tells_rows) {
   gathered_ = {};
   gathered_.energy_largest = energy(first_);
   gathered_.coordinate_largest_px = largest(0.0, start.row.x_px, start.row.y_px);
-  gathered_.drift_fit.see(0.0, 0.0);
+  gathered_.drift_fit.add(0.0, 0.0);
   if (check_) check_->start(start, solves_x, gathered_.energy_largest);
   if (tells_rows_) tell_row(first_, {first_, first_, {}}, gathered_.energy_largest, 0.0);
 }
@@ -64,11 +64,11 @@ void ArcMeter::fly(const Row& row) {
   const Position model = solution_.model();
   const double elapsed_s = solution_.elapsed_s();
   Gathered& g = gathered_;
-  g.implementation.see(run.dx_px - discrete.dx_px, run.dy_px - discrete.dy_px);
-  g.implementation_speed.see(run.vx_px_per_s - discrete.vx_px_per_s, run.vy_px_per_s - discrete.vy_px_per_s);
-  g.truncation.see(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px);
-  g.truncation_speed.see(run.vx_px_per_s - matched.vx_px_per_s, run.vy_px_per_s - matched.vy_px_per_s);
-  g.model.see(run.dx_px - model.x_px, run.dy_px - model.y_px);
+  g.implementation.add(run.dx_px - discrete.dx_px, run.dy_px - discrete.dy_px);
+  g.implementation_speed.add(run.vx_px_per_s - discrete.vx_px_per_s, run.vy_px_per_s - discrete.vy_px_per_s);
+  g.truncation.add(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px);
+  g.truncation_speed.add(run.vx_px_per_s - matched.vx_px_per_s, run.vy_px_per_s - matched.vy_px_per_s);
+  g.model.add(run.dx_px - model.x_px, run.dy_px - model.y_px);
   g.coordinate_largest_px = largest(g.coordinate_largest_px, row.x_px, row.y_px);
   g.coordinate_largest_px =
       largest(g.coordinate_largest_px, start_.row.x_px + matched.dx_px, start_.row.y_px + matched.dy_px);
@@ -76,10 +76,10 @@ void ArcMeter::fly(const Row& row) {
   g.energy_largest = larger(g.energy_largest, energy_now);
   g.drift_last = energy_gain(matched, run);
   g.drift_largest = larger(g.drift_largest, std::fabs(g.drift_last));
-  g.drift_fit.see(elapsed_s, g.drift_last);
-  walls_.see(matched, row.dt_s, elapsed_s);
+  g.drift_fit.add(elapsed_s, g.drift_last);
+  walls_.add(matched, row.dt_s, elapsed_s);
   if (is_astray(row)) ++g.steps_astray;
-  if (check_) check_->see({matched, energy_now, energy_gain(first_, matched)}, row.dt_s, elapsed_s);
+  if (check_) check_->check_row({matched, energy_now, energy_gain(first_, matched)}, row.dt_s, elapsed_s);
   last_ = row;
   if (tells_rows_) tell_row(run, {discrete, matched, model}, energy_now, g.drift_last);
 }
@@ -88,9 +88,9 @@ void ArcMeter::end(ArcEnd ended_by, const Row* clamped) {
   ArcErrors arc = arc_errors(ended_by);
   const std::vector<ImpactErrors> met = contacts(clamped, arc);
   verify(arc);
-  take_in(arc);
+  add_to_summary(arc);
   sink_.arc(arc);
-  tell(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
+  report_contacts(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
 }
 
 void ArcMeter::bounce(const ArcStart& start, const Row& flown, const Row& clamped) {
@@ -100,7 +100,7 @@ void ArcMeter::bounce(const ArcStart& start, const Row& flown, const Row& clampe
   const std::vector<ImpactErrors> met = contacts(&clamped, arc);
   verify(arc);
   count_fault(arc);
-  tell(met, (clamped.contact & kRestBit) != 0);
+  report_contacts(met, (clamped.contact & kRestBit) != 0);
 }
 
 // In a corner x before y.
@@ -112,9 +112,9 @@ std::vector<ImpactErrors> ArcMeter::contacts(const Row* clamped, const ArcErrors
   return met;
 }
 
-void ArcMeter::tell(const std::vector<ImpactErrors>& contacts, bool is_stopped) {
+void ArcMeter::report_contacts(const std::vector<ImpactErrors>& contacts, bool is_stopped) {
   for (const ImpactErrors& contact : contacts) {
-    take_in(contact, is_stopped && contact.wall == Wall::ground);
+    add_to_summary(contact, is_stopped && contact.wall == Wall::ground);
     sink_.contact(contact);
   }
 }
@@ -193,7 +193,7 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
 // Once the arc and its contacts are measured.
 void ArcMeter::verify(ArcErrors& arc) {
   if (check_) {
-    check_->see_model(solution_.model(), solution_.elapsed_s());
+    check_->check_model(solution_.model(), solution_.elapsed_s());
     arc.gsl_vs_closed_px = check_->apart_px();
     arc.reference_fault = check_->fault(arc.coordinate_largest_px);
   }
@@ -218,7 +218,7 @@ ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErr
       contact.effective_restitution = speed_after(wall, clamped) / impact->speed_px_per_s;
     impact->t_s = clamped.dt_s - *contact.time_error_s;  // What is reported is what is checked.
   }
-  if (check_) check_->see_impact(wall, clamped.dt_s, impact);
+  if (check_) check_->check_impact(wall, clamped.dt_s, impact);
   return contact;
 }
 
@@ -256,27 +256,27 @@ void ArcMeter::count_fault(const ArcErrors& arc) {
   s.first_reference_fault = arc.reference_fault;
 }
 
-void ArcMeter::take_in(const ArcErrors& arc) {
+void ArcMeter::add_to_summary(const ArcErrors& arc) {
   DriftSummary& s = summary_;
   ++s.arcs;
   if (!arc.solves_x) ++s.arcs_without_x;
   s.steps_astray += arc.steps_astray;
   count_fault(arc);
-  see_worst(s.implementation_px, arc.implementation_px, arc.first_step);
-  see_worst(s.truncation_px, arc.truncation_px, arc.first_step);
-  see_worst(s.model_px, arc.model_px, arc.first_step);
-  see_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
-  see_worst(s.energy_drift_max_px2_per_s2, arc.energy_drift_max_px2_per_s2, arc.first_step);
-  see_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
-  see_worst(s.gsl_vs_closed_px, arc.gsl_vs_closed_px, arc.first_step);
+  include_worst(s.implementation_px, arc.implementation_px, arc.first_step);
+  include_worst(s.truncation_px, arc.truncation_px, arc.first_step);
+  include_worst(s.model_px, arc.model_px, arc.first_step);
+  include_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
+  include_worst(s.energy_drift_max_px2_per_s2, arc.energy_drift_max_px2_per_s2, arc.first_step);
+  include_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
+  include_worst(s.gsl_vs_closed_px, arc.gsl_vs_closed_px, arc.first_step);
 }
 
-void ArcMeter::take_in(const ImpactErrors& contact, bool is_stopped) {
+void ArcMeter::add_to_summary(const ImpactErrors& contact, bool is_stopped) {
   DriftSummary& s = summary_;
   ++s.contacts;
-  see_worst(s.time_error_s, contact.time_error_s, contact.step);
-  see_worst(s.overshoot_px, contact.overshoot_px, contact.step);
-  see_worst(s.energy_jump_rel, contact.energy_jump_rel, contact.step);
+  include_worst(s.time_error_s, contact.time_error_s, contact.step);
+  include_worst(s.overshoot_px, contact.overshoot_px, contact.step);
+  include_worst(s.energy_jump_rel, contact.energy_jump_rel, contact.step);
   if (contact.effective_restitution && !is_stopped)
     s.effective_restitution.add(*contact.effective_restitution);
 }

@@ -15,7 +15,7 @@ namespace hyrax {
 /// Slope of a least-squares line with intercept, of values that come in.
 class LineFit {
  public:
-  void see(double t_s, double value) {
+  void add(double t_s, double value) {
     ++count_;
     t_ += t_s;
     value_ += value;
@@ -78,9 +78,9 @@ class ArcMeter final : public ArcVisitor {
   [[nodiscard]] double overshoot_px(Wall wall, double dt_s) const;
   [[nodiscard]] Flight seen_from_start(const Row& row) const;
   void count_fault(const ArcErrors& arc);
-  void take_in(const ArcErrors& arc);
-  void take_in(const ImpactErrors& contact, bool is_stopped);
-  void tell(const std::vector<ImpactErrors>& contacts, bool is_stopped);
+  void add_to_summary(const ArcErrors& arc);
+  void add_to_summary(const ImpactErrors& contact, bool is_stopped);
+  void report_contacts(const std::vector<ImpactErrors>& contacts, bool is_stopped);
 
   Model model_;
   DriftSink& sink_;

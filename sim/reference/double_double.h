@@ -3,7 +3,7 @@
 // Sources: T. J. Dekker, "A floating-point technique for extending the available precision",
 // Numer. Math. 18:224-242, 1971; M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error
 // bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017, whose
-// algorithm numbers stand at the functions. Relies on uncontracted arithmetic.
+// algorithm numbers are given at the functions. Relies on uncontracted arithmetic.
 #pragma once
 
 namespace hyrax {

@@ -12,7 +12,7 @@ constexpr double larger(double a, double b) { return b > a || b != b ? b : a; }
 /// The largest of many distances; the root is taken once.
 class LargestDistance {
  public:
-  void see(double dx, double dy) {
+  void add(double dx, double dy) {
     const double squared = dx * dx + dy * dy;
     if (!(squared > squared_) && squared == squared) return;
     if (squared_ != squared_) return;
@@ -40,7 +40,7 @@ class LargestDistance {
 /// hypot(dx, dy).
 [[nodiscard]] inline double distance(double dx, double dy) {
   LargestDistance one;
-  one.see(dx, dy);
+  one.add(dx, dy);
   return one.value();
 }
 

@@ -83,14 +83,14 @@ void MarginMeter::decide_walls(const Row& row, bool is_x, const Axis& axis, cons
   const Decision far = is_x ? Decision::right : Decision::ground;
   const double inside_near_px = step.from_px + step.move_px;
   if (touches(row.contact, is_x ? Wall::left : Wall::top))
-    return see(near, row, true, is_x, -inside_near_px, -1.0, axis.position);
-  see(near, row, false, is_x, inside_near_px, 1.0, axis.position);
+    return consider(near, row, true, is_x, -inside_near_px, -1.0, axis.position);
+  consider(near, row, false, is_x, inside_near_px, 1.0, axis.position);
   const double far_px = is_x ? playback_.bounds().right_px : playback_.bounds().bottom_px;
   const double inside_far_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
   if (touches(row.contact, is_x ? Wall::right : Wall::ground))
-    see(far, row, true, is_x, -inside_far_px, 1.0, axis.position);
+    consider(far, row, true, is_x, -inside_far_px, 1.0, axis.position);
   else
-    see(far, row, false, is_x, inside_far_px, -1.0, axis.position);
+    consider(far, row, false, is_x, inside_far_px, -1.0, axis.position);
 }
 
 void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {
@@ -110,15 +110,15 @@ void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {
   const bool is_stopped = (row.contact & kRestBit) != 0;
   const double above = std::fabs(vy) - model_.rest_threshold_px_per_s;
   const double outwards = std::copysign(1.0, vy);
-  see(Decision::rest, row, is_stopped, false, is_stopped ? -above : above, is_stopped ? -outwards : outwards,
-      y_.speed);
+  consider(Decision::rest, row, is_stopped, false, is_stopped ? -above : above,
+           is_stopped ? -outwards : outwards, y_.speed);
   if (is_stopped) y_.speed = {};
 }
 
 // @param distance >= 0 to where the decision falls otherwise; @param sign of its change with the
 // quantity whose slope is given.
-void MarginMeter::see(Decision decision, const Row& row, bool is_taken, bool is_x, double distance,
-                      double sign, const Slope& slope) {
+void MarginMeter::consider(Decision decision, const Row& row, bool is_taken, bool is_x, double distance,
+                           double sign, const Slope& slope) {
   const double steepness = std::fabs(slope.by_position) + std::fabs(slope.by_speed);
   if (steepness == 0.0) return;
   const double kept = std::max(0.0, distance);

@@ -45,10 +45,10 @@ struct Margin {
 };
 
 /// One pass over the rows. At given dt and sizes the step is piecewise affine, and the branches it
-/// took stand in the rows; so what a decision looks at is an affine function of the start, with the
+/// took are in the rows; so what a decision looks at is an affine function of the start, with the
 /// Jacobian's row as slope, and falls the same way within |value| / |slope|_1. x and y meet only in
 /// the ground's friction, which is a factor, so that the 4 x 4 Jacobian is two 2 x 2 blocks. Exact
-/// but for rounding, also of the run itself.
+/// except for rounding, also of the run itself.
 class MarginMeter final : public RowSink {
  public:
   /// @param inputs of the scenario, as they were applied.
@@ -87,8 +87,8 @@ class MarginMeter final : public RowSink {
                 double dt_s) const;
   void decide_walls(const Row& row, bool is_x, const Axis& axis, const Unclamped& step);
   void clamp(const Row& row, double vy_unclamped_px_per_s);
-  void see(Decision decision, const Row& row, bool is_taken, bool is_x, double distance, double sign,
-           const Slope& slope);
+  void consider(Decision decision, const Row& row, bool is_taken, bool is_x, double distance, double sign,
+                const Slope& slope);
 
   InputPlayback playback_;
   Model model_;

@@ -4,7 +4,7 @@
 namespace hyrax {
 
 /// Source: "Use of physics in hyrax.exe", table 1. The reference never sees the shipped core, so
-/// these numbers stand here a second time, and other numbers make a test double: air_drag = 1 for
+/// these numbers are repeated here, and tests use others: air_drag = 1 for
 /// flight without drag, another air_drag with its model_rate_hz for drag that is normalised by rate.
 struct Model {
   double gravity_px_per_s2 = 1200.0;     ///< Downwards, >= 0.

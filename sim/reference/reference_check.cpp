@@ -32,10 +32,10 @@ void ReferenceCheck::start(const ArcStart& start, bool solves_x, double energy_p
   drag_taken_ = {};
   first_energy_ = energy_px2_per_s2;
   gathered_ = {};
-  see_sizes(squared(last_), energy_px2_per_s2);
+  include_sizes(squared(last_), energy_px2_per_s2);
 }
 
-void ReferenceCheck::see_sizes(double speed_squared, double energy_px2_per_s2) {
+void ReferenceCheck::include_sizes(double speed_squared, double energy_px2_per_s2) {
   Gathered& g = gathered_;
   g.speed_largest_squared = larger(g.speed_largest_squared, speed_squared);
   g.energy_largest_px2_per_s2 = larger(g.energy_largest_px2_per_s2, std::fabs(energy_px2_per_s2));
@@ -52,13 +52,13 @@ double ReferenceCheck::drag_loss(const Velocity& from, const Velocity& to, doubl
   return drag_ * (0.5 * (from_2 + to_2) + (from_slope - to_slope) / 12.0);
 }
 
-void ReferenceCheck::see(const Closed& closed, double dt_s, double elapsed_s) {
+void ReferenceCheck::check_row(const Closed& closed, double dt_s, double elapsed_s) {
   Gathered& g = gathered_;
   if (g.has_failed) return;
   g.has_failed = !solver_.advance(dt_s);
   const Flight solved = solver_.flight();
-  g.position.see(solved.dx_px - closed.flight.dx_px, solved.dy_px - closed.flight.dy_px);
-  g.velocity.see(solved.vx_px_per_s - closed.flight.vx_px_per_s,
+  g.position.add(solved.dx_px - closed.flight.dx_px, solved.dy_px - closed.flight.dy_px);
+  g.velocity.add(solved.vx_px_per_s - closed.flight.vx_px_per_s,
                  solved.vy_px_per_s - closed.flight.vy_px_per_s);
   const Velocity now = velocity_of(solved);
   drag_taken_ = drag_taken_ + drag_loss(last_, now, dt_s);
@@ -66,23 +66,23 @@ void ReferenceCheck::see(const Closed& closed, double dt_s, double elapsed_s) {
   g.energy_px2_per_s2 = larger(g.energy_px2_per_s2, std::fabs(closed.energy_gain_px2_per_s2 - gain));
   g.energy_px2_per_s2 =
       larger(g.energy_px2_per_s2, std::fabs((closed.energy_px2_per_s2 - first_energy_) - gain));
-  see_sizes(squared(now), closed.energy_px2_per_s2);
+  include_sizes(squared(now), closed.energy_px2_per_s2);
   last_ = now;
-  walls_.see(solved, dt_s, elapsed_s);
+  walls_.add(solved, dt_s, elapsed_s);
   g.elapsed_s = elapsed_s;
 }
 
-void ReferenceCheck::see_model(const Position& displacement, double t_s) {
+void ReferenceCheck::check_model(const Position& displacement, double t_s) {
   if (gathered_.has_failed) return;
   const std::optional<Flight> solved = solver_.model(t_s);
   gathered_.has_failed = !solved;
-  if (solved) gathered_.model.see(solved->dx_px - displacement.x_px, solved->dy_px - displacement.y_px);
+  if (solved) gathered_.model.add(solved->dx_px - displacement.x_px, solved->dy_px - displacement.y_px);
 }
 
 // A time by itself is worth nothing where a wall is only grazed; times the speed it is a distance. So is
 // how far one solution goes past a wall that the other does not reach: through v^2 / 2g of height, or in
 // the time that was left.
-void ReferenceCheck::see_impact(Wall wall, double clamped_dt_s, const std::optional<Impact>& closed) {
+void ReferenceCheck::check_impact(Wall wall, double clamped_dt_s, const std::optional<Impact>& closed) {
   Gathered& g = gathered_;
   if (g.has_failed) return;
   const std::optional<Impact> solved = walls_.impact(wall, clamped_dt_s);

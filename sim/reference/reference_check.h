@@ -30,11 +30,11 @@ class ReferenceCheck {
   void start(const ArcStart& start, bool solves_x, double energy_px2_per_s2);
   /// Compares position, velocity and energy after one more frame. By the work-energy theorem the energy
   /// can only change by what drag takes, which is summed up from the solver's velocities.
-  void see(const Closed& closed, double dt_s, double elapsed_s);
+  void check_row(const Closed& closed, double dt_s, double elapsed_s);
   /// Compares the flight at the drag rate of the model, t_s after the arc's first row.
-  void see_model(const Position& displacement, double t_s);
+  void check_model(const Position& displacement, double t_s);
   /// Compares where the flight goes out through `wall`.
-  void see_impact(Wall wall, double clamped_dt_s, const std::optional<Impact>& closed);
+  void check_impact(Wall wall, double clamped_dt_s, const std::optional<Impact>& closed);
 
   /// The largest distance of both solutions in px: of rows, and of the model's last position. None
   /// where the solver failed.
@@ -54,7 +54,7 @@ class ReferenceCheck {
     bool has_failed = false;
   };
   [[nodiscard]] double drag_loss(const Velocity& from, const Velocity& to, double dt_s) const;
-  void see_sizes(double speed_squared, double energy_px2_per_s2);
+  void include_sizes(double speed_squared, double energy_px2_per_s2);
 
   FlightSolver& solver_;
   double gravity_;

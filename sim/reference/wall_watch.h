@@ -25,7 +25,7 @@ class WallWatch {
 
   void start(const ArcStart& start);
   /// The matched ODE came to `now` in a frame of dt.
-  void see(const Flight& now, double dt_s, double elapsed_s) {
+  void add(const Flight& now, double dt_s, double elapsed_s) {
     if (dt_s > 0.0) {
       if (is_any_outside_ || is_out(now) || may_touch_top(now, dt_s)) look(now, dt_s);
       rate_dt_s_ = dt_s;

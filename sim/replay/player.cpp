@@ -81,8 +81,7 @@ void Replay::Player::apply_events() {
   }
 }
 
-// Frames that the block takes; a block's first row comes alone, so that the state stands still there
-// while its keyframe is kept.
+// Frames that the block has room for. Its first row is played alone, so that its keyframe is of that row.
 std::int64_t Replay::Player::room() const {
   return block_.size() == 0 && tee_.wants_blocks() ? 1 : static_cast<std::int64_t>(block_.room());
 }

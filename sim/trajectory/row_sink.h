@@ -51,8 +51,7 @@ class RowSink {
   virtual void contact_ended(std::int64_t /*index*/, std::int64_t /*last_step*/) {}
   /// Called once, as soon as a replay finds that the run repeats itself to its end.
   virtual void repeats(const Repetition& /*repetition*/) {}
-  /// A complete block, or the same block `count` times over: equal digests, equal states but for
-  /// step and time.
+  /// A complete block, or `count` blocks that are equal except for step and time.
   virtual void block(const Block& /*block*/, std::int64_t /*count*/) {}
 };
 

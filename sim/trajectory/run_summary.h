@@ -22,7 +22,8 @@ struct RestAnchor {
   double y_px = 0.0;
   double t_s = 0.0;
 
-  /// Whether a row so far away becomes the anchor; then it does, but for its time.
+  /// Whether a row at this position becomes the anchor. If so, the anchor moves there; its time is the
+  /// caller's.
   bool moves_to(double row_x_px, double row_y_px) {
     if (!(std::fabs(row_x_px - x_px) > kStill_px) && !(std::fabs(row_y_px - y_px) > kStill_px)) return false;
     x_px = row_x_px;

@@ -22,8 +22,8 @@ inline constexpr std::int64_t kStoredRowsMax = 2000;
 /// Only so many distinct blocks keep row checks, so that a golden file stays small.
 inline constexpr std::size_t kCheckedBlocksMax = 16;
 
-/// A byte for each of dt, x, y, vx, vy and contact: tells which row and field of a block differ
-/// where the digest can only say that one does. A difference goes unseen in 1 of 256.
+/// A byte for each of dt, x, y, vx, vy and contact: finds which row and field of a block differ, if the
+/// digest differs. It misses 1 difference in 256.
 using RowCheck = std::array<std::uint8_t, 6>;
 [[nodiscard]] RowCheck check_of(const Row& row);
 

@@ -4,9 +4,9 @@
 import json
 import os
 import re
-import subprocess
 
 from altered import ALTERED
+from process import run
 from program import ProgramTest, main
 
 STEPS = 3000
@@ -18,10 +18,9 @@ class Replays(ProgramTest):
     def updates(self, *arguments):
         """How many updates `hyrax-sim ARGUMENTS` makes."""
         environment = {**os.environ, "HYRAX_ALTERED_CORE": "none", "HYRAX_COUNT_UPDATES": "1"}
-        done = subprocess.run([str(ALTERED), *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
-                              check=False, stdin=subprocess.DEVNULL, timeout=60, env=environment)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return int(re.search(r"^updates: (\d+)$", done.stderr, re.MULTILINE).group(1))
+        outcome = run(ALTERED, *arguments, cwd=self.folder, env=environment)
+        self.assertEqual(outcome.exit_code, 0, outcome)
+        return int(re.search(r"^updates: (\d+)$", outcome.err, re.MULTILINE).group(1))
 
     def scenario(self):
         """A run that never repeats, which bounds an error against the reference."""

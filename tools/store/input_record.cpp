@@ -1,11 +1,14 @@
 #include "tools/store/input_record.h"
 
+#include <array>
 #include <cassert>
 
 namespace hyrax {
 namespace {
 
 enum Code : std::uint8_t { fling, place, stop, resize_window, resize_sprite, hitch, grab, release };
+constexpr std::array<std::string_view, 8> kNames = {"fling",         "place", "stop", "resize-window",
+                                                    "resize-sprite", "hitch", "grab", "release"};
 
 struct RecordOf {
   std::int64_t frame;
@@ -64,10 +67,12 @@ Action action_of(const InputRecord& record) {
 
 }  // namespace
 
+std::span<const std::string_view> input_kind_names() { return kNames; }
+
 InputRecord record_of(const Input& input) { return std::visit(RecordOf{input.frame}, input.action); }
 
 std::optional<Input> input_of(const InputRecord& record) {
-  if (record.kind >= kInputKindNames.size()) return std::nullopt;
+  if (record.kind >= kNames.size()) return std::nullopt;
   const Input input{record.frame, action_of(record)};
   const InputRecord again = record_of(input);
   const bool is_same = same_bits(again.a, record.a) && same_bits(again.b, record.b);

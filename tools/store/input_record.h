@@ -1,18 +1,17 @@
 // An input as the group /events of a file has it: a code of its kind, and two numbers.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "sim/scenario/schedule.h"
 
 namespace hyrax {
 
-/// By code.
-inline constexpr std::array<std::string_view, 8> kInputKindNames = {
-    "fling", "place", "stop", "resize-window", "resize-sprite", "hitch", "grab", "release"};
+/// Names of the kinds, by code.
+[[nodiscard]] std::span<const std::string_view> input_kind_names();
 
 /// `a` and `b`: a velocity, a position, a size, or a dt; 0 where the kind has no number.
 struct InputRecord {

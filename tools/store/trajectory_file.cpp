@@ -233,12 +233,12 @@ std::vector<Input> TrajectoryFile::inputs() const {
   const auto bs = b.read<double>(H5T_NATIVE_DOUBLE, 0, count);
   std::vector<Input> inputs;
   for (std::size_t index = 0; index < frames.size(); ++index) {
-    if (kinds[index] >= kInputKindNames.size())
+    if (kinds[index] >= input_kind_names().size())
       refuse("/events/kind: unknown code (found " + std::to_string(kinds[index]) + "); allowed: 0 .. 7");
     const auto input = input_of({frames[index], kinds[index], as[index], bs[index]});
     if (!input)
       refuse("/events: input " + std::to_string(index) + ": its numbers do not fit its kind, " +
-             std::string(kInputKindNames[kinds[index]]));
+             std::string(input_kind_names()[kinds[index]]));
     inputs.push_back(*input);
   }
   return inputs;

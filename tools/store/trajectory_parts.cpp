@@ -46,7 +46,7 @@ bool write_column(const h5::Handle& dataset, hid_t memory_type, const std::vecto
 
 // The meaning and unit of a and b depend on the kind.
 void describe_numbers(hid_t kind, hid_t a, hid_t b) {
-  h5::write_enum_flags(kind, kInputKindNames);
+  h5::write_enum_flags(kind, input_kind_names());
   h5::write_attribute(kind, "long_name", "kind of the input");
   h5::write_attribute(
       a, "long_name",
@@ -59,7 +59,7 @@ void describe_numbers(hid_t kind, hid_t a, hid_t b) {
 
 bool write_inputs(hid_t file, const std::vector<InputRecord>& inputs) {
   const h5::Handle group = h5::create_group(file, "events");
-  const h5::Handle kind_type = h5::enum_type(kInputKindNames);
+  const h5::Handle kind_type = h5::enum_type(input_kind_names());
   const auto make = [&](const char* name, hid_t type) {
     return h5::create_dataset(group, name, type, {inputs.size()});
   };

@@ -81,8 +81,8 @@ std::optional<double> value_of(const std::optional<Worst>& worst) {
 
 // Against the closed form alone, in one more run.
 RunErrors errors_of(const Scenario& scenario, std::int64_t steps) {
-  DriftSink nobody;
-  DriftMeter meter(scenario, inputs_of(scenario, steps), nobody);
+  DriftSink discard;
+  DriftMeter meter(scenario, inputs_of(scenario, steps), discard);
   replay(scenario, meter);
   const DriftSummary drift = meter.finish();
   return {value_of(drift.implementation_px), value_of(drift.truncation_px),
@@ -117,8 +117,8 @@ HardCaseResult play_hard_case(const HardCase& hard_case,
   const auto record = [&](Invariant invariant, double margin) {
     result.measures[static_cast<std::size_t>(invariant)].add(margin, watched.steps);
   };
-  RowSink nobody;
-  record(Invariant::repeated, zero_or_less(replay(scenario, nobody).state_hash == watched.state_hash));
+  RowSink discard;
+  record(Invariant::repeated, zero_or_less(replay(scenario, discard).state_hash == watched.state_hash));
   record(Invariant::resumed, zero_or_less(resumed_digest(scenario) == watched.state_hash));
   if (hard_case.must_come_to_rest)
     record(Invariant::comes_to_rest, rest_margin(watched, watch.last_speed_px_per_s()));

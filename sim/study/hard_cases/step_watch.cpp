@@ -97,7 +97,7 @@ void StepWatch::check_bounds(const Step& step) {
          step.row.step);
 }
 
-// With e = (vx^2 + vy^2) / 2 + G (bottom - y), a = air drag <= 1 and u = vy + G h, a flight step comes to
+// With e = (vx^2 + vy^2) / 2 + G (bottom - y), a = air drag <= 1 and u = vy + G h, a flight step gives
 // vy' = a u, y' = y + h vy', and so
 //   e' - e <= (a^2 - 1) u^2 / 2 + (1 - a) G h u - (G h)^2 / 2,
 // which is largest at u = G h / (1 + a): a flight step loses at least a (G h)^2 / (1 + a), whatever its
@@ -122,7 +122,7 @@ void StepWatch::check_step_energy(const Step& step) {
 }
 
 // In y alone, e = vy^2 / 2 + G (bottom - y), and c = restitution * drag < 1. Flight and ceiling lower it. A
-// step that ends on the ground comes to at most (c (v + G h))^2 / 2 with v^2 / 2 <= e; and c (v + G h) <= v
+// step that ends on the ground has at most (c (v + G h))^2 / 2 with v^2 / 2 <= e; and c (v + G h) <= v
 // as soon as v >= c G h / (1 - c). So e never exceeds the larger of what it was after the last input and
 //   (c G h / (1 - c))^2 / 2, the energy of the residual speed, h the longest frame since.
 // A core of c >= 1 must stay below its start. Rounding adds up over the steps.

@@ -148,8 +148,8 @@ struct ExactFlight {
   double fall_px_ = 0.0;
 };
 
-// A flight frame by frame, and after each the walls, as the paper's step has them but for one thing: the
-// friction of a sprite that lies on the ground is taken by time.
+// A flight frame by frame, and after each the walls, as the paper's step has them, with one exception: the
+// friction of a sprite on the ground is taken by time.
 template <class Flight>
 class FrameMethod final : public Method {
  public:

@@ -25,15 +25,15 @@ State with_inputs(const Stage& stage, State motion) {
   return motion;
 }
 
-// When a method that goes by frames met walls: where it stands on one on which it did not stand before.
+// Impacts of a method that goes by frames: rows on a wall on which the row before was not.
 class ContactWatch {
  public:
-  ContactWatch(const State& start, const Bounds& bounds) : bounds_(bounds), stood_(walls_of(start)) {}
+  ContactWatch(const State& start, const Bounds& bounds) : bounds_(bounds), was_on_(walls_of(start)) {}
   void add_row(const State& motion, double t_s) {
-    const std::array<bool, 4> stands = walls_of(motion);
-    for (std::size_t wall = 0; wall < stands.size(); ++wall)
-      if (stands[wall] && !stood_[wall]) impacts_.push_back({t_s, kWalls[wall]});
-    stood_ = stands;
+    const std::array<bool, 4> is_on = walls_of(motion);
+    for (std::size_t wall = 0; wall < is_on.size(); ++wall)
+      if (is_on[wall] && !was_on_[wall]) impacts_.push_back({t_s, kWalls[wall]});
+    was_on_ = is_on;
   }
   [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
 
@@ -42,7 +42,7 @@ class ContactWatch {
     return {m.x_px == 0.0, m.x_px == bounds_.right_px, m.y_px == 0.0, m.y_px == bounds_.bottom_px};
   }
   Bounds bounds_;
-  std::array<bool, 4> stood_;
+  std::array<bool, 4> was_on_;
   std::vector<ExactImpact> impacts_;
 };
 

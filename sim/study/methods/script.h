@@ -42,10 +42,10 @@ struct Omitted {
   [[nodiscard]] bool has_input(std::size_t input) const { return input < inputs.size() && inputs[input]; }
 };
 
-/// Plays the script, or its first `frames_max` frames; `see(state, contact)` gets every row but the first.
-template <class PartSet, class See>
+/// Plays the script, or its first `frames_max` frames; `on_row(state, contact)` gets every row but the first.
+template <class PartSet, class OnRow>
 void play(const Script& script, const Constants& constants, const Omitted& omitted, const PartSet& parts,
-          const See& see, std::size_t frames_max = kScriptFramesMax) {
+          const OnRow& on_row, std::size_t frames_max = kScriptFramesMax) {
   const std::vector<double>& frames_s = omitted.jitter ? script.even_frames_s : script.frames_s;
   World world = script.start;
   auto event = script.events.begin();
@@ -59,7 +59,7 @@ void play(const Script& script, const Constants& constants, const Omitted& omitt
       }
     std::uint8_t contact = 0;
     if (!world.is_held) contact = ListingStep(constants, parts, world.bounds())(world.state, dt_s);
-    see(world.state, contact);
+    on_row(world.state, contact);
   }
 }
 

@@ -8,7 +8,7 @@ import dataclasses
 import re
 
 _TOKEN = re.compile(r"""
-    (?P<skipped>\s+|//[^\n]*|/\*.*?\*/|^[ \t]*\#[^\n]*)
+    (?P<skipped>\s+|//[^\n]*|/\*.*?\*/|^[ \t]*\#[^\n]*|\bassert\s*\([^;]*;)  # Asserts are not in a release build.
   | (?P<text>R"(?P<fence>[^(\s]*)\(.*?\)(?P=fence)"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*')
   | (?P<number>0[xX][0-9A-Fa-f.']+(?:[pP][+-]?\d+)?[uUlL]*|\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?[uUlLfF]*)
   | (?P<word>[A-Za-z_]\w*)

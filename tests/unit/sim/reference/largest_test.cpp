@@ -19,7 +19,7 @@ TEST(Larger, IsNanOnceOneIs) {
 
 double largest(std::initializer_list<double> differences) {
   LargestDistance distance;
-  for (const double dx : differences) distance.see(dx, 0.0);
+  for (const double dx : differences) distance.add(dx, 0.0);
   return distance.value();
 }
 

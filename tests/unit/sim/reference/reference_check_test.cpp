@@ -48,15 +48,15 @@ std::string_view fault_of(const Closed& closed) {
     Flight flight = solution.matched();
     closed.flight(flight);
     const double rise = -kGravity * flight.dy_px;
-    check.see({flight, kinetic(flight) + closed.height_sign * rise,
-               kinetic(flight) - kinetic(first) + closed.gain_height_sign * rise},
-              kFrame_s, solution.elapsed_s());
-    walls.see(flight, kFrame_s, solution.elapsed_s());
+    check.check_row({flight, kinetic(flight) + closed.height_sign * rise,
+                     kinetic(flight) - kinetic(first) + closed.gain_height_sign * rise},
+                    kFrame_s, solution.elapsed_s());
+    walls.add(flight, kFrame_s, solution.elapsed_s());
   }
-  check.see_model(solution.model(), solution.elapsed_s());
+  check.check_model(solution.model(), solution.elapsed_s());
   std::optional<Impact> impact = walls.impact(Wall::ground, kFrame_s);
   closed.impact(impact);
-  check.see_impact(Wall::ground, kFrame_s, impact);
+  check.check_impact(Wall::ground, kFrame_s, impact);
   return check.fault(kHeight_px);
 }
 

@@ -26,8 +26,8 @@ TEST(InputRecord, HasThePublishedCodesAndNumbers) {
   expect(Hitch{0.5}, 5, 0.5, 0.0);
   expect(Grab{}, 6, 0.0, 0.0);
   expect(Release{{6.0, 7.0}}, 7, 6.0, 7.0);
-  EXPECT_EQ(kInputKindNames[4], "resize-sprite");
-  EXPECT_EQ(kInputKindNames[7], "release");
+  EXPECT_EQ(input_kind_names()[4], "resize-sprite");
+  EXPECT_EQ(input_kind_names()[7], "release");
 }
 
 TEST(InputRecord, ThatNoInputHasIsNone) {

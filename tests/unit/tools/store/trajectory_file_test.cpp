@@ -35,9 +35,9 @@ TEST_F(StoredRunFile, HoldsRowsContactsAndInputsBitForBit) {
 TEST_F(StoredRunFile, HoldsInputsOfEveryKind) {
   Scenario scenario = eventful_fling();
   write_run(path_, scenario);
-  std::vector<bool> is_seen(kInputKindNames.size());
+  std::vector<bool> is_seen(input_kind_names().size());
   for (const Input& input : TrajectoryFile(path_).inputs()) is_seen.at(record_of(input).kind) = true;
-  EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(kInputKindNames));
+  EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(input_kind_names()));
 }
 
 TEST_F(StoredRunFile, HoldsEmptyListsAsDatasetsOfLengthZero) {
