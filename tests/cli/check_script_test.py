@@ -30,7 +30,7 @@ class CheckScript(ProgramTest):
         self.write_build(f"cp {PROGRAM} bin/hyrax-sim")
 
     def write_build(self, command):
-        """The program is made by a command, whenever sim/source.txt changed."""
+        """A command makes the program whenever sim/source.txt has changed."""
         self.write("build/tools/build.ninja",
                    f"rule make\n  command = {command}\nbuild bin/hyrax-sim: make ../../sim/source.txt\n"
                    "build hyrax-sim: phony bin/hyrax-sim\n")

@@ -44,7 +44,7 @@ class CheckTest(ProgramTest):
 
 
 class Verdict(CheckTest):
-    """What `check` finds."""
+    """Verdicts of `check`."""
 
     def test_the_default_is_scenarios_and_golden_of_this_folder(self):
         outcome = self.expect(AGREED, "check")
@@ -419,7 +419,7 @@ class Unreferenced(CheckTest):
 
 
 class Workers(CheckTest):
-    """Threads that cannot be made leave the work to those that can."""
+    """If some threads cannot be started, the others do the work."""
 
     def test_without_any_thread_all_verdicts_are_given(self):
         one = self.expect(AGREED, "check", "--json", "--jobs", "1").out
@@ -492,7 +492,7 @@ class Suggested(CheckTest):
 
 
 class Seal(CheckTest):
-    """A digest's seal spares reading the golden file, and must never hide what is wrong with it."""
+    """A digest's seal makes reading the golden file unnecessary, and must never hide a fault in it."""
 
     def setUp(self):
         super().setUp()

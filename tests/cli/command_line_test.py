@@ -164,7 +164,7 @@ class OneDocument(ProgramTest):
 
 
 class Terminal(ProgramTest):
-    """What a terminal obeys is printed escaped."""
+    """Control characters are printed escaped."""
 
     SHOWN = r"a\u001b[31m\u007f\u009b1m\x9b\xff.json"
 

@@ -66,7 +66,7 @@ class Block:
         return [line[2:] for line in self.body.splitlines() if line.startswith("$ ")]
 
     def comparable(self, text):
-        """The text without what differs from run to run."""
+        """The text without the parts that differ from run to run."""
         return re.sub(self.varies, "VARIES", text, flags=re.MULTILINE) if self.varies else text
 
 
@@ -109,7 +109,7 @@ class Scratch:
         return done.exit_code, done.out
 
     def print_of(self, block):
-        """What the block should print, and its exit code."""
+        """The expected output of the block, and its exit code."""
         core = block.attribute("core", "")
         environment = self.call(pathlib.Path(os.environ["HYRAX_ALTERED_SIM"]).resolve() if core else PROGRAM, core)
         text, exit_code = "", 0

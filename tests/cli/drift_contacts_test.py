@@ -67,7 +67,7 @@ class Axis:
         return (1 - self.rate * self.speed / self.gravity).ln() / self.rate
 
     def crossing(self, wall, outward, t_max):
-        """The first time in 0 .. t_max at which it goes from the inside out."""
+        """The first time in 0 .. t_max at which it leaves the inside."""
         def past(t):
             return outward * (self.at(t)[0] - wall)
         turn = self.turn()
@@ -109,7 +109,7 @@ class Arc:
         return max(((vx**2 + vy**2) / 2 + GRAVITY * (BOTTOM_PX - y) for _, y, vx, vy in self.states), default=D(0))
 
     def impact(self, wall):
-        """Time before the clamped row at which it goes out through the wall, and the speed there."""
+        """Time before the clamped row at which it crosses the wall, and the speed there."""
         index = 0 if wall in (LEFT, RIGHT) else 1
         place, outward = {LEFT: (0, -1), RIGHT: (RIGHT_PX, 1), TOP: (0, -1), GROUND: (BOTTOM_PX, 1)}[wall]
         frames = [D(float(dt)) for dt in self.rows["dt"][self.first + 1:self.last + 2]]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What is kept of a drift: in files, in `run`, in expectations, in digests and in pictures."""
+"""Results of a drift: in files, in `run`, in expectations, in digests and in pictures."""
 
 import itertools
 import json
@@ -16,7 +16,7 @@ class Stored(DriftTest):
     """The groups /reference and /drift."""
 
     def groups(self, *arguments, **changes):
-        """The file of a throw, measured as it was played."""
+        """The file of a throw, measured during the run."""
         self.write("fling.json", fling(**changes))
         self.expect(AGREED, "run", "fling.json", "--drift", *arguments)
         return h5py.File(self.folder / "fling.h5")

@@ -1,4 +1,4 @@
-"""What the tests of `drift` share: its document's shape, a flight, and how it is run."""
+"""Shared by the tests of `drift`: the shape of its document, a flight, and how it is run."""
 
 from program import AGREED, NUMBER, Maybe, ProgramTest, fling
 
@@ -33,6 +33,6 @@ class DriftTest(ProgramTest):
         return self.drift(self.write("scenario.json", document), *arguments)[0]
 
     def errors(self, run):
-        """What does not depend on the machine's speed."""
+        """The part that does not depend on the machine's speed."""
         return {key: run[key] for key in ("arcs", "contacts", "skipped_arcs", "worst", "effective_restitution",
                                           "margin", "steps_astray")}

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`drift`: what is measured, and how it is printed."""
+"""`drift`: its measurements and its output."""
 
 import fractions
 import math
@@ -207,7 +207,7 @@ class Table(DriftTest):
 
 
 class EveryScenario(DriftTest):
-    """The project's own scenarios, hard and far-away ones included."""
+    """The project's own scenarios, including hard ones and those far from the origin."""
 
     def test_no_run_has_a_fault_of_the_reference_or_a_step_that_differs_from_the_listing(self):
         runs = self.drift(SOURCE / "scenarios")
@@ -221,7 +221,7 @@ class EveryScenario(DriftTest):
 
 
 class Usage(DriftTest):
-    """What is refused."""
+    """Bad input and options."""
 
     def test_options_that_make_no_sense(self):
         self.write("fling.json", fling())

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Folders of scenarios, and where their golden files are: with links, and with what cannot be read."""
+"""Folders of scenarios, and where their golden files are: with links and unreadable entries."""
 
 import os
 
@@ -69,7 +69,7 @@ class Folders(ProgramTest):
 
 
 class Golden(ProgramTest):
-    """`..` behind a link is the parent of what it links to, as for the system."""
+    """`..` after a link is the parent of its target, as for the system."""
 
     def setUp(self):
         super().setUp()

@@ -104,7 +104,7 @@ class Usage(CommandTest):
 
 
 class Info(ProgramTest):
-    """What a report of a fault should contain."""
+    """`info`, for bug reports."""
 
     def test_it_prints_build_machine_and_self_test(self):
         text = self.expect(AGREED, "info").out

@@ -14,7 +14,7 @@ PRESENTMON = ("Application,ProcessID,MsBetweenPresents,PresentMode\r\n"
 
 
 class NewTest(ProgramTest):
-    """Reads what was written."""
+    """The scenario that was written."""
 
     def scenario(self, name="my-fling"):
         """The file as a document."""

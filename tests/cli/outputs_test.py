@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""No output overwrites what is not to be lost: an input, a golden file, a scenario. And what outputs may be named."""
+"""No output overwrites an input, a golden file or a scenario. Allowed names of outputs."""
 
 import csv
 import os
@@ -206,7 +206,7 @@ class Names(ProgramTest):
 
 
 class Nothing(ProgramTest):
-    """A failed input leaves nothing behind; a figure that is not drawn loses nothing."""
+    """A failed input leaves no output; a failed figure keeps the other outputs."""
 
     def test_no_folder_for_a_bad_input(self):
         self.write("bad.json", "{")

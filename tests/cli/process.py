@@ -30,7 +30,7 @@ class Failed(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What a program ended with. The exit code is negative if a signal ended it."""
+    """The result of a program. The exit code is negative if a signal ended it."""
 
     exit_code: int
     out_bytes: bytes
@@ -57,7 +57,7 @@ class Outcome:
 
 
 class Process:
-    """A program that was started, in a session of its own. What is left of the session is killed when it has ended.
+    """A program that was started, in its own session. The rest of the session is killed when the program has ended.
 
     keeps_children: only the program itself is killed, never the processes that it started.
     Options: those of subprocess.Popen. By default there is no input, and both outputs are captured.
@@ -79,7 +79,7 @@ class Process:
 
     @property
     def id(self):
-        """Of the process and of its session."""
+        """The id of the process and of its session."""
         return self._popen.pid
 
     @property

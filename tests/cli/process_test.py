@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What runs the programs of all tests: it captures, ends in time, and leaves nothing running."""
+"""process.py, which runs the programs of all tests: captures output, ends in time, and leaves no process running."""
 
 import os
 import time

@@ -30,7 +30,7 @@ class Reader(ProgramTest):
         self.path = self.folder / "fling.h5"
 
     def tool(self, *command):
-        """What a command-line tool prints; its exit code is checked."""
+        """The output of a command-line tool, which must succeed."""
         if shutil.which(command[0]) is None:
             self.skipTest(f"{command[0]} is not installed (package hdf5-tools)")
         return succeed(*command, cwd=self.folder).out

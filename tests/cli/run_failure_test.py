@@ -72,14 +72,14 @@ class BadInput(ProgramTest):
 
 
 class UnwritableOutput(ProgramTest):
-    """What cannot be written is exit 3, and what was there stays."""
+    """An output that cannot be written is exit 3, and existing files are unchanged."""
 
     def setUp(self):
         super().setUp()
         self.scenario = self.write("fling.json", fling())
 
     def in_private_mount(self, mount, *script):
-        """Runs a script in `disk`, a file system of its own that no other process sees; $1 is the program."""
+        """Runs a script in `disk`, a private file system; $1 is the program."""
         (self.folder / "disk").mkdir()
         lines = [f"mount -t tmpfs {mount} tmpfs disk", *script]
         unshare = ("unshare", "--mount", "--map-root-user")

@@ -33,7 +33,7 @@ EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_p
 
 
 class Summary(ProgramTest):
-    """What is printed about a run."""
+    """The printed result of a run."""
 
     def test_it_prints_what_happened_and_what_was_never_touched(self):
         outcome = self.expect(AGREED, "run", self.write("fling.json", fling(expect=EXPECT)))
@@ -128,7 +128,7 @@ class Summary(ProgramTest):
 
 
 class Memory(ProgramTest):
-    """Memory does not grow with what is written."""
+    """Memory does not grow with the size of the output."""
 
     def test_a_million_contacts_in_a_billion_steps_take_little(self):
         # Wider than its window, the sprite is clamped by a side wall in every step.
@@ -142,7 +142,7 @@ class Memory(ProgramTest):
 
 
 class Output(ProgramTest):
-    """Where a trajectory goes."""
+    """The path of a trajectory."""
 
     def setUp(self):
         super().setUp()

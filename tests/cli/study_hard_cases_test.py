@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`study hard-cases`: which cases it judges, what it writes, and how it ends."""
+"""`study hard-cases`: the cases it judges, its output, and its exit codes."""
 
 import csv
 

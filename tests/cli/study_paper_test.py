@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`study paper`: what it measures, what it prints, and the comparison with expected verdicts."""
+"""`study paper`: its measurements, its output, and the comparison with expected verdicts."""
 
 import csv
 import json

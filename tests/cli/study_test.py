@@ -35,7 +35,7 @@ class StudyTest(ProgramTest):
 
 
 class Files(StudyTest):
-    """What every study writes."""
+    """The files of every study."""
 
     def setUp(self):
         super().setUp()
@@ -196,7 +196,7 @@ class Figures(StudyTest):
 
 
 class Usage(StudyTest):
-    """What is refused, before anything is made."""
+    """Bad usage is refused before anything is written."""
 
     def test_an_unknown_study_lists_the_known_ones(self):
         self.expect(BAD_INPUT, "study", "speed", says=("unknown study (found speed)", "speed-error", "needs"))

@@ -40,7 +40,7 @@ class Wine:
             self.environment["DISPLAY"] = display
 
     def make(self):
-        """Makes the prefix, in place of an older one: 700 MB."""
+        """Creates the prefix (700 MB), replacing an older one."""
         shutil.rmtree(self.prefix, ignore_errors=True)
         pathlib.Path(self.environment["HOME"]).mkdir(parents=True, exist_ok=True)
         self.call("wineboot", "--init")
@@ -51,7 +51,7 @@ class Wine:
             succeed(*arguments, env=self.environment, keeps_children=True, timeout=SETUP_S_MAX)
 
     def start(self, program, *arguments, **options):
-        """Starts a program. It shares Wine's services with others, so that these are left to `end`."""
+        """Starts a program. It shares Wine's services with others; `end` stops them."""
         return Process("wine", program, *arguments, env=self.environment, keeps_children=True, **options)
 
     def run(self, program, *arguments, timeout=60, **options):

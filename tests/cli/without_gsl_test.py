@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What never enters GSL: run, check, bless and the closed form, in a program whose solver is a trap."""
+"""Commands that never call GSL: run, check, bless and the closed form, in a program whose solver is a trap."""
 
 import os
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""No run is played twice: the updates that a program makes are counted."""
+"""No run is played twice: counts the updates of a program."""
 
 import json
 import os

@@ -163,7 +163,7 @@ class Paper(StudyControl):
 
 
 class Rest(StudyControl):
-    """The boundaries of rest are where the laws put them, and a core of other laws has others or none."""
+    """The boundaries of rest follow from the laws; a core with other laws has others or none."""
 
     def boundaries(self, control, exit_code):
         """{boundary: (analytic, measured)} by the program with that change."""
@@ -215,7 +215,7 @@ class SpeedError(StudyControl):
 
 
 class Needs(StudyControl):
-    """What is left out is left out of the replay's run, or the gate is red."""
+    """The gate fails if the step of the variants differs from the replay's."""
 
     def test_no_change_is_green(self):
         outcome = self.study("none", "needs", "scenarios/flings")

@@ -93,7 +93,7 @@ def output_differences(old, new, *arguments):
 
 
 def differences(old, new, scenario):
-    """What differs for one scenario."""
+    """The differences of one scenario."""
     with tempfile.TemporaryDirectory(prefix="hyrax-builds-") as folder:
         files = [pathlib.Path(folder, name) for name in ("old.h5", "new.h5")]
         ran = [call(program, "run", scenario, "--json", "-o", file) for program, file in zip((old, new), files)]

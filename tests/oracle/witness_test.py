@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds the C++ replay to the second program: every row and contact of short runs, bit for bit, and the vectors.
+"""Compares the C++ replay with the second program: every row and contact of short runs, bit for bit, and the vectors.
 
 HYRAX_PRINT_ROWS names the program of print_rows.cpp.
 """
@@ -30,7 +30,7 @@ def bits(text):
 
 
 def lines_of(path, scenario):
-    """What PRINT_ROWS prints of a scenario, if it agrees."""
+    """The expected output of PRINT_ROWS for a scenario."""
     run = replay.all_rows(scenario)
     yield f"scenario {path}"
     for row in run["rows"]:
@@ -42,7 +42,7 @@ def lines_of(path, scenario):
 
 
 def first_difference(expected, actual):
-    """A sentence on the first line that differs, or None."""
+    """A message about the first line that differs, or None."""
     for number, (a, b) in enumerate(zip(expected, actual)):
         if a != b:
             scenario = [line for line in expected[:number + 1] if line.startswith("scenario")][-1]

@@ -14,7 +14,7 @@ class NoConstant(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Known:
-    """What is written down of a scenario."""
+    """The recorded results of a scenario."""
 
     state_hash: str
     steps: int
@@ -35,6 +35,6 @@ def known_of(path, golden):
 
 
 def library(golden: pathlib.Path):
-    """{path below the project: what is known of it}, in name order."""
+    """{path below the project: its recorded results}, in name order."""
     paths = sorted((PROJECT / "scenarios").rglob("*.json"))
     return {path.relative_to(PROJECT).as_posix(): known_of(path, golden) for path in paths}

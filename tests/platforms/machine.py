@@ -1,4 +1,4 @@
-"""What this machine has: processor features, commands, and what a row lacks."""
+"""Processor features and commands of this machine, and what a row lacks."""
 
 import functools
 import glob

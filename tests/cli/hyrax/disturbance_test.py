@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a desktop does to a program in flight and at rest: nothing is lost, and nothing leaves the model."""
+"""Disturbances by the desktop, in flight and at rest: no input is lost, and the window keeps following the model."""
 
 import pathlib
 import signal

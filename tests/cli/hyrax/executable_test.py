@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""hyrax.exe as a file: what it needs, what it holds, what it is protected by, and that it is made twice the same."""
+"""hyrax.exe as a file: its dependencies, contents and protections, and that two builds of it are identical."""
 
 import hashlib
 import os

@@ -137,13 +137,13 @@ class HyraxTest(ProgramTest):
     # --- judging
 
     def rows(self, path):
-        """What hyrax-sim makes of a recording: its expectations hold, and the rows are these."""
+        """Replays a recording with hyrax-sim, which must agree; returns the rows."""
         self.expect(AGREED, "run", path, "-o", "flight.h5")
         with h5py.File(self.folder / "flight.h5") as file:
             return {name: file["trajectory"][name][...] for name in ("dt", "x", "y", "vx", "vy", "contact")}
 
     def assert_is_the_model(self, flight):
-        """The recording replays to its own hash; its rows are what was shown, bit for bit; the window was there."""
+        """The recording replays to its own hash; its rows are the shown ones, bit for bit; the window was at these places."""
         rows = self.rows(flight.path)
         shown = flight.frames
         self.assertEqual(len(shown), len(rows["dt"]) - 1)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The menu of the hyrax, by a right click and a key: what it does is an input of the scene, or a file that replays."""
+"""The menu of the hyrax, by a right click and a key: its entries are inputs of the scene, or write files that replay."""
 
 import shutil
 import time

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The hyrax on a desktop with a compositor, pixel by pixel: its edge is blended, what is clear is not touched."""
+"""The hyrax on a desktop with a compositor, pixel by pixel: its edge is blended, transparent pixels are unchanged."""
 
 import pathlib
 import subprocess

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes what the tests of hyrax.exe need, in the folder that HYRAX_WINE names:
+"""Builds everything that the tests of hyrax.exe need, in the folder that HYRAX_WINE names:
 
     mingw/         the preset `mingw`, built: hyrax.exe and hyrax-replay.exe
     flinger.exe    the hand

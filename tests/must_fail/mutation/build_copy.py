@@ -91,7 +91,7 @@ class BuildCopy:
         return [(name, outcome, float(seconds)) for name, outcome, seconds in _OUTCOME.findall(done.stdout)]
 
     def stop(self):
-        """Ends what runs, and lets nothing begin. May be called by any thread."""
+        """Ends running commands and starts no others. May be called by any thread."""
         self._is_stopped = True
         running = self._running
         if running:

@@ -15,7 +15,7 @@ def flipped(content, place, bit):
 
 
 def some_flips(content, count, seed):
-    """(place, bit) of so many flips, the same for the same seed; of every byte once, where there are as many."""
+    """(place, bit) of so many flips, the same for the same seed; every byte once, if so many are requested."""
     draws = random.Random(seed)
     places = draws.sample(range(len(content)), count) if count < len(content) else range(len(content))
     return [(place, draws.randrange(8)) for place in places]
@@ -58,7 +58,7 @@ def _swap(values, row):
 
 
 def damaged_rows(content):
-    """(what, golden file) for every group of rows: one dropped, doubled, swapped with the next, or with a NaN."""
+    """(description, golden file) for every group of rows: one dropped, doubled, swapped with the next, or with a NaN."""
     with h5py.File(io.BytesIO(content)) as file:
         groups = {name: len(next(iter(group.values()))) for name, group in file.items()
                   if isinstance(group, h5py.Group) and len(group) > 0}

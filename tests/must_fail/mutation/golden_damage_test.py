@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A golden pair with one bit flipped anywhere, or a row dropped, doubled, swapped or made a NaN, is found.
+"""A golden pair with one bit flipped anywhere, or a row dropped, doubled, swapped or made a NaN, is detected.
 
 HYRAX_DAMAGE=all flips thousands of bits instead of a sample, and prints what became of them.
 """

@@ -41,7 +41,7 @@ def state_of(source):
 
 
 def faults_in(trials, reasons, everything):
-    """Sentences about reasons that do not hold, and survivors without one."""
+    """Messages about reasons that do not hold, and about survivors without one."""
     verdicts = {mutant: verdict for mutant, (verdict, _) in trials.items() if verdict.fate in ("caught", "survived")}
     survivors = [mutant for mutant, verdict in verdicts.items()
                  if verdict.fate == "survived" and (mutant.path, mutant.name) not in reasons]

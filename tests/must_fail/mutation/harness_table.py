@@ -1,4 +1,4 @@
-"""What became of the mutants that were drawn: the score with its interval, and tables in Markdown."""
+"""The fates of the drawn mutants: the score with its interval, and tables in Markdown."""
 
 import collections
 import math

@@ -17,7 +17,7 @@ _MEMORY_MAX_KIB = 4 << 20
 
 @dataclasses.dataclass(frozen=True)
 class Verdict:
-    """What became of a mutant: caught, survived, or refused by the compiler; and how it was caught.
+    """The fate of a mutant: caught, survived, or refused by the compiler; and how it was caught.
 
     caught_by: the scenario, or the test.
     """
@@ -29,7 +29,7 @@ class Verdict:
 
 
 class Judge:
-    """Holds mutants of a project to its scenarios and golden files."""
+    """Checks mutants of a project against its scenarios and golden files."""
 
     def __init__(self, workshop, subjects, scenarios):
         self.workshop = workshop
@@ -39,7 +39,7 @@ class Judge:
         self._original = {}
 
     def prepare(self):
-        """Builds the unchanged units; the program made of them must be green, or mutants would be red for no reason."""
+        """Builds the unchanged units; their program must agree, or mutants would disagree for another reason."""
         place = self.workshop.folder / "unchanged"
         with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:
             self.workshop.prepare(self._units, self.subject_of, pool)
@@ -96,7 +96,7 @@ class Judge:
         return found or self._check(program, [self.scenarios]) or Verdict("survived")
 
     def _check(self, program, paths):
-        """How a check of these scenarios goes red; None where it does not."""
+        """How a check of these scenarios disagrees; None if it agrees."""
         done = self._limited([program, "check", "--json", "--jobs", "1", *paths])
         if done is None or done.exit_code < 0 or done.exit_code > 128:
             return Verdict("caught", difference="hangs" if done is None or self._is_late(done) else "crashes")
@@ -114,7 +114,7 @@ class Judge:
         return Verdict("caught", str(scenario), str(first.get("step", "")), kind)
 
     def _limited(self, command):
-        """Runs a program that may run away; None where it sleeps."""
+        """Runs a program that may not end; None if it exceeds its time."""
         memory = "" if self.workshop.is_sanitized else f"ulimit -v {_MEMORY_MAX_KIB}; "
         seconds = _SECONDS_MAX_SANITIZED if self.workshop.is_sanitized else _SECONDS_MAX
         script = f'ulimit -c 0; ulimit -t {seconds}; {memory}exec "$@"'

@@ -29,7 +29,7 @@ ALL_IS_WELL, SURVIVED, CANNOT_BUILD = 0, 1, 3
 
 
 def spread(mutants, count):
-    """So many of them, evenly spread; all where none is named."""
+    """So many of them, evenly spread; all by default."""
     if count is None or count >= len(mutants):
         return mutants
     return [mutants[number * len(mutants) // count] for number in range(count)]

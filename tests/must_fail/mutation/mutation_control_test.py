@@ -132,7 +132,7 @@ class Reasons(unittest.TestCase):
 
 
 class Mutators(unittest.TestCase):
-    """What is made of a few lines."""
+    """The mutants of a few lines."""
 
     def names(self, text, kind):
         """The mutants of a kind."""

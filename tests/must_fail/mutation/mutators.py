@@ -144,7 +144,7 @@ class _Mutators:
                   f"{self._text(second)} before {self._text(first)}")
 
     def _needs(self, statement, declaration):
-        """Whether a statement names what the one above it declares."""
+        """Whether a statement uses the name that the one above it declares."""
         if declaration.kind != "declaration":
             return False
         tokens = self.source.tokens
@@ -176,7 +176,7 @@ class _Mutators:
 
 
 def numbers_near(literal):
-    """A floating constant by one ulp, by 1 % and by sign; a whole one by one; one of many digits by its ends' bits."""
+    """A floating constant by one ulp, by 1 % and by sign; an integer by one; a hexadecimal one by its first and last bit."""
     if re.fullmatch(r"0[xX][0-9A-Fa-f']+[uUlL]*", literal):
         digits, suffix = re.fullmatch(r"(.*?)([uUlL]*)", literal).groups()
         value = int(digits.replace("'", ""), 16)

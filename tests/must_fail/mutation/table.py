@@ -38,7 +38,7 @@ def short(name):
 
 
 def table_of(verdicts, reasons):
-    """A line a mutant: what it is, the scenario that catches it, the step, and the class of the difference."""
+    """One line per mutant: the change, the scenario that catches it, the step, and the class of the difference."""
     lines = ["| file | mutant | caught by | step | class |", "|---|---|---|---|---|"]
     for mutant, verdict in verdicts.items():
         fate = _fate(mutant, verdict, reasons)
