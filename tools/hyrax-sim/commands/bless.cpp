@@ -29,7 +29,9 @@ void complete(BlessRequest& request) {
     request.files = {"scenarios"};
     if (request.options.golden_folder.empty()) request.options.golden_folder = "golden";
   }
-  if (request.files.empty()) throw Failure(ExitCode::bad_input, "SCENARIO: at least 1 needed (found 0)");
+  if (request.files.empty())
+    throw Failure(ExitCode::bad_input,
+                  "hyrax-sim bless: SCENARIO: at least 1 needed (found 0); see `hyrax-sim bless --help`");
   if (blesses(request) && request.options.reason.find_first_not_of(" \t\n") == std::string::npos)
     throw Failure(
         ExitCode::bad_input,
