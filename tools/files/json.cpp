@@ -11,14 +11,14 @@
 namespace hyrax {
 namespace {
 
-struct Place {
+struct TextPlace {
   std::size_t line = 1;
   std::size_t column = 1;
 };
 
 // Of the byte before offset `end`, counted in bytes.
-Place place_of(std::string_view text, std::size_t end) {
-  Place place;
+TextPlace place_of(std::string_view text, std::size_t end) {
+  TextPlace place;
   const std::size_t last = std::min(end, text.size());
   for (std::size_t at = 0; at + 1 < last; ++at) {
     if (text[at] == '\n')
@@ -31,7 +31,7 @@ Place place_of(std::string_view text, std::size_t end) {
 
 [[noreturn]] void fail(std::string_view text, const std::string& source, std::size_t end,
                        const std::string& sentence) {
-  const Place place = place_of(text, end);
+  const TextPlace place = place_of(text, end);
   throw Failure(ExitCode::bad_input, source + ": line " + std::to_string(place.line) + ", column " +
                                          std::to_string(place.column) + ": " + sentence);
 }

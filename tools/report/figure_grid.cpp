@@ -12,7 +12,7 @@ namespace {
 constexpr double kRow = 21;  // All in px of the SVG.
 constexpr double kColumnMin = 24;
 constexpr double kColumnMax = 50;
-constexpr double kWidth = 960;
+constexpr double kGridWidth = 960;
 constexpr double kSmallLetter_px = 6.6;  // At 12 px.
 constexpr double kSlant = 0.8;           // Of a slanted name's length, what is upright.
 constexpr double kListRow = 38;
@@ -42,8 +42,8 @@ struct GridPlaces {
     left = style::kMargin + longest(grid.rows) + 10;
     top = kBodyTop - 40 + kSlant * longest(names);
     const double count = static_cast<double>(std::max<std::size_t>(names.size(), 1));
-    column = std::clamp((kWidth - left - 2 * style::kMargin) / count, kColumnMin, kColumnMax);
-    width = std::max(kWidth / 2, left + column * count + 2 * style::kMargin);
+    column = std::clamp((kGridWidth - left - 2 * style::kMargin) / count, kColumnMin, kColumnMax);
+    width = std::max(kGridWidth / 2, left + column * count + 2 * style::kMargin);
   }
 };
 
@@ -73,18 +73,18 @@ std::string body_script(const Grid& grid, const Canvas& canvas) {
   const auto y_of = [&](std::size_t row) { return places.top + kRow * static_cast<double>(row); };
   for (std::size_t column = 0; column < grid.columns.size(); ++column)
     script += fmt::format("set label {} at {} left rotate by 50 font ',12' tc rgb '{}'\n",
-                          quoted(grid.columns[column].first),
+                          in_quotes(grid.columns[column].first),
                           screen(canvas, x_of(column) + places.column / 2 - 4, places.top - 10),
                           colour_of(grid.columns[column].second));
   for (std::size_t row = 0; row < grid.rows.size(); ++row)
-    script += fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", quoted(grid.rows[row]),
+    script += fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", in_quotes(grid.rows[row]),
                           screen(canvas, places.left - 10, y_of(row) + kRow / 2), style::kInk);
   for (const Cell& cell : grid.cells) {
     const double x = x_of(cell.column) + 1 + cell.left * (places.column - 2);
     const double width = (cell.right - cell.left) * (places.column - 2);
     script += box(canvas, x, y_of(cell.row) + 1, width, kRow - 2, cell.tone);
     if (!cell.text.empty())
-      script += fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", quoted(cell.text),
+      script += fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", in_quotes(cell.text),
                             screen(canvas, x + width / 2, y_of(cell.row) + kRow / 2), style::kInk);
   }
   return script + "plot NaN notitle\n";
@@ -100,7 +100,7 @@ std::string body_script(const Listing& listing, const Canvas& canvas) {
   std::string script(kEmptyAxes);
   const auto add = [&](const std::string& text, double x, double y, std::string_view side, int size,
                        std::string_view colour) {
-    script += fmt::format("set label {} at {} {} front font ',{}' tc rgb '{}'\n", quoted(text),
+    script += fmt::format("set label {} at {} {} front font ',{}' tc rgb '{}'\n", in_quotes(text),
                           screen(canvas, x, y), side, size, colour);
   };
   constexpr double kTop = kBodyTop - 30;

@@ -87,9 +87,9 @@ std::string powers_of_ten(const Axis& axis, const Range& ends) {
 std::string tics_of(const Axis& axis, const Range& ends) {
   std::string tics;
   for (const Tick& tick : axis.ticks)
-    tics += fmt::format("{}{} {:.8g}", tics.empty() ? "" : ", ", quoted(tick.text), tick.at);
+    tics += fmt::format("{}{} {:.8g}", tics.empty() ? "" : ", ", in_quotes(tick.text), tick.at);
   for (std::size_t index = 0; index < axis.categories.size(); ++index)
-    tics += fmt::format("{}{} {}", index == 0 ? "" : ", ", quoted(axis.categories[index]), index);
+    tics += fmt::format("{}{} {}", index == 0 ? "" : ", ", in_quotes(axis.categories[index]), index);
   if (tics.empty() && axis.is_logarithmic) tics = powers_of_ten(axis, ends);
   return tics;
 }
@@ -139,10 +139,10 @@ class PlotScript {
         box_.left / canvas_.width, box_.right / canvas_.width, 1 - kBodyTop / canvas_.height,
         1 - box_.bottom / canvas_.height, style::kPaper, grid_axis(), style::kHairline);
     text += axis_script('x', plot_.x, x_ends_) + axis_script('y', plot_.y, y_ends_);
-    text += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", quoted(plot_.y.label),
+    text += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", in_quotes(plot_.y.label),
                         screen(canvas_, std::max(style::kMargin, box_.left - 48), kBodyTop - 32),
                         style::kQuietInk);
-    text += fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", quoted(plot_.x.label),
+    text += fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", in_quotes(plot_.x.label),
                         screen(canvas_, box_.right, box_.bottom + 40), style::kQuietInk);
     for (const Span& span : plot_.spans)
       text += fmt::format(
@@ -192,7 +192,7 @@ class PlotScript {
     std::string script = fmt::format("set arrow from {} to {} nohead front lw 1.5 dt (6,4) lc rgb '{}'\n",
                                      from, to, colour_of(mark.tone));
     if (!mark.text.empty())
-      script += fmt::format("set label {} at {} font ',11' tc rgb '{}'\n", quoted(mark.text), at,
+      script += fmt::format("set label {} at {} font ',11' tc rgb '{}'\n", in_quotes(mark.text), at,
                             colour_of(mark.tone));
     return script;
   }
@@ -252,13 +252,13 @@ class PlotScript {
     for (const PointText& text : plot_.texts) {
       if (!plot_.y.categories.empty()) {  // In its row, whatever is beside it.
         const LabelPlacer::Point point = on_canvas(text.x, text.y);
-        script += fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", quoted(text.text),
+        script += fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", in_quotes(text.text),
                               screen(canvas_, point.x + 8, point.y), colour_of(text.tone));
         continue;
       }
       const LabelPlacer::Point at =
           placer.place(text.text, LabelPlacer::centres_around(on_canvas(text.x, text.y), text.text));
-      script += fmt::format("set label {} at {} center front font ',11' tc rgb '{}'\n", quoted(text.text),
+      script += fmt::format("set label {} at {} center front font ',11' tc rgb '{}'\n", in_quotes(text.text),
                             screen(canvas_, at.x, at.y), colour_of(text.tone));
     }
     return script;
@@ -290,7 +290,7 @@ class PlotScript {
         add(fmt::format("{} using 1:2:{}:{} notitle with xerrorbars pt 0 lw 1 lc rgb '{}'", block_name(index),
                         series.y_low.empty() ? 3 : 4, series.y_low.empty() ? 4 : 5, colour));
       add(fmt::format("{} using {} title {} {} lc rgb '{}'", block_name(index),
-                      series.look.form == Form::band ? "1:3:2" : "1:2", quoted(series.name),
+                      series.look.form == Form::band ? "1:3:2" : "1:2", in_quotes(series.name),
                       form_script(series.look), colour));
     }
     return (command.empty() ? "plot NaN notitle" : command) + "\n";
@@ -343,7 +343,7 @@ std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
     return fmt::format(
         "unset xtics\nunset ytics\nset xrange [0:1]\nset yrange [0:1]\n"
         "set label {} at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
-        quoted(plots.empty() ? "nothing to show" : plots.front().when_empty), style::kQuietInk);
+        in_quotes(plots.empty() ? "nothing to show" : plots.front().when_empty), style::kQuietInk);
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
   const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
                                         [](double sum, const Plot& plot) { return sum + plot.share; });

@@ -16,7 +16,7 @@ constexpr double kRemarkLine = 22;
 constexpr double kAboveRemarks = 8;
 constexpr double kSign = 32;  // From a sign of the legend to its text.
 constexpr double kGap = 18;
-constexpr double kBelow = 26;
+constexpr double kFootHeight = 26;
 
 // Where each entry of the legend is: in one row if there is room, else in columns.
 struct Legend {
@@ -103,19 +103,19 @@ std::string figure_script(const Figure& figure) {
   const std::vector<std::string> remarks = lines_of(figure.remarks, body.width);
   const double remarks_height =
       remarks.empty() ? 0.0 : kAboveRemarks + kRemarkLine * static_cast<double>(remarks.size());
-  const Canvas canvas{body.width, kBodyTop + body.height + legend.height + remarks_height + kBelow};
+  const Canvas canvas{body.width, kBodyTop + body.height + legend.height + remarks_height + kFootHeight};
   std::string script =
       figure_head(canvas, figure.title, figure.subtitle, figure.note, colour_of(figure.note_tone));
   double y = kBodyTop + body.height + kLegendLine / 2;
   for (std::size_t index = 0; index < figure.legend.size(); ++index) {
     const auto [entry_x, entry_y] = legend.places[index];
     script += sign(canvas, figure.legend[index].look, entry_x, y + entry_y);
-    script += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(figure.legend[index].text),
+    script += fmt::format("set label {} at {} left tc rgb '{}'\n", in_quotes(figure.legend[index].text),
                           screen(canvas, entry_x + kSign, y + entry_y), style::kQuietInk);
   }
   y += legend.height + kAboveRemarks;
   for (const std::string& remark : remarks) {
-    script += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(remark),
+    script += fmt::format("set label {} at {} left tc rgb '{}'\n", in_quotes(remark),
                           screen(canvas, style::kMargin, y), style::kVermilion);
     y += kRemarkLine;
   }

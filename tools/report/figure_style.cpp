@@ -62,12 +62,12 @@ std::string figure_head(const Canvas& canvas, std::string_view title, std::strin
       "set border 0\nset key off\nset tics scale 0.5 nomirror textcolor rgb '{}'\n",
       in_one_line(title), canvas.width, canvas.height, kFonts, kTextSize, style::kQuietInk);
   head += card(canvas);
-  head += fmt::format("set label 1 {} at {} font ',{}' tc rgb '{}'\n", quoted(title),
+  head += fmt::format("set label 1 {} at {} font ',{}' tc rgb '{}'\n", in_quotes(title),
                       screen(canvas, style::kMargin, 34), title_size(canvas, title), style::kInk);
-  head += fmt::format("set label 2 {} at {} tc rgb '{}'\n", quoted(subtitle),
+  head += fmt::format("set label 2 {} at {} tc rgb '{}'\n", in_quotes(subtitle),
                       screen(canvas, style::kMargin, 58), style::kQuietInk);
   if (!note.empty())
-    head += fmt::format("set label 3 {} at {} right tc rgb '{}'\n", quoted(note),
+    head += fmt::format("set label 3 {} at {} right tc rgb '{}'\n", in_quotes(note),
                         screen(canvas, canvas.width - style::kMargin, 34), note_colour);
   return head;
 }
@@ -77,7 +77,7 @@ std::string viridis() {
          "5 '#1f9e89', 6 '#35b779') maxcolors 40\n";
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char letter : in_one_line(text)) {
     result += letter;

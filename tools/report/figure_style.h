@@ -55,7 +55,7 @@ inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
 [[nodiscard]] std::string viridis();
 
 /// Text as gnuplot reads it; control characters become blanks.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// A place on the canvas, x from its left edge and y from its top, as gnuplot reads it.
 [[nodiscard]] std::string screen(const Canvas& canvas, double x, double y);

@@ -62,7 +62,7 @@ std::string arrows(const RunPlot& plot, const RunScene& scene) {
 using Point = LabelPlacer::Point;
 
 std::string label_at(const RunPlot& plot, std::string_view text, Point centre) {
-  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", quoted(text),
+  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", in_quotes(text),
                      screen(plot.canvas, centre.x, centre.y), style::kInk);
 }
 

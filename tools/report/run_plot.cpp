@@ -57,8 +57,8 @@ class Legend {
   }
   void text(const std::string& label) {
     constexpr double kGap = 18;
-    commands_ += fmt::format("set label {} at {} left tc rgb '{}'\n", quoted(label), screen(canvas_, x_, y_),
-                             style::kQuietInk);
+    commands_ += fmt::format("set label {} at {} left tc rgb '{}'\n", in_quotes(label),
+                             screen(canvas_, x_, y_), style::kQuietInk);
     x_ += width(label) + kGap;
   }
 

@@ -1,9 +1,13 @@
 #include "sim/study/paper/claim_probe.h"
 
+#include <fmt/format.h>
+
 #include "sim/motion/step.h"
 #include "sim/replay/core_constants.h"
 
 namespace hyrax {
+
+std::string digits(double value) { return fmt::format("{:.4g}", value); }
 
 std::int64_t steps_that_differ_from_listing(std::int64_t steps) {
   constexpr std::int64_t kStepsOfAFling = 500;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "sim/scenario/split_mix64.h"
 #include "sim/study/methods/core.h"
 #include "sim/study/paper/paper_claim.h"
@@ -30,7 +28,7 @@ inline constexpr double kSixtieth_s = 1.0 / 60.0;
 }
 
 /// A number with four digits.
-[[nodiscard]] inline std::string digits(double value) { return fmt::format("{:.4g}", value); }
+[[nodiscard]] std::string digits(double value);
 
 /// Smallest and largest of the values included.
 struct Extremes {
