@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "sim/compare/comparison.h"
+#include "sim/replay/core.h"
 #include "sim/replay/replay.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/methods/problem.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"

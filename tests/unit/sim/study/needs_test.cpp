@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/replay/core.h"
 #include "sim/replay/replay.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/needs/needs_figure.h"
