@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/draws.h"
 
@@ -31,7 +32,8 @@ class Maker {
     scenario.clock = any_clock();
     if (!std::holds_alternative<RecordedSteps>(scenario.clock.base)) scenario.length = steps_;
     scenario.start = has(Feature::rest) ? on_the_ground() : any_position();
-    scenario.start_velocity = has(Feature::rest) ? any_small_velocity() : any_velocity();
+    const double first_dt_s = FrameClock(scenario.clock).dt_s(0);
+    scenario.start_velocity = has(Feature::rest) ? any_small_velocity(first_dt_s) : any_velocity();
     if (has(Feature::corners)) start_at_a_corner(scenario);
     scenario.events = any_events();
     return scenario;
@@ -100,9 +102,15 @@ class Maker {
     const double vx_px_per_s = any_speed();
     return {vx_px_per_s, any_speed()};
   }
-  Velocity any_small_velocity() {
+  Velocity any_small_velocity(double dt_s) {
     const double vx_px_per_s = draws_.once_in(2) ? 0.0 : number(-50.0, 50.0);
+    if (draws_.once_in(4)) return {vx_px_per_s, threshold_speed(dt_s)};
     return {vx_px_per_s, draws_.once_in(2) ? 0.0 : number(-20.0, 20.0)};
+  }
+  // From which a frame that ends on the ground leaves the rest rule's threshold, often to the bit.
+  static double threshold_speed(double dt_s) {
+    const Constants core = core_constants();
+    return core.rest_threshold_px_per_s / core.restitution / core.air_drag - core.gravity_px_per_s2 * dt_s;
   }
   void start_at_a_corner(Scenario& scenario) {
     const Bounds bounds = bounds_of(window_, sprite_);

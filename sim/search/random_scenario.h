@@ -25,7 +25,7 @@ enum class Feature : std::uint8_t {
   hitches,       ///< Events and recorded frames of any dt.
   holds,         ///< Grab, place and release.
   throws,        ///< Fling, place and stop.
-  rest,          ///< Starts on the ground, with little or no speed.
+  rest,          ///< Starts on the ground, with little or no speed, or that of the rest rule's threshold.
   jitter,        ///< A clock with one of the kinds of jitter.
   recorded,      ///< A recorded clock.
   zero_frames,   ///< Frames of no length.
@@ -55,7 +55,8 @@ struct RandomRun {
   Features features;
 };
 
-/// Run `run` of a seed: the same on every machine, whichever runs come before it. The scenario is within all
+/// Run `run` of a seed: the same on every machine with the same constants of the core, whichever runs come
+/// before it. The scenario is within all
 /// limits of the format; its name is "fuzz-SEED-RUN".
 [[nodiscard]] RandomRun random_run(std::uint64_t seed, std::uint64_t run);
 

@@ -11,7 +11,7 @@
 
 namespace hyrax {
 
-/// The same run as a plain scenario, of every row. REQUIRES: the events of the scenario have frames.
+/// The same run as a plain scenario. REQUIRES: the events of the scenario have frames.
 [[nodiscard]] Scenario plain(const Scenario& scenario);
 
 /// Without frames first .. last - 1 and their events. REQUIRES: 0 <= first <= last <= step_count(scenario).

@@ -37,6 +37,7 @@ class Shrinker {
   void run() {
     for (Complexity before; before != complexity_ && !is_exhausted();) {
       before = complexity_;
+      leave_out_extras();
       write_out_jitter();
       cut_end();
       start_later();
@@ -47,7 +48,7 @@ class Shrinker {
     }
   }
 
-  [[nodiscard]] Shrunk take() { return {std::move(best_), trials_, !is_exhausted()}; }
+  [[nodiscard]] Shrunk take() { return {std::move(best_), trials_, true, !is_exhausted()}; }
 
  private:
   [[nodiscard]] bool is_exhausted() const { return trials_ >= options_.trials_max; }
@@ -67,6 +68,15 @@ class Shrinker {
     best_ = std::move(scenario);
     complexity_ = complexity;
     return true;
+  }
+
+  void leave_out_extras() {
+    Scenario scenario = best_;
+    scenario.expect.reset();
+    accept(std::move(scenario));
+    scenario = best_;
+    scenario.record_every = 1;
+    accept(std::move(scenario));
   }
 
   // The frames of a recorded clock can be cut anywhere.
@@ -116,12 +126,17 @@ class Shrinker {
 
   void round_numbers() {
     const std::size_t count = numbers_of(best_).size();
-    for (std::size_t index = 0; index < count && !is_exhausted(); ++index)
-      for (int digits = 0; digits < kDigitsMax; ++digits) {
-        Scenario rounder = best_;
-        round_to(numbers_of(rounder)[index], digits);
-        if (accept(std::move(rounder))) break;
-      }
+    for (std::size_t index = 0; index < count && !is_exhausted(); ++index) round_number(index);
+  }
+
+  // A window without a side would only be puzzling.
+  void round_number(std::size_t index) {
+    const bool is_size = std::holds_alternative<std::int32_t*>(numbers_of(best_)[index]);
+    for (int digits = is_size ? 1 : 0; digits < kDigitsMax; ++digits) {
+      Scenario rounder = best_;
+      round_to(numbers_of(rounder)[index], digits);
+      if (accept(std::move(rounder))) return;
+    }
   }
 
   const std::function<bool(const Scenario&)>& fails_;
@@ -136,6 +151,7 @@ class Shrinker {
 Complexity complexity_of(const Scenario& scenario) {
   return {.steps = step_count(scenario),
           .events = static_cast<std::int64_t>(scenario.events.size()),
+          .extras = (scenario.expect ? 1 : 0) + (scenario.record_every != 1 ? 1 : 0),
           .clock = clock_rank(scenario.clock),
           .digits = digits_of(scenario)};
 }
@@ -143,7 +159,7 @@ Complexity complexity_of(const Scenario& scenario) {
 Shrunk shrink(const Scenario& failing, const std::function<bool(const Scenario&)>& fails,
               const ShrinkOptions& options) {
   Shrinker shrinker(plain(failing), fails, options);
-  if (!shrinker.starts_failing()) return {.scenario = failing, .trials = 1, .is_complete = false};
+  if (!shrinker.starts_failing()) return {.scenario = failing, .trials = 1};
   shrinker.run();
   return shrinker.take();
 }

@@ -11,10 +11,11 @@
 
 namespace hyrax {
 
-/// What is made smaller: fewer frames first, then fewer events, a simpler clock, fewer digits.
+/// What is made smaller: fewer frames first, then fewer events, less besides, a simpler clock, fewer digits.
 struct Complexity {
   std::int64_t steps = 0;
   std::int64_t events = 0;
+  std::int64_t extras = 0;  ///< `expect`, and `record` where it is not 1.
   std::int64_t clock = 0;   ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
   std::int64_t digits = 0;  ///< Of all numbers, in decimal.
   auto operator<=>(const Complexity&) const = default;
@@ -31,12 +32,13 @@ struct ShrinkOptions {
 struct Shrunk {
   Scenario scenario;
   std::int64_t trials = 0;   ///< Scenarios that were tried.
+  bool fails_again = false;  ///< Whether `failing` itself fails when it is tried.
   bool is_complete = false;  ///< Nothing simpler is left to try; else trials_max ended the search.
 };
 
 /// Tries simpler scenarios in a fixed order as long as one of them fails: frames cut off at the end, a start
 /// from a later row's state, frames and events left out, a fixed dt for jitter, rounder numbers.
-/// Deterministic if `fails` is. If the plain form of `failing` does not fail, `failing` is returned as it is.
+/// Deterministic if `fails` is. If `failing` does not fail when it is tried, it is returned as it is.
 /// @param fails whether a valid scenario still fails as `failing` does.
 /// REQUIRES: the events of `failing` have frames.
 [[nodiscard]] Shrunk shrink(const Scenario& failing, const std::function<bool(const Scenario&)>& fails,

@@ -69,7 +69,7 @@ CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invar
                   [&](const ExpectedFailure& failure) { return failure.invariant == invariant; });
   const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
   // The listing itself applies drag in a zero-length frame, in the user's own scenarios as well.
-  const bool is_expected_failure = is_known || invariant == Invariant::no_time;
+  const bool is_expected_failure = is_known || is_broken_by_listing(invariant, hard_case.scenario);
   if (holds) return is_known ? CaseVerdict::expected_failure_gone : CaseVerdict::held;
   return is_expected_failure ? CaseVerdict::expected_failure : CaseVerdict::broken;
 }

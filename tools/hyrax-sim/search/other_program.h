@@ -1,0 +1,36 @@
+// Another build of hyrax-sim, asked for the state hash of scenarios.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+#include "tools/hyrax-sim/search/child_process.h"
+
+namespace hyrax {
+
+class OtherProgram {
+ public:
+  /// Plays one frame with it, to see that it is a hyrax-sim.
+  /// @param option for the message, as "hyrax-sim fuzz: --against".
+  /// ERRORS: Failure(cannot_access) if it cannot be started; Failure(bad_input) if it prints no state hash.
+  OtherProgram(std::string program, const std::string& option);
+
+  [[nodiscard]] const std::string& name() const { return program_; }
+
+  /// The state hash of each scenario; of one that it prints no hash for, how it ended instead, as
+  /// "signal 11 (exit code 139)". One process plays all of them; only if a hash is missing is each played
+  /// alone. REQUIRES: scenarios of different names.
+  [[nodiscard]] std::vector<std::string> state_hashes(std::span<const Scenario> scenarios) const;
+
+ private:
+  static constexpr double kLimit_s = 60.0;  // For each process.
+
+  [[nodiscard]] std::vector<std::string> play_together(std::span<const Scenario> scenarios,
+                                                       ChildEnd& end) const;
+
+  std::string program_;
+};
+
+}  // namespace hyrax
