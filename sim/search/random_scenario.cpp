@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "sim/replay/core.h"
+#include "sim/replay/core_constants.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/draws.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/replay/core.h"
+#include "sim/replay/core_constants.h"
 #include "sim/study/hard_cases/hard_family.h"
 
 namespace hyrax {

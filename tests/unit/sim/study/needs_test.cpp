@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/replay/core.h"
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
