@@ -8,13 +8,13 @@
 namespace hyrax {
 
 /// One of `count` parts of numbered work: every number k with k mod count = index.
-struct Part {
+struct WorkPart {
   std::int64_t index = 0;
   std::int64_t count = 1;
 };
 
 struct ChosenPart {
-  Part part;
+  WorkPart part;
   std::string source;  ///< The variables that gave it; empty if the user did.
 };
 

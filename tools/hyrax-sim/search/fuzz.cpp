@@ -26,7 +26,7 @@ class Fuzzer {
   Fuzzer(const FuzzLimits& limits, const OtherProgram* other)
       : limits_(limits), other_(other), batch_(other == nullptr ? 64 : 32) {
     if (limits.runs) {
-      const Part& part = limits.part;
+      const WorkPart& part = limits.part;
       rows_ = *limits.runs > part.index ? (*limits.runs - part.index - 1) / part.count + 1 : 0;
       end_row_ = rows_;
     }

@@ -14,7 +14,7 @@ struct FuzzLimits {
   std::uint64_t seed = 1;
   std::optional<std::int64_t> runs;  ///< Of all parts.
   double time_s = 60.0;              ///< Where no number of runs is given.
-  Part part;
+  WorkPart part;
 };
 
 struct FuzzFailure {
