@@ -1,7 +1,6 @@
 #include "sim/search/shrink.h"
 
 #include <algorithm>
-#include <compare>
 #include <set>
 
 #include "sim/scenario/frame_clock.h"

@@ -4,6 +4,7 @@
 // Software Engineering 28:183-200, 2002: parts are removed in chunks that become smaller by half.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 

@@ -98,6 +98,16 @@ class Fuzz(ProgramTest):
                 hashes = {self.state_hash(program, failure["scenario"]) for program in (PROGRAM, self.wrapper(core))}
                 self.assertEqual(len(hashes), 2, f"{core}: both programs agree on the shrunk scenario")
 
+    def test_a_program_that_crashes_differs(self):
+        """It crashes on folders with a scenario that has a grab; which one is found by playing each alone."""
+        path = self.folder / "crashes"
+        path.write_text(f'#!/bin/sh\ngrep -rq grab "$2" && kill -SEGV $$\nexec {shlex.quote(str(PROGRAM))} "$@"\n')
+        path.chmod(0o755)
+        outcome = run(PROGRAM, "fuzz", "--runs", "40", "--json", "--against", path, cwd=self.folder)
+        failure = self.failure(outcome, "a crash", "against")
+        self.assertIn("signal 11 (exit code 139) there", failure["found"])
+        self.assertEqual((failure["steps"], failure["events"]), (1, 1))
+
     def state_hash(self, program, scenario):
         """What the program computes of a scenario."""
         outcome = run(program, "run", scenario, "--json", "-o", "run.h5", cwd=self.folder)

@@ -24,7 +24,9 @@ using SteadyClock = std::chrono::steady_clock;
 class Fuzzer {
  public:
   Fuzzer(const FuzzLimits& limits, const OtherProgram* other)
-      : limits_(limits), other_(other), batch_(other == nullptr ? 64 : 32) {
+      : limits_(limits),
+        other_(other),
+        batch_(other == nullptr ? 64 : static_cast<std::int64_t>(other->batch())) {
     if (limits.runs) {
       const WorkPart& part = limits.part;
       rows_ = *limits.runs > part.index ? (*limits.runs - part.index - 1) / part.count + 1 : 0;
