@@ -154,6 +154,7 @@ class Maker {
     const double usual_s = any_dt_s();
     const bool is_even = draws_.once_in(4);
     RecordedSteps trace;
+    trace.dt_s.reserve(static_cast<std::size_t>(steps_));
     for (std::int64_t frame = 0; frame < steps_; ++frame)
       trace.dt_s.push_back(any_recorded_s(usual_s, is_even));
     return trace;
@@ -183,6 +184,7 @@ class Maker {
     for (std::int64_t& frame : frames) frame = any_frame();
     std::sort(frames.begin(), frames.end());
     std::vector<Event> events;
+    events.reserve(frames.size());
     for (const std::int64_t frame : frames)
       events.push_back({frame, any_action(kinds[draws_.below(kinds.size())])});
     return events;
