@@ -5,7 +5,7 @@
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
   libfmt-dev libxxhash-dev nlohmann-json3-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools python3 python3-h5py python3-xarray python3-h5netcdf
+packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools git python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash locales)
 packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
 # Compilers and emulators of tests/platforms. Not g++-multilib: it conflicts with all cross compilers.

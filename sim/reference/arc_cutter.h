@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/motion/state.h"
-#include "sim/reference/input_playback.h"
 #include "sim/scenario/scenario.h"
+#include "sim/trajectory/input_playback.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/reference/input_playback.h"
 #include "sim/reference/model.h"
+#include "sim/trajectory/input_playback.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {

@@ -11,6 +11,8 @@ from program import AGREED, ProgramTest, fling, main
 class Terminal(ProgramTest):
     """Long enough for progress to cut the run into pieces."""
 
+    shown = ""
+
     def run_watched(self, *arguments):
         """Runs the program with a terminal as its stderr; returns its output and what the terminal showed."""
         keeper, terminal = pty.openpty()
@@ -31,7 +33,8 @@ class Terminal(ProgramTest):
             os.close(terminal)
             watcher.join()
             os.close(keeper)
-        self.assertEqual(outcome.exit_code, AGREED, b"".join(shown))
+        self.shown = b"".join(shown).decode()
+        self.assertEqual(outcome.exit_code, AGREED, self.shown)
         return outcome.out
 
     def assert_same_when_watched(self, **scenario):
@@ -51,6 +54,10 @@ class Terminal(ProgramTest):
         self.assert_same_when_watched(
             steps=300_000, record={"every": 1000}, events=[{"step": 70_000, "stop": {}}],
             clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})
+
+    def test_fuzz_shows_how_far_it_is(self):
+        self.run_watched("fuzz", "--time", "2s", "--json")
+        self.assertRegex(self.shown, r"\d+ runs, [\d.e+]+ per second, [01] s left")
 
 
 if __name__ == "__main__":

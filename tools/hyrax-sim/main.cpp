@@ -22,6 +22,8 @@
   COMMAND(drift)                \
   COMMAND(study)                \
   COMMAND(new)                  \
+  COMMAND(fuzz)                 \
+  COMMAND(shrink)               \
   COMMAND(validate)             \
   COMMAND(schema)               \
   COMMAND(info)

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/split_mix64.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/methods/method.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"

@@ -6,67 +6,11 @@
 #include "sim/compare/expectations.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/replay.h"
-#include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/study/hard_cases/step_watch.h"
+#include "sim/search/run_check.h"
 
 namespace hyrax {
 namespace {
-
-// Takes the digest of the rows that pass.
-class DigestSink : public RowSink {
- public:
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) hash_.add(batch.row(row));
-  }
-  [[nodiscard]] Digest finish() { return hash_.value(); }
-
- private:
-  StateHash hash_;
-};
-
-// Passes rows on and reports how many have passed.
-class ProgressSink : public RowSink {
- public:
-  ProgressSink(RowSink& sink, const std::function<void(std::int64_t)>& report_steps)
-      : sink_(sink), report_steps_(report_steps) {}
-  [[nodiscard]] Wants wants() const override { return sink_.wants(); }
-  void rows(const Columns& batch) override {
-    sink_.rows(batch);
-    if (report_steps_ && batch.size() > 0) report_steps_(batch.row(batch.size() - 1).step);
-  }
-
- private:
-  RowSink& sink_;
-  const std::function<void(std::int64_t)>& report_steps_;
-};
-
-// At the first input past the start, if there is one, and at two thirds.
-std::vector<std::int64_t> stops_of(const Scenario& scenario, std::int64_t steps) {
-  std::vector<std::int64_t> stops{steps / 3, 2 * steps / 3};
-  for (const std::int64_t frame : schedule_events(scenario, steps).frames)
-    if (frame > 0) {
-      stops.front() = frame;
-      break;
-    }
-  std::sort(stops.begin(), stops.end());
-  return stops;
-}
-
-Digest resumed_digest(const Scenario& scenario) {
-  DigestSink sink;
-  std::optional<Replay> run(std::in_place, scenario, sink);
-  for (const std::int64_t stop : stops_of(scenario, run->steps())) {
-    run->play_to(stop);
-    const Keyframe stopped = run->keyframe();
-    run->finish();
-    run.emplace(scenario, stopped, sink);
-  }
-  run->play_to(run->steps());
-  run->finish();
-  return sink.finish();
-}
 
 double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
 
@@ -107,22 +51,15 @@ void judge_expectations(const HardCase& hard_case, const RunSummary& summary, Ha
 HardCaseResult play_hard_case(const HardCase& hard_case,
                               const std::function<void(std::int64_t)>& report_steps) {
   const Scenario& scenario = hard_case.scenario;
-  StepWatch watch(scenario);
-  ProgressSink counted(watch, report_steps);
-  const RunSummary watched = replay(scenario, counted, {.skips_repetition = false, .checks_bounds = true});
-  HardCaseResult result{.measures = watch.measures(),
-                        .steps = watched.steps,
-                        .knife_edges = watch.knife_edges(),
+  const CheckedRun run = check_run(scenario, usual_stops(scenario), report_steps);
+  HardCaseResult result{.measures = run.measures,
+                        .steps = run.summary.steps,
+                        .knife_edges = run.knife_edges,
                         .broken_expectation = {}};
-  const auto record = [&](Invariant invariant, double margin) {
-    result.measures[static_cast<std::size_t>(invariant)].add(margin, watched.steps);
-  };
-  RowSink discard;
-  record(Invariant::repeated, zero_or_less(replay(scenario, discard).state_hash == watched.state_hash));
-  record(Invariant::resumed, zero_or_less(resumed_digest(scenario) == watched.state_hash));
   if (hard_case.must_come_to_rest)
-    record(Invariant::comes_to_rest, rest_margin(watched, watch.last_speed_px_per_s()));
-  judge_expectations(hard_case, watched, result);
+    result.measures[static_cast<std::size_t>(Invariant::comes_to_rest)].add(
+        rest_margin(run.summary, run.last_speed_px_per_s), run.summary.steps);
+  judge_expectations(hard_case, run.summary, result);
   return result;
 }
 
@@ -132,7 +69,7 @@ CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invar
                   [&](const ExpectedFailure& failure) { return failure.invariant == invariant; });
   const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
   // The listing itself applies drag in a zero-length frame, in the user's own scenarios as well.
-  const bool is_expected_failure = is_known || invariant == Invariant::no_time;
+  const bool is_expected_failure = is_known || is_broken_by_listing(invariant, hard_case.scenario);
   if (holds) return is_known ? CaseVerdict::expected_failure_gone : CaseVerdict::held;
   return is_expected_failure ? CaseVerdict::expected_failure : CaseVerdict::broken;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "sim/study/hard_cases/invariant.h"
+#include "sim/search/invariant.h"
 
 namespace hyrax {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/replay/core.h"
 #include "sim/study/hard_cases/hard_family.h"
-#include "sim/study/methods/core.h"
 
 namespace hyrax {
 

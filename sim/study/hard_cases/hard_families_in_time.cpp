@@ -4,7 +4,6 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/study/hard_cases/hard_family.h"
-#include "sim/study/methods/core.h"
 
 namespace hyrax {
 namespace {

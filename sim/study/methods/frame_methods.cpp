@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "sim/reference/flight.h"
+#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/methods/method.h"
 
 namespace hyrax {

@@ -6,7 +6,6 @@
 #include "sim/compare/comparison.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/methods/problem.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "sim/replay/core.h"
 #include "sim/scenario/split_mix64.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/paper/paper_claim.h"
 
 namespace hyrax {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/methods/core.h"
+#include "sim/replay/core.h"
 #include "sim/study/paper/paper_claim.h"
 #include "sim/study/study.h"
 

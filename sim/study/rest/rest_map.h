@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/study/methods/core.h"
+#include "sim/replay/core.h"
 
 namespace hyrax {
 

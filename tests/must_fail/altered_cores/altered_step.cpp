@@ -1,4 +1,5 @@
 // The listing's step, its operations taken from the altered core in use.
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -191,19 +192,19 @@ void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_
 class UpdateCount {
  public:
   ~UpdateCount() {
-    if (std::getenv("HYRAX_COUNT_UPDATES") != nullptr) std::fprintf(stderr, "updates: %ld\n", count_);
+    if (std::getenv("HYRAX_COUNT_UPDATES") != nullptr) std::fprintf(stderr, "updates: %ld\n", count_.load());
   }
   void add() { ++count_; }
 
  private:
-  long count_ = 0;
+  std::atomic<long> count_ = 0;
 };
 
 void update(AlteredBody& body, double dt, int screen_width, int screen_height, int sprite_width,
             int sprite_height) {
   static UpdateCount count;
   count.add();
-  static long steps = 0;
+  static std::atomic<long> steps = 0;
   for (const char half : altered_step().update) switch (half) {
       case 'F':
         fly(body, dt);

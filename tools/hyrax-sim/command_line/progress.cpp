@@ -25,14 +25,28 @@ Progress::~Progress() {
 }
 
 void Progress::show(std::int64_t done) {
+  if (is_due())
+    print(progress_text(done, total_, unit_, std::chrono::duration<double>(last_shown_ - start_).count()));
+}
+
+void Progress::show_text(const std::string& text) {
+  if (is_due()) print(text);
+}
+
+bool Progress::is_due() {
   using std::chrono::duration;
   const Clock::time_point now = Clock::now();
-  const double elapsed_s = duration<double>(now - start_).count();
-  if (!is_terminal_ || elapsed_s < 0.5 || duration<double>(now - last_shown_).count() < 0.1) return;
+  if (!is_terminal_ || duration<double>(now - start_).count() < 0.5 ||
+      duration<double>(now - last_shown_).count() < 0.1)
+    return false;
   last_shown_ = now;
+  return true;
+}
+
+void Progress::print(const std::string& text) {
   has_line_ = true;
   // Unlike fmt::print, this throws nothing if the terminal was closed.
-  std::fputs(("\r\x1b[K" + progress_text(done, total_, unit_, elapsed_s)).c_str(), stderr);
+  std::fputs(("\r\x1b[K" + text).c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -16,15 +16,22 @@ namespace hyrax {
 class Progress {
  public:
   Progress(std::string unit, std::int64_t total);
+  /// For show_text.
+  Progress() : Progress("", 0) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
   [[nodiscard]] bool is_shown() const { return is_terminal_; }
   void show(std::int64_t done);
+  /// Any other text, for work without a known total.
+  void show_text(const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;
+  [[nodiscard]] bool is_due();
+  void print(const std::string& text);
+
   std::string unit_;
   std::int64_t total_;
   bool is_terminal_;

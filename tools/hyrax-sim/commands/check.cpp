@@ -2,8 +2,6 @@
 #include <atomic>
 #include <functional>
 #include <iterator>
-#include <system_error>
-#include <thread>
 
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
@@ -11,6 +9,7 @@
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/command_line/progress.h"
+#include "tools/hyrax-sim/command_line/workers.h"
 #include "tools/hyrax-sim/golden/check_verdict.h"
 #include "tools/store/output_guard.h"
 
@@ -35,16 +34,6 @@ std::vector<std::string> paths_of(CheckRequest& request) {
     if (request.golden_folder.empty()) request.golden_folder = "golden";
   }
   return list_scenarios(request.files);
-}
-
-// As many threads as requested, or fewer if the system allows no more.
-std::vector<std::jthread> start_workers(std::int64_t count, const std::function<void()>& work) {
-  std::vector<std::jthread> workers;
-  try {
-    for (std::int64_t worker = 0; worker < count; ++worker) workers.emplace_back(work);
-  } catch (const std::system_error&) {
-  }
-  return workers;
 }
 
 // Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
@@ -82,7 +71,7 @@ ExitCode check(CheckRequest& request) {
   const std::vector<std::string> paths = paths_of(request);
   if (!request.junit.empty())
     OutputGuard(paths, request.golden_folder).admit("hyrax-sim check: --junit", request.junit);
-  const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  const std::int64_t jobs = request.jobs.value_or(processors());
   std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
   std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
   if (request.printing.is_json)

@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
+#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/study/methods/core.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
 

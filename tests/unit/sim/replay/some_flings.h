@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "sim/scenario/split_mix64.h"
+#include "sim/search/draws.h"
 #include "tools/files/scenario_reader.h"
 
 namespace hyrax {
@@ -48,17 +48,6 @@ inline Scenario eventful_fling() {
   scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.1, 7};
   return scenario;
 }
-
-class Draws {
- public:
-  explicit Draws(std::uint64_t seed) : seed_(seed) {}
-  std::uint64_t below(std::uint64_t end) { return split_mix64(seed_, k_++) % end; }
-  double between(double low, double high) { return low + (high - low) * split_mix64_unit(seed_, k_++); }
-
- private:
-  std::uint64_t seed_;
-  std::uint64_t k_ = 0;
-};
 
 inline Action any_action(Draws& draws, bool& is_held) {
   const Velocity velocity{draws.between(-2000.0, 2000.0), draws.between(-2000.0, 2000.0)};

@@ -7,7 +7,6 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
-#include "sim/study/methods/core.h"
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/needs/needs_figure.h"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "sim/reference/input_playback.h"
-#include "sim/study/hard_cases/invariant.h"
-#include "sim/study/methods/core.h"
+#include "sim/replay/core.h"
+#include "sim/search/invariant.h"
+#include "sim/trajectory/input_playback.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {

@@ -1,8 +1,7 @@
-#include "sim/study/methods/core.h"
+#include "sim/replay/core.h"
 
 #include <cassert>
 #include <cmath>
-
 #include <limits>
 
 #include "sim/motion/step.h"
@@ -52,10 +51,10 @@ State core_stopped(const State& body) {
 // In the largest window there is, most flights meet no wall. One that does flies again at the same velocity
 // in the middle of the window: its speeds are those of the flight, and so is its distance, to the rounding of
 // such a place. If that distance is speed times dt, as the listing moves, the position is exact; else to
-// about 1e-6 px.
+// that rounding.
 State core_flight(const State& body, double dt_s) {
   constexpr int kSide_px = std::numeric_limits<int>::max();
-  constexpr double kRounding_px = 1e-6;
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   const auto flown = [dt_s](const State& from) {
     physics moving = in(from);
     moving.update(dt_s, kSide_px, kSide_px, 0, 0);
@@ -70,7 +69,8 @@ State core_flight(const State& body, double dt_s) {
                      body.vy_px_per_s};
   const State there = flown(middle);
   const auto moved = [&](double from_px, double distance_px, double listing_px) {
-    return from_px + (std::fabs(distance_px - listing_px) > kRounding_px ? distance_px : listing_px);
+    const double rounding_px = kRounding * (kSide_px + std::fabs(listing_px));
+    return from_px + (std::fabs(distance_px - listing_px) > rounding_px ? distance_px : listing_px);
   };
   if (!is_inside(end.x_px)) end.x_px = moved(body.x_px, there.x_px - middle.x_px, there.vx_px_per_s * dt_s);
   if (!is_inside(end.y_px)) end.y_px = moved(body.y_px, there.y_px - middle.y_px, there.vy_px_per_s * dt_s);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/replay/replay.h"
-#include "sim/study/hard_cases/step_watch.h"
+#include "sim/search/step_watch.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {

@@ -1,4 +1,4 @@
-// The shipped core, as the studies call it.
+// The shipped core as functions of plain values, for checks and studies.
 #pragma once
 
 #include <cstdint>

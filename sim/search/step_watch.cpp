@@ -1,4 +1,4 @@
-#include "sim/study/hard_cases/step_watch.h"
+#include "sim/search/step_watch.h"
 
 #include <algorithm>
 #include <cmath>

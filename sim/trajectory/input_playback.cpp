@@ -1,4 +1,4 @@
-#include "sim/reference/input_playback.h"
+#include "sim/trajectory/input_playback.h"
 
 #include <utility>
 

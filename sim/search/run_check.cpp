@@ -1,0 +1,114 @@
+#include "sim/search/run_check.h"
+
+#include <algorithm>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "sim/search/step_watch.h"
+
+namespace hyrax {
+namespace {
+
+// Takes the digest of the rows that pass.
+class DigestSink : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t row = 0; row < batch.size(); ++row) hash_.add(batch.row(row));
+  }
+  [[nodiscard]] Digest finish() { return hash_.value(); }
+
+ private:
+  StateHash hash_;
+};
+
+// Passes rows on and reports how many have passed.
+class ProgressSink : public RowSink {
+ public:
+  ProgressSink(RowSink& sink, const std::function<void(std::int64_t)>& report_steps)
+      : sink_(sink), report_steps_(report_steps) {}
+  [[nodiscard]] Wants wants() const override { return sink_.wants(); }
+  void rows(const Columns& batch) override {
+    sink_.rows(batch);
+    if (report_steps_ && batch.size() > 0) report_steps_(batch.row(batch.size() - 1).step);
+  }
+
+ private:
+  RowSink& sink_;
+  const std::function<void(std::int64_t)>& report_steps_;
+};
+
+Digest resumed_digest(const Scenario& scenario, std::span<const std::int64_t> stops) {
+  DigestSink sink;
+  std::optional<Replay> run(std::in_place, scenario, sink);
+  for (const std::int64_t stop : stops) {
+    run->play_to(stop);
+    const Keyframe stopped = run->keyframe();
+    run->finish();
+    run.emplace(scenario, stopped, sink);
+  }
+  run->play_to(run->steps());
+  run->finish();
+  return sink.finish();
+}
+
+bool is_ever_wider_than_window(const Scenario& scenario) {
+  Size window = scenario.window;
+  Size sprite = scenario.sprite;
+  bool is_wider = sprite.width_px > window.width_px;
+  for (const Event& event : scenario.events)
+    if (const auto* const resize = std::get_if<Resize>(&event.action)) {
+      window = resize->window.value_or(window);
+      sprite = resize->sprite.value_or(sprite);
+      is_wider |= sprite.width_px > window.width_px;
+    }
+  return is_wider;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> usual_stops(const Scenario& scenario) {
+  const std::int64_t steps = step_count(scenario);
+  std::vector<std::int64_t> stops{steps / 3, 2 * steps / 3};
+  for (const std::int64_t frame : schedule_events(scenario, steps).frames)
+    if (frame > 0) {
+      stops.front() = frame;
+      break;
+    }
+  std::sort(stops.begin(), stops.end());
+  return stops;
+}
+
+CheckedRun check_run(const Scenario& scenario, std::span<const std::int64_t> stops,
+                     const std::function<void(std::int64_t)>& report_steps) {
+  StepWatch watch(scenario);
+  ProgressSink counted(watch, report_steps);
+  CheckedRun run{.summary = replay(scenario, counted, {.skips_repetition = false, .checks_bounds = true}),
+                 .measures = watch.measures(),
+                 .last_speed_px_per_s = watch.last_speed_px_per_s(),
+                 .knife_edges = watch.knife_edges()};
+  const auto record_equal = [&run](Invariant invariant, const Digest& hash) {
+    const double margin = hash == run.summary.state_hash ? 0.0 : -1.0;
+    run.measures[static_cast<std::size_t>(invariant)].add(margin, run.summary.steps);
+  };
+  RowSink discard;
+  record_equal(Invariant::repeated, replay(scenario, discard).state_hash);
+  record_equal(Invariant::resumed, resumed_digest(scenario, stops));
+  return run;
+}
+
+bool is_broken_by_listing(Invariant invariant, const Scenario& scenario) {
+  return invariant == Invariant::no_time ||
+         (invariant == Invariant::mirror && is_ever_wider_than_window(scenario));
+}
+
+std::optional<Invariant> first_broken(const Scenario& scenario, const InvariantMeasures& measures) {
+  for (std::size_t index = 0; index < kInvariantCount; ++index) {
+    const auto invariant = static_cast<Invariant>(index);
+    if (!measures[index].holds && !is_broken_by_listing(invariant, scenario)) return invariant;
+  }
+  return std::nullopt;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,176 @@
+#include "sim/search/scenario_edit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+
+namespace hyrax {
+namespace {
+
+std::int64_t frame_of(const Event& event) { return std::get<std::int64_t>(event.when); }
+
+// Of the events that are left, a release without its grab becomes the fling that it also is, and a grab while
+// held goes.
+void pair_grabs(std::vector<Event>& events) {
+  bool is_held = false;
+  std::vector<Event> paired;
+  for (Event& event : events) {
+    const auto* const release = std::get_if<Release>(&event.action);
+    const bool is_grab = std::holds_alternative<Grab>(event.action);
+    if (is_grab && is_held) continue;
+    if (release != nullptr && !is_held) event.action = Fling{release->velocity};
+    is_held = is_grab || (is_held && release == nullptr);
+    paired.push_back(event);
+  }
+  events = std::move(paired);
+}
+
+bool is_within(double value, double low, double high) { return value >= low && value <= high; }
+bool is_good(const Position& at) {
+  return is_within(at.x_px, -kCoordinateMax_px, kCoordinateMax_px) &&
+         is_within(at.y_px, -kCoordinateMax_px, kCoordinateMax_px);
+}
+bool is_good(const Velocity& velocity) {
+  return is_within(velocity.vx_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s) &&
+         is_within(velocity.vy_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s);
+}
+bool is_window(const Size& size) {
+  return std::min(size.width_px, size.height_px) >= 0 &&
+         std::max(size.width_px, size.height_px) <= kWindowSideMax_px;
+}
+bool is_sprite(const Size& size) {
+  return std::min(size.width_px, size.height_px) >= kSpriteSideMin_px &&
+         std::max(size.width_px, size.height_px) <= kSpriteSideMax_px;
+}
+
+struct GoodAction {
+  bool operator()(const Fling& fling) const { return is_good(fling.velocity); }
+  bool operator()(const Place& place) const { return is_good(place.position); }
+  bool operator()(const Stop&) const { return true; }
+  bool operator()(const Resize& resize) const {
+    return (resize.window || resize.sprite) && is_window(resize.window.value_or(Size{})) &&
+           is_sprite(resize.sprite.value_or(Size{kSpriteSideMin_px, kSpriteSideMin_px}));
+  }
+  bool operator()(const Hitch& hitch) const { return is_within(hitch.dt_s, 0.0, kFrameMax_s); }
+  bool operator()(const Grab&) const { return true; }
+  bool operator()(const Release& release) const { return is_good(release.velocity); }
+};
+
+struct GoodClock {
+  bool operator()(const FixedRate& rate) const {
+    return rate.rate_hz > 0.0 && rate.rate_hz <= kRateMax_hz && 1.0 / rate.rate_hz <= kFrameMax_s;
+  }
+  bool operator()(const FixedStep& step) const { return is_within(step.dt_s, 0.0, kFrameMax_s); }
+  bool operator()(const RecordedSteps& trace) const {
+    return !trace.dt_s.empty() && std::all_of(trace.dt_s.begin(), trace.dt_s.end(),
+                                              [](double dt_s) { return is_within(dt_s, 0.0, kFrameMax_s); });
+  }
+};
+
+bool is_good(const Clock& clock) {
+  if (!std::visit(GoodClock{}, clock.base)) return false;
+  if (!clock.jitter) return true;
+  const double most = clock.jitter->kind == Jitter::Kind::normal ? kFrameMax_s : 1.0;
+  return is_within(clock.jitter->amount, 0.0, most);
+}
+
+bool are_good(const std::vector<Event>& events, std::int64_t steps) {
+  bool is_held = false;
+  std::int64_t frame = 0;
+  for (const Event& event : events) {
+    if (frame_of(event) < frame || frame_of(event) >= steps) return false;
+    frame = frame_of(event);
+    if (!std::visit(GoodAction{}, event.action)) return false;
+    if (std::holds_alternative<Grab>(event.action)
+            ? is_held
+            : !is_held && std::holds_alternative<Release>(event.action))
+      return false;
+    if (std::holds_alternative<Grab>(event.action)) is_held = true;
+    if (std::holds_alternative<Release>(event.action)) is_held = false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Scenario plain(const Scenario& scenario) {
+  Scenario plain = scenario;
+  const std::int64_t steps = step_count(scenario);
+  const std::vector<std::int64_t> frames = schedule_events(scenario, steps).frames;
+  for (std::size_t event = 0; event < frames.size(); ++event) plain.events[event].when = frames[event];
+  plain.length = std::monostate{};
+  if (!std::holds_alternative<RecordedSteps>(plain.clock.base)) plain.length = steps;
+  plain.schema.reset();  // A path from another folder.
+  return plain;
+}
+
+Scenario without_frames(const Scenario& scenario, std::int64_t first, std::int64_t last) {
+  assert(0 <= first && first <= last && last <= step_count(scenario));
+  Scenario shorter = scenario;
+  if (auto* const trace = std::get_if<RecordedSteps>(&shorter.clock.base))
+    trace->dt_s.erase(trace->dt_s.begin() + first, trace->dt_s.begin() + last);
+  else
+    shorter.length = step_count(scenario) - (last - first);
+  std::erase_if(shorter.events,
+                [&](const Event& event) { return frame_of(event) >= first && frame_of(event) < last; });
+  for (Event& event : shorter.events)
+    if (frame_of(event) >= last) event.when = frame_of(event) - (last - first);
+  pair_grabs(shorter.events);
+  return shorter;
+}
+
+Scenario without_events(const Scenario& scenario, std::size_t first, std::size_t last) {
+  assert(first <= last && last <= scenario.events.size());
+  Scenario simpler = scenario;
+  simpler.events.erase(simpler.events.begin() + static_cast<std::ptrdiff_t>(first),
+                       simpler.events.begin() + static_cast<std::ptrdiff_t>(last));
+  pair_grabs(simpler.events);
+  return simpler;
+}
+
+Scenario after_frames(const Scenario& scenario, std::int64_t frames) {
+  assert(0 <= frames && frames <= step_count(scenario));
+  RowSink discard;
+  Replay run(scenario, discard);
+  run.play_to(frames);
+  const Keyframe& then = run.keyframe();
+  Scenario later = without_frames(scenario, 0, frames);
+  later.window = then.window;
+  later.sprite = then.sprite;
+  later.start = {then.row.x_px, then.row.y_px};
+  later.start_velocity = {then.row.vx_px_per_s, then.row.vy_px_per_s};
+  if (!then.is_held) return later;
+  later.events = scenario.events;  // With the grab before the cut, so that its release stays one.
+  std::erase_if(later.events, [&](const Event& event) { return frame_of(event) < frames; });
+  for (Event& event : later.events) event.when = frame_of(event) - frames;
+  if (step_count(later) > 0) later.events.insert(later.events.begin(), {std::int64_t{0}, Grab{}});
+  return later;
+}
+
+Scenario recorded(const Scenario& scenario) {
+  const std::int64_t steps = step_count(scenario);
+  assert(steps > 0);
+  const FrameClock clock(scenario.clock);
+  RecordedSteps trace;
+  for (std::int64_t frame = 0; frame < steps; ++frame) trace.dt_s.push_back(clock.dt_s(frame));
+  Scenario same = scenario;
+  for (const Event& event : scenario.events)
+    if (const auto* const hitch = std::get_if<Hitch>(&event.action))
+      trace.dt_s[static_cast<std::size_t>(frame_of(event))] = hitch->dt_s;
+  std::erase_if(same.events, [](const Event& event) { return std::holds_alternative<Hitch>(event.action); });
+  same.clock = {.base = std::move(trace), .jitter = {}};
+  same.length = std::monostate{};
+  return same;
+}
+
+bool is_valid(const Scenario& scenario) {
+  return is_window(scenario.window) && is_sprite(scenario.sprite) && is_good(scenario.start) &&
+         is_good(scenario.start_velocity) && is_good(scenario.clock) && step_count(scenario) >= 0 &&
+         step_count(scenario) <= kStepsMax && are_good(scenario.events, step_count(scenario));
+}
+
+}  // namespace hyrax

@@ -1,0 +1,49 @@
+// The smallest scenario that still fails.
+//
+// Source: A. Zeller, R. Hildebrandt, "Simplifying and isolating failure-inducing input", IEEE Transactions on
+// Software Engineering 28:183-200, 2002: parts are removed in chunks that become smaller by half.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// What is made smaller: fewer frames first, then fewer events, less besides, a simpler clock, fewer digits.
+struct Complexity {
+  std::int64_t steps = 0;
+  std::int64_t events = 0;
+  std::int64_t extras = 0;  ///< `expect`, and `record` where it is not 1.
+  std::int64_t clock = 0;   ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
+  std::int64_t digits = 0;  ///< Of all numbers, in decimal.
+  bool operator==(const Complexity&) const = default;
+};
+/// Whether `a` is simpler.
+[[nodiscard]] bool operator<(const Complexity& a, const Complexity& b);
+/// REQUIRES: a plain scenario (scenario_edit.h).
+[[nodiscard]] Complexity complexity_of(const Scenario& scenario);
+
+struct ShrinkOptions {
+  std::int64_t trials_max = 20'000;
+  /// Called before each trial with their number so far and the smallest scenario yet.
+  std::function<void(std::int64_t trials, const Scenario& smallest)> report = {};
+};
+
+struct Shrunk {
+  Scenario scenario;
+  std::int64_t trials = 0;   ///< Scenarios that were tried.
+  bool fails_again = false;  ///< Whether `failing` itself fails when it is tried.
+  bool is_complete = false;  ///< Nothing simpler is left to try; else trials_max ended the search.
+};
+
+/// Tries simpler scenarios in a fixed order as long as one of them fails: frames cut off at the end, a start
+/// from a later row's state, frames and events left out, a fixed dt for jitter, rounder numbers.
+/// Deterministic if `fails` is. If `failing` does not fail when it is tried, it is returned as it is.
+/// @param fails whether a valid scenario still fails as `failing` does.
+/// REQUIRES: the events of `failing` have frames.
+[[nodiscard]] Shrunk shrink(const Scenario& failing, const std::function<bool(const Scenario&)>& fails,
+                            const ShrinkOptions& options = {});
+
+}  // namespace hyrax

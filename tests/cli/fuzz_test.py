@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""fuzz: random scenarios, parts of them, another program, bad options. must_fail/fuzz_test.py has what it finds."""
+
+import os
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, main
+
+
+class Fuzz(ProgramTest):
+    """The shipped core."""
+
+    def fuzz(self, *options, **arguments):
+        """Without a failure: the document."""
+        return self.expect(AGREED, "fuzz", "--json", *options, **arguments).json
+
+    def test_no_rule_is_broken_in_many_runs_and_nothing_is_written(self):
+        document = self.fuzz("--runs", "100000", "--seed", "12")
+        self.assertEqual((document["seed"], document["runs"], document["failures"]), (12, 100000, []))
+        self.assertEqual(self.names(), [])
+
+    def test_a_time_ends_it(self):
+        for time in ("0.5", "0.5s", "0.005m"):
+            document = self.fuzz("--time", time)
+            self.assertGreater(document["runs"], 0)
+            self.assertLess(document["elapsed_s"], 20)
+
+    def test_the_text_says_what_was_played(self):
+        outcome = self.expect(AGREED, "fuzz", "--runs", "100")
+        self.assertRegex(outcome.out, r"\Aseed 1: 100 runs in [0-9.]+ s \(.* per minute\)\nall rules hold\n\Z")
+        self.assertEqual(self.expect(AGREED, "fuzz", "--runs", "100", "-q").out, "all rules hold\n")
+
+    def test_parts_are_a_partition(self):
+        runs = [self.fuzz("--runs", "100", "--part", f"{index}/3") for index in range(3)]
+        self.assertEqual([document["runs"] for document in runs], [34, 33, 33])
+        self.assertEqual(runs[1]["part"], {"index": 1, "count": 3})
+        self.assertEqual(self.fuzz("--runs", "2", "--part", "2/3")["runs"], 0)
+
+    def test_the_part_is_taken_from_the_environment(self):
+        for variables, options, part in (
+                ({"SLURM_ARRAY_TASK_ID": "6", "SLURM_ARRAY_TASK_MIN": "5", "SLURM_ARRAY_TASK_COUNT": "4"}, (), (1, 4)),
+                ({"OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"}, (), (2, 3)),
+                ({"JOB_COMPLETION_INDEX": "4"}, ("--parts", "5"), (4, 5)),
+                ({"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "4"}, ("--part", "0/2"), (0, 2))):
+            outcome = self.expect(AGREED, "fuzz", "--runs", "10", "--json", *options, env={**os.environ, **variables})
+            self.assertEqual(outcome.json["part"], {"index": part[0], "count": part[1]})
+            self.assertEqual("part" in outcome.err, "--part" not in options)
+
+    def test_the_same_program_has_the_same_hashes(self):
+        document = self.fuzz("--runs", "40", "--against", PROGRAM)
+        self.assertEqual((document["against"], document["failures"]), (str(PROGRAM), []))
+
+
+class Refused(ProgramTest):
+    """Bad options, before anything is played."""
+
+    def test_values_out_of_range(self):
+        for options, says in ((("--time", "0"), "--time: must be a time above 0"), (("--time", "5d"), "found 5d"),
+                              (("--time", "1e400s"), "--time"), (("--runs", "0"), "--runs"), (("--seed", "-1"), "--seed"),
+                              (("--part", "3/3"), "--part: must be I/N"), (("--part", "1"), "--part"),
+                              (("--part", "0/1", "--parts", "2"), "only one allowed"),
+                              (("--parts", "2"), "JOB_COMPLETION_INDEX"),
+                              (("--time", "1s", "--runs", "1"), "--time and --runs: only one allowed")):
+            self.expect(BAD_INPUT, "fuzz", *options, says=says)
+
+    def test_a_variable_that_is_no_number(self):
+        variables = {"SLURM_ARRAY_TASK_ID": "x", "SLURM_ARRAY_TASK_COUNT": "4"}
+        self.expect(BAD_INPUT, "fuzz", env={**os.environ, **variables}, says="SLURM_ARRAY_TASK_ID: must be a whole number")
+
+    def test_a_golden_folder_as_output(self):
+        self.project("one")
+        self.expect(BAD_INPUT, "fuzz", "--runs", "1", "-o", "golden", says="golden")
+
+    def test_another_program_that_is_none(self):
+        self.expect(CANNOT_ACCESS, "fuzz", "--runs", "1", "--against", "./none", says="./none: cannot be started")
+        self.expect(BAD_INPUT, "fuzz", "--runs", "1", "--against", "false", says="printed no state hash (exit code 1)")
+        self.expect(BAD_INPUT, "fuzz", "--runs", "1", "--against", "echo", says="printed no state hash (exit code 0)")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+"""shrink: the smallest scenario on which a command ends the same way."""
+
+import json
+import shlex
+
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, fling, main
+
+EVENTS = [{"step": 20, "hitch": {"dt_s": 0.25}}, {"step": 100, "grab": {}}, {"step": 110, "place": {"x_px": 5, "y_px": 5}},
+          {"step": 120, "release": {"vx_px_per_s": 12.25, "vy_px_per_s": 99}}]
+
+
+class Shrink(ProgramTest):
+    """A throw of 300 frames and four events."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling(events=EVENTS, expect={"finite": True}))
+
+    def shrink(self, command, *options):
+        """Shrinks by a command; the document, and the smaller scenario."""
+        document = self.expect(AGREED, "shrink", "fling.json", "--fails", command, "-o", "small.json", "--json", *options).json
+        self.expect(AGREED, "validate", "small.json")
+        return document, json.loads((self.folder / "small.json").read_text())
+
+    def test_a_contact_needs_one_frame(self):
+        program = shlex.quote(str(PROGRAM))
+        document, small = self.shrink(f"{program} run {{}} --json -o run.h5 | grep -q '\"right\": 1'")
+        self.assertEqual(document["before"], {"steps": 300, "events": 4})
+        self.assertEqual(document["after"], {"steps": 1, "events": 0})
+        self.assertEqual((document["kept"], document["complete"]), ("the command's exit code 0", True))
+        self.assertEqual(small["steps"], 1)
+        self.assertNotIn("expect", small)
+        self.assertIn("Shrunk from fling, 300 frames", small["description"])
+
+    def test_the_exit_code_is_kept(self):
+        document, small = self.shrink("""grep -q place {} && exit 7; grep -q '"steps": 300' {} && exit 8""")
+        self.assertEqual(document["kept"], "the command's exit code 7")
+        self.assertEqual([list(event) for event in small["events"]], [["step", "place"]])
+
+    def test_a_signal_counts_as_128_and_its_number(self):
+        document, _ = self.shrink("grep -q grab {} && kill -SEGV $$; exit 3")
+        self.assertEqual(document["kept"], "the command's signal 11 (exit code 139)")
+        document, small = self.shrink("grep -q grab {} && exit 139; kill -SEGV $$", "--force")
+        self.assertEqual(small["steps"], 0, "a signal and its number as exit code are the same")
+
+    def test_a_command_that_hangs_is_ended(self):
+        document, small = self.shrink("grep -q grab {} && sleep 600; exit 0", "--time-limit", "0.3")
+        self.assertEqual(document["kept"], "the command's no end within 0.3 s")
+        self.assertEqual([list(event) for event in small["events"]], [["step", "grab"]])
+
+    def test_it_is_deterministic(self):
+        command = "test $(wc -c < {}) -gt 400"
+        _, one = self.shrink(command)
+        _, again = self.shrink(command, "--force")
+        self.assertEqual(one, again)
+
+    def test_the_text_says_what_is_left(self):
+        outcome = self.expect(AGREED, "shrink", "fling.json", "--fails", "grep -q fling {}", "-o", "small.json")
+        self.assertIn("written: small.json (0 frames and 0 events, from 300 and 4)\n", outcome.out)
+        self.assertIn("kept: the command's exit code 0\n", outcome.out)
+
+    def test_a_program_in_the_role_of_another(self):
+        """A wrapper that plays at twice the gravity of time: hashes differ from the first frame."""
+        (self.folder / "other").write_text(
+            f'#!/bin/sh\ncommand=$1\nshift\n[ "$command" = run ] || exit 2\nexec {PROGRAM} run --set /clock/rate_hz=30 "$@"\n')
+        (self.folder / "other").chmod(0o755)
+        outcome = self.expect(AGREED, "shrink", "fling.json", "--against", "./other", "-o", "small.json", "--json")
+        self.assertEqual((outcome.json["kept"], outcome.json["after"]), ("different state hashes", {"steps": 1, "events": 0}))
+
+
+class Refused(ProgramTest):
+    """What is not shrunk, and outputs that are protected."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", fling())
+        self.before = self.state_of(".")
+
+    def refuse(self, *arguments, says, exit_code=BAD_INPUT):
+        """Nothing is written."""
+        self.expect(exit_code, "shrink", *arguments, says=says)
+        self.assertEqual(self.state_of("."), self.before)
+
+    def test_options(self):
+        self.refuse("fling.json", "-o", "small.json", says="--fails, --against: exactly one is needed")
+        self.refuse("fling.json", "--fails", "test {}", "--against", "x", "-o", "small.json", says="exactly one is needed")
+        self.refuse("fling.json", "--fails", "test {}", says="-o: is missing")
+        self.refuse("fling.json", "--fails", "test x", "-o", "small.json", says="--fails: no {} for the scenario's file")
+        self.refuse("fling.json", "--fails", "test {}", "-o", "small.h5", says="allowed: .json")
+        self.refuse("none.json", "--fails", "test {}", "-o", "small.json", says="none.json", exit_code=CANNOT_ACCESS)
+        self.refuse("fling.json", "--fails", "test {}", "--time-limit", "0", "-o", "small.json", says="--time-limit")
+
+    def test_a_command_that_does_not_exist(self):
+        self.refuse("fling.json", "--fails", "./no-such-command {}", "-o", "small.json", says="the shell cannot run")
+
+    def test_two_programs_that_agree(self):
+        self.refuse("fling.json", "--against", PROGRAM, "-o", "small.json", says="same state hash in both programs")
+
+    def test_a_command_that_ends_differently_the_second_time(self):
+        self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "test -f {} && mkdir only-once 2>&-", "-o", "small.json",
+                    says="only what fails every time can be shrunk")
+        self.assertEqual(self.names(), ["fling.json", "only-once"])
+
+    def test_outputs_are_protected(self):
+        self.refuse("fling.json", "--fails", "test {}", "-o", "fling.json", "--force", says="an input of this command")
+        self.write("other.json", fling(name="other"))
+        self.before = self.state_of(".")
+        self.refuse("fling.json", "--fails", "test {}", "-o", "other.json", says="other.json: exists; `--force` replaces it")
+        self.expect(AGREED, "shrink", "fling.json", "--fails", "test {}", "-o", "other.json", "--force")
+        self.project("one")
+        self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "test {}", "-o", "golden/x.json", says="golden")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,101 @@
+// Random scenarios: valid, reproducible, of every feature; and no rule broken by the shipped core.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "sim/scenario/frame_clock.h"
+#include "sim/search/random_scenario.h"
+#include "sim/search/run_check.h"
+#include "sim/search/scenario_edit.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/scenario_writer.h"
+
+namespace hyrax {
+namespace {
+
+TEST(RandomRun, IsAValidScenarioThatItsFileGivesBack) {
+  for (std::uint64_t run = 0; run < 2000; ++run) {
+    const Scenario scenario = random_run(3, run).scenario;
+    EXPECT_TRUE(is_valid(scenario)) << scenario.name;
+    EXPECT_TRUE(plays_the_same(scenario, parse_scenario(scenario_file_text(scenario), scenario.name)));
+  }
+}
+
+TEST(RandomRun, IsTheSameWheneverItIsDrawn) {
+  const RandomRun one = random_run(5, 17);
+  static_cast<void>(random_run(5, 18));
+  const RandomRun again = random_run(5, 17);
+  EXPECT_TRUE(plays_the_same(one.scenario, again.scenario));
+  EXPECT_EQ(one.stops, again.stops);
+  EXPECT_EQ(one.scenario.name, "fuzz-5-17");
+  EXPECT_FALSE(plays_the_same(one.scenario, random_run(6, 17).scenario));
+}
+
+TEST(RandomRun, StopsAtTwoRowsOfTheRun) {
+  for (std::uint64_t run = 0; run < 500; ++run) {
+    const RandomRun random = random_run(1, run);
+    ASSERT_EQ(random.stops.size(), 2u);
+    EXPECT_GE(random.stops[0], 0);
+    EXPECT_LE(random.stops[0], random.stops[1]);
+    EXPECT_LE(random.stops[1], step_count(random.scenario));
+  }
+}
+
+TEST(RandomRun, HasEachFeatureInAboutHalfOfTheRuns) {
+  for (std::size_t feature = 0; feature < kFeatureCount; ++feature) {
+    int runs = 0;
+    for (std::uint64_t run = 0; run < 1000; ++run)
+      runs += random_run(1, run).features.has(static_cast<Feature>(feature)) ? 1 : 0;
+    EXPECT_NEAR(runs, 500, 80) << kFeatureNames[feature];
+  }
+}
+
+// What the features are for comes about: each kind of action, jitter and clock, and sizes that do not fit.
+TEST(RandomRun, ReachesWhatTheFormatAllows) {
+  std::set<std::size_t> actions, clocks, jitters;
+  int oversized = 0, zero_frames = 0;
+  for (std::uint64_t run = 0; run < 1000; ++run) {
+    const Scenario scenario = random_run(2, run).scenario;
+    for (const Event& event : scenario.events) actions.insert(event.action.index());
+    clocks.insert(scenario.clock.base.index());
+    if (scenario.clock.jitter) jitters.insert(static_cast<std::size_t>(scenario.clock.jitter->kind));
+    oversized += scenario.sprite.width_px > scenario.window.width_px ? 1 : 0;
+    const FrameClock clock(scenario.clock);
+    for (std::int64_t frame = 0; frame < step_count(scenario); ++frame)
+      if (clock.dt_s(frame) == 0.0) {
+        ++zero_frames;
+        break;
+      }
+  }
+  EXPECT_EQ(actions.size(), std::variant_size_v<Action>);
+  EXPECT_EQ(clocks.size(), 3u);
+  EXPECT_EQ(jitters.size(), 3u);
+  EXPECT_GT(oversized, 50);
+  EXPECT_GT(zero_frames, 50);
+}
+
+TEST(CheckRun, TheShippedCoreBreaksNoRule) {
+  for (std::uint64_t run = 0; run < 3000; ++run) {
+    const RandomRun random = random_run(4, run);
+    const auto broken = first_broken(random.scenario, check_run(random.scenario, random.stops).measures);
+    EXPECT_FALSE(broken) << random.scenario.name << " "
+                         << kInvariantTexts[static_cast<std::size_t>(*broken)].name;
+  }
+}
+
+TEST(CheckRun, TheListingBreaksTheMirrorOnlyWhereTheSpriteIsWiderThanItsWindow) {
+  Scenario scenario = random_run(1, 0).scenario;
+  scenario.window = {100, 10};
+  scenario.sprite = {100, 200};
+  scenario.events.clear();
+  EXPECT_FALSE(is_broken_by_listing(Invariant::mirror, scenario));
+  scenario.events = {{std::int64_t{3}, Resize{Size{99, 10}, {}}}};
+  EXPECT_TRUE(is_broken_by_listing(Invariant::mirror, scenario));
+  EXPECT_FALSE(is_broken_by_listing(Invariant::speed, scenario));
+  scenario.events.clear();
+  scenario.sprite.width_px = 101;
+  EXPECT_TRUE(is_broken_by_listing(Invariant::mirror, scenario));
+}
+
+}  // namespace
+}  // namespace hyrax

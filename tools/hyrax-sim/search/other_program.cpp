@@ -1,0 +1,124 @@
+#include "tools/hyrax-sim/search/other_program.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "tools/files/failure.h"
+#include "tools/files/json.h"
+#include "tools/files/scenario_writer.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kLimit_s = 60.0;                  // For each process.
+const std::string kNoHash = std::string(32, '0');  // Which no run has.
+
+// Meets the right wall and the ground, with a gravity and a drag that act: whoever changes a result changes
+// this one.
+Scenario probe() {
+  Scenario scenario;
+  scenario.name = "probe";
+  scenario.window = {640, 480};
+  scenario.sprite = {64, 64};
+  scenario.start = {300.0, 100.0};
+  scenario.start_velocity = {1234.5, 67.8};
+  scenario.clock.base = FixedRate{};
+  scenario.length = std::int64_t{120};
+  return scenario;
+}
+
+using Hashes = std::map<std::string, std::string>;  // By the path of the scenario's file.
+
+const std::string* text_at(const Json& object, std::string_view key) {
+  const Json* const member = object.find(key);
+  return member == nullptr ? nullptr : member->get<std::string>();
+}
+
+// The entries of an array; nothing if there is none.
+std::span<const Json> entries(const Json& object, std::string_view key) {
+  const Json* const member = object.find(key);
+  if (member == nullptr || member->get<Json::Array>() == nullptr) return {};
+  return *member->get<Json::Array>();
+}
+
+// Of `run --json`.
+Hashes hashes_of_runs(const Json& document) {
+  Hashes hashes;
+  for (const Json& run : entries(document, "runs")) {
+    const std::string* const path = text_at(run, "scenario");
+    const std::string* const hash = text_at(run, "state_hash");
+    if (path != nullptr && hash != nullptr) hashes.emplace(*path, *hash);
+  }
+  return hashes;
+}
+
+// Of `check --json`, which says what it measured where another hash is expected.
+Hashes hashes_of_checks(const Json& document) {
+  Hashes hashes;
+  for (const Json& result : entries(document, "results"))
+    for (const Json& expectation : entries(result, "expect")) {
+      const std::string* const path = text_at(result, "scenario");
+      const std::string* const rule = text_at(expectation, "rule");
+      const std::string* const hash = text_at(expectation, "measured");
+      if (path != nullptr && rule != nullptr && *rule == "state_hash" && hash != nullptr)
+        hashes.emplace(*path, *hash);
+    }
+  return hashes;
+}
+
+Json parsed(const std::string& output) {
+  try {
+    return parse_json(output, "--json");
+  } catch (const Failure&) {
+    return {};  // It was ended before it printed all, or is no hyrax-sim.
+  }
+}
+
+}  // namespace
+
+// `check` is used only if it says the same as `run`, whose output is the older interface.
+OtherProgram::OtherProgram(std::string program, const std::string& option) : program_(std::move(program)) {
+  const Scenario scenario = probe();
+  ChildEnd end;
+  const std::string hash = ask(Asked::run, {&scenario, 1}, end).front();
+  if (hash.empty())
+    throw Failure(ExitCode::bad_input,
+                  option + ": `" + program_ + " run FILE --json` printed no state hash (" +
+                      end_text(end, kLimit_s) + "): " + end.err.substr(0, end.err.find('\n')));
+  uses_check_ = ask(Asked::check, {&scenario, 1}, end).front() == hash;
+}
+
+std::vector<std::string> OtherProgram::state_hashes(std::span<const Scenario> scenarios) const {
+  ChildEnd end;
+  std::vector<std::string> hashes = ask(uses_check_ ? Asked::check : Asked::run, scenarios, end);
+  for (std::size_t index = 0; index < scenarios.size(); ++index) {
+    if (hashes[index].empty()) hashes[index] = ask(Asked::run, scenarios.subspan(index, 1), end).front();
+    if (hashes[index].empty()) hashes[index] = end_text(end, kLimit_s);
+  }
+  return hashes;
+}
+
+// The hash of each; empty where it printed none.
+std::vector<std::string> OtherProgram::ask(Asked command, std::span<const Scenario> scenarios,
+                                           ChildEnd& end) const {
+  const TemporaryFolder folder;
+  const std::string inputs = folder.path() + "/in";
+  std::filesystem::create_directory(inputs);
+  std::vector<std::string> paths;
+  Expect another_hash;
+  another_hash.state_hash = kNoHash;
+  for (Scenario scenario : scenarios) {
+    scenario.expect = command == Asked::check ? std::optional(another_hash) : std::nullopt;
+    paths.push_back(folder.write("in/" + scenario.name + ".json", scenario_file_text(scenario)));
+  }
+  end = command == Asked::run
+            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, kLimit_s)
+            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, kLimit_s);
+  const Json document = parsed(end.out);
+  Hashes printed = command == Asked::run ? hashes_of_runs(document) : hashes_of_checks(document);
+  std::vector<std::string> hashes;
+  for (const std::string& path : paths) hashes.push_back(printed[path]);
+  return hashes;
+}
+
+}  // namespace hyrax
