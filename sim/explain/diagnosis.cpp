@@ -67,7 +67,8 @@ constexpr const char* kGoldenNotReproduced =
 // The step is the listing, so frame times or inputs differ.
 Cause cause_of_playback(const DifferingRun& run, const Kernel& program, const StepStatements& base,
                         bool gives_golden) {
-  const auto& [golden, fresh, scenario_change] = run;
+  const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
+  if (!is_as_blessed) return unknown("the golden file was changed after it was blessed");
   if (!reproduces(base, program.constants(), fresh.scenario, fresh))
     return unknown("every step is the listing's, but a replay of the scenario is not the run");
   const std::optional<std::string> time = time_difference(golden, fresh);
@@ -85,7 +86,7 @@ Cause cause_of_playback(const DifferingRun& run, const Kernel& program, const St
 }  // namespace
 
 Diagnosis diagnose(const DifferingRun& run, const Kernel& program) {
-  const auto& [golden, fresh, scenario_change] = run;
+  const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
   const StepStatements base = listing(golden.constants);
   if (!scenario_change.empty()) {
     if (reproduces(base, program.constants(), fresh.scenario, fresh))

@@ -14,9 +14,10 @@ namespace hyrax {
 /// A scenario whose run is not the golden file's.
 struct DifferingRun {
   const StoredRun& golden;
-  const StoredRun& fresh;  ///< The run of this program.
-  std::string
-      scenario_change;  ///< As "/start/vx_px_per_s 40000 -> 40001"; empty: both play the same scenario.
+  const StoredRun& fresh;       ///< The run of this program.
+  std::string scenario_change;  ///< As "/start/vx_px_per_s 40000 -> 40001"; empty: both play the same.
+  bool is_golden_as_blessed =
+      true;  ///< Else somebody changed the golden file: clock and inputs tell nothing.
 };
 
 /// Runs of one cause.

@@ -48,22 +48,27 @@ struct StatementCores {
   [[nodiscard]] Constants constants() const { return observed; }
 };
 
-// Compares the blocks of a replay with those of a run, until one differs.
-class BlockMatcher final : public RowSink {
+// Compares a replay with a run, by rows or by blocks, until one differs. Times are not compared: they follow
+// from the frame times, by the clock of this program.
+class RunMatcher final : public RowSink {
  public:
-  explicit BlockMatcher(const StoredRun& run) : blocks_(run.blocks) {}
+  explicit RunMatcher(const StoredRun& run) : run_(run) {}
 
-  [[nodiscard]] Wants wants() const override { return {.blocks = !blocks_.empty()}; }
+  [[nodiscard]] Wants wants() const override {
+    return {.rows_every = run_.blocks.empty() ? 1 : 0, .blocks = !run_.blocks.empty()};
+  }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size() && !differs_; ++index, ++at_)
+      differs_ = at_ == run_.rows.size() || !is_same(run_.rows.row(at_), batch.row(index));
+  }
   void block(const Block& block, std::int64_t count) override {
     while (count > 0 && !differs_) {
-      if (at_ == blocks_.size() || blocks_[at_].digest != block.digest) {
-        differs_ = true;
-        return;
-      }
-      const std::int64_t both = std::min(count, blocks_[at_].count - used_);
+      differs_ = at_ == run_.blocks.size() || run_.blocks[at_].digest != block.digest;
+      if (differs_) return;
+      const std::int64_t both = std::min(count, run_.blocks[at_].count - used_);
       count -= both;
       used_ += both;
-      if (used_ < blocks_[at_].count) continue;
+      if (used_ < run_.blocks[at_].count) continue;
       ++at_;
       used_ = 0;
     }
@@ -71,9 +76,13 @@ class BlockMatcher final : public RowSink {
   [[nodiscard]] bool differs() const { return differs_; }
 
  private:
-  const std::vector<StoredBlock>& blocks_;
-  std::size_t at_ = 0;
-  std::int64_t used_ = 0;
+  static bool is_same(const Row& a, const Row& b) {
+    return same_bits(state_of(a), state_of(b)) && same_bits(a.dt_s, b.dt_s) && a.contact == b.contact;
+  }
+
+  const StoredRun& run_;
+  std::size_t at_ = 0;     // The row, or the block, that comes next,
+  std::int64_t used_ = 0;  // and how many repetitions of the block there were.
   bool differs_ = false;
 };
 
@@ -101,7 +110,7 @@ Scenario playback_of(const StoredRun& golden) {
 bool reproduces(const StepStatements& step, const Constants& observed, const Scenario& scenario,
                 const StoredRun& run) {
   const KernelOf<StatementCores> kernel(StatementCores{&step, observed});
-  BlockMatcher matcher(run);
+  RunMatcher matcher(run);
   Replay replay(scenario, matcher, {.kernel = &kernel});
   if (replay.steps() < run.steps) return false;
   std::int64_t piece = 16 * static_cast<std::int64_t>(kBlockRows);
