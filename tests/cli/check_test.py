@@ -18,7 +18,7 @@ FEW_THREADS = os.environ["HYRAX_FEW_THREADS"]
 
 CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int,
          "unreferenced": int, "results": [object]}
-RESULT = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe(NUMBER), "contacts_moved": Maybe(int),
+RESULT = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)), "contacts_moved": Maybe(int),
           "first_divergence": Maybe(DIVERGENCE)}
 
 
