@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,12 @@ struct Candidate {
   Cause cause;
   TieRank rank;
   StepStatements step;
+  /// Where frames have one dt, if not `step`: a compiler takes what does not change out of its loop.
+  std::optional<StepStatements> even_step;
+
+  [[nodiscard]] const StepStatements& step_for(bool is_dt_fixed) const {
+    return is_dt_fixed && even_step ? *even_step : step;
+  }
 };
 
 /// The listing with the constants of `program` where they differ from those of `golden`: each alone, then

@@ -18,10 +18,17 @@ Cover::Cover(const std::vector<Candidate>& candidates, const std::vector<StepCas
   for (std::size_t candidate = 0; candidate < candidates_.size(); ++candidate)
     for (std::size_t at = 0; at < cases_.size(); ++at) {
       const bool fits = std::ranges::all_of(cases_[at].evidence, [&](const ObservedStep& step) {
-        return gives(candidates_[candidate].step, step);
+        return gives(candidates_[candidate].step_for(cases_[at].is_dt_fixed), step);
       });
       trial(candidate, at) = fits ? Trial::fits : Trial::fails;
     }
+}
+
+bool Cover::is_eligible(std::size_t candidate) {
+  if (candidates_[candidate].rank <= TieRank::all_constants_of_program) return true;
+  return std::ranges::any_of(rest_, [&](std::size_t at) {
+    return !cases_[at].has_equal_rows && trial(candidate, at) != Trial::fails;
+  });
 }
 
 std::size_t Cover::fitting(std::size_t candidate) {
@@ -33,7 +40,8 @@ std::size_t Cover::reproduced(std::size_t candidate) {
   for (const std::size_t at : rest_)
     if (trial(candidate, at) == Trial::fits) {
       const StepCase& one = cases_[at];
-      const bool is_run = reproduces(candidates_[candidate].step, program_, one.playback, one.fresh);
+      const bool is_run =
+          reproduces(candidates_[candidate].step_for(one.is_dt_fixed), program_, one.playback, one.fresh);
       trial(candidate, at) = is_run ? Trial::reproduces : Trial::fails;
     }
   return fitting(candidate);
@@ -49,9 +57,10 @@ std::optional<Cover::Choice> Cover::best() {
   for (const std::size_t candidate : order) {
     const std::size_t most = fitting(candidate);
     if (most == 0 || (best && most < best->count)) break;
-    if (best && most == best->count && candidate > best->candidate) continue;
+    if ((best && most == best->count && candidate > best->candidate) || !is_eligible(candidate)) continue;
     const std::size_t count = reproduced(candidate);
-    if (count > 0 && (!best || count > best->count || (count == best->count && candidate < best->candidate)))
+    if (count > 0 && is_eligible(candidate) &&
+        (!best || count > best->count || (count == best->count && candidate < best->candidate)))
       best = {candidate, count};
   }
   return best;

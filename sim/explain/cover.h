@@ -16,7 +16,9 @@ namespace hyrax {
 struct StepCase {
   std::size_t run = 0;  ///< Its index in what is explained.
   const StoredRun& fresh;
-  Scenario playback;  ///< The golden file's frame times and inputs.
+  Scenario playback;            ///< The golden file's frame times and inputs.
+  bool is_dt_fixed = false;     ///< The clock gives one dt.
+  bool has_equal_rows = false;  ///< Only what is measured of the contacts differs.
   std::vector<ObservedStep> evidence;
 };
 
@@ -41,6 +43,8 @@ class Cover {
   [[nodiscard]] Trial& trial(std::size_t candidate, std::size_t at) {
     return trials_[candidate * cases_.size() + at];
   }
+  // Whether something besides equal rows speaks for it: they fit any candidate that changes nothing there.
+  [[nodiscard]] bool is_eligible(std::size_t candidate);
   [[nodiscard]] std::size_t fitting(std::size_t candidate);
   [[nodiscard]] std::size_t reproduced(std::size_t candidate);
   [[nodiscard]] std::optional<Choice> best();

@@ -64,9 +64,9 @@ bool gives_between_inputs(const StepStatements& base, const StoredRun& golden, c
 constexpr const char* kGoldenNotReproduced =
     "the listing with the golden file's constants does not give the golden file's own rows";
 
-// The step is the listing, so frame times or inputs differ.
-Cause cause_of_playback(const DifferingRun& run, const Kernel& program, const StepStatements& base,
-                        bool gives_golden) {
+// The step is the listing, so frame times or inputs differ. Nothing: all rows agree.
+std::optional<Cause> cause_of_playback(const DifferingRun& run, const Kernel& program,
+                                       const StepStatements& base, bool gives_golden) {
   const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
   if (!is_as_blessed) return unknown("the golden file was changed after it was blessed");
   if (!reproduces(base, program.constants(), fresh.scenario, fresh))
@@ -80,7 +80,7 @@ Cause cause_of_playback(const DifferingRun& run, const Kernel& program, const St
   if (time) return changed(kClockCause, *time + (input ? "; " + *input : ""));
   if (input) return changed(kInputCause, *input);
   if (golden.state_hash != fresh.state_hash) return changed(kClockCause, "the clock gives other frame times");
-  return unknown("all rows agree");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -100,15 +100,16 @@ Diagnosis diagnose(const DifferingRun& run, const Kernel& program) {
                                 [&](const ObservedStep& step) { return !gives(base, step); });
   const bool gives_golden = reproduces(base, golden.constants, playback_of(golden), golden);
   const bool is_step_changed = !diagnosis.evidence.empty() && !gives(base, diagnosis.evidence.front());
-  if (!is_step_changed)
-    diagnosis.cause = cause_of_playback(run, program, base, gives_golden);
-  else if (!gives_golden)
-    diagnosis.cause = unknown(kGoldenNotReproduced);
+  if (!is_step_changed) diagnosis.cause = cause_of_playback(run, program, base, gives_golden);
+  diagnosis.has_equal_rows = !is_step_changed && !diagnosis.cause;
+  if (!diagnosis.cause && !gives_golden) diagnosis.cause = unknown(kGoldenNotReproduced);
   return diagnosis;
 }
 
 Cause unexplained(const DifferingRun& run, const std::vector<ObservedStep>& evidence) {
   const StepStatements base = listing(run.golden.constants);
+  if (evidence.empty() || gives(base, evidence.front()))
+    return unknown("all rows agree, but what is measured of the contacts does not");
   const auto differing_end =
       std::ranges::find_if(evidence, [&](const ObservedStep& step) { return gives(base, step); });
   const bool is_input =

@@ -16,6 +16,7 @@ struct Diagnosis {
   std::optional<Cause> cause;
   /// Steps of the run; those that the listing does not give come first.
   std::vector<ObservedStep> evidence;
+  bool has_equal_rows = false;  ///< Only what is measured of the contacts differs.
 };
 
 /// @param program the core that played the run.

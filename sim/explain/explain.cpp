@@ -7,6 +7,7 @@
 #include "sim/explain/cover.h"
 #include "sim/explain/diagnosis.h"
 #include "sim/explain/step_replay.h"
+#include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
 namespace {
@@ -74,7 +75,9 @@ class Explanation {
     std::erase_if(open, [&](std::size_t run) {
       const DifferingRun& one = runs_[run];
       if (!same_bits(one.golden.constants, constants)) return false;
-      cases.push_back({run, one.fresh, playback_of(one.golden), std::move(diagnoses_[run].evidence)});
+      cases.push_back({run, one.fresh, playback_of(one.golden),
+                       FrameClock(one.golden.scenario.clock).is_fixed(), diagnoses_[run].has_equal_rows,
+                       std::move(diagnoses_[run].evidence)});
       return true;
     });
     const std::vector<Candidate> candidates = candidates_for(constants, program_.constants());

@@ -113,6 +113,7 @@ class StatementCandidates {
           StatementEdit(swap_walls), StatementEdit(swap_far_bounds), put_place(WallPlace::zero),
           put_place(WallPlace::right), put_place(WallPlace::bottom)})
       for (const StepSites& sites : with_walls()) add_changed(sites, CauseKind::swapped, edit);
+    add_fused_by_compiler();
     for (const StepSites& sites : with_products()) add_changed(sites, CauseKind::fused, fuse);
     return std::move(candidates_);
   }
@@ -186,9 +187,19 @@ class StatementCandidates {
     sets.push_back(far);
     return sets;
   }
-  // Also the multiply-adds of y, and all of the step, as a compiler fuses them.
-  [[nodiscard]] std::vector<StepSites> with_products() const {
-    std::vector<StepSites> sets = sets_;
+  // As g++ and clang compile the replay's loop: where dt is fixed, GRAVITY * dt is taken out of it.
+  void add_fused_by_compiler() {
+    const auto [of_y, every] = products();
+    const StepSites moves(every.begin() + 1, every.end());
+    const auto fuse_at = [](const StepSite& at) { fuse(at.statement()); };
+    candidates_.emplace_back(kSeveralOperations, CauseKind::fused,
+                             fmt::format("fused by the compiler: {}; where frames vary, {}",
+                                         text_at(all_, moves), text_at(all_, {every.front()})),
+                             edited(base_, every, fuse_at));
+    candidates_.back().even_step = edited(base_, moves, fuse_at);
+  }
+  // The multiply-adds of y, and all.
+  [[nodiscard]] std::pair<StepSites, StepSites> products() const {
     StepSites of_y, every;
     for (std::size_t site = 0; site < all_.size(); ++site) {
       const Statement& s = all_[site].statement();
@@ -196,8 +207,14 @@ class StatementCandidates {
       every.push_back(site);
       if (s.target != Component::x) of_y.push_back(site);
     }
+    return {of_y, every};
+  }
+  // All first, as a compiler fuses them; then each set, and those of y.
+  [[nodiscard]] std::vector<StepSites> with_products() const {
+    const auto [of_y, every] = products();
+    std::vector<StepSites> sets = {every};
+    sets.insert(sets.end(), sets_.begin(), sets_.end());
     sets.push_back(of_y);
-    sets.push_back(every);
     return sets;
   }
 

@@ -1,9 +1,9 @@
 #include "sim/explain/step_replay.h"
 
 #include <algorithm>
-#include <cassert>
-#include <limits>
+#include <functional>
 
+#include "sim/motion/listing.h"
 #include "sim/replay/kernel_of.h"
 #include "sim/replay/replay.h"
 
@@ -38,15 +38,41 @@ class StatementCore {
   State state_;
 };
 
+// By which the replay tells the walls, in strict arithmetic whatever the build: a flight as data.
+class StatementFlight {
+ public:
+  StatementFlight(const StepStatements& flight, const Constants& constants, const Bounds& bounds)
+      : flight_(&flight), walls_(constants, AllParts{}, bounds), bounds_(bounds) {}
+
+  void fly(State& state, double dt_s) const { StatementRun(dt_s, bounds_)(*flight_, state); }
+  std::uint8_t meet_walls_in_x(State& state) const { return walls_.meet_walls_in_x(state); }
+
+ private:
+  const StepStatements* flight_;
+  ListingStep<AllParts> walls_;
+  Bounds bounds_;
+};
+
 struct StatementCores {
   using Core = StatementCore;
 
   const StepStatements* step = nullptr;
+  const StepStatements* flight = nullptr;  // Without walls.
   Constants observed;
 
   [[nodiscard]] StatementCore make(const State& state) const { return {*step, state}; }
   [[nodiscard]] Constants constants() const { return observed; }
+  [[nodiscard]] StatementFlight listing(const Bounds& bounds) const { return {*flight, observed, bounds}; }
 };
+
+bool is_flight(const Statement& statement) { return statement.form != Statement::Form::first_of; }
+
+bool is_fused(const StepStatements& step) { return std::ranges::any_of(step, &Statement::is_fused); }
+
+StepStatements flight_of(StepStatements step) {
+  std::erase_if(step, std::not_fn(is_flight));
+  return step;
+}
 
 // Compares a replay with a run, by rows or by blocks, until one differs. Times are not compared: they follow
 // from the frame times, by the clock of this program.
@@ -107,9 +133,10 @@ Scenario playback_of(const StoredRun& golden) {
   return playback;
 }
 
-bool reproduces(const StepStatements& step, const Constants& observed, const Scenario& scenario,
-                const StoredRun& run) {
-  const KernelOf<StatementCores> kernel(StatementCores{&step, observed});
+namespace {
+
+bool reproduces(const StatementCores& cores, const Scenario& scenario, const StoredRun& run) {
+  const KernelOf<StatementCores> kernel(cores);
   RunMatcher matcher(run);
   Replay replay(scenario, matcher, {.kernel = &kernel});
   if (replay.steps() < run.steps) return false;
@@ -122,6 +149,18 @@ bool reproduces(const StepStatements& step, const Constants& observed, const Sce
   if (matcher.differs()) return false;
   const RunSummary summary = replay.finish();
   return summary.steps == run.steps && hex(summary.state_hash) == run.state_hash;
+}
+
+}  // namespace
+
+bool reproduces(const StepStatements& step, const Constants& observed, const Scenario& scenario,
+                const StoredRun& run) {
+  const StepStatements listed_flight = flight_of(listing(observed));
+  if (reproduces({&step, &listed_flight, observed}, scenario, run)) return true;
+  if (!is_fused(step)) return false;
+  // A build that fuses the step's multiply-adds fuses those by which its replay tells the walls, too.
+  const StepStatements own_flight = flight_of(step);
+  return reproduces({&step, &own_flight, observed}, scenario, run);
 }
 
 }  // namespace hyrax

@@ -91,6 +91,8 @@ void annotate(const CheckReport& report, const CheckRequest& request) {
 }
 
 ExitCode check(CheckRequest& request) {
+  const std::vector<std::string> arguments = request.files;
+  const std::string golden_folder = request.golden_folder;
   const std::vector<std::string> paths = paths_of(request);
   OutputGuard guard(paths, request.golden_folder);
   if (!request.junit.empty()) guard.admit("hyrax-sim check: --junit", request.junit);
@@ -98,7 +100,7 @@ ExitCode check(CheckRequest& request) {
   const std::int64_t jobs = request.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
   std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
   std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
-  const CheckReport report(std::move(verdicts), request.files, request.golden_folder);
+  const CheckReport report(std::move(verdicts), arguments, golden_folder);
   if (request.printing.is_json)
     print_text("{}\n", to_text(check_json(report), {.depth_indented = 2}));
   else

@@ -26,6 +26,14 @@ std::string physics_text(const CheckReport& report) {
   return text;
 }
 
+// How many of those that differ break their expectations as well.
+std::string broken_text(const CheckReport& report) {
+  const auto broken = std::ranges::count_if(report.verdicts(), [&](const CheckVerdict& verdict) {
+    return report.group_of(verdict) != nullptr && !verdict.broken.empty();
+  });
+  return broken == 0 ? "" : fmt::format("  expect  does not hold in {} of them\n", broken);
+}
+
 // A line each: what is missing, failed or unreferenced, and expectations that do not hold.
 std::string lines_text(const CheckReport& report) {
   std::string text;
@@ -34,8 +42,6 @@ std::string lines_text(const CheckReport& report) {
     const std::string path = printable(verdict.path);
     if (report.group_of(verdict) == nullptr)
       text += fmt::format("{}: {}: {}\n", path, name_of(verdict.status), verdict_sentence(report, verdict));
-    else if (!verdict.broken.empty())
-      text += fmt::format("{}: {}\n", path, broken_sentence(verdict));
   }
   return text;
 }
@@ -44,20 +50,20 @@ std::string lines_text(const CheckReport& report) {
 std::string commands_text(const CheckReport& report) {
   const DifferingScenario& worst = report.groups().front().scenarios.front();
   const CheckVerdict& verdict = report.verdict_on(worst);
-  std::vector<std::string> every = {"hyrax-sim", "check", "--verbose"};
-  for (const std::string& argument : report.arguments()) every.push_back(as_argument(argument));
-  if (!verdict.golden_folder.empty())
-    every.insert(every.end(), {"--golden", as_argument(verdict.golden_folder)});
+  const bool is_alone = report.groups().size() == 1 && report.groups().front().scenarios.size() == 1;
+  const std::vector<std::string> checked =
+      report.arguments().empty() ? std::vector<std::string>{"scenarios"} : report.arguments();
+  std::vector<std::string> verbose = {"hyrax-sim", "check", "--verbose"};
+  for (const std::string& argument : report.arguments()) verbose.push_back(as_argument(argument));
+  if (!report.golden_folder().empty())
+    verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
   return fmt::format(
       "  to see all      {}\n"
       "  to see more     {}; {}\n"
       "  to accept it    {}\n",
-      shell_command(every), shell_command({"hyrax-sim", "run", as_argument(worst.path), "-o", "now.h5"}),
+      shell_command(verbose), shell_command({"hyrax-sim", "run", as_argument(worst.path), "-o", "now.h5"}),
       shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}),
-      bless_command_for(report.groups().size() == 1 && report.groups().front().scenarios.size() == 1
-                            ? std::vector{worst.path}
-                            : report.arguments(),
-                        verdict.golden_folder));
+      bless_command_for(is_alone ? std::vector{worst.path} : checked, verdict.golden_folder));
 }
 
 void print_every(const CheckReport& report) {
@@ -119,7 +125,7 @@ void print_check(const CheckReport& report, const Printing& printing) {
   if (printing.is_verbose()) print_every(report);
   const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
   for (const DifferenceGroup& group : report.groups()) print_text("{}", group_paragraph(group, counts));
-  print_text("{}{}", physics_text(report), lines_text(report));
+  print_text("{}{}{}", broken_text(report), physics_text(report), lines_text(report));
   if (!report.groups().empty()) print_text("{}", commands_text(report));
   print_text("{}\n", counts_sentence(report));
 }

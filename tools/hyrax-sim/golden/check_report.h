@@ -16,8 +16,8 @@ namespace hyrax {
 /// The verdicts, and the differing ones by cause. Nothing is explained where all agree.
 class CheckReport {
  public:
-  /// @param arguments the scenarios and folders that were checked. @param golden_folder as given; may be
-  /// empty.
+  /// @param arguments the scenarios and folders as given; none: the folder `scenarios`.
+  /// @param golden_folder as given; empty if it was not.
   CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
               std::string golden_folder);
   CheckReport(const CheckReport&) = delete;
