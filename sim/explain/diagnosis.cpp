@@ -57,8 +57,9 @@ std::optional<std::string> input_difference(const StoredRun& golden, const Store
 // Whether the listing gives every step of a short golden file but those that follow an input.
 bool gives_between_inputs(const StepStatements& base, const StoredRun& golden, const Kernel& program) {
   return golden.rows.size() > 1 &&
-         std::ranges::all_of(observed_steps(golden, golden, program),
-                             [&](const ObservedStep& step) { return step.has_input || gives(base, step); });
+         std::ranges::all_of(observed_steps(golden, golden, program), [&](const ObservedStep& step) {
+           return step.follows_input || gives(base, step);
+         });
 }
 
 constexpr const char* kGoldenNotReproduced =
@@ -70,7 +71,11 @@ std::optional<Cause> cause_of_playback(const DifferingRun& run, const Kernel& pr
   const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
   if (!is_as_blessed) return unknown("the golden file was changed after it was blessed");
   if (!reproduces(base, program.constants(), fresh.scenario, fresh))
-    return unknown("every step is the listing's, but a replay of the scenario is not the run");
+    return {{kInputCause,
+             CauseKind::unknown,
+             "every step is the listing's, but an input has another effect",
+             {},
+             {}}};
   const std::optional<std::string> time = time_difference(golden, fresh);
   const std::optional<std::string> input = input_difference(golden, fresh);
   if (!gives_golden) {
@@ -112,8 +117,8 @@ Cause unexplained(const DifferingRun& run, const std::vector<ObservedStep>& evid
     return unknown("all rows agree, but what is measured of the contacts does not");
   const auto differing_end =
       std::ranges::find_if(evidence, [&](const ObservedStep& step) { return gives(base, step); });
-  const bool is_input =
-      std::all_of(evidence.begin(), differing_end, [](const ObservedStep& step) { return step.has_input; });
+  const bool is_input = std::all_of(evidence.begin(), differing_end,
+                                    [](const ObservedStep& step) { return step.follows_input; });
   const std::string nothing = "no single change reproduces it";
   if (is_input)
     return {kInputCause, CauseKind::unknown, nothing + "; only steps after inputs differ", {}, {}};

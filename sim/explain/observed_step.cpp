@@ -23,6 +23,11 @@ class RowsSink final : public RowSink {
   Columns rows_;
 };
 
+// Hitches and resizes leave position and velocity as they are.
+bool sets_state(const Action& action) {
+  return !std::holds_alternative<Hitch>(action) && !std::holds_alternative<Resize>(action);
+}
+
 // `world` is that of the row before rows[0], or of rows[0] itself if `rows` begins with it.
 class StepCollector {
  public:
@@ -33,14 +38,14 @@ class StepCollector {
   }
 
   void take(const Row& row) {
-    bool has_input = false;
+    bool follows_input = false;
     for (; next_input_ < inputs_.size() && inputs_[next_input_].frame == step_; ++next_input_) {
       apply(inputs_[next_input_].action, world_);
-      has_input = true;
+      follows_input |= sets_state(inputs_[next_input_].action);
     }
     ++step_;
     if (!world_.is_held)
-      steps_.push_back({step_, has_input, world_.state, row.dt_s, world_.bounds(), state_of(row)});
+      steps_.push_back({step_, follows_input, world_.state, row.dt_s, world_.bounds(), state_of(row)});
     world_.state = state_of(row);
   }
   [[nodiscard]] std::vector<ObservedStep> steps() && { return std::move(steps_); }

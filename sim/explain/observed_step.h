@@ -13,8 +13,8 @@ namespace hyrax {
 
 /// One step of a run: the state after the inputs of its frame, and what the core made of it.
 struct ObservedStep {
-  std::int64_t step = 0;  ///< Row number of `after`.
-  bool has_input = false;
+  std::int64_t step = 0;       ///< Row number of `after`.
+  bool follows_input = false;  ///< An input set position or velocity in its frame.
   State before;
   double dt_s = 0.0;
   Bounds bounds;

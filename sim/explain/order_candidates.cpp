@@ -49,8 +49,8 @@ class OrderCandidates {
     constexpr StatementRange kOperations[] = {{0, 1}, {1, 3}, {3, 5}, {5, 6}, {6, 7}, {5, 7}};
     constexpr StatementRange kSingle[] = {{1, 2}, {2, 3}, {3, 4}, {4, 5}};
     for (const StatementRange range : kOperations) add_earlier(range);
-    for (const StatementRange range : kOperations) add_later(range);
     for (const StatementRange range : kSingle) add_earlier(range);
+    for (const StatementRange range : kOperations) add_later(range);
     for (const StatementRange range : kSingle) add_later(range);
     add_inner();
     return std::move(candidates_);

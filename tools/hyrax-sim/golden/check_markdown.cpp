@@ -28,7 +28,7 @@ std::string code_span(std::string_view text) {
 std::string group_section(const DifferenceGroup& group, const GroupCounts& counts) {
   std::string text =
       fmt::format("### {} ({})\n\n{}\n\n{}\n\n", group.cause.operation, name_of(group.cause.kind),
-                  code_span(cause_sentence(group, counts)), code_span(consequence_sentence(group)));
+                  code_span(cause_sentence(group, counts).text()), code_span(consequence_sentence(group)));
   for (const DifferingScenario& scenario : group.scenarios)
     text += fmt::format("- {}: {}\n", code_span(scenario.path), code_span(scenario_consequence(scenario)));
   return text + "\n";

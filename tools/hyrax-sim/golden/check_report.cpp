@@ -35,15 +35,11 @@ std::string broken_text(const CheckReport& report) {
 }
 
 // A line each: what is missing, failed or unreferenced, and expectations that do not hold.
-std::string lines_text(const CheckReport& report) {
-  std::string text;
-  for (const CheckVerdict& verdict : report.verdicts()) {
-    if (verdict.status == Status::agreed) continue;
-    const std::string path = printable(verdict.path);
-    if (report.group_of(verdict) == nullptr)
-      text += fmt::format("{}: {}: {}\n", path, name_of(verdict.status), verdict_sentence(report, verdict));
-  }
-  return text;
+void print_lines(const CheckReport& report) {
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
+      print_text("{}: {}: {}\n", printable(verdict.path), VerdictWord{name_of(verdict.status), false},
+                 verdict_sentence(report, verdict));
 }
 
 // The commands that show more of the worst scenario, and that accept all.
@@ -124,8 +120,9 @@ void print_check(const CheckReport& report, const Printing& printing) {
   }
   if (printing.is_verbose()) print_every(report);
   const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
-  for (const DifferenceGroup& group : report.groups()) print_text("{}", group_paragraph(group, counts));
-  print_text("{}{}{}", broken_text(report), physics_text(report), lines_text(report));
+  for (const DifferenceGroup& group : report.groups()) print_group(group, counts);
+  print_text("{}{}", broken_text(report), physics_text(report));
+  print_lines(report);
   if (!report.groups().empty()) print_text("{}", commands_text(report));
   print_text("{}\n", counts_sentence(report));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/files/printable.h"
+#include "tools/hyrax-sim/command_line/print.h"
 
 namespace hyrax {
 namespace {
@@ -56,8 +57,16 @@ std::string rest_text(const DifferingScenario& scenario) {
                      before.y_px, after.y_px);
 }
 
+// Where nothing explains a difference, where it begins.
+std::string first_text(const DifferenceGroup& group) {
+  const auto& first = group.scenarios.front().comparison->first;
+  if (group.reproduced() > 0 || !first) return "";
+  return fmt::format("  first   step {}, field {} of {}\n", first->step, first->field,
+                     printable(group.scenarios.front().path));
+}
+
 std::string worst_text(const DifferenceGroup& group) {
-  std::string text;
+  std::string text = first_text(group);
   const std::size_t listed = std::min(group.scenarios.size(), kWorstListed);
   for (std::size_t index = 0; index < listed; ++index)
     text += fmt::format("  {:<8}{}: {}\n", index == 0 ? "worst" : "", printable(group.scenarios[index].path),
@@ -69,14 +78,23 @@ std::string worst_text(const DifferenceGroup& group) {
 
 }  // namespace
 
-std::string cause_sentence(const DifferenceGroup& group, const GroupCounts& counts) {
+CauseSentence cause_sentence(const DifferenceGroup& group, const GroupCounts& counts) {
   const std::size_t scenarios = group.scenarios.size();
-  const std::string differ = fmt::format("{} of {} scenario{} differ{}", scenarios, counts.checked,
-                                         counts.checked == 1 ? "" : "s", scenarios == 1 ? "s" : "");
-  if (group.reproduced() == 0) return fmt::format("{}; cause unknown: {}.", differ, group.cause.detail);
-  const char* const by = counts.groups == 1 && scenarios > 1 ? ", all by one cause" : " by one cause";
-  return fmt::format("{}{}: {} reproduces {} of {}.", differ, by, group.cause.detail, group.reproduced(),
-                     scenarios);
+  CauseSentence sentence{.subject = fmt::format("{} of {} scenario{}", scenarios, counts.checked,
+                                                counts.checked == 1 ? "" : "s"),
+                         .verb = scenarios == 1 ? "differs" : "differ",
+                         .predicate = {}};
+  if (group.reproduced() == 0) {
+    sentence.predicate = fmt::format("; cause unknown: {}.", group.cause.detail);
+    return sentence;
+  }
+  const bool is_edit = group.cause.operation == kScenarioCause;
+  sentence.predicate =
+      fmt::format("{}: {}{} reproduces {} of {}.",
+                  counts.groups == 1 && scenarios > 1 ? ", all by one cause" : " by one cause",
+                  is_edit ? "the scenario changed since it was blessed: " : "", group.cause.detail,
+                  group.reproduced(), scenarios);
+  return sentence;
 }
 
 std::string consequence_sentence(const DifferenceGroup& group) {
@@ -95,8 +113,10 @@ std::string scenario_consequence(const DifferingScenario& scenario) {
                      contacts_text(scenario.comparison->contacts.total()), rest_text(scenario));
 }
 
-std::string group_paragraph(const DifferenceGroup& group, const GroupCounts& counts) {
-  return cause_sentence(group, counts) + "\n  " + consequence_sentence(group) + "\n" + worst_text(group);
+void print_group(const DifferenceGroup& group, const GroupCounts& counts) {
+  const auto [subject, verb, predicate] = cause_sentence(group, counts);
+  print_text("{} {}{}\n  {}\n{}", subject, VerdictWord{verb, false}, predicate, consequence_sentence(group),
+             worst_text(group));
 }
 
 }  // namespace hyrax

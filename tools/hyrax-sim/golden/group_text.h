@@ -14,8 +14,14 @@ struct GroupCounts {
   std::size_t groups = 0;
 };
 
-/// "93 of 99 scenarios differ, all by one cause: GRAVITY 1200 -> 1250 reproduces 93 of 93." One line.
-[[nodiscard]] std::string cause_sentence(const DifferenceGroup& group, const GroupCounts& counts);
+/// "93 of 99 scenarios differ, all by one cause: GRAVITY 1200 -> 1250 reproduces 93 of 93.", in one line.
+struct CauseSentence {
+  std::string subject;    ///< "93 of 99 scenarios".
+  std::string verb;       ///< "differ".
+  std::string predicate;  ///< ", all by one cause: ...".
+  [[nodiscard]] std::string text() const { return subject + " " + verb + predicate; }
+};
+[[nodiscard]] CauseSentence cause_sentence(const DifferenceGroup& group, const GroupCounts& counts);
 
 /// "Contacts moved: at most 812.3 px apart; 57 contacts moved; comes to rest up to 31 px away." One line.
 [[nodiscard]] std::string consequence_sentence(const DifferenceGroup& group);
@@ -24,7 +30,7 @@ struct GroupCounts {
 /// -> 1240.1, y 952 -> 952".
 [[nodiscard]] std::string scenario_consequence(const DifferingScenario& scenario);
 
-/// Both sentences, and the three worst scenarios. Complete lines.
-[[nodiscard]] std::string group_paragraph(const DifferenceGroup& group, const GroupCounts& counts);
+/// Prints both sentences and the three worst scenarios.
+void print_group(const DifferenceGroup& group, const GroupCounts& counts);
 
 }  // namespace hyrax
