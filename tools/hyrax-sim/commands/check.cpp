@@ -12,6 +12,7 @@
 #include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/golden/check_report.h"
+#include "tools/store/golden_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -49,6 +50,15 @@ std::vector<std::jthread> start_workers(std::int64_t count, const std::function<
   return workers;
 }
 
+// Those that are open have a golden file. A library that is red all over costs one child process, not one
+// each.
+void read_open_goldens(const std::vector<CheckVerdict>& verdicts) {
+  std::vector<std::string> paths;
+  for (const CheckVerdict& verdict : verdicts)
+    if (verdict.is_open) paths.push_back(verdict.golden->h5_path);
+  read_goldens_ahead(paths);
+}
+
 // Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
 // files are read, in a child process first, only after the workers have ended.
 std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
@@ -72,6 +82,7 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, Check
   }
   workers.clear();
   options.reads_golden = true;
+  read_open_goldens(verdicts);
   for (CheckVerdict& verdict : verdicts) {
     if (!verdict.is_open) continue;
     verdict = check_scenario(verdict.path, options);
