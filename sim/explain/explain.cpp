@@ -6,6 +6,7 @@
 #include "sim/explain/candidate.h"
 #include "sim/explain/cover.h"
 #include "sim/explain/diagnosis.h"
+#include "sim/explain/fitted_constant.h"
 #include "sim/explain/step_replay.h"
 #include "sim/scenario/frame_clock.h"
 
@@ -26,6 +27,20 @@ std::vector<Candidate> candidates_for(const Constants& golden, const Constants& 
   std::ranges::move(order_candidates(golden), std::back_inserter(candidates));
   std::ranges::stable_sort(candidates, {}, &Candidate::rank);
   return candidates;
+}
+
+// They come last of all ranks, so they are made only where others leave something to explain.
+std::vector<Candidate> fitted_for(const Constants& golden, const std::vector<StepCase>& cases) {
+  std::vector<const std::vector<ObservedStep>*> evidence;
+  for (const StepCase& one : cases)
+    if (!one.has_equal_rows) evidence.push_back(&one.evidence);
+  return fitted_candidates(golden, evidence);
+}
+
+std::size_t explained_runs(const std::vector<CauseGroup>& groups) {
+  std::size_t runs = 0;
+  for (const CauseGroup& group : groups) runs += group.runs.size();
+  return runs;
 }
 
 // Frame times and inputs are one cause each, whatever differs first in a run.
@@ -80,9 +95,14 @@ class Explanation {
                        std::move(diagnoses_[run].evidence)});
       return true;
     });
-    const std::vector<Candidate> candidates = candidates_for(constants, program_.constants());
+    std::vector<Candidate> candidates = candidates_for(constants, program_.constants());
+    std::vector<CauseGroup> found = Cover(candidates, cases, program_.constants()).groups();
+    if (explained_runs(found) < cases.size()) {
+      std::ranges::move(fitted_for(constants, cases), std::back_inserter(candidates));
+      found = Cover(candidates, cases, program_.constants()).groups();
+    }
     std::vector<bool> is_explained(runs_.size());
-    for (const CauseGroup& group : Cover(candidates, cases, program_.constants()).groups()) {
+    for (const CauseGroup& group : found) {
       add(group);
       for (const std::size_t run : group.runs) is_explained[run] = true;
     }

@@ -186,14 +186,34 @@ TEST(Explain, TwoChangesAtOnceAreClaimedOnlyWhereOneOfThemActs) {
   EXPECT_LT(found.explained(), found.differing);
 }
 
+TEST(Explain, ANumberInPlaceOfAConstantIsFitted) {
+  HandStep step;
+  step.top = [](State& s) {
+    s.y_px = 0.0;
+    s.vy_px_per_s = -s.vy_px_per_s * 0.55;
+  };
+  expect_one_cause(step, "restitution", CauseKind::constant, "top: RESTITUTION 0.6 -> 0.55");
+  HandStep rest;
+  rest.ground = [](State& s, const Bounds& bounds) {
+    s.y_px = bounds.bottom_px;
+    s.vy_px_per_s = -s.vy_px_per_s * 0.6;
+    s.vx_px_per_s *= 0.8;
+    if (std::fabs(s.vy_px_per_s) < 20.0) s.vy_px_per_s = 0.0;
+  };
+  const Explained found = explain_library(rest);
+  EXPECT_EQ(found.first().operation, "rest_rule");
+  EXPECT_EQ(found.explained(), found.differing);
+}
+
 TEST(Explain, AnotherLawIsUnknown) {
   HandStep step;
   step.fly = [](State& s, double dt_s) {
+    const double vx_before = s.vx_px_per_s, vy_before = s.vy_px_per_s;
     s.vy_px_per_s += 1200.0 * dt_s;
-    s.vx_px_per_s *= 1.0 - 0.06 * dt_s;
-    s.vy_px_per_s *= 1.0 - 0.06 * dt_s;
-    s.x_px += s.vx_px_per_s * dt_s;
-    s.y_px += s.vy_px_per_s * dt_s;
+    s.vx_px_per_s *= 0.999;
+    s.vy_px_per_s *= 0.999;
+    s.x_px += (vx_before + s.vx_px_per_s) / 2.0 * dt_s;
+    s.y_px += (vy_before + s.vy_px_per_s) / 2.0 * dt_s;
   };
   const Explained found = explain_library(step);
   EXPECT_EQ(found.explained(), 0u);
