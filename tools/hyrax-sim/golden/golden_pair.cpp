@@ -5,6 +5,7 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
+#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/store/golden_file.h"
@@ -113,7 +114,7 @@ std::string summary_of(const FreshRun& fresh, const std::string& reason, const s
 
 std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
                                                 bool reads_h5) {
-  const std::string text = read_text_file(place.txt_path);
+  const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
   FreshRun fresh = play_for_golden(scenario);
   if (text == summary_of(fresh, summary_reason(text), h5_checksum))

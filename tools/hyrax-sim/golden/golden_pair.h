@@ -31,7 +31,7 @@ struct PairComparison {
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
 /// summary, every line of it but the reason's text, is not the one that blessing the run would write.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
-/// REQUIRES: has_golden_file(place); with `reads_h5`, as read_isolated.
+/// REQUIRES: the .h5 file exists (without its .txt the pair never agrees); with `reads_h5`, as read_isolated.
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
                                                               const GoldenPlace& place, bool reads_h5);
