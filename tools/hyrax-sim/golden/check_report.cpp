@@ -42,6 +42,14 @@ void print_lines(const CheckReport& report) {
                  verdict_sentence(report, verdict));
 }
 
+// What bless accepts without --accept: rounding, and edits of the scenarios themselves.
+std::string accept_option(const CheckReport& report) {
+  DifferenceClass widest = DifferenceClass::rounding;
+  for (const DifferenceGroup& group : report.groups())
+    if (group.cause.operation != kScenarioCause) widest = std::max(widest, group.difference);
+  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
+}
+
 // The commands that show more of the worst scenario, and that accept all.
 std::string commands_text(const CheckReport& report) {
   const DifferingScenario& worst = report.groups().front().scenarios.front();
@@ -56,10 +64,11 @@ std::string commands_text(const CheckReport& report) {
   return fmt::format(
       "  to see all      {}\n"
       "  to see more     {}; {}\n"
-      "  to accept it    {}\n",
+      "  to accept it    {}{}\n",
       shell_command(verbose), shell_command({"hyrax-sim", "run", as_argument(worst.path), "-o", "now.h5"}),
       shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}),
-      bless_command_for(is_alone ? std::vector{worst.path} : checked, verdict.golden_folder));
+      bless_command_for(is_alone ? std::vector{worst.path} : checked, verdict.golden_folder),
+      accept_option(report));
 }
 
 void print_every(const CheckReport& report) {
