@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cassert>
+#include <utility>
 
 #include "sim/motion/step.h"
 #include "sim/replay/kernel.h"
@@ -9,10 +10,21 @@
 
 namespace hyrax {
 
+/// The step by which a replay of these cores tells what their walls did: the listing's, or their own.
+template <class Cores>
+[[nodiscard]] auto listing_of(const Cores& cores, const Bounds& bounds) {
+  if constexpr (requires { cores.listing(bounds); })
+    return cores.listing(bounds);
+  else
+    return ListingStep(cores.constants(), AllParts{}, bounds);
+}
+
 /// Of a core only update, x, y, vx, vy, setPos, setVelocity and resetVelocity are called. Which walls clamped
 /// a step, the velocity with which it met them and how far it overshot follow from the listing's step
 /// (sim/motion/step.h) with the core's constants; a test holds that step to physics::update bit for bit.
-/// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`.
+/// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
+/// have another step than the listing's to tell the walls by: `listing(const Bounds&)`, with `fly` and
+/// `meet_walls_in_x`.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
@@ -44,7 +56,7 @@ class KernelOf final : public Kernel {
 
  private:
   using Core = typename Cores::Core;
-  using Listing = ListingStep<AllParts>;
+  using Listing = decltype(listing_of(std::declval<const Cores&>(), Bounds()));
 
   // The core with the rest of the world, as hyrax::apply takes it.
   struct Body : Core {
@@ -117,7 +129,7 @@ class KernelOf final : public Kernel {
     const Size window = stretch.window;
     const Size sprite = stretch.sprite;
     const Bounds bounds = bounds_of(window, sprite);
-    const Listing listing(cores_.constants(), AllParts{}, bounds);
+    const Listing listing = listing_of(cores_, bounds);
     const std::int64_t frames = stretch.frames;
     const double* const frame_dt_s = stretch.dt_s;
     const double fixed_dt_s = frame_dt_s[0];
@@ -161,7 +173,7 @@ class KernelOf final : public Kernel {
   // Frames pass, no update, contact 0.
   void play_held(const Stretch& stretch, const Core& body, RestAnchor& rest, std::byte* row,
                  StretchLog& log) const {
-    const Listing listing(cores_.constants(), AllParts{}, bounds_of(stretch.window, stretch.sprite));
+    const Listing listing = listing_of(cores_, bounds_of(stretch.window, stretch.sprite));
     if (is_change(stretch.contact_before, 0))
       log_change(listing, stretch.contact_before, 0, state_of(body), 0.0, state_of(body), 0, log);
     if (rest.moves_to(body.x(), body.y())) log.moved_offset = 0;

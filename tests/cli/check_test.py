@@ -17,7 +17,10 @@ from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GO
 FEW_THREADS = os.environ["HYRAX_FEW_THREADS"]
 
 CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int,
-         "unreferenced": int, "results": [object]}
+         "unreferenced": int, "results": [object], "groups": [object]}
+GROUP = {"operation": str, "kind": str, "detail": str, "from": Maybe((int, float)), "to": Maybe((int, float)),
+         "scenarios": [str], "reproduced": int, "class": str, "max_px": (int, float), "contacts_moved": int,
+         "rest_shift_px": Maybe((int, float))}
 RESULT = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)), "contacts_moved": Maybe(int),
           "first_divergence": Maybe(DIVERGENCE)}
 
@@ -75,7 +78,7 @@ class Verdict(CheckTest):
 
     def test_a_difference_is_reported_with_values_rows_and_commands(self):
         nudge(self.folder / "golden/third.h5", "trajectory/vx", 299)
-        text = self.expect(DISAGREED, "check").out
+        text = self.expect(DISAGREED, "check", "--verbose").out
         for part in ("scenarios/third.json: disagreed", "class      rounding", "first      step 299, field vx",
                      "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
                      "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
@@ -109,7 +112,7 @@ class Verdict(CheckTest):
             file["contacts/step"][2] -= 1
         document = self.check(DISAGREED)
         self.assertEqual(document["results"][2]["class"], "contacts")
-        self.assertRegex(self.expect(DISAGREED, "check").out, r"moved      ground step 1\d\d")
+        self.assertRegex(self.expect(DISAGREED, "check", "--verbose").out, r"moved      ground step 1\d\d")
 
     def test_a_golden_file_of_another_scenario_is_of_class_shape(self):
         os.replace(self.folder / "golden/a/first.h5", self.folder / "golden/a/second.h5")
@@ -232,7 +235,9 @@ class Document(CheckTest):
         self.assert_shape(document, CHECK)
         for entry in document["results"]:
             self.assert_shape(entry, RESULT)
-        self.assertEqual(document["checked"], 3)
+        for group in document["groups"]:
+            self.assert_shape(group, GROUP)
+        self.assertEqual((document["checked"], len(document["groups"])), (3, 1))
 
     def test_json_has_non_finite_doubles_as_strings(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
@@ -409,7 +414,7 @@ class Unreferenced(CheckTest):
         (self.folder / "scenarios/third.json").unlink()
         self.assertEqual(self.unreferenced(DISAGREED), ["golden/third"])
         outcome = self.expect(DISAGREED, "check", "--junit", "report.xml")
-        self.assertIn("golden/third: unreferenced\n", outcome.out)
+        self.assertIn("golden/third: unreferenced: no scenario for this golden file", outcome.out)
         self.assertIn("2 checked: 2 agreed, 0 disagreed, 0 without golden file, 0 failed; 1 unreferenced\n", outcome.out)
         suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("3", "1", "0"))

@@ -89,8 +89,9 @@ class Colour(ProgramTest):
         self.write(path, fling(start={"x_px": 1, "y_px": 2}))
         exit_code, shown = self.shown("check")
         self.assertEqual(exit_code, DISAGREED)
-        self.assertTrue(shown.startswith(f"{path}: {RED}disagreed\x1b[0m\n"), shown)
+        self.assertTrue(shown.startswith(f"1 of 1 scenario {RED}differs\x1b[0m by one cause"), shown)
         self.assertEqual(shown.count("\x1b"), 2)
+        self.assertTrue(self.shown("check", "--verbose")[1].startswith(f"{path}: {RED}disagreed\x1b[0m\n"))
 
     def test_without_a_colour_terminal_there_is_none(self):
         path, = self.project("fling")

@@ -6,6 +6,7 @@ HYRAX_CONTROLS is the folder of the programs that are wrong on purpose.
 import functools
 import os
 import pathlib
+import re
 
 from process import run
 from program import SOURCE, ProgramTest
@@ -24,6 +25,12 @@ def altered_cores():
     """All of them: {name: (operation, change)}."""
     lines = run_altered("list").out.splitlines()
     return {name: (operation, change) for name, operation, change in (line.split("\t") for line in lines)}
+
+
+@functools.cache
+def changed_steps():
+    """Those that alter the step, and not what it is fed."""
+    return [name for name, (operation, _) in altered_cores().items() if not re.search("clock|inputs", operation)]
 
 
 class StudyControl(ProgramTest):

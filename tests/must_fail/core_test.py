@@ -59,7 +59,7 @@ class ChangedCore(ProgramTest):
             self.assertTrue(field in FIELDS or field.startswith("contacts/"), entry)
             self.assertGreaterEqual(entry["first_divergence"]["step"], 1, entry)
             red[entry["scenario"]] = entry
-        text = self.check(control, "scenarios/flings").out
+        text = self.check(control, "--verbose", "scenarios/flings").out
         for path, entry in red.items():
             if not path.startswith("scenarios/flings/"):
                 continue

@@ -135,6 +135,10 @@ StoredRun read_golden(const std::string& path) {
       TrajectoryFile::open(path, [](const TrajectoryFile& file) { static_cast<void>(read_run(file)); }));
 }
 
+void read_goldens_ahead(const std::vector<std::string>& paths) {
+  read_isolated_together(paths, [](const std::string& path) { static_cast<void>(read_golden(path)); });
+}
+
 std::optional<std::string> attribute_difference(const std::string& path, const StoredRun& run) {
   const std::vector<std::string> expected = expected_attributes(run);
   // Files of earlier versions have fewer attributes; those that they have must be the same.

@@ -17,6 +17,10 @@ void write_golden(const AtomicFile& target, const std::string& path, const Store
 /// ERRORS: as TrajectoryFile's.
 [[nodiscard]] StoredRun read_golden(const std::string& path);
 
+/// Makes read_golden of these files cheap: one child process reads them all first (see
+/// read_isolated_together). REQUIRES: this process has no other thread.
+void read_goldens_ahead(const std::vector<std::string>& paths);
+
 /// The first object or attribute of a golden file, /provenance aside, that bless would not write for the
 /// run: what no comparison of rows or contents covers. Nothing if there is none.
 /// @param run as read from the file.

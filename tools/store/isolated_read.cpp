@@ -9,7 +9,9 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -91,17 +93,27 @@ std::string damage_of(int status) {
   return "the HDF5 library crashes on it";
 }
 
-}  // namespace
+// A file as it was when it was read.
+using FileVersion = std::tuple<std::string, std::uintmax_t, std::filesystem::file_time_type>;
 
-void read_isolated(const std::string& path, const std::function<void()>& read) {
+FileVersion version_of(const std::string& path) {
   std::error_code unknown;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
+  return {path, std::filesystem::file_size(path, unknown), std::filesystem::last_write_time(path, unknown)};
+}
+
+// The files that a child process survived; in a child process nothing needs another.
+std::set<FileVersion> read_before;
+bool is_child = false;
+
+// What a child process that reads files of so many bytes ended with. ERRORS: no child process, or no status.
+int status_of_child(const std::string& path, std::uint64_t bytes, const std::function<void()>& read) {
   const pid_t child = fork();
   if (child < 0)
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: cannot create a child process");
   if (child == 0) {
+    is_child = true;
     reset_signals();
-    set_limits(unknown ? 0 : bytes);
+    set_limits(bytes);
     _exit(exit_code_of(read));
   }
   int status = 0;
@@ -110,9 +122,45 @@ void read_isolated(const std::string& path, const std::function<void()>& read) {
       throw Failure(ExitCode::cannot_access,
                     path + ": cannot be read: the exit status of its child process is unknown: " +
                         std::strerror(errno));
+  return status;
+}
+
+std::uint64_t bytes_of(const std::string& path) {
+  std::error_code unknown;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
+  return unknown ? 0 : bytes;
+}
+
+}  // namespace
+
+void read_isolated(const std::string& path, const std::function<void()>& read) {
+  if (is_child || read_before.contains(version_of(path))) return;
+  const int status = status_of_child(path, bytes_of(path), read);
   if (status != survived)
     throw Failure(ExitCode::bad_input,
                   path + ": is damaged: " + damage_of(status) + "; copy it again, or write it again");
+}
+
+void read_isolated_together(const std::vector<std::string>& paths,
+                            const std::function<void(const std::string& path)>& read) {
+  if (paths.size() < 2) return;
+  std::uint64_t bytes = 0;
+  std::vector<FileVersion> versions;
+  for (const std::string& path : paths) {
+    bytes += bytes_of(path);
+    versions.push_back(version_of(path));
+  }
+  const auto read_each = [&] {
+    for (const std::string& path : paths) {
+      const ChildExit exit = exit_code_of([&] { read(path); });
+      if (exit != survived) _exit(exit);
+    }
+  };
+  try {
+    if (status_of_child(paths.front(), bytes, read_each) == survived)
+      read_before.insert(versions.begin(), versions.end());
+  } catch (const Failure&) {  // Reading each by itself reports it.
+  }
 }
 
 }  // namespace hyrax

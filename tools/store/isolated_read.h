@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace hyrax {
 
@@ -16,5 +17,12 @@ namespace hyrax {
 /// ERRORS: Failure(bad_input) "PATH: is damaged: ..." if the child did not survive; Failure(cannot_access) if
 /// there is no child process, or its exit status is unknown, as in a process that ignores SIGCHLD.
 void read_isolated(const std::string& path, const std::function<void()>& read);
+
+/// Reads many files in one child process, so that they cost one fork. If it survives, read_isolated does not
+/// read them again as long as their size and time of change stay the same; else it reads each by itself.
+/// @param read as that of read_isolated, of one path; it may call read_isolated.
+/// REQUIRES: this process has no other thread.
+void read_isolated_together(const std::vector<std::string>& paths,
+                            const std::function<void(const std::string& path)>& read);
 
 }  // namespace hyrax

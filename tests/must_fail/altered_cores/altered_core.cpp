@@ -57,6 +57,7 @@ constexpr AlteredCore kCores[] = {
 
     // Each statement twice.
     {"gravity_twice", "gravity", "twice", {.fly = "ggXYxy"}},
+    {"drag_twice", "drag", "twice", {.fly = "gXXYYxy"}},
     {"drag_in_x_twice", "drag", "twice in x", {.fly = "gXXYxy"}},
     {"drag_in_y_twice", "drag", "twice in y", {.fly = "gXYYxy"}},
     {"motion_in_x_twice", "position", "twice in x", {.fly = "gXYxxy"}},
@@ -112,6 +113,8 @@ constexpr AlteredCore kCores[] = {
     {"ceiling_stops", "ceiling", "sets vy to 0", {.top = "cs"}},
     {"ceiling_elastic", "ceiling", "restitution 1", {.top = "ci"}},
     {"ground_stops", "ground", "sets vy to 0", {.ground = "csf"}},
+    {"friction_on_side_walls", "friction", "acts along the side walls, too", {.left = "ctf", .right = "ctf"}},
+    {"friction_on_ceiling", "friction", "acts along the ceiling, too", {.top = "ctf"}},
     {"friction_on_all_walls",
      "friction",
      "acts along every wall",
@@ -148,7 +151,22 @@ constexpr AlteredCore kCores[] = {
     {"fling_adds", "setVelocity", "adds for sets", {.set_velocity = "+"}},
     {"place_keeps_y", "setPos", "sets x alone", {.set_pos = "x"}},
 
+    // Frame times and inputs.
+    {"frames_by_one_ulp", "clock", "dt to the next double", {.frame_factor = 1.0000000000000002}},
+    {"frames_longer", "clock", "dt 1 % longer", {.frame_factor = 1.01}},
+    {"jitter_longer", "clock", "jittered dt 1 % longer", {.jitter_factor = 1.01}},
+    {"inputs_late", "inputs", "one frame late", {.inputs_late = 1}},
+    {"inputs_later", "inputs", "five frames late", {.inputs_late = 5}},
+
     // Two at once.
+    {"clock_and_drag",
+     "clock and drag",
+     "dt 1 % longer, drag 0.998",
+     {.air_drag = 0.998, .frame_factor = 1.01}},
+    {"inputs_and_friction",
+     "inputs and friction",
+     "one frame late, no friction",
+     {.ground = "ctr", .inputs_late = 1}},
     {"two_constants", "constants", "gravity 1250, friction 0.7", {.gravity = 1250.0, .ground_friction = 0.7}},
     {"order_and_constant",
      "order and constant",

@@ -2,6 +2,7 @@
 // as data, and a table of what is changed in them.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace hyrax {
@@ -49,6 +50,12 @@ struct AlteredStep {
   std::string_view set_pos = "xy";
   std::string_view set_velocity = "xy";
   std::string_view reset_velocity = "z";
+
+  /// What the step is fed: every base dt times this, every jittered dt times that, inputs so many frames
+  /// late.
+  double frame_factor = 1.0;
+  double jitter_factor = 1.0;
+  std::int64_t inputs_late = 0;
 };
 
 struct AlteredCore {

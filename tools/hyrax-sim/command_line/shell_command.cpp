@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/store/golden_place.h"
 
@@ -49,11 +50,14 @@ std::string shell_command(const std::vector<std::string>& arguments) {
 
 std::string as_argument(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
 
-std::string bless_command_for(const std::string& scenario_path, const std::string& golden_folder) {
+std::string bless_command_for(const std::vector<std::string>& paths, const std::string& golden_folder) {
+  const std::string scenario_path = is_folder(paths.front()) ? paths.front() + "/x.json" : paths.front();
   const auto by_path = golden_place(scenario_path, "");
   const auto place = golden_place(scenario_path, golden_folder);
-  std::string command = shell_command({"hyrax-sim", "bless", as_argument(scenario_path)});
-  if (!by_path || by_path->h5_path != place->h5_path)
+  std::vector<std::string> arguments = {"hyrax-sim", "bless"};
+  for (const std::string& path : paths) arguments.push_back(as_argument(path));
+  std::string command = shell_command(arguments);
+  if (!by_path || !place || by_path->h5_path != place->h5_path)
     command += " --golden " + quoted(golden_folder.empty() ? "golden" : as_argument(golden_folder));
   return command + " --reason TEXT";
 }

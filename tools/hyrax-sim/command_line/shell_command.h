@@ -14,10 +14,10 @@ namespace hyrax {
 /// The same path in a form that is not parsed as an option.
 [[nodiscard]] std::string as_argument(const std::string& path);
 
-/// The command that blesses a scenario, with --golden if its path alone does not lead to the golden file:
-/// the folder that was given, or `golden`.
+/// The command that blesses scenarios or folders of them, with --golden if the path of the first alone does
+/// not lead to the golden file: the folder that was given, or `golden`. REQUIRES: at least one path.
 /// @param golden_folder as given; empty if it was not.
-[[nodiscard]] std::string bless_command_for(const std::string& scenario_path,
+[[nodiscard]] std::string bless_command_for(const std::vector<std::string>& paths,
                                             const std::string& golden_folder);
 
 }  // namespace hyrax

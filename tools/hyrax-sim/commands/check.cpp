@@ -10,7 +10,8 @@
 #include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/command_line/workers.h"
-#include "tools/hyrax-sim/golden/check_verdict.h"
+#include "tools/hyrax-sim/golden/check_report.h"
+#include "tools/store/golden_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -21,6 +22,8 @@ struct CheckRequest {
   std::string golden_folder;
   std::optional<std::int64_t> jobs;
   std::string junit;
+  std::string annotate;
+  std::string summary;
   bool is_quick = false;  // No effect: `check` always skips work that cannot change a verdict.
   Printing printing;
 };
@@ -34,6 +37,15 @@ std::vector<std::string> paths_of(CheckRequest& request) {
     if (request.golden_folder.empty()) request.golden_folder = "golden";
   }
   return list_scenarios(request.files);
+}
+
+// Those that are open have a golden file. A library that is red all over costs one child process, not one
+// each.
+void read_open_goldens(const std::vector<CheckVerdict>& verdicts) {
+  std::vector<std::string> paths;
+  for (const CheckVerdict& verdict : verdicts)
+    if (verdict.is_open) paths.push_back(verdict.golden->h5_path);
+  read_goldens_ahead(paths);
 }
 
 // Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
@@ -59,6 +71,7 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, Check
   }
   workers.clear();
   options.reads_golden = true;
+  read_open_goldens(verdicts);
   for (CheckVerdict& verdict : verdicts) {
     if (!verdict.is_open) continue;
     verdict = check_scenario(verdict.path, options);
@@ -67,51 +80,74 @@ std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, Check
   return verdicts;
 }
 
+// GitHub reads both streams; the JSON document has standard output to itself.
+void annotate(const CheckReport& report, const CheckRequest& request) {
+  if (request.annotate.empty()) return;
+  const std::string annotations = github_annotations(report);
+  if (!request.printing.is_json)
+    print_text("{}", annotations);
+  else if (!annotations.empty())
+    print_error(annotations);
+}
+
 ExitCode check(CheckRequest& request) {
+  const std::vector<std::string> arguments = request.files;
+  const std::string golden_folder = request.golden_folder;
   const std::vector<std::string> paths = paths_of(request);
-  if (!request.junit.empty())
-    OutputGuard(paths, request.golden_folder).admit("hyrax-sim check: --junit", request.junit);
+  OutputGuard guard(paths, request.golden_folder);
+  if (!request.junit.empty()) guard.admit("hyrax-sim check: --junit", request.junit);
+  if (!request.summary.empty()) guard.admit("hyrax-sim check: --summary", request.summary, {".md"});
   const std::int64_t jobs = request.jobs.value_or(processors());
   std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
   std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
+  const CheckReport report(std::move(verdicts), arguments, golden_folder);
   if (request.printing.is_json)
-    print_text("{}\n", to_text(check_json(verdicts), {.depth_indented = 2}));
+    print_text("{}\n", to_text(check_json(report), {.depth_indented = 2}));
   else
-    print_check(verdicts, request.printing);
-  for (const CheckVerdict& verdict : verdicts)
-    if (!verdict.note.empty()) print_error(verdict.note);
+    print_check(report, request.printing);
+  annotate(report, request);
   Outcomes outcomes;
-  for (const CheckVerdict& verdict : verdicts) outcomes.add(verdict.exit_code);
+  for (const CheckVerdict& verdict : report.verdicts()) {
+    if (!verdict.note.empty()) print_error(verdict.note);
+    outcomes.add(verdict.exit_code);
+  }
   if (!request.junit.empty())
-    outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(verdicts)); });
+    outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(report)); });
+  if (!request.summary.empty())
+    outcomes.attempt_after([&] { write_text_file(request.summary, check_markdown(report)); });
   return outcomes.exit_code();
 }
 
 }  // namespace
 
 Command check_command() {
-  return {.name = "check",
-          .summary = "replay scenarios and compare every bit with their golden files",
-          .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
-          .is_common = true,
-          .declare = [](Options& options) {
-            const auto request = std::make_shared<CheckRequest>();
-            options.files(request->files,
-                          {"SCENARIO or DIR", "",
-                           "scenario files, or folders of them (default: scenarios). A folder's golden files "
-                           "without a scenario are reported as unreferenced (exit code 1)"},
-                          0, -1);
-            options.text(
-                request->golden_folder,
-                {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-            options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
-            options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
-            options.flag(
-                request->is_quick,
-                {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
-            options.printing(request->printing, "print every scenario, and all contacts that moved");
-            return [request] { return check(*request); };
-          }};
+  return {
+      .name = "check",
+      .summary = "replay scenarios and compare every bit with their golden files",
+      .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+      .is_common = true,
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<CheckRequest>();
+        options.files(request->files,
+                      {"SCENARIO or DIR", "",
+                       "scenario files, or folders of them (default: scenarios). A folder's golden files "
+                       "without a scenario are reported as unreferenced (exit code 1)"},
+                      0, -1);
+        options.text(
+            request->golden_folder,
+            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+        options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
+        options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
+        options.choice(request->annotate,
+                       {"--annotate", "github", "also print a workflow command for each that does not agree"},
+                       {"github"});
+        options.text(request->summary, {"--summary", "FILE.md", "also write the report in Markdown"});
+        options.flag(request->is_quick,
+                     {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+        options.printing(request->printing,
+                         "print every scenario, and all contacts that moved, before the causes");
+        return [request] { return check(*request); };
+      }};
 }
 
 }  // namespace hyrax

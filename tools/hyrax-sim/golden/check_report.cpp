@@ -1,150 +1,139 @@
+#include "tools/hyrax-sim/golden/check_report.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/golden/check_verdict.h"
-#include "tools/hyrax-sim/golden/difference_text.h"
-#include "tools/hyrax-sim/runs/scenario_run.h"
+#include "tools/hyrax-sim/golden/group_text.h"
 
 namespace hyrax {
 namespace {
 
 using Status = CheckVerdict::Status;
 
-std::int64_t count(const std::vector<CheckVerdict>& verdicts, Status status) {
-  return std::count_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.status == status; });
-}
-
-std::int64_t scenario_count(const std::vector<CheckVerdict>& verdicts) {
-  return static_cast<std::int64_t>(verdicts.size()) - count(verdicts, Status::unreferenced);
-}
-
-std::string missing_text(const CheckVerdict& verdict) {
-  if (!verdict.golden)
-    return "  no golden file: no folder `scenarios` above it; --golden DIR names the folder to look in\n";
-  const auto& [h5_path, txt_path] = *verdict.golden;
-  std::string text = fmt::format("  no golden file at {}\n", printable(h5_path));
-  if (is_there(h5_path) || is_there(txt_path))
-    text += fmt::format("  {} exists, but {} is missing\n", printable(is_there(h5_path) ? h5_path : txt_path),
-                        printable(is_there(h5_path) ? txt_path : h5_path));
+// The names of the physics models, where they differ: each sentence once.
+std::string physics_text(const CheckReport& report) {
+  std::set<std::string> sentences;
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (!verdict.comparison.agrees && !verdict.comparison.physics.empty())
+      sentences.insert(verdict.comparison.physics);
+  std::string text;
+  for (const std::string& sentence : sentences) text += sentence + "\n";
   return text;
 }
 
-// What is wrong, and the commands that show more.
-std::string details(const CheckVerdict& verdict, bool lists_all = false) {
-  if (verdict.status == Status::failed) return "  " + verdict.error + "\n";
-  if (verdict.status == Status::unreferenced)
-    return "  no scenario for this golden file: the scenario was deleted, moved or renamed\n";
-  if (verdict.status == Status::agreed) return "";
-  std::string text;
-  for (const Expectation& broken : verdict.broken)
-    text += fmt::format("  expect     {}\n", expectation_text(broken));
-  const std::string bless = bless_command_for(verdict.path, verdict.golden_folder);
-  if (verdict.status == Status::missing)
-    return text + missing_text(verdict) + fmt::format("  to create it: {}\n", bless);
-  if (verdict.comparison.agrees) return text;
-  return text + difference_text(verdict.comparison, lists_all) +
-         fmt::format(
-             "  to see more     {}; {}\n"
-             "  to accept it    {}\n",
-             shell_command({"hyrax-sim", "run", as_argument(verdict.path), "-o", "now.h5"}),
-             shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}), bless);
+// How many of those that differ break their expectations as well.
+std::string broken_text(const CheckReport& report) {
+  const auto broken = std::ranges::count_if(report.verdicts(), [&](const CheckVerdict& verdict) {
+    return report.group_of(verdict) != nullptr && !verdict.broken.empty();
+  });
+  return broken == 0 ? "" : fmt::format("  expect  does not hold in {} of them\n", broken);
 }
 
-// XML 1.0 allows neither control characters, except some white space, nor U+FFFE, U+FFFF and invalid UTF-8,
-// not even escaped: they become text.
-std::string escaped(std::string_view text) {
-  std::string xml;
-  for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes) {
-    const auto [length, code] = utf8_character(text, at);
-    bytes = length;
-    if (code < 0)
-      xml += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
-    else if (code == '\n' || code == '\t')
-      xml += fmt::format("&#{};", code);  // Unescaped, an attribute turns it into a space.
-    else if (code < 0x20 || code == 0x7f || code == 0xFFFE || code == 0xFFFF)
-      xml += fmt::format("\\u{:04x}", code);
-    else if (code == '&' || code == '<' || code == '>' || code == '"')
-      xml += fmt::format("&#{};", code);
-    else
-      xml += text.substr(at, length);
-  }
-  return xml;
+// A line each: what is missing, failed or unreferenced, and expectations that do not hold.
+void print_lines(const CheckReport& report) {
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
+      print_text("{}: {}: {}\n", printable(verdict.path), VerdictWord{name_of(verdict.status), false},
+                 verdict_sentence(report, verdict));
 }
 
-std::string test_case(const CheckVerdict& verdict) {
-  const std::string open =
-      fmt::format("  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"",
-                  escaped(verdict.path), verdict.seconds);
-  if (verdict.status == Status::agreed) return open + "/>\n";
-  const bool is_failure = verdict.exit_code == ExitCode::disagreed;
-  const char* const element = is_failure ? "failure" : "error";
-  return open + fmt::format(">\n    <{0} message=\"{1}\">{2}</{0}>\n  </testcase>\n", element,
-                            name_of(verdict.status), escaped(details(verdict)));
+// What bless accepts without --accept: rounding, and edits of the scenarios themselves.
+std::string accept_option(const CheckReport& report) {
+  DifferenceClass widest = DifferenceClass::rounding;
+  for (const DifferenceGroup& group : report.groups())
+    if (group.cause.operation != kScenarioCause) widest = std::max(widest, group.difference);
+  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
 }
 
-// Whether rows of the golden file were compared.
-bool is_compared(const CheckVerdict& verdict) {
-  return verdict.has_golden && verdict.status != Status::failed;
+// The commands that show more of the worst scenario, and that accept all.
+std::string commands_text(const CheckReport& report) {
+  const DifferingScenario& worst = report.groups().front().scenarios.front();
+  const CheckVerdict& verdict = report.verdict_on(worst);
+  const bool is_alone = report.groups().size() == 1 && report.groups().front().scenarios.size() == 1;
+  const std::vector<std::string> checked =
+      report.arguments().empty() ? std::vector<std::string>{"scenarios"} : report.arguments();
+  std::vector<std::string> verbose = {"hyrax-sim", "check", "--verbose"};
+  for (const std::string& argument : report.arguments()) verbose.push_back(as_argument(argument));
+  if (!report.golden_folder().empty())
+    verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
+  return fmt::format(
+      "  to see all      {}\n"
+      "  to see more     {}; {}\n"
+      "  to accept it    {}{}\n",
+      shell_command(verbose), shell_command({"hyrax-sim", "run", as_argument(worst.path), "-o", "now.h5"}),
+      shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}),
+      bless_command_for(is_alone ? std::vector{worst.path} : checked, verdict.golden_folder),
+      accept_option(report));
+}
+
+void print_every(const CheckReport& report) {
+  for (const CheckVerdict& verdict : report.verdicts())
+    print_text("{}: {}\n{}", printable(verdict.path),
+               VerdictWord{name_of(verdict.status), verdict.status == Status::agreed},
+               verdict_details(verdict, true));
 }
 
 }  // namespace
 
-void print_check(const std::vector<CheckVerdict>& verdicts, const Printing& printing) {
-  for (const CheckVerdict& verdict : verdicts) {
-    const bool is_good = verdict.status == Status::agreed;
-    if (is_good ? printing.is_verbose() : !printing.is_quiet())
-      print_text("{}: {}\n{}", printable(verdict.path), VerdictWord{name_of(verdict.status), is_good},
-                 details(verdict, printing.is_verbose()));
-    if (verdict.status == Status::failed && printing.is_quiet()) print_error(verdict.error);
+CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
+                         std::string golden_folder)
+    : verdicts_(std::move(verdicts)),
+      arguments_(std::move(arguments)),
+      golden_folder_(std::move(golden_folder)) {
+  std::vector<DifferingScenario> differing;
+  for (const CheckVerdict& verdict : verdicts_) {
+    verdict_on_[&verdict.comparison] = &verdict;
+    if (verdict.status == Status::disagreed && !verdict.comparison.agrees)
+      differing.push_back({verdict.path, &verdict.comparison, verdict.runs.get()});
   }
-  print_text("{} checked: {} agreed, {} disagreed, {} without golden file, {} failed",
-             scenario_count(verdicts), count(verdicts, Status::agreed), count(verdicts, Status::disagreed),
-             count(verdicts, Status::missing), count(verdicts, Status::failed));
-  const std::int64_t unreferenced = count(verdicts, Status::unreferenced);
-  print_text("{}\n", unreferenced > 0 ? fmt::format("; {} unreferenced", unreferenced) : "");
+  if (!differing.empty()) groups_ = group_by_cause(differing);
+  for (const DifferenceGroup& group : groups_)
+    for (const DifferingScenario& scenario : group.scenarios) group_of_[scenario.comparison] = &group;
 }
 
-Json check_json(const std::vector<CheckVerdict>& verdicts) {
-  Json::Array results;
-  for (const CheckVerdict& verdict : verdicts) {
-    const Comparison& comparison = verdict.comparison;
-    Json::Object entry{{"scenario", verdict.path},
-                       {"status", name_of(verdict.status)},
-                       {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
-                       {"max_px", is_compared(verdict) ? max_px_json(comparison) : Json()},
-                       {"contacts_moved", is_compared(verdict) ? Json(comparison.contacts.total()) : Json()},
-                       {"first_divergence", divergence_json(comparison.first)}};
-    if (!verdict.broken.empty()) {
-      Json::Array broken;
-      for (const Expectation& expectation : verdict.broken) broken.push_back(expectation_json(expectation));
-      entry.emplace_back("expect", std::move(broken));
-    }
-    if (!verdict.error.empty()) entry.emplace_back("error", verdict.error);
-    results.emplace_back(std::move(entry));
-  }
-  return Json::Object{{"checked", scenario_count(verdicts)},
-                      {"agreed", count(verdicts, Status::agreed)},
-                      {"disagreed", count(verdicts, Status::disagreed)},
-                      {"missing", count(verdicts, Status::missing)},
-                      {"failed", count(verdicts, Status::failed)},
-                      {"unreferenced", count(verdicts, Status::unreferenced)},
-                      {"results", std::move(results)}};
+std::int64_t CheckReport::count(Status status) const {
+  return std::ranges::count(verdicts_, status, &CheckVerdict::status);
 }
 
-std::string check_junit(const std::vector<CheckVerdict>& verdicts) {
-  double seconds = 0.0;
-  for (const CheckVerdict& verdict : verdicts) seconds += verdict.seconds;
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n",
-      verdicts.size(), count(verdicts, Status::disagreed) + count(verdicts, Status::unreferenced),
-      count(verdicts, Status::missing) + count(verdicts, Status::failed), seconds);
-  for (const CheckVerdict& verdict : verdicts) text += test_case(verdict);
-  return text + "</testsuite>\n";
+std::int64_t CheckReport::scenario_count() const {
+  return static_cast<std::int64_t>(verdicts_.size()) - count(Status::unreferenced);
+}
+
+const DifferenceGroup* CheckReport::group_of(const CheckVerdict& verdict) const {
+  const auto found = group_of_.find(&verdict.comparison);
+  return found == group_of_.end() ? nullptr : found->second;
+}
+
+const CheckVerdict& CheckReport::verdict_on(const DifferingScenario& scenario) const {
+  return *verdict_on_.at(scenario.comparison);
+}
+
+std::string counts_sentence(const CheckReport& report) {
+  const std::int64_t unreferenced = report.count(Status::unreferenced);
+  return fmt::format("{} checked: {} agreed, {} disagreed, {} without golden file, {} failed{}",
+                     report.scenario_count(), report.count(Status::agreed), report.count(Status::disagreed),
+                     report.count(Status::missing), report.count(Status::failed),
+                     unreferenced > 0 ? fmt::format("; {} unreferenced", unreferenced) : "");
+}
+
+void print_check(const CheckReport& report, const Printing& printing) {
+  if (printing.is_quiet()) {
+    for (const CheckVerdict& verdict : report.verdicts())
+      if (verdict.status == Status::failed) print_error(verdict.error);
+    return print_text("{}\n", counts_sentence(report));
+  }
+  if (printing.is_verbose()) print_every(report);
+  const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
+  for (const DifferenceGroup& group : report.groups()) print_group(group, counts);
+  print_text("{}{}", broken_text(report), physics_text(report));
+  print_lines(report);
+  if (!report.groups().empty()) print_text("{}", commands_text(report));
+  print_text("{}\n", counts_sentence(report));
 }
 
 }  // namespace hyrax

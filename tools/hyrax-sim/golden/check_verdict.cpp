@@ -40,6 +40,7 @@ void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerd
   if (!pair) return;
   verdict.comparison = std::move(pair->comparison);
   verdict.note = std::move(pair->note);
+  verdict.runs = std::move(pair->runs);
   verdict.broken = broken_of(scenario, pair->summary);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
     verdict.status = Status::missing;

@@ -1,14 +1,15 @@
 // The verdict of `check` on one scenario, and on all.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
 #include "tools/files/failure.h"
-#include "tools/files/json.h"
-#include "tools/hyrax-sim/command_line/print.h"
+
+#include "tools/hyrax-sim/golden/golden_pair.h"
 #include "tools/store/golden_place.h"
 
 namespace hyrax {
@@ -21,10 +22,11 @@ struct CheckVerdict {
   bool has_golden = false;    ///< Its golden file exists.
   std::string golden_folder;  ///< As given with --golden; empty if it was not.
   Comparison comparison;
-  std::vector<Expectation> broken;  ///< Expectations that do not hold.
-  std::string error;                ///< Of a failed one.
-  std::string note;                 ///< A remark on one that agrees; may be empty.
-  bool is_open = false;             ///< Undecided: the golden file must be read.
+  std::vector<Expectation> broken;       ///< Expectations that do not hold.
+  std::string error;                     ///< Of a failed one.
+  std::string note;                      ///< A remark on one that agrees; may be empty.
+  std::shared_ptr<const PairRuns> runs;  ///< Of one that differs; see PairComparison.
+  bool is_open = false;                  ///< Undecided: the golden file must be read.
   ExitCode exit_code = ExitCode::agreed;
   double seconds = 0.0;
 };
@@ -45,10 +47,5 @@ struct CheckOptions {
 /// failed verdict.
 [[nodiscard]] std::vector<CheckVerdict> find_unreferenced(const std::vector<std::string>& arguments,
                                                           const std::string& golden_folder);
-
-/// Prints each verdict that is not "agreed" (verbose: all), and the counts (quiet: nothing else).
-void print_check(const std::vector<CheckVerdict>& verdicts, const Printing& printing);
-[[nodiscard]] Json check_json(const std::vector<CheckVerdict>& verdicts);
-[[nodiscard]] std::string check_junit(const std::vector<CheckVerdict>& verdicts);
 
 }  // namespace hyrax

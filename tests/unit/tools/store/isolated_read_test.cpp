@@ -115,5 +115,35 @@ TEST_F(IsolatedRead, ReportsAnyOtherFault) {
             ": is damaged: reading it fails; copy it again, or write it again");
 }
 
+// A second file, so that there is something to read together.
+class ReadTogether : public IsolatedRead {
+ protected:
+  void SetUp() override {
+    IsolatedRead::SetUp();
+    write_bytes(other_, "another");
+  }
+  const std::string other_ = folder_.at("other.h5");
+};
+
+TEST_F(ReadTogether, IsNotReadAgainUntilItChanges) {
+  read_isolated_together({path_, other_}, [](const std::string&) {});
+  EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }), "");
+  write_bytes(path_, "a changed file");
+  EXPECT_NE(message_of([] { std::raise(SIGSEGV); }), "");
+}
+
+TEST_F(ReadTogether, WithOneThatCrashesEachIsReadByItself) {
+  read_isolated_together({path_, other_}, [this](const std::string& path) {
+    if (path == other_) std::raise(SIGSEGV);
+  });
+  EXPECT_NE(message_of([] { std::raise(SIGSEGV); }), "");
+}
+
+TEST_F(ReadTogether, MayReadIsolatedInTheChild) {
+  read_isolated_together({path_, other_},
+                         [](const std::string& path) { read_isolated(path, [] { std::raise(SIGSEGV); }); });
+  EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }), "");
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -1,0 +1,212 @@
+#!/usr/bin/python3
+"""What `check` says of scenarios that differ: causes, consequences, and the documents for CI.
+
+HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
+"""
+
+import os
+import re
+import xml.etree.ElementTree
+
+from process import run
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+
+ALTERED = os.environ["HYRAX_ALTERED_SIM"]
+
+
+class ExplainTest(ProgramTest):
+    """A project with three throws, and the program with a changed core."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("a/first", "a/second", "third")
+
+    def altered(self, core, *arguments, exit_code=DISAGREED):
+        """The outcome of `check` with that core."""
+        outcome = run(ALTERED, "check", *arguments, cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return outcome
+
+    def groups(self, core, *arguments, **options):
+        """The groups of the JSON document."""
+        return self.altered(core, "--json", *arguments, **options).json["groups"]
+
+
+class Causes(ExplainTest):
+    """Groups of the JSON document."""
+
+    def test_without_a_difference_there_is_none(self):
+        self.assertEqual(self.groups("none", exit_code=AGREED), [])
+
+    def test_a_constant_is_named_with_both_values(self):
+        group, = self.groups("gravity_stronger")
+        self.assertEqual((group["operation"], group["kind"]), ("gravity", "constant"))
+        self.assertEqual((group["detail"], group["from"], group["to"]), ("GRAVITY 1200 -> 1250", 1200, 1250))
+        self.assertEqual(group["scenarios"],
+                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
+        self.assertEqual((group["reproduced"], group["class"]), (3, "contacts"))
+        self.assertGreater(group["max_px"], 1)
+        self.assertGreater(group["contacts_moved"], 3)
+        self.assertGreater(group["rest_shift_px"], 0)
+
+    def test_an_order_is_named_after_the_operation_that_moved(self):
+        group, = self.groups("drag_before_gravity")
+        self.assertEqual((group["operation"], group["kind"], group["detail"], group["from"], group["to"]),
+                         ("drag", "order", "drag before gravity", None, None))
+
+    def test_another_law_is_unknown_and_reproduces_nothing(self):
+        for group in self.groups("position_by_mean_velocity"):
+            self.assertEqual((group["kind"], group["reproduced"]), ("unknown", 0))
+
+    def test_groups_have_the_worst_of_their_scenarios(self):
+        document = self.altered("gravity_stronger", "--json").json
+        group, = document["groups"]
+        self.assertEqual(group["max_px"], max(entry["max_px"] for entry in document["results"]))
+        self.assertEqual(group["contacts_moved"], sum(entry["contacts_moved"] for entry in document["results"]))
+
+    def test_an_edited_scenario_is_told_by_its_pointer(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start))
+        group, = self.expect(DISAGREED, "check", "--json").json["groups"]
+        self.assertEqual((group["operation"], group["kind"], group["reproduced"]), ("scenario", "changed", 1))
+        self.assertEqual(group["detail"], "/start/vx_px_per_s 1180 -> 1181")
+        text = self.expect(DISAGREED, "check").out
+        self.assertIn("the scenario changed since it was blessed: /start/vx_px_per_s 1180 -> 1181 reproduces 1 of 1",
+                      text)
+
+    def test_an_edited_scenario_of_a_changed_core_is_unknown(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start))
+        kinds = {path: group["kind"] for group in self.groups("gravity_stronger") for path in group["scenarios"]}
+        self.assertEqual(kinds, {"scenarios/a/first.json": "constant", "scenarios/a/second.json": "constant",
+                                 "scenarios/third.json": "unknown"})
+
+    def test_an_expectation_that_fails_is_no_group(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start, expect={"contacts": {"right": 2}}))
+        outcome = self.expect(DISAGREED, "check", "--json")
+        self.assertEqual(outcome.json["groups"], [])
+        lines = self.expect(DISAGREED, "check").out.splitlines()
+        self.assertEqual(lines, ["scenarios/third.json: disagreed: expect contacts/right: wanted 2, measured 1",
+                                 "3 checked: 2 agreed, 1 disagreed, 0 without golden file, 0 failed"])
+
+
+class Text(ExplainTest):
+    """What is printed."""
+
+    def test_one_paragraph_says_cause_distance_contacts_and_rest(self):
+        text = self.altered("gravity_stronger").out
+        self.assertRegex(text, r"^3 of 3 scenarios differ, all by one cause: GRAVITY 1200 -> 1250 reproduces 3 of 3\.\n"
+                               r"  Contacts differ \(class contacts\): at most \d+(\.\d+)? px, \d+ contacts moved, "
+                               r"comes to rest up to [\d.]+ px away\.\n"
+                               r"  worst   scenarios/\S+\.json: [\d.]+ px at step \d+, [\d.]+ s, \d+ contacts moved")
+        self.assertIn("  to see all      hyrax-sim check --verbose\n", text)
+        self.assertTrue(text.endswith("3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n"))
+
+    def test_rounding_moves_no_contact(self):
+        text = self.altered("gravity_by_one_ulp").out
+        self.assertIn("Rounding only (class rounding): at most ", text)
+        self.assertIn(" px, no contact moved, comes to rest at the same place.\n", text)
+
+    def test_suggested_commands_work(self):
+        text = self.altered("drag_before_gravity").out
+        verbose, more, accept = (re.search(f"  to {what} +(.*)", text)[1] for what in ("see all", "see more", "accept it"))
+        for command in (verbose, *more.split("; "), accept.replace("TEXT", "again")):
+            words = command.split()
+            self.assertEqual(words[0], "hyrax-sim")
+            environment = {**os.environ, "HYRAX_ALTERED_CORE": "drag_before_gravity"}
+            outcome = run(ALTERED, *words[1:], cwd=self.folder, env=environment)
+            self.assertIn(outcome.exit_code, (AGREED, DISAGREED), outcome)
+
+    def test_quiet_prints_the_counts_alone(self):
+        self.assertEqual(self.altered("gravity_stronger", "-q").out,
+                         "3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n")
+
+    def test_verbose_prints_every_scenario_as_well(self):
+        text = self.altered("gravity_stronger", "--verbose").out
+        for name in ("a/first", "a/second", "third"):
+            self.assertIn(f"scenarios/{name}.json: disagreed\n  class      contacts\n  first      step 1, field y\n", text)
+        self.assertIn("all by one cause", text)
+
+    def test_what_is_missing_failed_or_unreferenced_has_one_line_each(self):
+        (self.folder / "golden/a/first.h5").unlink()
+        (self.folder / "golden/a/first.txt").unlink()
+        (self.folder / "scenarios/third.json").unlink()
+        self.write("scenarios/bad.json", "{")
+        lines = self.altered("gravity_stronger", exit_code=BAD_INPUT).out.splitlines()
+        for path, word in (("scenarios/a/first.json", "missing"), ("scenarios/bad.json", "failed"),
+                           ("golden/third", "unreferenced")):
+            self.assertEqual(len([line for line in lines if line.startswith(f"{path}: {word}: ")]), 1, lines)
+        self.assertIn("1 of 3 scenarios differs by one cause: GRAVITY 1200 -> 1250 reproduces 1 of 1.", lines)
+
+
+class Documents(ExplainTest):
+    """JUnit XML, annotations, Markdown."""
+
+    def test_junit_has_cause_and_distance_in_the_message(self):
+        self.altered("gravity_stronger", "--junit", "report.xml")
+        suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
+        messages = [failure.get("message") for failure in suite.iter("failure")]
+        self.assertEqual(len(messages), 3)
+        for message in messages:
+            self.assertRegex(message, r"^disagreed: GRAVITY 1200 -> 1250: [\d.]+ px at step \d+, [\d.]+ s, "
+                                      r"\d+ contacts moved")
+
+    def test_annotations_name_each_file_once(self):
+        lines = self.altered("gravity_stronger", "--annotate", "github").out.splitlines()
+        annotations = [line for line in lines if line.startswith("::")]
+        self.assertEqual(sorted(re.match(r"::error file=([^,]+),title=[^:]+::GRAVITY 1200 -> 1250: ", line)[1]
+                                for line in annotations),
+                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
+        self.assertEqual(self.altered("none", "--annotate", "github", exit_code=AGREED).out.count("::"), 0)
+        outcome = self.altered("gravity_stronger", "--annotate", "github", "--json")
+        self.assertEqual(outcome.json["disagreed"], 3)
+        self.assertEqual(outcome.err.count("::error "), 3)
+        self.expect(BAD_INPUT, "check", "--annotate", "gitlab", says="--annotate: ")
+
+    def test_the_summary_has_groups_and_scenarios(self):
+        self.altered("gravity_stronger", "--summary", "check.md")
+        text = (self.folder / "check.md").read_text()
+        self.assertTrue(text.startswith("## hyrax-sim check: not agreed\n"), text)
+        self.assertIn("GRAVITY 1200 -> 1250 reproduces 3 of 3", text)
+        for name in ("a/first", "a/second", "third"):
+            self.assertIn(f"- `scenarios/{name}.json`: ", text)
+        self.expect(AGREED, "check", "--summary", "green.md")
+        self.assertIn("3 agreed", (self.folder / "green.md").read_text())
+
+    def test_hostile_names_stay_in_their_place(self):
+        names = ("per%cent", "com,ma", "co:lon", "line\nbreak", "tick`s``", "<b>&\"", "::error file=x::y", "\x1b[31mred")
+        for name in names:
+            self.write(f"scenarios/{name}.json", "{")
+        outcome = self.altered("none", "--annotate", "github", "--summary", "check.md", exit_code=BAD_INPUT)
+        annotations = [line for line in outcome.out.splitlines() if line.startswith("::")]
+        self.assertEqual(len(annotations), len(names))
+        files = {re.match(r"::error file=([^:,]*),title=[^:,]*::", line)[1] for line in annotations}
+        self.assertIn("scenarios/per%25cent.json", files)
+        self.assertIn("scenarios/com%2Cma.json", files)
+        self.assertIn("scenarios/co%3Alon.json", files)
+        self.assertIn("scenarios/line%0Abreak.json", files)
+        self.assertNotIn("\x1b", outcome.out)
+        text = (self.folder / "check.md").read_text()
+        self.assertNotIn("\x1b", text)
+        self.assertIn("- ```scenarios/tick`s``.json```: failed", text)
+        self.assertIn("- `scenarios/line\\u000abreak.json`: failed", text)
+
+    def test_outputs_are_guarded(self):
+        self.expect(BAD_INPUT, "check", "--summary", "golden/report.md", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--summary", "report.txt", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report.md", says="--summary: ")
+        self.expect(CANNOT_ACCESS, "check", "--summary", "no/such/report.md", says="no/such/report.md")
+        self.assertEqual(self.names(), ["golden", "scenarios"])
+
+    def test_a_missing_golden_file_is_in_all_of_them(self):
+        (self.folder / "golden/third.h5").unlink()
+        outcome = self.expect(GOLDEN_MISSING, "check", "--annotate", "github", "--summary", "check.md", "--junit",
+                              "report.xml")
+        self.assertIn("::error file=scenarios/third.json,title=hyrax-sim check%3A missing::no golden file", outcome.out)
+        self.assertIn("- `scenarios/third.json`: missing: ", (self.folder / "check.md").read_text())
+        self.assertIn("message=\"missing: no golden file", (self.folder / "report.xml").read_text())
+
+
+if __name__ == "__main__":
+    main()

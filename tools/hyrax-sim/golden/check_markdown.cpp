@@ -1,0 +1,52 @@
+// The report of `check` in Markdown.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/files/printable.h"
+#include "tools/hyrax-sim/golden/check_report.h"
+#include "tools/hyrax-sim/golden/group_text.h"
+
+namespace hyrax {
+namespace {
+
+using Status = CheckVerdict::Status;
+
+// A code span, in which no character of the text has a meaning: its fence is longer than any in the text.
+std::string code_span(std::string_view text) {
+  const std::string line = printable(text);
+  std::size_t longest = 0, run = 0;
+  for (const char c : line) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  const std::string fence(longest + 1, '`');
+  const char* const pad = line.empty() || line.front() == '`' || line.back() == '`' ? " " : "";
+  return fence + pad + line + pad + fence;
+}
+
+std::string group_section(const DifferenceGroup& group, const GroupCounts& counts) {
+  std::string text =
+      fmt::format("### {} ({})\n\n{}\n\n{}\n\n", group.cause.operation, name_of(group.cause.kind),
+                  code_span(cause_sentence(group, counts).text()), code_span(consequence_sentence(group)));
+  for (const DifferingScenario& scenario : group.scenarios)
+    text += fmt::format("- {}: {}\n", code_span(scenario.path), code_span(scenario_consequence(scenario)));
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string check_markdown(const CheckReport& report) {
+  const bool is_green = report.count(Status::agreed) == static_cast<std::int64_t>(report.verdicts().size());
+  std::string text = fmt::format("## hyrax-sim check: {}\n\n{}\n\n", is_green ? "agreed" : "not agreed",
+                                 counts_sentence(report));
+  const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
+  for (const DifferenceGroup& group : report.groups()) text += group_section(group, counts);
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
+      text += fmt::format("- {}: {}: {}\n", code_span(verdict.path), name_of(verdict.status),
+                          code_span(verdict_sentence(report, verdict)));
+  return text;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,73 @@
+// What `check` found, and the forms in which it is reported.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "tools/files/json.h"
+#include "tools/hyrax-sim/command_line/print.h"
+#include "tools/hyrax-sim/golden/check_verdict.h"
+#include "tools/hyrax-sim/golden/difference_group.h"
+
+namespace hyrax {
+
+/// The verdicts, and the differing ones by cause. Nothing is explained where all agree.
+class CheckReport {
+ public:
+  /// @param arguments the scenarios and folders as given; none: the folder `scenarios`.
+  /// @param golden_folder as given; empty if it was not.
+  CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
+              std::string golden_folder);
+  CheckReport(const CheckReport&) = delete;
+  CheckReport& operator=(const CheckReport&) = delete;
+
+  [[nodiscard]] const std::vector<CheckVerdict>& verdicts() const { return verdicts_; }
+  [[nodiscard]] const std::vector<DifferenceGroup>& groups() const { return groups_; }
+  [[nodiscard]] const std::vector<std::string>& arguments() const { return arguments_; }
+  [[nodiscard]] const std::string& golden_folder() const { return golden_folder_; }
+
+  [[nodiscard]] std::int64_t count(CheckVerdict::Status status) const;
+  /// Unreferenced golden files are no scenarios.
+  [[nodiscard]] std::int64_t scenario_count() const;
+  /// The group of a scenario whose run differs; nullptr: it is in none.
+  [[nodiscard]] const DifferenceGroup* group_of(const CheckVerdict& verdict) const;
+  /// The verdict on a scenario of a group.
+  [[nodiscard]] const CheckVerdict& verdict_on(const DifferingScenario& scenario) const;
+
+ private:
+  std::vector<CheckVerdict> verdicts_;
+  std::vector<DifferenceGroup> groups_;
+  std::unordered_map<const Comparison*, const DifferenceGroup*> group_of_;
+  std::unordered_map<const Comparison*, const CheckVerdict*> verdict_on_;
+  std::vector<std::string> arguments_;
+  std::string golden_folder_;
+};
+
+/// "3 checked: 2 agreed, 1 disagreed, 0 without golden file, 0 failed". One line.
+[[nodiscard]] std::string counts_sentence(const CheckReport& report);
+
+/// What is wrong with one scenario, in one line without its path: the cause and how far it moves the run, the
+/// expectations that do not hold, what is missing. Empty if it agrees.
+[[nodiscard]] std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict);
+
+/// The expectations that do not hold, in one line; empty: all hold.
+[[nodiscard]] std::string broken_sentence(const CheckVerdict& verdict);
+
+/// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
+[[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
+
+/// A paragraph for each cause, a line for all that is wrong otherwise, the commands that show more, and the
+/// counts (verbose: every scenario first; quiet: counts only, failures on standard error).
+void print_check(const CheckReport& report, const Printing& printing);
+
+[[nodiscard]] Json check_json(const CheckReport& report);
+[[nodiscard]] std::string check_junit(const CheckReport& report);
+/// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
+/// that does not agree; of each cause the worst scenario first.
+[[nodiscard]] std::string github_annotations(const CheckReport& report);
+/// The report in Markdown.
+[[nodiscard]] std::string check_markdown(const CheckReport& report);
+
+}  // namespace hyrax
