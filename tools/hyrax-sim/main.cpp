@@ -21,6 +21,7 @@
   COMMAND(diff)                 \
   COMMAND(drift)                \
   COMMAND(study)                \
+  COMMAND(sweep)                \
   COMMAND(new)                  \
   COMMAND(validate)             \
   COMMAND(schema)               \

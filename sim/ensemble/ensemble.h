@@ -1,0 +1,49 @@
+// Plays members of a sweep, and keeps of each only the numbers that the sweep names.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "sim/motion/state.h"
+#include "sim/scenario/sweep.h"
+#include "sim/trajectory/state_hash.h"
+
+namespace hyrax {
+
+/// What is kept of a member: the bits that a replay of its scenario gives. Fields of a Keep that the sweep
+/// does not name are unspecified.
+struct MemberResult {
+  State final;
+  WallCounts contacts;
+  double at_rest_since_s = std::numeric_limits<double>::quiet_NaN();  ///< NaN: it has not settled.
+  double x_min_px = 0.0;  ///< Extremes are over all rows, the start among them.
+  double x_max_px = 0.0;
+  double y_min_px = 0.0;
+  double y_max_px = 0.0;
+  double speed_max_px_per_s = 0.0;
+  Digest state_hash{};
+};
+
+/// Steps that were played, and how many of them were computed: the others repeat exactly, or nothing in them
+/// was asked for.
+struct StepTally {
+  std::int64_t steps = 0;
+  std::int64_t computed = 0;
+
+  StepTally& operator+=(const StepTally& other) {
+    steps += other.steps;
+    computed += other.computed;
+    return *this;
+  }
+};
+
+/// Plays the members of rows `first_row`, `first_row + 1`, ... of a part, one for each result.
+/// REQUIRES: the rows exist. Safe to call from several threads.
+StepTally play_members(const Sweep& sweep, const SweepPart& part, std::int64_t first_row,
+                       std::span<MemberResult> results);
+
+/// Plays one scenario by the replay, step by step: the meaning of every result.
+StepTally play_member(const Scenario& scenario, const KeepSet& keep, MemberResult& result);
+
+}  // namespace hyrax
