@@ -33,8 +33,10 @@ std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector
 
 std::string_view name_of(DifferenceClass difference) {
   switch (difference) {
-    case DifferenceClass::bits:
-      return "bits";
+    case DifferenceClass::rounding:
+      return "rounding";
+    case DifferenceClass::values:
+      return "values";
     case DifferenceClass::contacts:
       return "contacts";
     case DifferenceClass::shape:
@@ -50,6 +52,11 @@ std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, do
 
 Divergence divergence_at(std::int64_t step, std::string_view field, double expected, double actual) {
   return {step, std::string(field), expected, actual, ulps_of(field, expected, actual)};
+}
+
+DifferenceClass class_of(const ContactChanges& contacts, const RunDistance& distance) {
+  if (!contacts.is_none() || distance.has_other_walls()) return DifferenceClass::contacts;
+  return distance.is_rounding() ? DifferenceClass::rounding : DifferenceClass::values;
 }
 
 ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/compare/run_distance.h"
 #include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 
@@ -30,11 +31,12 @@ namespace hyrax {
   return low < high ? high - low : low - high;
 }
 
-/// Of a difference, the worst that applies.
+/// Of a difference, the widest that applies; in order, the narrowest first.
 enum class DifferenceClass {
-  bits,      ///< Same contacts at the same steps, only rounding differs.
+  rounding,  ///< Every row within the limits of RunDistance::is_rounding.
+  values,    ///< The same walls at the same steps, first and last, but more than that.
   contacts,  ///< A contact moved, appeared or vanished.
-  shape,     ///< Other length, missing data, another scenario or physics model.
+  shape,     ///< Other length, missing data, another scenario.
 };
 [[nodiscard]] std::string_view name_of(DifferenceClass difference);
 
@@ -101,18 +103,31 @@ struct ContactChanges {
   std::vector<Moved> moved;
   std::vector<Contact> only_a;
   std::vector<Contact> only_b;
-  [[nodiscard]] bool is_none() const { return moved.empty() && only_a.empty() && only_b.empty(); }
+  [[nodiscard]] bool is_none() const { return total() == 0; }
+  /// Contacts that moved, that only the first run has, and that only the second has.
+  [[nodiscard]] std::int64_t total() const {
+    return static_cast<std::int64_t>(moved.size() + only_a.size() + only_b.size());
+  }
 };
 
 struct Comparison {
   bool agrees = true;
   std::optional<DifferenceClass> difference;  ///< Where they do not agree.
   std::string shape;                          ///< What differs in shape, a sentence.
+  std::string physics;  ///< How the names of the physics models differ, a sentence; sets no class.
   std::optional<Divergence> first;
   ContactChanges contacts;
+  /// Over all steps of both runs; nothing if no position differs. Of rows that are not known it says nothing.
+  std::optional<WorstDistance> largest;
+  bool has_unknown_rows = false;  ///< Rows of blocks that could not be replayed.
+  /// Distance of the final rows, where both runs have settled.
+  std::optional<double> rest_shift_px;
   std::vector<Row> expected_around;  ///< Rows near the first divergence, as far as they are known.
   std::vector<Row> actual_around;
 };
+
+/// The class of a difference in rows or contacts.
+[[nodiscard]] DifferenceClass class_of(const ContactChanges& contacts, const RunDistance& distance);
 
 /// The changes from contacts `a` to `b`, both in order of their first step.
 [[nodiscard]] ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b);

@@ -23,6 +23,33 @@ bool is_same(const Columns& kept, std::size_t first, const Columns& batch) {
          is_same_column(kept.contact, first, batch.contact);
 }
 
+// The rows of a block, with their steps and times. A block repeats only at one dt.
+class BlockRows {
+ public:
+  BlockRows(const Keyframe& keyframe, std::int64_t repetition)
+      : first_(keyframe.row), timeline_(keyframe.timeline) {
+    const std::int64_t rows_before = repetition * static_cast<std::int64_t>(kBlockRows);
+    first_.step += rows_before;
+    timeline_.frames += rows_before;
+    first_.t_s = timeline_.time_s();
+  }
+
+  [[nodiscard]] const Row& first() const { return first_; }
+  /// REQUIRES: called at most once for each row.
+  [[nodiscard]] Row next(const RowBlock& rows) {
+    Row row = rows.row(index_);
+    if (index_ > 0) timeline_.play(row.dt_s);
+    row.t_s = timeline_.time_s();
+    row.step = first_.step + static_cast<std::int64_t>(index_++);
+    return row;
+  }
+
+ private:
+  Row first_;
+  Timeline timeline_;
+  std::size_t index_ = 0;
+};
+
 // REQUIRES: lists of the same contacts, at the same steps.
 std::optional<Divergence> first_difference(const std::vector<Contact>& expected,
                                            const std::vector<Contact>& actual) {
@@ -49,10 +76,14 @@ std::optional<Divergence> first_difference(const Row& expected, const Row& actua
 void RunComparer::rows(const Columns& batch) {
   const auto first = static_cast<std::size_t>(rows_seen_);
   rows_seen_ += static_cast<std::int64_t>(batch.size());
-  if (result_.first || is_same(kept_.rows, first, batch)) return;
+  if (is_same(kept_.rows, first, batch)) return;
   for (std::size_t index = 0; index < batch.size() && first + index < kept_.rows.size(); ++index) {
-    result_.first = first_difference(kept_.rows.row(first + index), batch.row(index));
-    if (result_.first) return look_around(batch, index);
+    const Row expected = kept_.rows.row(first + index);
+    const Row actual = batch.row(index);
+    distance_.add(expected, actual);
+    if (result_.first) continue;
+    result_.first = first_difference(expected, actual);
+    if (result_.first) look_around(batch, index);
   }
 }
 
@@ -66,20 +97,28 @@ void RunComparer::look_around(const Columns& batch, std::size_t index) {
 }
 
 void RunComparer::block(const Block& block, std::int64_t count) {
-  while (count > 0 && !result_.first && kept_block_ < kept_.blocks.size()) {
+  for (std::int64_t passed = 0; passed < count && kept_block_ < kept_.blocks.size();) {
     const StoredBlock& kept = kept_.blocks[kept_block_];
-    const std::int64_t first_step =
-        kept.keyframe.row.step + kept_block_used_ * static_cast<std::int64_t>(kBlockRows);
-    if (kept.digest != block.digest) return find_row(kept, block, first_step);
-    if (kept_block_used_ == 0) check_upkeep(kept, block);
-    const std::int64_t used = std::min(count, kept.count - kept_block_used_);
-    count -= used;
+    compare({kept, kept_block_used_, block, passed});
+    const std::int64_t used = std::min(count - passed, kept.count - kept_block_used_);
+    passed += used;
     kept_block_used_ += used;
     if (kept_block_used_ == kept.count) {
       ++kept_block_;
       kept_block_used_ = 0;
     }
   }
+}
+
+void RunComparer::compare(const BlockPair& pair) {
+  const bool is_same_block = pair.kept.digest == pair.played.digest;
+  if (is_same_block && !result_.first && pair.kept_repetition == 0) check_upkeep(pair.kept, pair.played);
+  if (!is_same_block && !result_.first) find_row(pair);
+  if (!is_same_block) measure(pair);
+}
+
+std::int64_t RunComparer::BlockPair::first_step() const {
+  return kept.keyframe.row.step + kept_repetition * static_cast<std::int64_t>(kBlockRows);
 }
 
 // Where the digests agree, all that is kept beside them must agree as well.
@@ -90,42 +129,66 @@ void RunComparer::check_upkeep(const StoredBlock& kept, const Block& block) {
       damage_ = "row checks";
 }
 
-void RunComparer::find_row(const StoredBlock& kept, const Block& block, std::int64_t first_step) {
-  const RowBlock expected = expand_ ? expand_(kept) : RowBlock();
-  if (expected.size() > 0 && digest(expected) == kept.digest && find_row_in(expected, block)) return;
-  if (find_row_by_checks(kept, block)) return;
-  result_.first = Divergence{first_step, "state", std::nullopt, std::nullopt, std::nullopt};
+const RowBlock& RunComparer::expanded(const StoredBlock& kept) {
+  if (expanded_block_ == kept_block_) return expanded_;
+  expanded_block_ = kept_block_;
+  expanded_ = expand_ ? expand_(kept) : RowBlock();
+  if (expanded_.size() > 0 && digest(expanded_) != kept.digest) expanded_.shrink(0);
+  return expanded_;
 }
 
-bool RunComparer::find_row_in(const RowBlock& expected, const Block& block) {
+void RunComparer::find_row(const BlockPair& pair) {
+  if (find_row_in(expanded(pair.kept), pair)) return;
+  if (find_row_by_checks(pair)) return;
+  result_.first = Divergence{pair.first_step(), "state", std::nullopt, std::nullopt, std::nullopt};
+}
+
+bool RunComparer::find_row_in(const RowBlock& expected, const BlockPair& pair) {
+  const RowBlock& actual = pair.played.rows;
   const auto row_of = [&](const RowBlock& rows, std::size_t index) {
     Row row = rows.row(index);
-    row.step = block.keyframe.row.step + static_cast<std::int64_t>(index);
+    row.step = pair.first_step() + static_cast<std::int64_t>(index);
     return row;
   };
-  for (std::size_t index = 0; index < std::min(expected.size(), block.rows.size()); ++index) {
-    result_.first = first_difference(row_of(expected, index), row_of(block.rows, index));
+  for (std::size_t index = 0; index < std::min(expected.size(), actual.size()); ++index) {
+    result_.first = first_difference(row_of(expected, index), row_of(actual, index));
     if (result_.first) return true;
   }
   return false;
 }
 
-bool RunComparer::find_row_by_checks(const StoredBlock& kept, const Block& block) {
+bool RunComparer::find_row_by_checks(const BlockPair& pair) {
   constexpr std::size_t kFirstField = 1;  // Checks have no t; else they are in the fields' order.
-  for (std::size_t index = 0; index < std::min(kept.checks.size(), block.rows.size()); ++index) {
-    Row actual = block.rows.row(index);
-    actual.step = block.keyframe.row.step + static_cast<std::int64_t>(index);
+  const std::vector<RowCheck>& checks = pair.kept.checks;
+  for (std::size_t index = 0; index < std::min(checks.size(), pair.played.rows.size()); ++index) {
+    Row actual = pair.played.rows.row(index);
+    actual.step = pair.first_step() + static_cast<std::int64_t>(index);
     const RowCheck check = check_of(actual);
-    const auto differing = std::mismatch(check.begin(), check.end(), kept.checks[index].begin()).first;
+    const auto differing = std::mismatch(check.begin(), check.end(), checks[index].begin()).first;
     if (differing == check.end()) continue;
     const RowField& field = kRowFields[kFirstField + static_cast<std::size_t>(differing - check.begin())];
-    result_.first = index == 0 ? divergence_at(actual.step, field.name, field.value(kept.keyframe.row),
+    result_.first = index == 0 ? divergence_at(actual.step, field.name, field.value(pair.kept.keyframe.row),
                                                field.value(actual))
                                : Divergence{actual.step, std::string(field.name), std::nullopt,
                                             field.value(actual), std::nullopt};
     return true;
   }
   return false;
+}
+
+// Of rows that are not known, the first one is kept all the same.
+void RunComparer::measure(const BlockPair& pair) {
+  const RowBlock& expected = expanded(pair.kept);
+  BlockRows kept(pair.kept.keyframe, pair.kept_repetition);
+  BlockRows played(pair.played.keyframe, pair.played_repetition);
+  if (expected.size() == 0) {
+    distance_.add(kept.first(), played.first());
+    distance_.add_unknown();
+    result_.has_unknown_rows = true;
+    return;
+  }
+  for (std::size_t index = 0; index < std::min(expected.size(), pair.played.rows.size()); ++index)
+    distance_.add(kept.next(expected), played.next(pair.played.rows));
 }
 
 std::string RunComparer::contradiction(const Played& played) const {
@@ -141,10 +204,7 @@ std::string RunComparer::contradiction(const Played& played) const {
 }
 
 std::string RunComparer::difference_in_shape(const Played& played) const {
-  if (!plays_the_same(kept_.scenario, played.scenario)) return "the golden file is of another scenario";
-  if (kept_.physics != played.physics)
-    return "the golden file is of physics model '" + kept_.physics + "', this is '" +
-           std::string(played.physics) + "'";
+  if (!plays_the_same(kept_.scenario, played.scenario)) return "the scenario changed since it was blessed";
   if (kept_.steps != played.steps)
     return "the golden file has " + std::to_string(kept_.steps) + " steps, the run has " +
            std::to_string(played.steps);
@@ -156,20 +216,31 @@ std::string RunComparer::difference_in_shape(const Played& played) const {
   return "";
 }
 
-Comparison RunComparer::finish(const Played& played) {
-  result_.contacts = contact_changes(kept_.contacts, contacts_);
-  // Batches and blocks of equal bytes were not searched for a NaN, with which a run ends.
+// Batches and blocks of equal bytes were not searched for a NaN, with which a run ends.
+void RunComparer::compare_ends(const Played& played) {
+  if (kept_.final.step == played.final.step && (result_.first || !is_finite(state_of(played.final))))
+    distance_.add(kept_.final, played.final);
   if (!result_.first && !is_finite(state_of(played.final)))
     result_.first = first_difference(kept_.final, played.final);
-  if (!result_.first && result_.contacts.is_none())
+}
+
+Comparison RunComparer::finish(const Played& played) {
+  result_.contacts = contact_changes(kept_.contacts, contacts_);
+  compare_ends(played);
+  if (!result_.first && result_.contacts.is_none()) {
     result_.first = first_difference(kept_.contacts, contacts_);
+    for (std::size_t index = 0; index < contacts_.size(); ++index)
+      distance_.add(kept_.contacts[index], contacts_[index]);
+  }
+  result_.largest = distance_.largest();
   result_.shape = difference_in_shape(played);
+  if (kept_.physics != played.physics)
+    result_.physics = "the golden file is of physics model '" + kept_.physics + "', this program is of '" +
+                      std::string(played.physics) + "'";
   if (!result_.shape.empty())
     result_.difference = DifferenceClass::shape;
-  else if (!result_.contacts.is_none())
-    result_.difference = DifferenceClass::contacts;
-  else if (result_.first)
-    result_.difference = DifferenceClass::bits;
+  else if (result_.first || !result_.contacts.is_none())
+    result_.difference = class_of(result_.contacts, distance_);
   result_.agrees = !result_.difference.has_value();
   return std::move(result_);
 }

@@ -10,12 +10,13 @@
 
 namespace hyrax {
 
-/// Compares bits, row by row or block by block. Feed it a replay of `scenario`, then ask for the
-/// verdict.
+/// Compares bits, row by row or block by block, and measures how far the two are apart. Feed it a replay of
+/// `scenario`, then ask for the verdict. Memory does not grow with the rows.
 class RunComparer : public RowSink {
  public:
   /// Replays the rows of a kept block from its keyframe. If they give the kept digest, they are the kept
-  /// rows, and the row that differs is found exactly.
+  /// rows: the row that differs is found exactly, and distances are taken over all rows. Asked only for
+  /// blocks that differ.
   using Expand = std::function<RowBlock(const StoredBlock&)>;
 
   /// Refers to `kept`.
@@ -43,11 +44,23 @@ class RunComparer : public RowSink {
   [[nodiscard]] Comparison finish(const Played& played);
 
  private:
+  // A kept block, and the block of the same steps in the run; each may be a repetition.
+  struct BlockPair {
+    const StoredBlock& kept;
+    std::int64_t kept_repetition = 0;
+    const Block& played;
+    std::int64_t played_repetition = 0;
+    [[nodiscard]] std::int64_t first_step() const;
+  };
+  void compare(const BlockPair& pair);
   void check_upkeep(const StoredBlock& kept, const Block& block);
-  void find_row(const StoredBlock& kept, const Block& block, std::int64_t first_step);
-  [[nodiscard]] bool find_row_in(const RowBlock& expected, const Block& block);
-  [[nodiscard]] bool find_row_by_checks(const StoredBlock& kept, const Block& block);
+  [[nodiscard]] const RowBlock& expanded(const StoredBlock& kept);
+  void find_row(const BlockPair& pair);
+  [[nodiscard]] bool find_row_in(const RowBlock& expected, const BlockPair& pair);
+  [[nodiscard]] bool find_row_by_checks(const BlockPair& pair);
+  void measure(const BlockPair& pair);
   void look_around(const Columns& batch, std::size_t index);
+  void compare_ends(const Played& played);
   [[nodiscard]] std::string contradiction(const Played& played) const;
   [[nodiscard]] std::string difference_in_shape(const Played& played) const;
 
@@ -57,7 +70,10 @@ class RunComparer : public RowSink {
   std::int64_t rows_seen_ = 0;
   std::size_t kept_block_ = 0;        // The kept block that the next block is compared with,
   std::int64_t kept_block_used_ = 0;  // and how many of its repetitions were.
-  std::string damage_;                // What in the kept run contradicts itself.
+  RowBlock expanded_;                 // The rows of kept block `expanded_block_`; empty if not known.
+  std::size_t expanded_block_ = SIZE_MAX;
+  std::string damage_;  // What in the kept run contradicts itself.
+  RunDistance distance_;
   Comparison result_;
 };
 

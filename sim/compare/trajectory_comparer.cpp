@@ -23,22 +23,27 @@ bool Tolerance::accepts(double a, double b) const {
 }
 
 void TrajectoryComparer::compare(const Row& a, const Row& b) {
+  bool differs = false;
   for (std::size_t index = 0; index < kRowFields.size(); ++index) {
     const RowField& field = kRowFields[index];
     const double left = field.value(a);
     const double right = field.value(b);
     if (agrees(left, right)) continue;
+    differs = true;
     std::optional<WorstDifference>& worst = worst_[index];
     const WorstDifference found{a.step, left, right};
     if (!worst || is_worse(found.abs(), worst->abs())) worst = found;
     const bool is_accepted = index != kContactField && tolerance_.accepts(left, right);
     if (!is_accepted && !first_) first_ = divergence_at(a.step, field.name, left, right);
   }
+  if (differs) distance_.add(a, b);
 }
 
 void TrajectoryComparer::compare(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   contacts_ = contact_changes(a, b);
   if (!contacts_.is_none()) return;
+  if (first_) return;
+  for (std::size_t index = 0; index < a.size(); ++index) distance_.add(a[index], b[index]);
   for (std::size_t index = 0; index < a.size() && !first_; ++index)
     for (const ContactField& field : kContactFields) {
       const double left = a[index].*field.value;

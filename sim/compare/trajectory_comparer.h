@@ -45,12 +45,15 @@ class TrajectoryComparer {
   }
   [[nodiscard]] const std::optional<Divergence>& first() const { return first_; }
   [[nodiscard]] const ContactChanges& contacts() const { return contacts_; }
+  /// Of the rows, within the tolerance or not.
+  [[nodiscard]] const RunDistance& distance() const { return distance_; }
 
  private:
   Tolerance tolerance_;
   std::array<std::optional<WorstDifference>, kRowFields.size()> worst_;
   std::optional<Divergence> first_;
   ContactChanges contacts_;
+  RunDistance distance_;
 };
 
 }  // namespace hyrax

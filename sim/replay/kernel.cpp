@@ -1,4 +1,5 @@
 #include "sim/physics/physics.h"
+#include "sim/replay/core_constants.h"
 #include "sim/replay/kernel_of.h"
 
 namespace hyrax {
@@ -25,5 +26,7 @@ const Kernel& shipped_kernel() {
   static const KernelOf<ShippedCores> kernel;
   return kernel;
 }
+
+Constants core_constants() { return shipped_kernel().constants(); }
 
 }  // namespace hyrax

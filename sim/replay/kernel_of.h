@@ -16,7 +16,8 @@ namespace hyrax {
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
-  explicit KernelOf(Cores cores = {}) : cores_(std::move(cores)) {}
+  KernelOf() = default;
+  explicit KernelOf(Cores cores) : cores_(std::move(cores)) {}
 
   void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows,
             StretchLog& log) const override {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "sim/trajectory/columns.h"
 #include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
@@ -37,6 +38,9 @@ struct RestAnchor {
     return std::nullopt;
   }
 };
+
+/// Since when a run has settled, in s. @param rows every row of the run, from row 0.
+[[nodiscard]] std::optional<double> at_rest_since_s(const Columns& rows);
 
 struct RunSummary {
   std::int64_t steps = 0;           ///< Frames played.

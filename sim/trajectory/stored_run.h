@@ -41,6 +41,7 @@ struct StoredBlock {
 struct StoredRun {
   Scenario scenario;
   std::string physics;  ///< Physics model.
+  Constants constants;  ///< Of the core that played it.
   std::int64_t steps = 0;
   std::string state_hash;           ///< 32 hex digits.
   Columns rows;                     ///< Every row of a short run; else empty.

@@ -18,7 +18,8 @@ FEW_THREADS = os.environ["HYRAX_FEW_THREADS"]
 
 CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int,
          "unreferenced": int, "results": [object]}
-RESULT = {"scenario": str, "status": str, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE)}
+RESULT = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)), "contacts_moved": Maybe(int),
+          "first_divergence": Maybe(DIVERGENCE)}
 
 
 def nudge(path, dataset, row):
@@ -68,18 +69,40 @@ class Verdict(CheckTest):
             document = self.check(DISAGREED)
             self.assertEqual(self.counts(document), (2, 1, 0, 0))
             entry = document["results"][2]
-            self.assertEqual((entry["status"], entry["class"]), ("disagreed", "bits"))
+            self.assertEqual((entry["status"], entry["class"]), ("disagreed", "rounding"))
             first = entry["first_divergence"]
             self.assertEqual((first["step"], first["field"], first["ulps"]), (row, field, 1))
 
     def test_a_difference_is_reported_with_values_rows_and_commands(self):
         nudge(self.folder / "golden/third.h5", "trajectory/vx", 299)
         text = self.expect(DISAGREED, "check").out
-        for part in ("scenarios/third.json: disagreed", "class      bits", "first      step 299, field vx",
+        for part in ("scenarios/third.json: disagreed", "class      rounding", "first      step 299, field vx",
                      "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
                      "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
                      "3 checked: 2 agreed, 1 disagreed"):
             self.assertIn(part, text)
+
+    def test_the_largest_distance_and_the_class_are_reported(self):
+        entries = self.check(AGREED)["results"]
+        self.assertEqual([(entry["max_px"], entry["contacts_moved"]) for entry in entries], 3 * [(0, 0)])
+        golden = self.folder / "golden/third.h5"
+        original = golden.read_bytes()
+        for offset_px, kind in ((0.9e-6, "rounding"), (1.1e-6, "values"), (2.5, "values")):
+            golden.write_bytes(original)
+            with h5py.File(golden, "r+") as file:
+                file["trajectory/x"][150] += offset_px
+                file["trajectory/x"][40] -= offset_px / 2
+            entry = self.check(DISAGREED)["results"][2]
+            self.assertEqual((entry["class"], entry["contacts_moved"]), (kind, 0), offset_px)
+            self.assertAlmostEqual(entry["max_px"], offset_px, 11)
+        golden.unlink()
+        entry = self.check(GOLDEN_MISSING)["results"][2]
+        self.assertEqual((entry["class"], entry["max_px"], entry["contacts_moved"]), (None, None, None))
+
+    def test_another_rest_bit_is_of_class_values(self):
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["trajectory/contact"][-1] ^= 16
+        self.assertEqual(self.check(DISAGREED)["results"][2]["class"], "values")
 
     def test_a_moved_contact_is_of_class_contacts(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
@@ -92,7 +115,7 @@ class Verdict(CheckTest):
         os.replace(self.folder / "golden/a/first.h5", self.folder / "golden/a/second.h5")
         document = self.check(GOLDEN_MISSING)
         self.assertEqual(document["results"][1]["class"], "shape")
-        self.assertIn("of another scenario", self.expect(DISAGREED, "check", "scenarios/a/second.json").out)
+        self.assertIn("the scenario changed since it was blessed", self.expect(DISAGREED, "check", "scenarios/a/second.json").out)
 
     def test_a_longer_run_is_of_class_shape(self):
         self.write("scenarios/third.json", fling(name="third", steps=301))
@@ -334,10 +357,10 @@ class OneVerdict(CheckTest):
         self.assertEqual(self.verdicts(), 3 * [("agreed", None)])
 
     def test_on_what_only_contacts_show(self):
-        self.assert_all_say("disagreed", "bits", self.nudge_and_seal, "contacts/overshoot", 0)
+        self.assert_all_say("disagreed", "rounding", self.nudge_and_seal, "contacts/overshoot", 0)
 
     def test_on_what_only_times_show(self):
-        self.assert_all_say("disagreed", "bits", self.nudge_and_seal, "trajectory/t", 7)
+        self.assert_all_say("disagreed", "rounding", self.nudge_and_seal, "trajectory/t", 7)
 
     def test_on_a_changed_summary(self):
         for old, new in (("steps: 300", "steps: 301"), ("scenario: third", "scenario: thirD"), ("ground 8\n", "ground 7\n"),

@@ -51,7 +51,7 @@ class Diff(ProgramTest):
                 document = self.diff(DISAGREED)
                 first = document["first_divergence"]
                 self.assertEqual((document["class"], first["step"], first["field"], first["ulps"]),
-                                 ("bits", row, field, 1))
+                                 ("rounding", row, field, 1))
                 self.assertEqual(list(document["worst"]), [field])
                 self.diff(AGREED, "--ulps", "1")
                 self.diff(DISAGREED, "--ulps", "0")
@@ -88,7 +88,7 @@ class Diff(ProgramTest):
         first = self.diff(DISAGREED, "--abs", "1e300")["first_divergence"]
         self.assertEqual((first["step"], first["actual"], first["ulps"]), (50, "NaN", None))
         shutil.copyfile(self.folder / "b.h5", self.folder / "a.h5")
-        self.assertEqual(self.diff(DISAGREED, "--abs", "1e300", "--ulps", "9000000")["class"], "bits")
+        self.assertEqual(self.diff(DISAGREED, "--abs", "1e300", "--ulps", "9000000")["class"], "values")
 
     def test_infinity_is_a_string(self):
         self.change("trajectory/vy", 50, -numpy.inf)
@@ -143,12 +143,43 @@ class Diff(ProgramTest):
             self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", setting)
             self.assertEqual(self.diff(DISAGREED, "--abs", "1e9")["class"], "shape", setting)
 
-    def test_another_physics_model_is_of_class_shape(self):
+    def test_the_name_of_the_physics_model_sets_no_class(self):
         shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
         with h5py.File(self.folder / "b.h5", "r+") as file:
             file.attrs["physics"] = "hyrax-physics/2"
-        self.assertEqual(self.diff(DISAGREED)["class"], "shape")
+        self.assertEqual(self.diff(AGREED)["class"], None)
+        self.assertIn("  physics    the physics models differ: hyrax-physics/1 and hyrax-physics/2\n",
+                      self.expect(AGREED, "diff", "a.h5", "b.h5").out)
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file["trajectory/x"][100] += 0.25
+        self.assertEqual(self.diff(DISAGREED)["class"], "values")
         self.assertIn("hyrax-physics/2", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+
+    def test_the_class_has_a_limit_for_every_quantity(self):
+        for field, limit in (("t", 1e-9), ("dt", 1e-9), ("x", 1e-6), ("y", 1e-6), ("vx", 1e-6), ("vy", 1e-6)):
+            for factor, kind in ((0.99, "rounding"), (1.01, "values")):
+                self.change(f"trajectory/{field}", 60, lambda value: value + factor * limit)
+                self.assertEqual(self.diff(DISAGREED)["class"], kind, field)
+
+    def test_a_wall_in_one_run_only_is_of_class_contacts(self):
+        self.change("trajectory/contact", 100, 1)
+        self.assertEqual(self.diff(DISAGREED)["class"], "contacts")
+        self.change("trajectory/contact", 300, lambda value: value ^ 16)
+        self.assertEqual(self.diff(DISAGREED)["class"], "values")  # The rest bit alone.
+
+    def test_the_constants_are_recorded(self):
+        with h5py.File(self.folder / "a.h5") as file:
+            self.assertEqual(file.attrs["constants"].dtype, numpy.float64)
+            self.assertEqual(list(file.attrs["constants"]), [1200.0, 0.6, 0.999, 0.8, 5.0])
+        for wrong in (numpy.zeros(4), numpy.zeros(6), numpy.float64(1200), numpy.zeros(5, "f4"), "1200"):
+            shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+            with h5py.File(self.folder / "b.h5", "r+") as file:
+                file.attrs["constants"] = wrong
+            self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: attribute constants: is not 5 numbers")
+        shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            del file.attrs["constants"]
+        self.diff(AGREED)
 
     def test_another_name_or_program_is_no_difference(self):
         self.write("other.json", fling(name="other", description="another text"))
@@ -186,7 +217,7 @@ class Diff(ProgramTest):
         with h5py.File(self.folder / "b.h5", "r+") as file:
             file.attrs["state_hash"] = "0" * 32
         document = self.diff(DISAGREED)
-        self.assertEqual((document["class"], document["first_divergence"]), ("bits", None))
+        self.assertEqual((document["class"], document["first_divergence"]), ("rounding", None))
         self.assertIn("hashes differ", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
         self.diff(AGREED, "--abs", "1e-9")
 

@@ -13,7 +13,7 @@ from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, main
 FIELDS = {"t", "dt", "x", "y", "vx", "vy", "contact"}
 # Of 1e7 steps and more: a core whose runs never repeat plays them all.
 LONG = {"scenarios/hard/ten-million-steps.json", "scenarios/edges/frames-past-a-float.json"}
-CLASSES = {"bits", "contacts", "shape"}
+CLASSES = {"rounding", "values", "contacts", "shape"}
 
 
 @functools.cache

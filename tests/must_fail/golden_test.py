@@ -43,7 +43,7 @@ class ProjectsGolden(ProgramTest):
         for scenario, (step, field) in short.items():
             first = entries[scenario]["first_divergence"]
             self.assertEqual((entries[scenario]["class"], first["step"], first["field"], first["ulps"]),
-                             ("bits", step, field, 1), scenario)
+                             ("rounding", step, field, 1), scenario)
 
     def test_a_missing_golden_file_does_not_pass(self):
         for suffix in (".h5", ".txt"):

@@ -42,13 +42,14 @@ bool write_rows(hid_t file, const Columns& rows) {
 bool write_run(hid_t file, const StoredRun& run) {
   return write_rows(file, stored_rows(run)) && write_contacts(file, run) &&
          (run.blocks.empty() || write_blocks(file, run.blocks)) &&
-         write_head(file, {run.scenario, run.steps, run.physics, run.state_hash}, run.inputs);
+         write_head(file, {run.scenario, run.steps, run.physics, run.state_hash, run.constants}, run.inputs);
 }
 
 StoredRun read_run(const TrajectoryFile& file) {
   StoredRun run;
   run.scenario = file.head().scenario;
   run.physics = file.head().physics;
+  run.constants = file.head().constants;
   run.steps = file.head().steps;
   run.state_hash = file.head().state_hash;
   run.contacts = file.contacts();

@@ -235,6 +235,15 @@ void write_attribute(hid_t object, const char* name, std::int64_t value) {
   H5Awrite(attribute, H5T_NATIVE_INT64, &value);
 }
 
+void write_attribute(hid_t object, const char* name, std::span<const double> values) {
+  const hsize_t count = values.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data());
+}
+
+bool has_attribute(hid_t object, const char* name) { return H5Aexists(object, name) > 0; }
+
 std::optional<std::string> read_text_attribute(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   if (!attribute.is_open()) return std::nullopt;
@@ -259,6 +268,21 @@ std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* nam
       H5Aread(attribute, H5T_NATIVE_INT64, &value) < 0)
     return std::nullopt;
   return value;
+}
+
+std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name,
+                                                          std::size_t count_max) {
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.is_open()) return std::nullopt;
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  if (H5Tget_class(type) != H5T_FLOAT || H5Tget_size(type) != sizeof(double) ||
+      H5Sget_simple_extent_ndims(space) != 1 || count < 0 || count > static_cast<hssize_t>(count_max))
+    return std::nullopt;
+  std::vector<double> values(static_cast<std::size_t>(count));
+  if (count > 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
+  return values;
 }
 
 }  // namespace hyrax::h5

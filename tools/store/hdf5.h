@@ -101,10 +101,15 @@ void write_enum_flags(hid_t dataset, std::span<const std::string_view> names);
 
 void write_attribute(hid_t object, const char* name, std::string_view text);
 void write_attribute(hid_t object, const char* name, std::int64_t value);
+void write_attribute(hid_t object, const char* name, std::span<const double> values);
 
+[[nodiscard]] bool has_attribute(hid_t object, const char* name);
 /// Nothing if the attribute is missing or of another type.
 [[nodiscard]] std::optional<std::string> read_text_attribute(hid_t object, const char* name);
 [[nodiscard]] std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* name);
+/// A list of float64; at most `count_max` numbers.
+[[nodiscard]] std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name,
+                                                                        std::size_t count_max);
 
 /// Variable-length UTF-8 text.
 [[nodiscard]] Handle text_type();

@@ -8,6 +8,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "sim/reference/model.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
@@ -141,7 +142,23 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   if (!steps || *steps < 0 || *steps > kStepsMax)
     refuse("attribute steps: is missing or not an integer 0 .. 1e12");
   head.steps = *steps;
+  head.constants = read_constants();
   return head;
+}
+
+Constants TrajectoryFile::read_constants() const {
+  const Model paper;
+  if (!h5::has_attribute(file_, "constants"))
+    return {.gravity_px_per_s2 = paper.gravity_px_per_s2,
+            .restitution = paper.restitution,
+            .air_drag = paper.air_drag,
+            .ground_friction = paper.ground_friction,
+            .rest_threshold_px_per_s = paper.rest_threshold_px_per_s};
+  ConstantNumbers numbers{};
+  const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
+  if (!values || values->size() != numbers.size()) refuse("attribute constants: is not 5 numbers of 64 bits");
+  std::ranges::copy(*values, numbers.begin());
+  return constants_of(numbers);
 }
 
 std::string TrajectoryFile::text(const char* attribute) const {

@@ -64,6 +64,21 @@ struct FileHead {
   std::int64_t steps = 0;
   std::string physics;
   std::string state_hash;  ///< 32 hex digits.
+  Constants constants{};   ///< Of the core that played the run; the paper's where a file does not have them.
 };
+
+/// The numbers of the attribute `constants`, in the order of the paper's table.
+using ConstantNumbers = std::array<double, 5>;
+[[nodiscard]] constexpr ConstantNumbers numbers_of(const Constants& constants) {
+  return {constants.gravity_px_per_s2, constants.restitution, constants.air_drag, constants.ground_friction,
+          constants.rest_threshold_px_per_s};
+}
+[[nodiscard]] constexpr Constants constants_of(const ConstantNumbers& numbers) {
+  return {.gravity_px_per_s2 = numbers[0],
+          .restitution = numbers[1],
+          .air_drag = numbers[2],
+          .ground_friction = numbers[3],
+          .rest_threshold_px_per_s = numbers[4]};
+}
 
 }  // namespace hyrax

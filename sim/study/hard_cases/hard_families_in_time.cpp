@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/replay/core_constants.h"
 #include "sim/study/hard_cases/hard_family.h"
 #include "sim/study/methods/core.h"
 

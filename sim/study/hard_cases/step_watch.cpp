@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/replay/core_constants.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 

@@ -7,7 +7,7 @@
 
 #include "sim/motion/step.h"
 #include "sim/physics/physics.h"
-#include "sim/replay/kernel.h"
+#include "sim/replay/core_constants.h"
 
 namespace hyrax {
 namespace {
@@ -16,8 +16,6 @@ physics in(const State& body) { return {body.x_px, body.y_px, body.vx_px_per_s, 
 State out(const physics& body) { return {body.x(), body.y(), body.vx(), body.vy()}; }
 
 }  // namespace
-
-Constants core_constants() { return shipped_kernel().constants(); }
 
 State core_step(const State& body, double dt_s, const Bounds& bounds) {
   return core_steps(body, dt_s, bounds, 1);

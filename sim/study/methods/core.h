@@ -8,9 +8,6 @@
 
 namespace hyrax {
 
-/// The constants of class physics, read from it.
-[[nodiscard]] Constants core_constants();
-
 /// One call of physics::update.
 /// REQUIRES: bounds are whole numbers within the range of int; of all functions here.
 [[nodiscard]] State core_step(const State& body, double dt_s, const Bounds& bounds);

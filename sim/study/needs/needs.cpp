@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "sim/compare/comparison.h"
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "sim/study/methods/core.h"
 #include "sim/study/methods/problem.h"
@@ -55,11 +54,6 @@ bool same_row(const RunRow& a, const RunRow& b) {
   return a.contact == b.contact && same_bits(a.motion, b.motion);
 }
 
-double distance_px(const State& a, const State& b) {
-  const double distance = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
-  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
-}
-
 PathDifference difference_of(const Rows& complete, const Rows& without) {
   PathDifference difference;
   for (std::size_t row = 0; row < complete.all().size(); ++row) {
@@ -75,8 +69,7 @@ PathDifference difference_of(const Rows& complete, const Rows& without) {
     difference.path_px = std::max(difference.path_px, difference.end_px);
   }
   const ContactChanges changes = contact_changes(complete.contacts(), without.contacts());
-  difference.contacts_moved =
-      static_cast<std::int64_t>(changes.moved.size() + changes.only_a.size() + changes.only_b.size());
+  difference.contacts_moved = changes.total();
   return difference;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/study/paper/claim_probe.h"
 
 #include "sim/motion/step.h"
+#include "sim/replay/core_constants.h"
 
 namespace hyrax {
 

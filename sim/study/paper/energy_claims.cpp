@@ -5,6 +5,7 @@
 #include "sim/motion/step.h"
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/phi.h"
+#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

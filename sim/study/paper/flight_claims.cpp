@@ -1,6 +1,7 @@
 // Sections 1, 2.1, 2.2 and 2.3: gravity, drag, position.
 #include <algorithm>
 
+#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

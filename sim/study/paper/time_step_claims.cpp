@@ -1,6 +1,7 @@
 // Sections 3.2.2, 4.1 and 4.2: the rest threshold at several frame rates, large dt, stability, tunnelling.
 #include <algorithm>
 
+#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

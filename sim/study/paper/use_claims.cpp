@@ -1,5 +1,6 @@
 // Sections 5 to 7: the constants of table 1; frame-rate independence, sizes, stopping, drawing; speed.
 #include "sim/reference/model.h"
+#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

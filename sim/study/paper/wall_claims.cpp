@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "sim/motion/step.h"
+#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/replay/core_constants.h"
 #include "sim/study/display_rates.h"
 
 namespace hyrax {

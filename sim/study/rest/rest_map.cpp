@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/reference/flight.h"
+#include "sim/replay/core_constants.h"
 #include "sim/scenario/split_mix64.h"
 
 namespace hyrax {

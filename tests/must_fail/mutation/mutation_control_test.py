@@ -124,7 +124,7 @@ class Reasons(unittest.TestCase):
     def test_of_one_that_is_undefined_a_crash_is_none(self):
         reasons = {(CORE, "m_x = 0.0;"): Reason("for the test", False, may_crash=True)}
         self.assertEqual(faults_of(reasons, [self.mutant], {self.mutant: Verdict("caught", difference="crashes")}), [])
-        self.assertEqual(len(faults_of(reasons, [self.mutant], {self.mutant: Verdict("caught", difference="bits")})), 1)
+        self.assertEqual(len(faults_of(reasons, [self.mutant], {self.mutant: Verdict("caught", difference="rounding")})), 1)
 
     def test_of_one_that_is_gone_it_is_a_fault(self):
         (fault,) = faults_of(self.reasons, [change_of("m_x = 1.0;")], {})

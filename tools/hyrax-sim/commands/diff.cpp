@@ -75,7 +75,6 @@ bool hold_recorded_rows(const TrajectoryFile& a, const TrajectoryFile& b) {
 }
 
 std::string shape_of(const FileHead& a, const FileHead& b) {
-  if (a.physics != b.physics) return "physics models differ: " + a.physics + " and " + b.physics;
   if (a.steps != b.steps) return fmt::format("the numbers of steps differ: {} and {}", a.steps, b.steps);
   if (!plays_the_same(a.scenario, b.scenario)) return "the scenarios differ";
   return "";
@@ -88,15 +87,19 @@ Difference compare(const TrajectoryFile& a, const TrajectoryFile& b, const Toler
   difference.values.compare(a.contacts(), b.contacts());
   comparison.first = difference.values.first();
   comparison.contacts = difference.values.contacts();
+  comparison.largest = difference.values.distance().largest();
   comparison.shape = shape_of(a.head(), b.head());
+  if (a.head().physics != b.head().physics)
+    comparison.physics = "the physics models differ: " + a.head().physics + " and " + b.head().physics;
   if (comparison.shape.empty() && difference.lone_step && hold_recorded_rows(a, b))
     comparison.shape = fmt::format("only one of the files holds row {}", *difference.lone_step);
   if (!comparison.shape.empty())
     comparison.difference = DifferenceClass::shape;
-  else if (!comparison.contacts.is_none() || a.contacts_total() != b.contacts_total())
+  else if (a.contacts_total() != b.contacts_total())
     comparison.difference = DifferenceClass::contacts;
-  else if (comparison.first || (tolerance.is_exact() && a.head().state_hash != b.head().state_hash))
-    comparison.difference = DifferenceClass::bits;
+  else if (comparison.first || !comparison.contacts.is_none() ||
+           (tolerance.is_exact() && a.head().state_hash != b.head().state_hash))
+    comparison.difference = class_of(comparison.contacts, difference.values.distance());
   comparison.agrees = !comparison.difference;
   return difference;
 }
@@ -119,7 +122,7 @@ void print_difference(const Difference& difference, const TrajectoryFile& a, con
              difference.rows_compared);
   if (request.printing.is_quiet()) return;
   print_text("{}", difference_text(comparison, request.printing.is_verbose()));
-  if (comparison.difference == DifferenceClass::bits && !comparison.first)
+  if (comparison.difference && comparison.shape.empty() && comparison.contacts.is_none() && !comparison.first)
     print_text("  hash       the state hashes differ: in rows that are not recorded in both\n");
   for (std::size_t field = 0; field < kRowFields.size(); ++field)
     if (const auto& worst = difference.values.worst()[field])

@@ -86,6 +86,11 @@ std::string test_case(const CheckVerdict& verdict) {
                             name_of(verdict.status), escaped(details(verdict)));
 }
 
+// Whether rows of the golden file were compared.
+bool is_compared(const CheckVerdict& verdict) {
+  return verdict.has_golden && verdict.status != Status::failed;
+}
+
 }  // namespace
 
 void print_check(const std::vector<CheckVerdict>& verdicts, const Printing& printing) {
@@ -110,6 +115,8 @@ Json check_json(const std::vector<CheckVerdict>& verdicts) {
     Json::Object entry{{"scenario", verdict.path},
                        {"status", name_of(verdict.status)},
                        {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+                       {"max_px", is_compared(verdict) ? max_px_json(comparison) : Json()},
+                       {"contacts_moved", is_compared(verdict) ? Json(comparison.contacts.total()) : Json()},
                        {"first_divergence", divergence_json(comparison.first)}};
     if (!verdict.broken.empty()) {
       Json::Array broken;

@@ -33,7 +33,7 @@ bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPla
 
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
   verdict.golden = golden_place(verdict.path, options.golden_folder);
-  const bool has_golden = verdict.golden && has_golden_file(*verdict.golden);
+  const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
   auto pair = has_golden ? compare_with_pair(scenario, *verdict.golden, options.reads_golden)
                          : PairComparison{.summary = play(scenario)};
   verdict.is_open = !pair;

@@ -18,6 +18,7 @@ struct CheckVerdict {
   std::string path;  ///< Of the scenario as given; of an unreferenced golden file without its suffix.
   Status status = Status::agreed;
   std::optional<GoldenPlace> golden;
+  bool has_golden = false;    ///< Its golden file exists.
   std::string golden_folder;  ///< As given with --golden; empty if it was not.
   Comparison comparison;
   std::vector<Expectation> broken;  ///< Expectations that do not hold.

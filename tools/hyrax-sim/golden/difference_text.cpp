@@ -95,6 +95,7 @@ std::string difference_text(const Comparison& comparison, bool lists_all) {
   const std::size_t count_max = lists_all ? std::numeric_limits<std::size_t>::max() : 8;
   std::string text;
   if (comparison.difference) text += fmt::format("  class      {}\n", name_of(*comparison.difference));
+  if (!comparison.physics.empty()) text += fmt::format("  physics    {}\n", comparison.physics);
   if (!comparison.shape.empty()) text += fmt::format("  shape      {}\n", comparison.shape);
   if (comparison.first) text += divergence_text(*comparison.first);
   text += rows_text(comparison);
@@ -121,6 +122,8 @@ std::string build_text(const Provenance& a, const Provenance& b,
           fmt::format("             {}: '{}' and '{}'\n", field.name, *(a.*field.value), *(b.*field.value));
   return difference ? text + fmt::format("  meaning    {}\n", meaning(*difference, builds_differ)) : text;
 }
+
+Json max_px_json(const Comparison& comparison) { return comparison.largest ? comparison.largest->px : 0.0; }
 
 Json divergence_json(const std::optional<Divergence>& divergence) {
   if (!divergence) return nullptr;

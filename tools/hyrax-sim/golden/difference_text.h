@@ -23,6 +23,9 @@ namespace hyrax {
 /// The value of a field: the flags of "contact" by name, other values in decimal and hex float.
 [[nodiscard]] std::string field_value_text(std::string_view field, double value);
 
+/// The largest distance of two rows in px: 0 if no position differs.
+[[nodiscard]] Json max_px_json(const Comparison& comparison);
+
 /// {"step", "field", "expected", "actual", "ulps"}, or null.
 [[nodiscard]] Json divergence_json(const std::optional<Divergence>& divergence);
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 
 #include "sim/compare/run_comparer.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/listing_kernel.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -69,24 +72,36 @@ class ContactSink final : public RowSink {
 };
 
 // Replays a stored block from its keyframe.
-RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
+RowBlock expand(const Scenario& scenario, const StoredBlock& kept, const Kernel& kernel) {
   RowBlock rows;
   BlockSink sink(rows);
-  Replay replay(scenario, kept.keyframe, sink);
+  Replay replay(scenario, kept.keyframe, sink, {.kernel = &kernel});
   replay.play_to(
       std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
   static_cast<void>(replay.finish());
   return rows;
 }
 
+// Since when a stored run has settled; nothing if it has not, or if its rows are neither stored nor restored.
+std::optional<double> settled_since_s(const StoredRun& kept, const Kernel& kernel) {
+  if (kept.blocks.empty()) return at_rest_since_s(kept.rows);
+  RowSink nothing_wanted;
+  const RunSummary summary = replay(kept.scenario, nothing_wanted, {.kernel = &kernel});
+  return hex(summary.state_hash) == kept.state_hash ? summary.at_rest_since_s : std::nullopt;
+}
+
 }  // namespace
 
 ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
-  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(scenario, block); });
+  const std::unique_ptr<const Kernel> kernel = listing_kernel(kept.constants);
+  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(kept.scenario, block, *kernel); });
   const RunSummary summary = replay(scenario, comparer, options_for(scenario));
-  return {comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash), summary.final,
-                           inputs_of(scenario, summary.steps)}),
-          summary};
+  ComparedRun compared{comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash),
+                                        summary.final, inputs_of(scenario, summary.steps)}),
+                       summary};
+  if (!compared.comparison.agrees && summary.at_rest_since_s && settled_since_s(kept, *kernel))
+    compared.comparison.rest_shift_px = distance_px(state_of(kept.final), state_of(summary.final));
+  return compared;
 }
 
 RunSummary play(const Scenario& scenario) {
@@ -107,6 +122,7 @@ FreshRun play_for_golden(const Scenario& scenario) {
   }
   run.scenario = scenario;
   run.physics = kPhysicsModel;
+  run.constants = core_constants();
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;

@@ -57,10 +57,12 @@ std::string summary_text(const FreshRun& fresh, const std::string& reason, const
 }
 
 // What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
-// are written and be the same all the same, so both are taken from the .h5 file.
+// are written and be the same all the same, and the physics model's name sets no class, so all are taken from
+// the .h5 file.
 std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept, FreshRun fresh,
                                     const std::string& h5_checksum, const GoldenPlace& place) {
   fresh.run.scenario.name = kept.scenario.name;
+  fresh.run.physics = kept.physics;
   const GoldenChecksums checksums{contents_checksum(kept), h5_checksum};
   if (const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums)))
     return place.txt_path + ": " + *fault;
@@ -86,6 +88,8 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
   else if (blessed_checksum != h5_checksum)
     pair.note = place.h5_path + ": agrees, but does not have the checksum in " + place.txt_path +
                 ": its provenance or its layout differs";
+  else
+    pair.note = pair.comparison.physics;
   return pair;
 }
 

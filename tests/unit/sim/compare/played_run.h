@@ -24,6 +24,11 @@ inline const std::map<std::string_view, double Row::*> kFaultyFields = {
     {"t", &Row::t_s},  {"dt", &Row::dt_s},        {"x", &Row::x_px},
     {"y", &Row::y_px}, {"vx", &Row::vx_px_per_s}, {"vy", &Row::vy_px_per_s}};
 
+/// The class of that fault.
+inline DifferenceClass class_of_fault(std::string_view field) {
+  return field == "contact" ? DifferenceClass::contacts : DifferenceClass::rounding;
+}
+
 /// The row with one field one ulp up, or one wall more or less in its contact byte.
 inline Row with_fault(Row row, std::string_view field) {
   if (field == "contact")
@@ -122,7 +127,8 @@ struct Playing {
 
 inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const Playing& playing = {}) {
   RunComparer::Expand expand_block;
-  if (playing.can_expand) expand_block = [&](const StoredBlock& block) { return expand(scenario, block); };
+  if (playing.can_expand)
+    expand_block = [&](const StoredBlock& block) { return expand(kept.scenario, block); };
   RunComparer comparer(kept, expand_block);
   const ReplayOptions options{.skips_repetition = playing.skips_repetition};
   RunSummary summary;

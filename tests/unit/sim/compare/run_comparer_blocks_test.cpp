@@ -37,7 +37,7 @@ TEST_F(LongRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
     for (const RowField& field : kRowFields) {
       if (field.name == "t") continue;  // Blocks hold no t; keyframes do.
       const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(step, field.name)});
-      EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+      EXPECT_EQ(comparison.difference, class_of_fault(field.name));
       ASSERT_TRUE(comparison.first) << field.name << " at " << step;
       EXPECT_EQ(comparison.first->step, step) << field.name;
       EXPECT_EQ(comparison.first->field, field.name);
@@ -64,11 +64,42 @@ TEST_F(LongRun, AFaultIsBoundToItsBlockWhereNothingElseIsKept) {
   for (StoredBlock& block : kept_.blocks) block.checks.clear();
   const Comparison comparison =
       compare(kept_, scenario_, {.fault = one_ulp(kBlock + 77, "vx"), .can_expand = false});
-  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  EXPECT_EQ(comparison.difference, DifferenceClass::values);  // How far the rows are apart is not known.
+  EXPECT_TRUE(comparison.has_unknown_rows);
   ASSERT_TRUE(comparison.first);
   EXPECT_EQ(comparison.first->step, kBlock);
   EXPECT_EQ(comparison.first->field, "state");
   EXPECT_FALSE(comparison.first->expected);
+}
+
+// A row in the middle of a block is 2 px away.
+TEST_F(LongRun, MeasuresTheLargestDistanceInABlock) {
+  const std::int64_t step = kBlock + 1234;
+  const Fault fault{step, [](Row row) {
+                      row.x_px += 2.0;
+                      return row;
+                    }};
+  Comparison comparison = compare(kept_, scenario_, {.fault = fault});
+  EXPECT_EQ(comparison.difference, DifferenceClass::values);
+  ASSERT_TRUE(comparison.largest);
+  EXPECT_NEAR(comparison.largest->px, 2.0, 1e-9);
+  EXPECT_EQ(comparison.largest->step, step);
+  EXPECT_FALSE(comparison.has_unknown_rows);
+  comparison = compare(kept_, scenario_, {.fault = fault, .can_expand = false});
+  EXPECT_TRUE(comparison.has_unknown_rows);
+  EXPECT_FALSE(comparison.largest);
+}
+
+// Rows that differ in every block: time and step of each are those of its row.
+TEST_F(LongRun, MeasuresEveryBlockAfterTheFirstDifference) {
+  Scenario other = scenario_;
+  other.events = {{std::int64_t{6000}, Fling{{1500.001, -2500.0}}}};
+  const Comparison comparison = compare(kept_, other);
+  EXPECT_EQ(comparison.first->step, 6001);
+  ASSERT_TRUE(comparison.largest);
+  EXPECT_GT(comparison.largest->step, 6100);
+  EXPECT_GT(comparison.largest->px, 1e-3);
+  EXPECT_FALSE(comparison.has_unknown_rows);
 }
 
 TEST_F(LongRun, OfAnotherLengthDiffersInShape) {
@@ -119,10 +150,12 @@ TEST_F(RestingRun, AFaultInARepeatedBlockIsFound) {
   const std::int64_t step = 40 * kBlock + 1234;
   const Playing playing{.fault = one_ulp(step, "x"), .skips_repetition = false};
   const Comparison comparison = compare(kept_, scenario_, playing);
-  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  EXPECT_EQ(comparison.difference, DifferenceClass::rounding);
   ASSERT_TRUE(comparison.first);
   EXPECT_EQ(comparison.first->step, step);
   EXPECT_EQ(comparison.first->field, "x");
+  ASSERT_TRUE(comparison.largest);
+  EXPECT_EQ(comparison.largest->step, step);
 }
 
 }  // namespace

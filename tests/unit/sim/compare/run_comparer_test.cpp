@@ -31,7 +31,7 @@ TEST_F(ShortRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
     for (const RowField& field : kRowFields) {
       const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(step, field.name)});
       EXPECT_FALSE(comparison.agrees);
-      EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+      EXPECT_EQ(comparison.difference, class_of_fault(field.name));
       ASSERT_TRUE(comparison.first) << field.name << " at " << step;
       EXPECT_EQ(comparison.first->step, step);
       EXPECT_EQ(comparison.first->field, field.name);
@@ -46,7 +46,7 @@ TEST_F(ShortRun, AFaultOfOneUlpInTheKeptRowsIsFoundAsWell) {
     StoredRun damaged = kept_;
     damaged.rows.vy_px_per_s[row] = std::nextafter(damaged.rows.vy_px_per_s[row], 1e9);
     const Comparison comparison = compare(damaged, scenario_);
-    EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+    EXPECT_EQ(comparison.difference, DifferenceClass::rounding);
     ASSERT_TRUE(comparison.first);
     EXPECT_EQ(comparison.first->step, static_cast<std::int64_t>(row));
     EXPECT_EQ(comparison.first->field, "vy");
@@ -62,7 +62,7 @@ TEST_F(ShortRun, ANanInBothIsADifference) {
     return row;
   };
   const Comparison comparison = compare(kept_, scenario_, {.fault = Fault{kSteps, to_nan}});
-  EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+  EXPECT_EQ(comparison.difference, DifferenceClass::values);
   ASSERT_TRUE(comparison.first);
   EXPECT_EQ(comparison.first->step, kSteps);
   EXPECT_EQ(comparison.first->field, "x");
@@ -111,7 +111,7 @@ TEST_F(ShortRun, AFaultOfOneUlpInAContactIsFoundAtItsStepAndField) {
     Contact& contact = damaged.contacts[1];
     contact.*field.value = std::nextafter(contact.*field.value, 1e9);
     const Comparison comparison = compare(damaged, scenario_);
-    EXPECT_EQ(comparison.difference, DifferenceClass::bits);
+    EXPECT_EQ(comparison.difference, DifferenceClass::rounding);
     ASSERT_TRUE(comparison.first) << field.name;
     EXPECT_EQ(comparison.first->step, contact.step);
     EXPECT_EQ(comparison.first->field, field.name);
@@ -136,7 +136,8 @@ TEST_F(ShortRun, OfAnotherScenarioDiffersInShapeEvenWithEqualRows) {
   other.record_every = 2;
   const Comparison comparison = compare(kept_, other);
   EXPECT_EQ(comparison.difference, DifferenceClass::shape);
-  EXPECT_NE(comparison.shape.find("another scenario"), std::string::npos) << comparison.shape;
+  EXPECT_NE(comparison.shape.find("the scenario changed since it was blessed"), std::string::npos)
+      << comparison.shape;
 }
 
 TEST_F(ShortRun, OfTheSameScenarioWithOtherTextsAgrees) {
@@ -148,10 +149,29 @@ TEST_F(ShortRun, OfTheSameScenarioWithOtherTextsAgrees) {
   EXPECT_TRUE(compare(kept_, renamed).agrees);
 }
 
-TEST_F(ShortRun, OfAnotherPhysicsModelDiffersInShape) {
-  const Comparison comparison = compare(kept_, scenario_, {.physics = "hyrax-physics/2"});
-  EXPECT_EQ(comparison.difference, DifferenceClass::shape);
-  EXPECT_NE(comparison.shape.find("hyrax-physics/1"), std::string::npos) << comparison.shape;
+TEST_F(ShortRun, ThePhysicsModelsNameSetsNoClass) {
+  EXPECT_EQ(compare(kept_, scenario_).physics, "");
+  Comparison comparison = compare(kept_, scenario_, {.physics = "hyrax-physics/2"});
+  EXPECT_TRUE(comparison.agrees);
+  EXPECT_FALSE(comparison.difference);
+  EXPECT_NE(comparison.physics.find("hyrax-physics/1"), std::string::npos) << comparison.physics;
+  comparison = compare(kept_, scenario_, {.fault = one_ulp(7, "x"), .physics = "hyrax-physics/2"});
+  EXPECT_EQ(comparison.difference, DifferenceClass::rounding);
+  EXPECT_NE(comparison.physics, "");
+}
+
+TEST_F(ShortRun, MeasuresTheLargestDistanceOfAllRows) {
+  EXPECT_FALSE(compare(kept_, scenario_).largest);
+  kept_.rows.x_px[200] += 3.0;
+  kept_.rows.y_px[200] += 4.0;
+  kept_.rows.x_px[300] -= 1.0;
+  const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(100, "vy")});
+  EXPECT_EQ(comparison.first->step, 100);
+  EXPECT_EQ(comparison.difference, DifferenceClass::values);
+  ASSERT_TRUE(comparison.largest);
+  EXPECT_NEAR(comparison.largest->px, 5.0, 1e-9);
+  EXPECT_EQ(comparison.largest->step, 200);
+  EXPECT_FALSE(comparison.has_unknown_rows);
 }
 
 TEST_F(ShortRun, ThatContradictsItselfDoesNotAgree) {

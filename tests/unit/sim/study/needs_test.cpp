@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "sim/study/methods/core.h"
 #include "sim/study/needs/coverage.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/replay/core_constants.h"
 #include "sim/study/rest/rest_map.h"
 
 namespace hyrax {

@@ -41,6 +41,7 @@ void expect_same_head(const StoredRun& a, const StoredRun& b) {
   EXPECT_EQ(a.physics, b.physics);
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.state_hash, b.state_hash);
+  EXPECT_EQ(numbers_of(a.constants), numbers_of(b.constants));
   EXPECT_EQ(a.contacts_total, b.contacts_total);
   EXPECT_EQ(a.inputs, b.inputs);
   EXPECT_TRUE(same_contacts(a.contacts, b.contacts));
@@ -48,7 +49,8 @@ void expect_same_head(const StoredRun& a, const StoredRun& b) {
 }
 
 TEST_F(GoldenFile, OfAShortRunKeepsEveryRow) {
-  const StoredRun kept = kept_run(eventful_fling());
+  StoredRun kept = kept_run(eventful_fling());
+  kept.constants = constants_of({1.0, 2.0, 3.0, 4.0, 5.0});
   const StoredRun read = write_and_read(kept);
   expect_same_head(kept, read);
   ASSERT_EQ(read.rows.size(), kept.rows.size());

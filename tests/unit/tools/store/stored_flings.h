@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -26,7 +27,7 @@ inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   const std::int64_t steps = step_count(scenario);
   TrajectoryWriter writer(path, scenario, steps);
   const RunSummary summary = replay(scenario, writer);
-  writer.finish({scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash)},
+  writer.finish({scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash), core_constants()},
                 inputs_taken(scenario), summary.contacts.total());
   return summary;
 }
