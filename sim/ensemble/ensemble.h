@@ -11,6 +11,8 @@
 
 namespace hyrax {
 
+struct KernelSet;
+
 /// What is kept of a member: the bits that a replay of its scenario gives. Fields of a Keep that the sweep
 /// does not name are unspecified.
 struct MemberResult {
@@ -25,8 +27,8 @@ struct MemberResult {
   Digest state_hash{};
 };
 
-/// Steps that were played, and how many of them were computed: the others repeat exactly, or nothing in them
-/// was asked for.
+/// Steps that were played, and how many of them were computed in full: in the others the state repeats
+/// exactly, or the sprite is on the ground, where all but x and vx repeats.
 struct StepTally {
   std::int64_t steps = 0;
   std::int64_t computed = 0;
@@ -38,10 +40,16 @@ struct StepTally {
   }
 };
 
+/// How members are played. All ways give the same bits.
+struct EnsembleOptions {
+  const KernelSet* kernels = nullptr;  ///< The fastest that this machine can run, if it is not set.
+  bool replays = false;                ///< Each member by the replay, without kernels.
+};
+
 /// Plays the members of rows `first_row`, `first_row + 1`, ... of a part, one for each result.
 /// REQUIRES: the rows exist. Safe to call from several threads.
 StepTally play_members(const Sweep& sweep, const SweepPart& part, std::int64_t first_row,
-                       std::span<MemberResult> results);
+                       std::span<MemberResult> results, const EnsembleOptions& options = {});
 
 /// Plays one scenario by the replay, step by step: the meaning of every result.
 StepTally play_member(const Scenario& scenario, const KeepSet& keep, MemberResult& result);
