@@ -44,7 +44,8 @@ class Bless(ProgramTest):
         run = self.expect(AGREED, "run", "scenarios/new.json", "--json").json["runs"][0]
         for part in ("scenario: new\n", "physics: hyrax-physics/1\n", "steps: 300\n",
                      f"state hash: {run['state_hash']}\n", "contacts: left 0, right 1, top 0, ground 8\n",
-                     "  36 right\n", "  223 .. 300 ground\n", "  y  952 px  0x1.dcp+9\n", "at rest since: 4 s\n",
+                     "  36 right at ", "  223 .. 300 ground at ", "  y  952 px  0x1.dcp+9\n",
+                     "settled since: 4 s\n",
                      "reason: because of the test\n"):
             self.assertIn(part, text)
         with h5py.File(self.folder / "golden/new.h5") as file:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -22,10 +23,23 @@ constexpr std::size_t kChecksumDigits = 32;
 constexpr std::string_view kReasonKey = "reason: ";
 constexpr std::string_view kChecksumsKey = "seal: ";
 
+// To 6 digits; a zero has no sign.
+std::string decimal(double value) {
+  std::string text = fmt::format("{:.6f}", value);
+  return text == "-0.000000" ? text.substr(1) : text;
+}
+
+// In px/s, as it met the wall. By sqrt, whose bits are the same everywhere; those of hypot are not.
+double speed_before(const Contact& contact) {
+  return std::sqrt(contact.vx_before_px_per_s * contact.vx_before_px_per_s +
+                   contact.vy_before_px_per_s * contact.vy_before_px_per_s);
+}
+
 std::string line_of(const Contact& contact) {
   const std::string_view wall = kWallNames[wall_index(contact.wall)];
-  if (contact.step == contact.last_step) return fmt::format("  {} {}\n", contact.step, wall);
-  return fmt::format("  {} .. {} {}\n", contact.step, contact.last_step, wall);
+  const std::string last_step =
+      contact.step == contact.last_step ? "" : fmt::format(" .. {}", contact.last_step);
+  return fmt::format("  {}{} {} at {} px/s\n", contact.step, last_step, wall, decimal(speed_before(contact)));
 }
 
 std::string list_of(const StoredRun& run) {
@@ -43,6 +57,18 @@ std::string list_of(const StoredRun& run) {
     if (left_out > 0 && index == kContactsListed / 2) text += fmt::format("  ... {} more\n", left_out);
     text += line_of(listed[index]);
   }
+  return text;
+}
+
+std::string place_text(const Row& row) {
+  return fmt::format("x {} px, y {} px, step {}\n", decimal(row.x_px), decimal(row.y_px), row.step);
+}
+
+std::string waypoints_text(const Waypoints& waypoints) {
+  std::string text = fmt::format("apex: {}", place_text(waypoints.apex));
+  if (!waypoints.at_seconds.empty()) text += "position:\n";
+  int second = 0;
+  for (const Row& row : waypoints.at_seconds) text += fmt::format("  {} s  {}", ++second, place_text(row));
   return text;
 }
 
@@ -123,6 +149,7 @@ std::string contents_checksum(const StoredRun& run) {
   ContentsHash hash;
   hash.add(to_text(to_json(without_texts(run.scenario))));
   hash.add(run.physics);
+  for (const double constant : numbers_of(run.constants)) hash.add(constant);
   hash.add(run.steps);
   hash.add(run.state_hash);
   for (const double t_s : run.rows.t_s) hash.add(t_s);
@@ -155,8 +182,9 @@ std::string file_checksum(const std::string& path) {
   return hex(hash.value());
 }
 
-std::string golden_summary_text(const StoredRun& run, const RunSummary& summary, const std::string& reason,
-                                const std::string& margin, const GoldenChecksums& checksums) {
+std::string golden_summary_text(const StoredRun& run, const RunSummary& summary, const Waypoints& waypoints,
+                                const std::string& reason, const std::string& margin,
+                                const GoldenChecksums& checksums) {
   const WallCounts& counts = summary.contacts;
   const Row& end = summary.final;
   std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\nstate hash: {}\n", run.scenario.name,
@@ -164,13 +192,14 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts.left, counts.right,
                       counts.top, counts.ground);
   text += list_of(run);
+  text += waypoints_text(waypoints);
   text += fmt::format("end: t {} s\n", end.t_s);
   text += fmt::format("  x  {} px  {}\n  y  {} px  {}\n", end.x_px, hex_float(end.x_px), end.y_px,
                       hex_float(end.y_px));
   text += fmt::format("  vx {} px/s  {}\n  vy {} px/s  {}\n", end.vx_px_per_s, hex_float(end.vx_px_per_s),
                       end.vy_px_per_s, hex_float(end.vy_px_per_s));
-  text += summary.at_rest_since_s ? fmt::format("at rest since: {} s\n", *summary.at_rest_since_s)
-                                  : std::string("at rest since: never\n");
+  text += summary.at_rest_since_s ? fmt::format("settled since: {} s\n", *summary.at_rest_since_s)
+                                  : std::string("not settled: moved within the last 1 s\n");
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
                             checksums.contents, checksums.file);

@@ -111,7 +111,8 @@ RunSummary play(const Scenario& scenario) {
 
 FreshRun play_for_golden(const Scenario& scenario) {
   FreshRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(scenario, recorder, options_for(scenario));
+  WaypointMeter waypoints(step_count(scenario));
+  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, options_for(scenario));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};
@@ -128,7 +129,7 @@ FreshRun play_for_golden(const Scenario& scenario) {
   run.final = summary.final;
   run.contacts_total = summary.contacts.total();
   run.inputs = inputs_of(scenario, summary.steps);
-  return {std::move(run), summary};
+  return {std::move(run), summary, waypoints.take()};
 }
 
 }  // namespace hyrax

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
@@ -53,7 +55,8 @@ std::string margin_in_summary(const FreshRun& fresh) {
 }
 
 std::string summary_text(const FreshRun& fresh, const std::string& reason, const GoldenChecksums& checksums) {
-  return golden_summary_text(fresh.run, fresh.summary, reason, margin_in_summary(fresh), checksums);
+  return golden_summary_text(fresh.run, fresh.summary, fresh.waypoints, reason, margin_in_summary(fresh),
+                             checksums);
 }
 
 // What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
@@ -112,8 +115,9 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
 
 bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
   const StoredRun kept = read_golden(place.h5_path);
-  return kept.scenario.name == scenario.name && compare_with(kept, scenario).comparison.agrees &&
-         !attribute_difference(place.h5_path, kept);
+  return kept.scenario.name == scenario.name && kept.physics == kPhysicsModel &&
+         numbers_of(kept.constants) == numbers_of(core_constants()) &&
+         compare_with(kept, scenario).comparison.agrees && has_all_attributes(place.h5_path, kept);
 }
 
 }  // namespace hyrax
