@@ -44,11 +44,13 @@ bool has_timing_keys(const Sweep& sweep) {
                              [&](const VariedKey& key) { return number_at(base, key.pointer)->is_timing; });
 }
 
+}  // namespace
+
 // Members that are played together. All have the same events, with numbers and frames of their own: they go
 // from event to event.
-class MemberBatch {
+class EnsemblePlayer::Batch {
  public:
-  MemberBatch(const Sweep& sweep, const KernelSet& kernels)
+  Batch(const Sweep& sweep, const KernelSet& kernels)
       : sweep_(sweep),
         scenarios_(sweep),
         clock_(lane_clock(sweep.base.clock)),
@@ -61,7 +63,7 @@ class MemberBatch {
   }
 
   StepTally play(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results) {
-    load(part, first_row, results.size());
+    load(part, first_row, results);
     StepTally tally;
     const std::size_t events = sweep_.base.events.size();
     for (std::size_t event = 0; event < events; ++event) {
@@ -70,7 +72,7 @@ class MemberBatch {
         apply_event(members_[member], actions_[member * events + event]);
     }
     tally += play_to_event(events);
-    for (std::size_t member = 0; member < members_.size(); ++member) store(members_[member], results[member]);
+    for (const MovingMember& member : members_) store(member);
     return tally;
   }
 
@@ -79,24 +81,32 @@ class MemberBatch {
     return scenario.events.empty() ? std::vector<std::int64_t>{} : schedule_events(scenario, steps).frames;
   }
 
-  void load(const SweepPart& part, std::int64_t first_row, std::size_t count) {
-    members_.clear();
+  void load(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results) {
+    members_.resize(results.size());
     actions_.clear();
     if (has_own_frames_) event_frames_.clear();
-    for (std::size_t row = 0; row < count; ++row)
-      add(scenarios_.scenario(part.member(first_row + static_cast<std::int64_t>(row))));
+    for (std::size_t row = 0; row < results.size(); ++row) {
+      members_[row].result = &results[row];
+      load(scenarios_.scenario(part.member(first_row + static_cast<std::int64_t>(row))), members_[row]);
+    }
   }
 
-  void add(const Scenario& scenario) {
-    MovingMember& member = members_.emplace_back();
+  // Sets every field: members are reused.
+  void load(const Scenario& scenario, MovingMember& member) {
     member.world = {start_state(scenario), scenario.window, scenario.sprite};
+    member.frame = 0;
     member.steps = step_count(scenario);
     if (clock_ != LaneClock::trace) member.base_dt_s = base_dt_s(scenario.clock);
     if (scenario.clock.jitter) member.jitter = *scenario.clock.jitter;
+    member.hitch_dt_s.reset();
+    member.walls = 0;
+    member.timeline = {};
     member.rest = {scenario.start.x_px, scenario.start.y_px, 0.0};
-    member.result.x_min_px = member.result.x_max_px = scenario.start.x_px;
-    member.result.y_min_px = member.result.y_max_px = scenario.start.y_px;
-    member.result.speed_max_px_per_s = 0.0;
+    MemberResult& result = *member.result;
+    result.contacts = {};
+    result.x_min_px = result.x_max_px = scenario.start.x_px;
+    result.y_min_px = result.y_max_px = scenario.start.y_px;
+    result.speed_max_px_per_s = 0.0;
     take_extremes(member);
     for (const Event& event : scenario.events) actions_.push_back(event.action);
     if (!has_own_frames_) return;
@@ -107,7 +117,7 @@ class MemberBatch {
   // Of the row that a member is at; speeds stay squared until the end.
   static void take_extremes(MovingMember& member) {
     const State& state = member.world.state;
-    MemberResult& result = member.result;
+    MemberResult& result = *member.result;
     result.x_min_px = state.x_px < result.x_min_px ? state.x_px : result.x_min_px;
     result.x_max_px = state.x_px > result.x_max_px ? state.x_px : result.x_max_px;
     result.y_min_px = state.y_px < result.y_min_px ? state.y_px : result.y_min_px;
@@ -178,12 +188,13 @@ class MemberBatch {
     if (const auto* const hitch = std::get_if<Hitch>(&action)) member.hitch_dt_s = hitch->dt_s;
   }
 
-  static void store(const MovingMember& member, MemberResult& result) {
-    result = member.result;
+  void store(const MovingMember& member) const {
+    MemberResult& result = *member.result;
     result.final = member.world.state;
-    result.speed_max_px_per_s = std::sqrt(member.result.speed_max_px_per_s);
-    if (const auto since_s = member.rest.at_rest_since_s(member.timeline.time_s()))
-      result.at_rest_since_s = *since_s;
+    if (detail_ == Detail::final) return;
+    result.speed_max_px_per_s = std::sqrt(result.speed_max_px_per_s);
+    const auto since_s = member.rest.at_rest_since_s(member.timeline.time_s());
+    result.at_rest_since_s = since_s.value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
   const Sweep& sweep_;
@@ -199,22 +210,27 @@ class MemberBatch {
   std::vector<Leg> legs_;
 };
 
-}  // namespace
+EnsemblePlayer::EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options) : sweep_(sweep) {
+  if (options.replays || needs_replay(sweep)) return;
+  batch_ =
+      std::make_unique<Batch>(sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front());
+}
+EnsemblePlayer::~EnsemblePlayer() = default;
+EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;
 
-StepTally play_members(const Sweep& sweep, const SweepPart& part, std::int64_t first_row,
-                       std::span<MemberResult> results, const EnsembleOptions& options) {
+StepTally EnsemblePlayer::play(const SweepPart& part, std::int64_t first_row,
+                               std::span<MemberResult> results) {
   StepTally tally;
-  if (options.replays || needs_replay(sweep)) {
-    SweepMembers members(sweep);
+  if (!batch_) {
+    SweepMembers members(sweep_);
     for (MemberResult& result : results)
-      tally += play_member(members.scenario(part.member(first_row++)), sweep.keep, result);
+      tally += play_member(members.scenario(part.member(first_row++)), sweep_.keep, result);
     return tally;
   }
-  constexpr std::size_t kBatch = 2048;
-  MemberBatch batch(sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front());
+  constexpr std::size_t kBatch = 1024;  // Stays in the second-level cache.
   for (std::size_t first = 0; first < results.size(); first += kBatch) {
     const auto part_of_results = results.subspan(first, std::min(kBatch, results.size() - first));
-    tally += batch.play(part, first_row + static_cast<std::int64_t>(first), part_of_results);
+    tally += batch_->play(part, first_row + static_cast<std::int64_t>(first), part_of_results);
   }
   return tally;
 }

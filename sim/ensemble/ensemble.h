@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "sim/motion/state.h"
@@ -46,10 +47,23 @@ struct EnsembleOptions {
   bool replays = false;                ///< Each member by the replay, without kernels.
 };
 
-/// Plays the members of rows `first_row`, `first_row + 1`, ... of a part, one for each result.
-/// REQUIRES: the rows exist. Safe to call from several threads.
-StepTally play_members(const Sweep& sweep, const SweepPart& part, std::int64_t first_row,
-                       std::span<MemberResult> results, const EnsembleOptions& options = {});
+/// Plays members of a sweep. One a thread.
+class EnsemblePlayer {
+ public:
+  /// Refers to the sweep.
+  explicit EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options = {});
+  ~EnsemblePlayer();
+  EnsemblePlayer(EnsemblePlayer&&) noexcept;
+
+  /// Plays the members of rows `first_row`, `first_row + 1`, ... of a part, one for each result.
+  /// REQUIRES: the rows exist.
+  StepTally play(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results);
+
+ private:
+  class Batch;
+  const Sweep& sweep_;
+  std::unique_ptr<Batch> batch_;  // Nothing if the members are replayed.
+};
 
 /// Plays one scenario by the replay, step by step: the meaning of every result.
 StepTally play_member(const Scenario& scenario, const KeepSet& keep, MemberResult& result);

@@ -150,17 +150,17 @@ class LanePlayer::Flying {
   }
 
   void load_extremes(const MovingMember& member, std::size_t lane) {
-    lanes_.x_min_px[lane] = member.result.x_min_px;
-    lanes_.x_max_px[lane] = member.result.x_max_px;
-    lanes_.y_min_px[lane] = member.result.y_min_px;
-    lanes_.y_max_px[lane] = member.result.y_max_px;
-    lanes_.speed_squared_max[lane] = member.result.speed_max_px_per_s;
+    lanes_.x_min_px[lane] = member.result->x_min_px;
+    lanes_.x_max_px[lane] = member.result->x_max_px;
+    lanes_.y_min_px[lane] = member.result->y_min_px;
+    lanes_.y_max_px[lane] = member.result->y_max_px;
+    lanes_.speed_squared_max[lane] = member.result->speed_max_px_per_s;
   }
 
   // Of a block: the contacts that began, and when the anchor of rest moved.
   void take_track(const Leg& leg, std::size_t lane, std::int64_t steps, std::int64_t left) const {
     MovingMember& member = *leg.member;
-    if (lanes_.begun[lane] != 0) add(member.result.contacts, unpacked(lanes_.begun[lane]), 1);
+    if (lanes_.begun[lane] != 0) add(member.result->contacts, unpacked(lanes_.begun[lane]), 1);
     if (clock_ != LaneClock::fixed || lanes_.moved[lane] == 0.0) return;
     const std::int64_t frames_before = leg.frames - left - steps;
     member.rest.t_s = time_after_s(member.timeline, leg.dt_s,
@@ -185,7 +185,7 @@ class LanePlayer::Flying {
     // Contacts of a block are those of the next ones only if its first row follows the same row as theirs.
     if (is_tracked && (!did_repeat || lanes_.moved[lane] != 0.0)) return left;
     const std::int64_t blocks = left / steps;
-    if (is_tracked) add(leg.member->result.contacts, unpacked(lanes_.begun[lane]), blocks);
+    if (is_tracked) add(leg.member->result->contacts, unpacked(lanes_.begun[lane]), blocks);
     computed_ -= blocks * steps;
     return left - blocks * steps;
   }
@@ -209,11 +209,11 @@ class LanePlayer::Flying {
       member.timeline.frames = static_cast<std::int64_t>(lanes_.time_frames[lane]);
     }
     if (player_.detail_ != Detail::extremes) return;
-    member.result.x_min_px = lanes_.x_min_px[lane];
-    member.result.x_max_px = lanes_.x_max_px[lane];
-    member.result.y_min_px = lanes_.y_min_px[lane];
-    member.result.y_max_px = lanes_.y_max_px[lane];
-    member.result.speed_max_px_per_s = lanes_.speed_squared_max[lane];
+    member.result->x_min_px = lanes_.x_min_px[lane];
+    member.result->x_max_px = lanes_.x_max_px[lane];
+    member.result->y_min_px = lanes_.y_min_px[lane];
+    member.result->y_max_px = lanes_.y_max_px[lane];
+    member.result->speed_max_px_per_s = lanes_.speed_squared_max[lane];
   }
 
   LanePlayer& player_;
@@ -262,8 +262,8 @@ class LanePlayer::Sliding {
     member.world.state.vx_px_per_s = lanes_.vx_px_per_s[lane];
     if (!is_tracked()) return;
     member.rest.x_px = lanes_.anchor_x_px[lane];
-    if (lanes_.x_px[lane] < member.result.x_min_px) member.result.x_min_px = lanes_.x_px[lane];
-    if (lanes_.x_px[lane] > member.result.x_max_px) member.result.x_max_px = lanes_.x_px[lane];
+    if (lanes_.x_px[lane] < member.result->x_min_px) member.result->x_min_px = lanes_.x_px[lane];
+    if (lanes_.x_px[lane] > member.result->x_max_px) member.result->x_max_px = lanes_.x_px[lane];
   }
 
   LanePlayer& player_;

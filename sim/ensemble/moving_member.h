@@ -22,7 +22,7 @@ struct MovingMember {
   std::uint64_t walls = 0;           ///< Wall bits of the latest row.
   Timeline timeline;
   RestAnchor rest;
-  MemberResult result;  ///< Its contacts and extremes so far; the speed's is squared.
+  MemberResult* result = nullptr;  ///< Its contacts and extremes so far; the speed's is squared.
 };
 
 /// A member, and frames to play without inputs.

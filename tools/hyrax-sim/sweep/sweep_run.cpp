@@ -70,8 +70,9 @@ class ChunkPool {
 
   void work(const std::stop_token& stop) {
     try {
+      EnsemblePlayer player(sweep_);
       while (const auto chunk = next(stop)) {
-        Chunk computed = compute(*chunk);
+        Chunk computed = compute(player, *chunk);
         const std::scoped_lock lock(mutex_);
         ready_.emplace(*chunk, std::move(computed));
         changed_.notify_all();
@@ -91,11 +92,11 @@ class ChunkPool {
     return begun_++;
   }
 
-  [[nodiscard]] Chunk compute(std::int64_t chunk) const {
+  [[nodiscard]] Chunk compute(EnsemblePlayer& player, std::int64_t chunk) const {
     const std::int64_t first = first_row_ + chunk * chunk_rows_;
     Chunk computed;
     computed.results.resize(static_cast<std::size_t>(std::min(chunk_rows_, rows_ - first)));
-    computed.tally = play_members(sweep_, part_, first, computed.results);
+    computed.tally = player.play(part_, first, computed.results);
     return computed;
   }
 
