@@ -64,11 +64,11 @@ struct Bodies {
 };
 
 // What a step met.
-struct Contact {
+struct StepContact {
   Mask left, right, top, ground;
 };
 
-HWY_INLINE Contact step(Bodies& b, Real dt, Real gravity_dt) {
+HWY_INLINE StepContact step(Bodies& b, Real dt, Real gravity_dt) {
   const Real zero = hn::Zero(Reals());
   const Real bounce = real(-physics::RESTITUTION);
   const Real drag = real(physics::AIR_DRAG);
@@ -76,7 +76,7 @@ HWY_INLINE Contact step(Bodies& b, Real dt, Real gravity_dt) {
   b.vx = hn::Mul(b.vx, drag);
   b.x = hn::Add(b.x, hn::Mul(b.vx, dt));
   b.y = hn::Add(b.y, hn::Mul(b.vy, dt));
-  const Contact c{hn::Lt(b.x, zero), hn::Gt(b.x, b.right), hn::Lt(b.y, zero), hn::Gt(b.y, b.bottom)};
+  const StepContact c{hn::Lt(b.x, zero), hn::Gt(b.x, b.right), hn::Lt(b.y, zero), hn::Gt(b.y, b.bottom)};
   b.x = hn::IfThenElse(c.left, zero, hn::IfThenElse(c.right, b.right, b.x));
   b.vx = hn::IfThenElse(hn::Or(c.left, c.right), hn::Mul(b.vx, bounce), b.vx);
   b.y = hn::IfThenElse(c.top, zero, hn::IfThenElse(c.ground, b.bottom, b.y));
@@ -93,7 +93,7 @@ struct Track {
   Word walls, begun;
   Real anchor_x, anchor_y, moved;
 
-  HWY_INLINE Mask take(const Bodies& b, const Contact& c, Real step_number) {
+  HWY_INLINE Mask take(const Bodies& b, const StepContact& c, Real step_number) {
     const Word now = hn::Or(hn::Or(word_if(c.left, wall_bit(0)), word_if(c.right, wall_bit(1))),
                             hn::Or(word_if(c.top, wall_bit(2)), word_if(c.ground, wall_bit(3))));
     begun = hn::Add(begun, hn::AndNot(walls, now));
@@ -262,7 +262,7 @@ struct Group {
       dt = frame_times.next(clock);
       gravity_dt = hn::Mul(real(physics::GRAVITY), dt);
     }
-    const Contact contact = step(b, dt, gravity_dt);
+    const StepContact contact = step(b, dt, gravity_dt);
     if constexpr (kIsTracked) {
       if constexpr (!kIsFixed) times.play(dt);
       const Mask moves = track.take(b, contact, real(step_number));

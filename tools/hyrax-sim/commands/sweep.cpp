@@ -136,7 +136,7 @@ std::string summary_text(const SweepRequest& request, const SweepFile& file, con
   text += fmt::format("\n  steps          {}", tally.steps);
   const std::int64_t left_out = tally.steps - tally.computed;
   if (left_out > 0)
-    text += fmt::format("; {} left out, {:.3g} %: they repeat exactly", left_out,
+    text += fmt::format("; {} left out, {:.3g} %: at rest, or repeating exactly", left_out,
                         100.0 * static_cast<double>(left_out) / static_cast<double>(tally.steps));
   text += "\n  kept           " + names_of(file.sweep.keep);
   std::vector<std::string_view> dropped;

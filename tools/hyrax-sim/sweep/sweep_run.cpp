@@ -49,6 +49,7 @@ class ChunkPool {
   ChunkPool(const ChunkPool&) = delete;
   ChunkPool& operator=(const ChunkPool&) = delete;
   ~ChunkPool() {
+    const std::scoped_lock lock(mutex_);  // No thread is between its test and its wait.
     for (std::jthread& thread : threads_) thread.request_stop();
     changed_.notify_all();
   }
