@@ -3,7 +3,7 @@
 # All messages go to stderr, so that stdout contains only the results of the program.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
-  libfmt-dev libxxhash-dev nlohmann-json3-dev)
+  libfmt-dev libxxhash-dev libhwy-dev nlohmann-json3-dev)
 packages_to_draw=(gnuplot-nox)
 packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools git python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash locales)

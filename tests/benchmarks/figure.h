@@ -20,6 +20,8 @@ struct Figure {
 [[nodiscard]] std::vector<Figure> core_figures();
 /// Measuring against the reference, in this process.
 [[nodiscard]] std::vector<Figure> drift_figures();
+/// Many members of a sweep at once, in this process, on one thread.
+[[nodiscard]] std::vector<Figure> ensemble_figures();
 /// The program as users start it. @param program path of hyrax-sim; @param scenarios folder.
 [[nodiscard]] std::vector<Figure> program_figures(const std::string& program, const std::string& scenarios);
 

@@ -37,6 +37,7 @@ int main(int argc, char** argv) try {
              std::thread::hardware_concurrency(), build.compiler, build.flags);
   for (const auto& figure : hyrax::bench::core_figures()) print(figure);
   for (const auto& figure : hyrax::bench::drift_figures()) print(figure);
+  for (const auto& figure : hyrax::bench::ensemble_figures()) print(figure);
   for (const auto& figure : hyrax::bench::program_figures(program, scenarios)) print(figure);
   return 0;
 } catch (const std::exception& error) {

@@ -144,9 +144,10 @@ class OneDocument(ProgramTest):
         files = self.project("one")
         self.expect(AGREED, "run", *files)
         screen = self.expect(AGREED, "--help").out
+        sweep = {"format": "hyrax-sweep/1", "base": fling(), "vary": {"/start/x_px": {"grid": [0, 9, 3]}}}
         commands = {"run": files, "check": files, "diff": ["one.h5", "one.h5"], "drift": files, "validate": files,
                     "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "new": ["fresh"], "schema": [],
-                    "bless": [*files, "--reason", "x"]}
+                    "bless": [*files, "--reason", "x"], "sweep": [self.write("sweep.json", sweep)]}
         self.assertEqual(sorted(commands), sorted(re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)))
         for command, arguments in commands.items():
             self.assertIn(f"\n  {command} ", screen)

@@ -21,6 +21,7 @@
   COMMAND(diff)                 \
   COMMAND(drift)                \
   COMMAND(study)                \
+  COMMAND(sweep)                \
   COMMAND(new)                  \
   COMMAND(fuzz)                 \
   COMMAND(shrink)               \
@@ -58,7 +59,8 @@ std::string first_screen(const std::vector<Command>& commands) {
          "\n`hyrax-sim COMMAND --help` describes a command, with an example; `--version` (`-V`) "
          "prints the version.\n"
          "Exit codes: 0 agreed or done, 1 disagreed, 2 bad usage or input, 3 cannot read or write,\n"
-         "4 golden file missing, 5 arithmetic is not strict IEEE-754, 70 internal error.\n";
+         "4 golden file missing (or a part of a sweep), 5 arithmetic is not strict IEEE-754, 70 internal "
+         "error.\n";
 }
 
 ExitCode print_help(const std::string& text) {

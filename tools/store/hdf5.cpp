@@ -2,6 +2,7 @@
 
 #include <hdf5_hl.h>
 
+#include <algorithm>
 #include <cassert>
 #include <filesystem>
 #include <numeric>
@@ -77,6 +78,14 @@ Handle open_file(const std::string& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
 }
 
+Handle open_file_to_write(const std::string& path) {
+  initialize();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  H5Pset_file_locking(access, false, true);  // Its writer has another lock on it.
+  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose};
+}
+
 Handle create_group(hid_t parent, const char* name) {
   return {H5Gcreate2(parent, name, H5P_DEFAULT, object_list(H5P_GROUP_CREATE), H5P_DEFAULT), H5Gclose};
 }
@@ -84,6 +93,55 @@ Handle create_group(hid_t parent, const char* name) {
 Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
   return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, dataset_list(), H5P_DEFAULT), H5Dclose};
+}
+
+Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  const Handle creation = dataset_list();
+  H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
+  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
+}
+
+std::vector<hsize_t> shape_of(hid_t dataset) {
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  const int dimensions = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(dimensions, 0)));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape;
+}
+
+namespace {
+
+// Rows of a dataset, in the file and in memory.
+struct RowSpaces {
+  Handle file;
+  Handle memory;
+  bool is_good = false;
+};
+
+RowSpaces row_spaces(hid_t dataset, hsize_t first, hsize_t count) {
+  std::vector<hsize_t> size = shape_of(dataset);
+  if (size.empty() || first + count > size.front()) return {};
+  std::vector<hsize_t> start(size.size(), 0);
+  start.front() = first;
+  size.front() = count;
+  RowSpaces spaces{{H5Dget_space(dataset), H5Sclose},
+                   {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose}};
+  spaces.is_good =
+      H5Sselect_hyperslab(spaces.file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0;
+  return spaces;
+}
+
+}  // namespace
+
+herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* data) {
+  const RowSpaces spaces = row_spaces(dataset, first, count);
+  return spaces.is_good ? H5Dwrite(dataset, memory_type, spaces.memory, spaces.file, H5P_DEFAULT, data) : -1;
+}
+
+herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data) {
+  const RowSpaces spaces = row_spaces(dataset, first, count);
+  return spaces.is_good ? H5Dread(dataset, memory_type, spaces.memory, spaces.file, H5P_DEFAULT, data) : -1;
 }
 
 Handle write_dataset(hid_t parent, const char* name, hid_t type, hid_t memory_type, std::size_t length,

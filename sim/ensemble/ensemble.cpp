@@ -1,0 +1,238 @@
+#include "sim/ensemble/ensemble.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "sim/ensemble/lane_player.h"
+#include "sim/scenario/apply.h"
+#include "sim/scenario/schedule.h"
+
+namespace hyrax {
+namespace {
+
+bool is_in_trace(const VariedKey& key) { return key.pointer.starts_with("/clock/dt_s/"); }
+
+// The kernels keep no rows, so they cannot hash them; and they read one trace for all members.
+bool needs_replay(const Sweep& sweep) {
+  return sweep.keep.has(Keep::state_hash) || std::ranges::any_of(sweep.vary, is_in_trace);
+}
+
+Detail detail_of(const KeepSet& keep) {
+  if (keep.has(Keep::extremes)) return Detail::extremes;
+  return keep.has(Keep::contacts) || keep.has(Keep::at_rest) ? Detail::tracked : Detail::final;
+}
+
+LaneClock lane_clock(const Clock& clock) {
+  if (std::holds_alternative<RecordedSteps>(clock.base)) return LaneClock::trace;
+  if (!clock.jitter) return LaneClock::fixed;
+  switch (clock.jitter->kind) {
+    case Jitter::Kind::uniform:
+      return LaneClock::uniform;
+    case Jitter::Kind::normal:
+      return LaneClock::normal;
+    case Jitter::Kind::missed_frames:
+      return LaneClock::missed_frames;
+  }
+  return LaneClock::fixed;
+}
+
+bool has_timing_keys(const Sweep& sweep) {
+  Scenario base = sweep.base;
+  return std::ranges::any_of(sweep.vary,
+                             [&](const VariedKey& key) { return number_at(base, key.pointer)->is_timing; });
+}
+
+}  // namespace
+
+// Members that are played together. All have the same events, with numbers and frames of their own: they go
+// from event to event.
+class EnsemblePlayer::Batch {
+ public:
+  Batch(const Sweep& sweep, const KernelSet& kernels)
+      : sweep_(sweep),
+        scenarios_(sweep),
+        clock_(lane_clock(sweep.base.clock)),
+        detail_(detail_of(sweep.keep)),
+        player_(kernels, detail_),
+        has_own_frames_(has_timing_keys(sweep)) {
+    if (const auto* const trace = std::get_if<RecordedSteps>(&sweep.base.clock.base))
+      trace_ = trace->dt_s.data();
+    if (!has_own_frames_) event_frames_ = frames_of(sweep.base, step_count(sweep.base));
+  }
+
+  StepTally play(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results) {
+    load(part, first_row, results);
+    StepTally tally;
+    const std::size_t events = sweep_.base.events.size();
+    for (std::size_t event = 0; event < events; ++event) {
+      tally += play_to_event(event);
+      for (std::size_t member = 0; member < members_.size(); ++member)
+        apply_event(members_[member], actions_[member * events + event]);
+    }
+    tally += play_to_event(events);
+    for (const MovingMember& member : members_) store(member);
+    return tally;
+  }
+
+ private:
+  static std::vector<std::int64_t> frames_of(const Scenario& scenario, std::int64_t steps) {
+    return scenario.events.empty() ? std::vector<std::int64_t>{} : schedule_events(scenario, steps).frames;
+  }
+
+  void load(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results) {
+    members_.resize(results.size());
+    actions_.clear();
+    if (has_own_frames_) event_frames_.clear();
+    for (std::size_t row = 0; row < results.size(); ++row) {
+      members_[row].result = &results[row];
+      load(scenarios_.scenario(part.member(first_row + static_cast<std::int64_t>(row))), members_[row]);
+    }
+  }
+
+  // Sets every field: members are reused.
+  void load(const Scenario& scenario, MovingMember& member) {
+    member.world = {start_state(scenario), scenario.window, scenario.sprite};
+    member.frame = 0;
+    member.steps = step_count(scenario);
+    if (clock_ != LaneClock::trace) member.base_dt_s = base_dt_s(scenario.clock);
+    if (scenario.clock.jitter) member.jitter = *scenario.clock.jitter;
+    member.hitch_dt_s.reset();
+    member.walls = 0;
+    member.timeline = {};
+    member.rest = {scenario.start.x_px, scenario.start.y_px, 0.0};
+    MemberResult& result = *member.result;
+    result.contacts = {};
+    result.x_min_px = result.x_max_px = scenario.start.x_px;
+    result.y_min_px = result.y_max_px = scenario.start.y_px;
+    result.speed_max_px_per_s = 0.0;
+    take_extremes(member);
+    for (const Event& event : scenario.events) actions_.push_back(event.action);
+    if (!has_own_frames_) return;
+    const std::vector<std::int64_t> frames = frames_of(scenario, member.steps);
+    event_frames_.insert(event_frames_.end(), frames.begin(), frames.end());
+  }
+
+  // Of the row that a member is at; speeds stay squared until the end.
+  static void take_extremes(MovingMember& member) {
+    const State& state = member.world.state;
+    MemberResult& result = *member.result;
+    result.x_min_px = state.x_px < result.x_min_px ? state.x_px : result.x_min_px;
+    result.x_max_px = state.x_px > result.x_max_px ? state.x_px : result.x_max_px;
+    result.y_min_px = state.y_px < result.y_min_px ? state.y_px : result.y_min_px;
+    result.y_max_px = state.y_px > result.y_max_px ? state.y_px : result.y_max_px;
+    const double squared = state.vx_px_per_s * state.vx_px_per_s + state.vy_px_per_s * state.vy_px_per_s;
+    if (squared > result.speed_max_px_per_s) result.speed_max_px_per_s = squared;
+  }
+
+  [[nodiscard]] std::int64_t end_frame(std::size_t member, std::size_t event) const {
+    const std::size_t events = sweep_.base.events.size();
+    if (event == events) return members_[member].steps;
+    return event_frames_[has_own_frames_ ? member * events + event : event];
+  }
+
+  // All members up to the frame of an event, or to their ends.
+  StepTally play_to_event(std::size_t event) {
+    if (!members_.empty() && members_.front().world.is_held) return hold_to_event(event);
+    legs_.clear();
+    for (std::size_t index = 0; index < members_.size(); ++index) {
+      MovingMember& member = members_[index];
+      if (!member.hitch_dt_s || member.frame == end_frame(index, event)) continue;
+      legs_.push_back({&member, *member.hitch_dt_s, 1});
+      member.hitch_dt_s.reset();
+    }
+    StepTally tally = player_.play(legs_, LaneClock::fixed, nullptr);
+    legs_.clear();
+    for (std::size_t index = 0; index < members_.size(); ++index)
+      if (const std::int64_t frames = end_frame(index, event) - members_[index].frame; frames > 0)
+        legs_.push_back({&members_[index], members_[index].base_dt_s, frames});
+    return tally += player_.play(legs_, clock_, trace_);
+  }
+
+  // Frames pass, no update, contact 0.
+  StepTally hold_to_event(std::size_t event) {
+    StepTally tally;
+    for (std::size_t index = 0; index < members_.size(); ++index) {
+      const std::int64_t frames = end_frame(index, event) - members_[index].frame;
+      if (frames > 0) hold(members_[index], frames);
+      tally += {frames, frames};
+    }
+    return tally;
+  }
+
+  void hold(MovingMember& member, std::int64_t frames) const {
+    member.walls = 0;
+    take_extremes(member);
+    const bool moves = member.rest.moves_to(member.world.state.x_px, member.world.state.y_px);
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+      const double dt_s = member.hitch_dt_s ? *member.hitch_dt_s : frame_dt_s(member, member.frame);
+      const bool is_even = clock_ == LaneClock::fixed && !member.hitch_dt_s && frame > 0;
+      const std::int64_t count = is_even ? frames - frame : 1;
+      member.hitch_dt_s.reset();
+      member.timeline.play(dt_s, count);
+      member.frame += count;
+      if (frame == 0 && moves) member.rest.t_s = member.timeline.time_s();
+      frame += count - 1;
+    }
+  }
+
+  [[nodiscard]] double frame_dt_s(const MovingMember& member, std::int64_t frame) const {
+    if (clock_ == LaneClock::trace) return trace_[frame];
+    return clock_ == LaneClock::fixed ? member.base_dt_s
+                                      : jittered_dt_s(member.base_dt_s, member.jitter, frame);
+  }
+
+  static void apply_event(MovingMember& member, const Action& action) {
+    apply(action, member.world);
+    if (const auto* const hitch = std::get_if<Hitch>(&action)) member.hitch_dt_s = hitch->dt_s;
+  }
+
+  void store(const MovingMember& member) const {
+    MemberResult& result = *member.result;
+    result.final = member.world.state;
+    if (detail_ == Detail::final) return;
+    result.speed_max_px_per_s = std::sqrt(result.speed_max_px_per_s);
+    const auto since_s = member.rest.at_rest_since_s(member.timeline.time_s());
+    result.at_rest_since_s = since_s.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  const Sweep& sweep_;
+  SweepMembers scenarios_;
+  LaneClock clock_;
+  Detail detail_;
+  LanePlayer player_;
+  bool has_own_frames_;
+  const double* trace_ = nullptr;
+  std::vector<MovingMember> members_;
+  std::vector<Action> actions_;             // Of a member after the other.
+  std::vector<std::int64_t> event_frames_;  // Of all members alike, or of a member after the other.
+  std::vector<Leg> legs_;
+};
+
+EnsemblePlayer::EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options) : sweep_(sweep) {
+  if (options.replays || needs_replay(sweep)) return;
+  batch_ =
+      std::make_unique<Batch>(sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front());
+}
+EnsemblePlayer::~EnsemblePlayer() = default;
+EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;
+
+StepTally EnsemblePlayer::play(const SweepPart& part, std::int64_t first_row,
+                               std::span<MemberResult> results) {
+  StepTally tally;
+  if (!batch_) {
+    SweepMembers members(sweep_);
+    for (MemberResult& result : results)
+      tally += play_member(members.scenario(part.member(first_row++)), sweep_.keep, result);
+    return tally;
+  }
+  constexpr std::size_t kBatch = 1024;  // Stays in the second-level cache.
+  for (std::size_t first = 0; first < results.size(); first += kBatch) {
+    const auto part_of_results = results.subspan(first, std::min(kBatch, results.size() - first));
+    tally += batch_->play(part, first_row + static_cast<std::int64_t>(first), part_of_results);
+  }
+  return tally;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,43 @@
+// Plays many members by a kernel: fills its lanes, and takes a member out as soon as its end is known.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/ensemble/moving_member.h"
+
+namespace hyrax {
+
+/// At fixed dt, three things are left out, and the results have the same bits all the same:
+/// - On the ground y and vy depend on each other only, and repeat after one step or two. From there on, if no
+///   wall in x can be reached, only x and vx are computed.
+/// - When x no longer changes only vx is computed, until it does not change either.
+/// - Frames of a state that repeats exactly.
+class LanePlayer {
+ public:
+  LanePlayer(const KernelSet& kernels, Detail detail) : kernels_(kernels), detail_(detail) {}
+
+  /// Plays each leg's frames. Members are not held. `trace` is used by LaneClock::trace only.
+  /// REQUIRES: legs of different members.
+  StepTally play(std::span<const Leg> legs, LaneClock clock, const double* trace);
+
+ private:
+  class Flying;
+  class Sliding;
+  class Slowing;
+
+  // A member on the ground: y and vy repeat.
+  struct Slide {
+    MovingMember* member = nullptr;
+    double dt_s = 0.0;
+    std::int64_t frames = 0;  // To play, up to the end of the leg.
+  };
+
+  const KernelSet& kernels_;
+  Detail detail_;
+  Lanes lanes_{};
+  std::vector<Slide> slides_;
+  std::vector<Slide> slowing_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,367 @@
+#!/usr/bin/python3
+"""sweep: every number equals that of the member's own run, whatever the parts, the threads and the interruptions."""
+
+import json
+import os
+import random
+import signal
+import time
+
+import h5py
+import numpy
+
+import sweep_members
+from process import Process
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, ProgramTest, fling, main
+from sweep_members import ALL, Members, any_sweep, assert_same_bits, base, datasets, oracle
+
+SEED = int(os.environ.get("HYRAX_SEED", "0")) or random.SystemRandom().getrandbits(32)
+NO_CLUSTER = {name: value for name, value in os.environ.items()
+              if not name.startswith(("SLURM_", "OMPI_", "JOB_COMPLETION"))}
+
+
+def document(**changes):
+    """A sweep of 100 throws."""
+    sweep = {"format": "hyrax-sweep/1", "base": base(), "members": 100, "seed": 7,
+             "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}, "/clock/rate_hz": {"choice": [60, 120, 144]}},
+             "keep": ["final", "contacts", "at_rest"], **changes}
+    return {key: value for key, value in sweep.items() if value is not None}
+
+
+class SweepTest(ProgramTest):
+    """A sweep in its folder."""
+
+    def sweep(self, *arguments, exit_code=AGREED, **options):
+        """The command, outside a cluster."""
+        return self.expect(exit_code, "sweep", *arguments, **{"env": NO_CLUSTER, **options})
+
+    def computed(self, sweep, *arguments, output="sweep.h5"):
+        """The datasets of its result."""
+        self.write("sweep.json", sweep)
+        self.sweep("sweep.json", "-o", output, *arguments)
+        return datasets(self.folder / output)
+
+
+class EveryMember(SweepTest):
+    """Against `run`, column by column."""
+
+    def test_random_sweeps_equal_the_runs_of_their_members(self):
+        for number in range(6):
+            seed = f"{SEED}-{number}"
+            sweep = any_sweep(seed)
+            with self.subTest(f"HYRAX_SEED={SEED}, sweep {number}: {sweep_members.shown(sweep)}"):
+                found = self.computed(sweep, f"--threads={1 + number % 3}")
+                assert_same_bits(self, found, Members(self, sweep).columns(), f"seed {seed}")
+
+    def test_a_file_of_a_member_gives_its_numbers(self):
+        sweep = document(keep=ALL)
+        found = self.computed(sweep)
+        for member in (0, 17, 99):
+            self.sweep("sweep.json", "--member", str(member), "-o", f"m{member}.json")
+            run = self.expect(AGREED, "run", f"m{member}.json", "--json").json["runs"][0]
+            self.assertEqual(bytes(found["members/state_hash"][member]).hex(), run["state_hash"])
+            self.assertEqual(found["members/x"][member], run["final"]["x_px"])
+
+    def test_what_is_not_kept_is_not_there(self):
+        final = ["members/vx", "members/vy", "members/x", "members/y"]
+        for keep, names in ((["final"], final), (["extremes"], ["members/speed_max", "members/x_max", "members/x_min",
+                                                                "members/y_max", "members/y_min"]),
+                            (None, ["members/at_rest_since", "members/contacts", *final])):
+            found = self.computed(document(keep=keep))
+            self.assertEqual(sorted(name for name in found if name.startswith("members/")), sorted(names))
+
+    def test_columns_and_attributes(self):
+        self.computed(document(vary={"/clock/jitter/seed": {"member": True}, "/start/x_px": {"grid": [0, 10, 4]},
+                                     "/window/width_px": {"uniform": [500, 501]}},
+                               base=base(clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5,
+                                                                          "seed": 1}})))
+        with h5py.File(self.folder / "sweep.h5") as file:
+            self.assertEqual(file.attrs["format"], "hyrax-ensemble/1")
+            self.assertEqual(file.attrs["physics"], "hyrax-physics/1")
+            self.assertEqual(file.attrs["members"], 100)
+            self.assertEqual(json.loads(file.attrs["sweep"])["base"]["sprite"], {"width_px": 128, "height_px": 128})
+            self.assertEqual(sorted(file["inputs"]), ["clock.jitter.seed", "start.x_px", "window.width_px"])
+            self.assertEqual([file["inputs"][name].dtype for name in sorted(file["inputs"])],
+                             [numpy.uint64, numpy.float64, numpy.int64])
+            self.assertEqual(file["members/contacts"].shape, (100, 4))
+            self.assertEqual(set(file["inputs/window.width_px"][()]), {500, 501})
+
+    def test_members_default_to_the_combinations_of_the_grids(self):
+        vary = {"/start/x_px": {"grid": [0, 1792, 5]}, "/start/y_px": {"grid": [0, 3, 4]}}
+        found = self.computed(document(members=None, seed=None, vary=vary))
+        self.assertEqual(list(found["inputs/start.x_px"][:5]), [0, 0, 0, 0, 448])
+        self.assertEqual(list(found["inputs/start.y_px"][:5]), [0, 1, 2, 3, 0])
+        self.assertEqual(len(found["members/x"]), 20)
+
+    def test_the_base_may_be_a_file_beside_the_sweep(self):
+        self.write("deep/base.json", fling(expect={"in_bounds": True}))
+        self.write("deep/sweep.json", document(base="base.json"))
+        self.sweep("deep/sweep.json", "-o", "beside.h5")
+        self.computed(document())
+        assert_same_bits(self, datasets(self.folder / "beside.h5"), datasets(self.folder / "sweep.h5"), "base")
+        with h5py.File(self.folder / "beside.h5") as file:
+            self.assertNotIn("expect", json.loads(file.attrs["sweep"])["base"])
+
+
+class Parts(SweepTest):
+    """Parts, and their merging."""
+
+    def merged(self, parts):
+        """The datasets of a sweep in that many parts."""
+        for part in range(parts):
+            self.sweep("sweep.json", "--part", f"{part}/{parts}", "-o", "out.h5")
+        names = [f"out.part-{part}-of-{parts}.h5" for part in reversed(range(parts))]
+        self.sweep("--merge", *names, "-o", f"merged-{parts}.h5")
+        return datasets(self.folder / f"merged-{parts}.h5")
+
+    def test_parts_give_the_file_of_one_process(self):
+        whole = self.computed(document(members=70, keep=ALL))
+        for parts in (1, 3, 64, 100):
+            assert_same_bits(self, self.merged(parts), whole, f"{parts} parts")
+            self.assertEqual((self.folder / f"merged-{parts}.h5").read_bytes(),
+                             (self.folder / "sweep.h5").read_bytes())
+
+    def test_missing_parts_are_named(self):
+        self.write("sweep.json", document())
+        for part in (0, 2):
+            self.sweep("sweep.json", "--part", f"{part}/4", "-o", "out.h5")
+        outcome = self.sweep("--merge", "out.part-0-of-4.h5", "out.part-2-of-4.h5", "-o", "merged.h5",
+                             exit_code=GOLDEN_MISSING)
+        for part in (1, 3):
+            self.assertIn(f"out.part-{part}-of-4.h5: is missing", outcome.err)
+        self.assertNotIn("merged.h5", self.names())
+
+    def test_parts_of_another_sweep_are_refused(self):
+        self.write("sweep.json", document())
+        self.write("other.json", document(seed=8))
+        self.sweep("sweep.json", "--part", "0/2", "-o", "out.h5")
+        self.sweep("other.json", "--part", "1/2", "-o", "other.h5")
+        self.sweep("sweep.json", "--part", "1/3", "-o", "out.h5")
+        self.sweep("sweep.json", "-o", "whole.h5")
+        for other, says in (("other.part-1-of-2.h5", "is a part of another sweep"),
+                            ("out.part-1-of-3.h5", "is one of 3 parts"), ("out.part-0-of-2.h5", "given twice"),
+                            ("whole.h5", "is no part of a sweep"), ("sweep.json", "is no result file")):
+            self.sweep("--merge", "out.part-0-of-2.h5", other, "-o", "merged.h5", exit_code=BAD_INPUT,
+                       says=(other, says))
+        self.sweep("--merge", "out.part-0-of-2.h5", "nowhere.h5", "-o", "merged.h5", exit_code=CANNOT_ACCESS)
+        self.assertNotIn("merged.h5", self.names())
+
+    def test_a_scheduler_names_the_part(self):
+        self.write("sweep.json", document())
+        for variables, arguments, part in (
+                ({"SLURM_ARRAY_TASK_ID": "11", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY_TASK_COUNT": "4"}, (),
+                 "1-of-4"),
+                ({"OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"}, (), "2-of-3"),
+                ({"JOB_COMPLETION_INDEX": "0"}, ("--parts", "2"), "0-of-2")):
+            outcome = self.sweep("sweep.json", "-o", "out.h5", *arguments, env={**NO_CLUSTER, **variables})
+            self.assertIn(next(iter(variables)), outcome.err)
+            self.assertIn(f"out.part-{part}.h5", self.names())
+        self.sweep("sweep.json", "-o", "out.h5", "--part", "0/9",
+                   env={**NO_CLUSTER, "OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"})
+        self.assertIn("out.part-0-of-9.h5", self.names())
+
+    def test_bad_parts_are_refused(self):
+        self.write("sweep.json", document())
+        for part in ("1", "2/2", "-1/2", "0/0", "a/b", "/", "1/", "/2", "0/2/3"):
+            self.sweep("sweep.json", "--part", part, exit_code=BAD_INPUT, says=("--part", part))
+        self.sweep("sweep.json", "--parts", "2", exit_code=BAD_INPUT, says="JOB_COMPLETION_INDEX")
+        for variables in ({"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "3"},
+                          {"SLURM_ARRAY_TASK_ID": "x", "SLURM_ARRAY_TASK_COUNT": "3"}):
+            self.sweep("sweep.json", exit_code=BAD_INPUT, says=next(iter(variables)), env={**NO_CLUSTER, **variables})
+        self.assertEqual(self.names(), ["sweep.json"])
+
+
+class Interrupted(SweepTest):
+    """Killed, and resumed."""
+
+    def test_after_kills_at_random_moments_the_file_is_the_same(self):
+        draws = random.Random(SEED)
+        sweep = document(members=200_000, keep=["final", "contacts"])
+        self.write("sweep.json", sweep)
+        begin = time.monotonic()
+        self.sweep("sweep.json", "-o", "whole.h5")
+        duration_s = time.monotonic() - begin
+        kills = 0
+        while kills < 20 and not (self.folder / "out.h5").exists():
+            with Process(PROGRAM, "sweep", "sweep.json", "--resume", "-o", "out.h5", cwd=self.folder,
+                         env=NO_CLUSTER) as process:
+                time.sleep(draws.uniform(0.02, max(0.05, duration_s / 3)))
+                process.send(signal.SIGKILL)
+                process.wait()
+            kills += 1
+        self.sweep("sweep.json", "--resume", "-o", "out.h5")
+        self.assertEqual((self.folder / "out.h5").read_bytes(), (self.folder / "whole.h5").read_bytes(),
+                         f"HYRAX_SEED={SEED}")
+        self.assertEqual(self.names(), ["out.h5", "sweep.json", "whole.h5"])
+
+    def test_what_is_complete_is_not_computed_again(self):
+        self.computed(document())
+        before = self.state_of(".")
+        self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
+        self.assertEqual(self.state_of("."), before)
+
+    def test_only_the_same_sweep_is_resumed(self):
+        self.computed(document())
+        os.rename(self.folder / "sweep.h5", self.folder / "kept.h5")
+        self.write("kept.json", document())
+        with h5py.File(self.folder / "kept.h5", "a") as file:  # As if nothing was done yet.
+            file.attrs["rows_done"] = numpy.int64(0)
+        for name in ("out.h5.partial", "other.h5.partial"):
+            (self.folder / name).write_bytes((self.folder / "kept.h5").read_bytes())
+        self.write("other.json", document(seed=8))
+        self.sweep("other.json", "--resume", exit_code=BAD_INPUT, says=("other.h5.partial", "another sweep"))
+        self.assertEqual(self.sweep("sweep.json", "--resume", "-o", "out.h5", "--json").json["resumed"], 0)
+
+
+class Where(SweepTest):
+    """Members that meet an expression."""
+
+    def listed(self, expression):
+        """The members that are listed."""
+        out = self.sweep("sweep.json", "--where", expression).out
+        return [int(line) for line in out.splitlines()]
+
+    def test_members_are_listed(self):
+        found = self.computed(document())
+        rate, vx = found["inputs/clock.rate_hz"], found["inputs/start.vx_px_per_s"]
+        ground, settled = found["members/contacts"][:, 3], found["members/at_rest_since"]
+        for expression, holds in (
+                ("contacts.ground > 10", ground > 10), ("clock.rate_hz==144", rate == 144),
+                ("start.vx_px_per_s<0 and clock.rate_hz != 60", (vx < 0) & (rate != 60)),
+                ("clock.rate_hz == 60 or clock.rate_hz == 144 and start.vx_px_per_s >= 0",
+                 (rate == 60) | ((rate == 144) & (vx >= 0))),
+                ("at_rest_since <= 4e0", settled <= 4), ("at_rest_since != 0", settled != 0)):
+            self.assertEqual(self.listed(expression), list(numpy.flatnonzero(holds)), expression)
+        self.assertEqual(self.sweep("sweep.json", "--where", "contacts.ground > 10", "--json").json["where"],
+                         list(numpy.flatnonzero(ground > 10)))
+
+    def test_seeds_are_compared_exactly(self):
+        clock = {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.1, "seed": 1}}
+        self.computed(document(base=base(clock=clock),
+                               vary={"/clock/jitter/seed": {"choice": [2**64 - 1, 2**64 - 2]}}, keep=["final"]))
+        last = self.listed(f"clock.jitter.seed == {2**64 - 1}")
+        self.assertEqual(sorted(last + self.listed(f"clock.jitter.seed < {2**64 - 1}")), list(range(100)))
+        self.assertTrue(0 < len(last) < 100)
+
+    def test_a_part_lists_its_members(self):
+        self.write("sweep.json", document())
+        out = self.sweep("sweep.json", "--part", "1/3", "--where", "x > -1").out
+        self.assertEqual([int(line) for line in out.splitlines()], list(range(1, 100, 3)))
+
+    def test_bad_expressions_are_refused_before_anything_is_computed(self):
+        self.write("sweep.json", document())
+        for expression, says in (("x", "FIELD ORDER NUMBER"), ("z > 1", "unknown field"), ("x ~ 1", "unknown order"),
+                                 ("x => 1", "unknown order"), ("x > y", "must compare with a number"),
+                                 ("x > 1 xor y > 1", "unknown word"), ("x > 1 and", "FIELD ORDER NUMBER"),
+                                 ("state_hash > 1", "unknown field"), ("contacts > 1", "unknown field")):
+            self.sweep("sweep.json", "--where", expression, exit_code=BAD_INPUT, says=("--where", says))
+        self.assertEqual(self.names(), ["sweep.json"])
+
+
+class Refused(SweepTest):
+    """Bad sweeps, with the place named."""
+
+    def refuse(self, sweep, *says):
+        """It is refused, and nothing is written."""
+        self.write("sweep.json", sweep)
+        self.sweep("sweep.json", exit_code=BAD_INPUT, says=("sweep.json", *says))
+        self.assertEqual(self.names(), ["sweep.json"])
+
+    def test_bad_documents(self):
+        x = "/start/x_px"
+        for changes, *says in (
+                ({"format": "hyrax-sweep/2"}, "/format", "hyrax-sweep/1"), ({"base": None}, "/base", "missing"),
+                ({"base": 7}, "/base"), ({"members": 0}, "/members", "(found 0)"),
+                ({"members": 1.5}, "/members"), ({"seed": None}, "/seed", "missing"), ({"seed": -1}, "/seed"),
+                ({"vary": []}, "/vary"), ({"keep": ["all"]}, "/keep/0", "unknown value"), ({"keep": []}, "/keep"),
+                ({"more": 1}, "/more", "unknown key"), ({"vary": {x: {"uniform": [2, 1]}}}, "/uniform", "low <= high"),
+                ({"vary": {x: {"uniform": [1]}}}, "/uniform"), ({"vary": {x: {"choice": []}}}, "/choice"),
+                ({"vary": {x: {"choice": ["1"]}}}, "/choice/0"), ({"vary": {x: {"grid": [0, 1, 0]}}}, "/grid/2"),
+                ({"vary": {x: {"member": False}}}, "/member", "must be true"), ({"vary": {x: {}}}, "exactly one of"),
+                ({"vary": {x: {"member": True, "choice": [1]}}}, "exactly one of"),
+                ({"vary": {"/expect/final_x_px": {"member": True}}}, "expect"),
+                ({"vary": {x: {"grid": [0, 1, 3]}}, "members": 100}, "/members", "multiple", "3"),
+                ({"vary": {x: {"grid": [0, 1, 10**12]}, "/start/y_px": {"grid": [0, 1, 2]}}, "members": None},
+                 "/vary", "1e12")):
+            self.refuse(document(**changes), *says)
+
+    def test_keys_that_are_no_numbers_of_a_scenario(self):
+        for key, says in (("/start/z_px", "unknown key"), ("/name", "/name"), ("start", "JSON Pointer"),
+                          ("/clock", "/clock"), ("/clock/dt_s", "exactly one of"), ("/events/0/step", "/events"),
+                          ("/clock/jitter/seed", "/clock/jitter"), ("", "must be an object")):
+            self.refuse(document(vary={key: {"choice": [1]}}), "member 0", says)
+        self.refuse(document(base=base(events=[{"step": 1, "stop": {}}]), vary={
+            "/events/0/step": {"choice": [1]}, "/events/00/step": {"choice": [1]}}), "the same number as another key")
+
+    def test_whole_numbers_where_the_key_holds_them(self):
+        for rule in ({"grid": [100, 101, 3]}, {"choice": [100.5]}, {"uniform": [100.5, 200]}):
+            self.refuse(document(vary={"/window/width_px": rule}), "/vary/~1window~1width_px", "whole numbers")
+
+    def test_members_beyond_the_limits_are_named(self):
+        self.refuse(document(vary={"/start/x_px": {"grid": [0, 2e12, 4]}}), "member 2: /start/x_px",
+                    "(found 1333333333333.3333)")
+        self.refuse(document(vary={"/clock/rate_hz": {"choice": [60, 0]}}), ": /clock/rate_hz", "greater than 0")
+        self.refuse(document(vary={"/steps": {"uniform": [0, 2e12]}}), ": /steps", "whole number 0 .. 1")
+        self.refuse(document(vary={"/sprite/width_px": {"member": True}}), "member 0: /sprite/width_px")
+
+    def test_an_extreme_that_no_member_reaches_is_refused_too(self):
+        self.refuse(document(members=1, vary={"/start/x_px": {"uniform": [0, 1.0000001e12]}}),
+                    "/vary/~1start~1x_px: /start/x_px")
+
+    def test_keys_that_depend_on_one_another_are_checked_member_by_member(self):
+        events = [{"step": 10, "stop": {}}, {"step": 100, "stop": {}}]
+        sweep = document(base=base(events=events), vary={"/events/0/step": {"grid": [0, 199, 200]},
+                                                         "/events/1/step": {"choice": [100]}}, members=200)
+        self.refuse(sweep, "member 101: /events/1/step", "must not be before the previous event")
+        self.refuse(document(base=base(events=events), members=None, vary={"/steps": {"grid": [90, 110, 21]}}),
+                    "member 0: /events/1/step", "below the number of steps")
+        self.refuse(document(base=base(steps=None, duration_s=1), vary={"/clock/rate_hz": {"choice": [60]},
+                                                                        "/duration_s": {"uniform": [0, 1e12]}}),
+                    "/duration_s", "must make at most 1e12 frames")
+        sweep["vary"]["/events/1/step"] = {"grid": [199, 199, 1]}
+        self.computed(sweep)
+
+
+class Outputs(SweepTest):
+    """What is written where."""
+
+    def test_a_member_replaces_a_file_with_force_only(self):
+        self.write("sweep.json", document())
+        self.write("m.json", fling())
+        self.sweep("sweep.json", "--member", "3", "-o", "m.json", exit_code=BAD_INPUT,
+                   says=("m.json: exists", "--force"))
+        self.sweep("sweep.json", "--member", "3", "-o", "m.json", "--force")
+        self.expect(AGREED, "validate", "m.json")
+        for member in ("100", "-1"):
+            self.sweep("sweep.json", "--member", member, "-o", "n.json", exit_code=BAD_INPUT, says="--member")
+        self.sweep("sweep.json", "--member", "3", exit_code=BAD_INPUT, says="needs -o")
+        self.sweep("sweep.json", "--member", "3", "-o", "sweep.json", "--force", exit_code=BAD_INPUT, says="an input")
+        self.assertEqual(self.names(), ["m.json", "sweep.json"])
+
+    def test_inputs_and_scenarios_are_protected(self):
+        self.write("base.json", fling())
+        self.write("sweep.json", document(base="base.json"))
+        self.write("x.h5", json.dumps(fling()))
+        before = self.state_of(".")
+        for output in ("base.json", "sweep.json", "x.h5", "out.csv"):
+            self.sweep("sweep.json", "-o", output, exit_code=BAD_INPUT, says=output)
+        self.assertEqual(self.state_of("."), before)
+        self.sweep("sweep.json", "-o", "no/folder.h5", exit_code=CANNOT_ACCESS, says="no/folder.h5")
+
+    def test_memory_does_not_grow_with_the_members(self):
+        self.write("sweep.json", document(members=400_000, base=base(steps=1)))
+        self.assertLess(self.peak_bytes(AGREED, "sweep", "sweep.json"), 100e6)
+
+    def test_the_summary_says_what_was_left_out(self):
+        self.write("sweep.json", document(base=base(steps=100_000), members=10, keep=["final"]))
+        outcome = self.sweep("sweep.json", "--json").json
+        self.assertLess(outcome["steps_computed"], outcome["steps"] / 2)
+        self.assertEqual(outcome["steps"], 1_000_000)
+        text = self.sweep("sweep.json").out
+        self.assertIn("left out", text)
+        self.assertIn("not computed   contacts, at_rest, extremes, state_hash", text)
+
+
+if __name__ == "__main__":
+    print(f"HYRAX_SEED={SEED}", flush=True)
+    main()

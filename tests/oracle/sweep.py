@@ -1,0 +1,65 @@
+"""The members of a sweep, written from the format alone: which numbers each has, and the scenario that they make."""
+
+import copy
+import math
+
+import clock
+
+INTEGER_KEYS = {"width_px", "height_px", "step", "steps", "every", "seed"}
+
+
+def grid_size(vary):
+    """The combinations of all grids."""
+    return math.prod(rule["grid"][2] for rule in vary.values() if "grid" in rule)
+
+
+def member_count(sweep):
+    """How many members the sweep has."""
+    return sweep.get("members", grid_size(sweep["vary"]))
+
+
+def inputs(sweep, member):
+    """The number of each varied key in a member, keys in order of their bytes."""
+    keys = sorted(sweep["vary"], key=str.encode)
+    values = {}
+    for k, key in enumerate(keys):
+        (kind, rule), = sweep["vary"][key].items()
+        is_integer = key.rsplit("/", 1)[1] in INTEGER_KEYS
+        u = clock.unit(sweep.get("seed", 0), member * len(keys) + k)
+        if kind == "uniform":
+            low, high = rule
+            if is_integer:
+                value = math.floor(low + (high - low + 1) * u)
+            else:
+                value = float(low) + (float(high) - float(low)) * u
+        elif kind == "choice":
+            value = rule[math.floor(u * len(rule))]
+        elif kind == "member":
+            value = member
+        else:
+            low, high, n = rule
+            later = math.prod(sweep["vary"][other]["grid"][2] for other in keys[k + 1:]
+                              if "grid" in sweep["vary"][other])
+            j = member // later % n
+            if n == 1:
+                value = low
+            elif j == n - 1:
+                value = high
+            else:
+                value = float(low) + ((float(high) - float(low)) * j) / (n - 1)
+        values[key] = int(value) if is_integer else float(value)
+    return values
+
+
+def scenario(sweep, member):
+    """A member as a scenario of its own. REQUIRES: the base is inside the sweep."""
+    document = copy.deepcopy(sweep["base"])
+    document.pop("expect", None)
+    for key, value in inputs(sweep, member).items():
+        *path, last = key[1:].split("/")
+        place = document
+        for token in path:
+            place = place[int(token)] if isinstance(place, list) else place.setdefault(token, {})
+        place[int(last) if isinstance(place, list) else last] = value
+    document["name"] = f"member-{member}"
+    return document

@@ -1,0 +1,178 @@
+// Members by every kernel, against the replay of each: all numbers, bit for bit.
+#include "sim/ensemble/ensemble.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+#include "sim/ensemble/lanes.h"
+#include "tests/unit/sim/replay/some_flings.h"
+
+namespace hyrax {
+namespace {
+
+std::uint64_t seed_of_today() {
+  if (const char* const given = std::getenv("HYRAX_SEED")) return std::strtoull(given, nullptr, 10);
+  return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+}
+
+KeepSet all_but_the_hash() {
+  KeepSet keep;
+  for (const Keep each : {Keep::final, Keep::contacts, Keep::at_rest, Keep::extremes}) keep.add(each);
+  return keep;
+}
+
+Sweep sweep_over(Scenario base, std::int64_t members, KeepSet keep = all_but_the_hash()) {
+  Sweep sweep;
+  sweep.base = std::move(base);
+  sweep.members = members;
+  sweep.seed = 5;
+  sweep.keep = keep;
+  sweep.vary = {{"/start/vx_px_per_s", NumberKind::real, UniformDraw{-2500.0, 2500.0}},
+                {"/start/vy_px_per_s", NumberKind::real, UniformDraw{-1500.0, 500.0}},
+                {"/start/x_px", NumberKind::real, UniformDraw{-100.0, 2000.0}}};
+  return sweep;
+}
+
+bool is_same(double a, double b) { return same_bits(a, b) || (std::isnan(a) && std::isnan(b)); }
+
+// The first difference; empty if there is none.
+std::string difference(const MemberResult& a, const MemberResult& b, const KeepSet& keep) {
+  if (keep.has(Keep::final) && !same_bits(a.final, b.final)) return "final state";
+  if (keep.has(Keep::contacts) && !(a.contacts == b.contacts)) return "contacts";
+  if (keep.has(Keep::at_rest) && !is_same(a.at_rest_since_s, b.at_rest_since_s)) return "at_rest_since_s";
+  if (!keep.has(Keep::extremes)) return "";
+  const bool is_equal = is_same(a.x_min_px, b.x_min_px) && is_same(a.x_max_px, b.x_max_px) &&
+                        is_same(a.y_min_px, b.y_min_px) && is_same(a.y_max_px, b.y_max_px);
+  if (!is_equal) return "extremes";
+  return is_same(a.speed_max_px_per_s, b.speed_max_px_per_s) ? "" : "speed_max";
+}
+
+void expect_same(const Sweep& sweep, const std::string& note) {
+  const auto members = static_cast<std::size_t>(sweep.members);
+  std::vector<MemberResult> expected(members);
+  const StepTally replayed = EnsemblePlayer(sweep, {.replays = true}).play({}, 0, expected);
+  for (const KernelSet& kernels : kernel_sets()) {
+    std::vector<MemberResult> found(members);
+    const StepTally tally = EnsemblePlayer(sweep, {.kernels = &kernels}).play({}, 0, found);
+    EXPECT_EQ(tally.steps, replayed.steps) << note;
+    EXPECT_LE(tally.computed, tally.steps) << note;
+    for (std::size_t member = 0; member < members; ++member) {
+      const std::string differs = difference(found[member], expected[member], sweep.keep);
+      EXPECT_EQ(differs, "") << kernels.name << ", member " << member << " of " << note;
+      if (!differs.empty()) break;
+    }
+  }
+}
+
+void expect_same_in_all_details(const Sweep& sweep, const std::string& note) {
+  expect_same(sweep, note);
+  Sweep less = sweep;
+  less.keep = {};
+  less.keep.add(Keep::final);
+  expect_same(less, note + ", final only");
+  less.keep.add(Keep::contacts);
+  less.keep.add(Keep::at_rest);
+  expect_same(less, note + ", without extremes");
+}
+
+TEST(Ensemble, EqualsTheReplayAtEveryEndOfABlock) {
+  for (const std::int64_t steps : {0, 1, 2, 3, 47, 48, 49, 50, 95, 96, 97, 144, 145, 600, 601})
+    expect_same_in_all_details(sweep_over(fling_at(60.0, steps), 70), std::to_string(steps) + " steps");
+}
+
+TEST(Ensemble, EqualsTheReplayAtEveryRate) {
+  for (const double rate_hz : {24.0, 58.0, 60.0, 75.0, 89.0, 100.0, 144.0, 240.0, 1000.0})
+    expect_same_in_all_details(sweep_over(fling_at(rate_hz, 2000), 40), std::to_string(rate_hz) + " Hz");
+}
+
+TEST(Ensemble, EqualsTheReplayInLongRuns) {
+  for (const std::int64_t steps : {4000, 5001, 40'000, 70'001})
+    for (const double rate_hz : {60.0, 120.0, 500.0})
+      expect_same_in_all_details(sweep_over(fling_at(rate_hz, steps), 36), std::to_string(steps) + " steps");
+}
+
+TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {
+  Scenario base = fling_at(60.0, 0);
+  base.length = 7.5;
+  Sweep sweep = sweep_over(base, 200);
+  sweep.vary.push_back({"/clock/rate_hz", NumberKind::real, ChoiceDraw{{60.0, 120.0, 144.0}}});
+  sweep.vary.push_back({"/duration_s", NumberKind::real, UniformDraw{0.0, 30.0}});
+  expect_same_in_all_details(sweep, "lengths and rates");
+}
+
+TEST(Ensemble, EqualsTheReplayWithEvents) {
+  Scenario base = eventful_fling();
+  base.clock.jitter.reset();
+  expect_same_in_all_details(sweep_over(base, 70), "events");
+  Sweep sweep = sweep_over(base, 70);
+  sweep.vary.push_back({"/events/1/step", NumberKind::integer, UniformDraw{0.0, 60.0}});
+  sweep.vary.push_back({"/events/2/hitch/dt_s", NumberKind::real, UniformDraw{0.0, 1.0}});
+  sweep.vary.push_back({"/events/4/place/x_px", NumberKind::real, UniformDraw{-100.0, 3000.0}});
+  sweep.vary.push_back({"/events/8/resize/window/width_px", NumberKind::integer, UniformDraw{0.0, 2000.0}});
+  expect_same_in_all_details(sweep, "events of different frames");
+}
+
+TEST(Ensemble, EqualsTheReplayWithJitter) {
+  for (const auto& [kind, amount] : {std::pair{Jitter::Kind::uniform, 0.2},
+                                     {Jitter::Kind::uniform, 1.0},
+                                     {Jitter::Kind::normal, 0.004},
+                                     {Jitter::Kind::normal, 0.05},
+                                     {Jitter::Kind::missed_frames, 0.1},
+                                     {Jitter::Kind::missed_frames, 0.9}})
+    for (Scenario base : {fling_at(60.0, 700), eventful_fling()}) {
+      base.clock.jitter = Jitter{kind, amount, 1};
+      if (!base.events.empty()) base.events.back().when = std::int64_t{250};
+      Sweep sweep = sweep_over(base, 40);
+      sweep.vary.push_back({"/clock/jitter/seed", NumberKind::seed, MemberNumber{}});
+      expect_same_in_all_details(sweep, "jitter " + std::to_string(static_cast<int>(kind)));
+    }
+}
+
+TEST(Ensemble, EqualsTheReplayOfATrace) {
+  Draws draws(3);
+  RecordedSteps trace;
+  for (int frame = 0; frame < 500; ++frame)
+    trace.dt_s.push_back(frame % 7 == 0 ? 0.0 : frame % 3 == 0 ? 1.0 / 60.0 : draws.between(0.0, 0.04));
+  Scenario base = eventful_fling();
+  base.clock = {trace, {}};
+  base.length = std::monostate{};
+  expect_same_in_all_details(sweep_over(base, 40), "trace");
+  Sweep sweep = sweep_over(base, 10);
+  sweep.vary.push_back({"/clock/dt_s/3", NumberKind::real, UniformDraw{0.0, 0.1}});
+  expect_same(sweep, "a trace that varies");
+}
+
+TEST(Ensemble, EqualsTheReplayOfAnyFling) {
+  const std::uint64_t seed = seed_of_today();
+  for (std::uint64_t number = 0; number < 60; ++number) {
+    const std::int64_t steps = number % 10 == 0 ? 9000 : 500;
+    expect_same_in_all_details(sweep_over(any_fling(seed + number, steps), 40),
+                               "HYRAX_SEED=" + std::to_string(seed) + ", number " + std::to_string(number));
+  }
+}
+
+TEST(Ensemble, PlaysPartsAndRowsAlike) {
+  Sweep sweep = sweep_over(fling_at(60.0, 300), 100);
+  std::vector<MemberResult> all(100);
+  static_cast<void>(EnsemblePlayer(sweep).play({}, 0, all));
+  std::vector<MemberResult> some(10);
+  static_cast<void>(EnsemblePlayer(sweep).play({2, 7}, 3, some));
+  for (std::size_t row = 0; row < some.size(); ++row)
+    EXPECT_EQ(difference(some[row], all[2 + 7 * (row + 3)], sweep.keep), "");
+}
+
+TEST(Ensemble, LeavesOutWhatRepeats) {
+  KeepSet keep;
+  keep.add(Keep::final);
+  std::vector<MemberResult> results(64);
+  const Sweep sweep = sweep_over(fling_at(60.0, 100'000'000), 64, keep);
+  const StepTally tally = EnsemblePlayer(sweep).play({}, 0, results);
+  EXPECT_EQ(tally.steps, 64 * std::int64_t{100'000'000});
+  EXPECT_LT(tally.computed, 64 * 20'000);
+}
+
+}  // namespace
+}  // namespace hyrax

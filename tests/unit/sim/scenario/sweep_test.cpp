@@ -1,0 +1,104 @@
+// Members of a sweep: their numbers and their scenarios.
+#include "sim/scenario/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/scenario/split_mix64.h"
+
+namespace hyrax {
+namespace {
+
+Sweep sweep_of(std::vector<VariedKey> vary, std::int64_t members = 12) {
+  Sweep sweep;
+  sweep.base.clock.base = FixedRate{60.0};
+  sweep.base.length = std::int64_t{10};
+  sweep.members = members;
+  sweep.seed = 7;
+  sweep.vary = std::move(vary);
+  return sweep;
+}
+
+VariedKey x(decltype(VariedKey::variation) variation) {
+  return {"/start/x_px", NumberKind::real, std::move(variation)};
+}
+
+TEST(Sweep, DrawsByMemberAndKey) {
+  const Sweep sweep = sweep_of({x(UniformDraw{-2.0, 3.0}), x(ChoiceDraw{{10.0, 20.0, 30.0}})});
+  for (std::int64_t member = 0; member < sweep.members; ++member) {
+    const auto k = static_cast<std::uint64_t>(2 * member);
+    EXPECT_EQ(std::get<double>(value_of(sweep, 0, member)), -2.0 + 5.0 * split_mix64_unit(7, k));
+    const double entry = std::floor(3.0 * split_mix64_unit(7, k + 1));
+    EXPECT_EQ(std::get<double>(value_of(sweep, 1, member)), 10.0 + 10.0 * entry);
+  }
+}
+
+TEST(Sweep, DrawsWholeNumbersWithBothEnds) {
+  const Sweep sweep = sweep_of({{"/steps", NumberKind::integer, UniformDraw{-1.0, 1.0}}}, 1000);
+  std::array<int, 3> counts{};
+  for (std::int64_t member = 0; member < sweep.members; ++member)
+    ++counts.at(static_cast<std::size_t>(std::get<std::int64_t>(value_of(sweep, 0, member)) + 1));
+  for (const int count : counts) EXPECT_NEAR(count, 333, 60);
+}
+
+TEST(Sweep, WholeDrawsNeverRoundBeyondTheirEnd) {
+  const double high = 0x1p53;
+  const Sweep sweep = sweep_of({{"/steps", NumberKind::integer, UniformDraw{high - 1.0, high}}}, 100);
+  for (std::int64_t member = 0; member < sweep.members; ++member)
+    EXPECT_LE(std::get<std::int64_t>(value_of(sweep, 0, member)), std::int64_t{1} << 53);
+}
+
+TEST(Sweep, GridsEndAtBothEnds) {
+  const GridAxis grid{0.1, 0.7, 4};
+  EXPECT_EQ(value_of(grid, 0), 0.1);
+  EXPECT_EQ(value_of(grid, 1), 0.1 + ((0.7 - 0.1) * 1.0) / 3.0);
+  EXPECT_EQ(value_of(grid, 3), 0.7);
+  EXPECT_EQ(value_of(GridAxis{5.0, 9.0, 1}, 0), 5.0);
+}
+
+TEST(Sweep, GridsCombine) {
+  const Sweep sweep = sweep_of({x(GridAxis{0.0, 1.0, 2, 3}), x(GridAxis{0.0, 2.0, 3, 1})});
+  for (std::int64_t member = 0; member < sweep.members; ++member) {
+    EXPECT_EQ(as_double(value_of(sweep, 0, member)), static_cast<double>(member / 3 % 2));
+    EXPECT_EQ(as_double(value_of(sweep, 1, member)), static_cast<double>(member % 3));
+  }
+}
+
+TEST(Sweep, MembersAreNumbers) {
+  EXPECT_EQ(std::get<double>(value_of(sweep_of({x(MemberNumber{})}), 0, 5)), 5.0);
+  const Sweep seeds = sweep_of({{"/clock/jitter/seed", NumberKind::seed, MemberNumber{}}});
+  EXPECT_EQ(std::get<std::uint64_t>(value_of(seeds, 0, 5)), 5u);
+}
+
+TEST(Sweep, MembersHaveTheirNumbers) {
+  const Sweep sweep = sweep_of({x(MemberNumber{}), {"/steps", NumberKind::integer, MemberNumber{}}});
+  SweepMembers members(sweep);
+  for (const std::int64_t member : {3, 1}) {
+    EXPECT_EQ(members.scenario(member).start.x_px, static_cast<double>(member));
+    EXPECT_EQ(std::get<std::int64_t>(members.scenario(member).length), member);
+  }
+}
+
+TEST(Sweep, PartsHoldEveryMemberOnce) {
+  for (const std::int64_t parts : {1, 3, 7, 20}) {
+    std::vector<int> seen(12, 0);
+    for (std::int64_t index = 0; index < parts; ++index) {
+      const SweepPart part{index, parts};
+      for (std::int64_t row = 0; row < part.rows(12); ++row)
+        ++seen.at(static_cast<std::size_t>(part.member(row)));
+    }
+    EXPECT_EQ(seen, std::vector<int>(12, 1)) << parts;
+  }
+}
+
+TEST(Sweep, FindsTheFirstMemberWithoutFrames) {
+  Sweep sweep = sweep_of({{"/events/0/step", NumberKind::integer, MemberNumber{}}}, 10);
+  sweep.base.events = {{std::int64_t{0}, Stop{}}};
+  EXPECT_EQ(first_inconsistent_member(sweep), std::nullopt);
+  sweep.members = 20;
+  EXPECT_EQ(first_inconsistent_member(sweep), 10);
+}
+
+}  // namespace
+}  // namespace hyrax

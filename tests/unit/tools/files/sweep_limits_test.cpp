@@ -1,0 +1,96 @@
+// The limits of every number that a sweep may vary are those of the scenario reader.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim/scenario/number_at.h"
+#include "tools/files/failure.h"
+#include "tools/files/json_pointer.h"
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+constexpr const char* kScenario = R"({
+  "format": "hyrax-scenario/1", "name": "all-numbers",
+  "window": {"width_px": 800, "height_px": 600}, "sprite": {"width_px": 64, "height_px": 32},
+  "start": {"x_px": 1, "y_px": 2, "vx_px_per_s": 3, "vy_px_per_s": 4},
+  "clock": {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}}, "steps": 100,
+  "events": [
+    {"step": 1, "fling": {"vx_px_per_s": 1, "vy_px_per_s": 2}}, {"at_s": 0.5, "place": {"x_px": 1, "y_px": 2}},
+    {"step": 40, "hitch": {"dt_s": 0.5}}, {"step": 50, "grab": {}},
+    {"step": 51, "release": {"vx_px_per_s": 1, "vy_px_per_s": 2}},
+    {"step": 60, "resize": {"window": {"width_px": 8, "height_px": 6}, "sprite": {"width_px": 6, "height_px": 3}}}],
+  "record": {"every": 3}})";
+
+Json document() { return parse_json(kScenario, "test"); }
+
+bool is_accepted(Json scenario, const std::string& pointer, const Json& value) {
+  set_at(scenario, pointer, value);
+  try {
+    static_cast<void>(to_scenario(scenario, "test", ""));
+    return true;
+  } catch (const Failure& failure) {
+    return std::string(failure.what()).find(pointer + ": ") == std::string::npos;
+  }
+}
+
+// Numbers that depend on others have no limit of their own that the reader alone decides.
+void expect_same_limits(const Json& scenario, const std::string& pointer, bool has_upper_limit = true) {
+  Scenario read = to_scenario(scenario, "test", "");
+  const auto field = number_at(read, pointer);
+  ASSERT_TRUE(field) << pointer;
+  const bool is_whole = number_kind(pointer) != NumberKind::real;
+  const double below = is_whole ? field->low - 1.0 : std::nextafter(field->low, -1e300);
+  const double above = is_whole ? field->high + 1.0 : std::nextafter(field->high, 1e300);
+  EXPECT_FALSE(field->allows(below));
+  EXPECT_FALSE(is_accepted(scenario, pointer, below)) << pointer;
+  EXPECT_TRUE(is_accepted(scenario, pointer, field->low)) << pointer;
+  if (!has_upper_limit) return;
+  EXPECT_FALSE(field->allows(above));
+  EXPECT_TRUE(is_accepted(scenario, pointer, field->high)) << pointer;
+  EXPECT_FALSE(is_accepted(scenario, pointer, above)) << pointer;
+}
+
+TEST(SweepLimits, OfSizesPositionsAndSpeedsAreTheReaders) {
+  for (const char* const pointer :
+       {"/window/width_px", "/window/height_px", "/sprite/width_px", "/sprite/height_px", "/start/x_px",
+        "/start/y_px", "/start/vx_px_per_s", "/start/vy_px_per_s", "/record/every",
+        "/events/0/fling/vx_px_per_s", "/events/0/fling/vy_px_per_s", "/events/1/place/x_px",
+        "/events/1/place/y_px", "/events/4/release/vx_px_per_s", "/events/4/release/vy_px_per_s",
+        "/events/5/resize/window/width_px", "/events/5/resize/sprite/height_px", "/clock/jitter/fraction"})
+    expect_same_limits(document(), pointer);
+}
+
+TEST(SweepLimits, OfClocksAreTheReaders) {
+  Json fixed = document();
+  set_at(fixed, "/events", Json::Array{});
+  expect_same_limits(fixed, "/clock/rate_hz");
+  expect_same_limits(fixed, "/steps");
+  set_at(fixed, "/clock/jitter", Json::Object{{"kind", "normal"}, {"sigma_s", 0.1}, {"seed", std::uint64_t{1}}});
+  expect_same_limits(fixed, "/clock/jitter/sigma_s");
+  set_at(fixed, "/clock/jitter", Json::Object{{"kind", "missed_frames"}, {"probability", 0.1}, {"seed", std::uint64_t{1}}});
+  expect_same_limits(fixed, "/clock/jitter/probability");
+  expect_same_limits(fixed, "/clock/jitter/seed", false);
+  set_at(fixed, "/clock", Json::Object{{"dt_s", 0.5}});
+  expect_same_limits(fixed, "/clock/dt_s");
+  set_at(fixed, "/clock", Json::Object{{"dt_s", Json::Array{0.5, 0.25}}});
+  set_at(fixed, "/steps", 2);
+  expect_same_limits(fixed, "/clock/dt_s/1");
+}
+
+TEST(SweepLimits, AreOfEveryNumberOfAScenario) {
+  Scenario scenario = to_scenario(document(), "test", "");
+  for (const char* const pointer : {"/events/0/step", "/events/1/at_s", "/events/2/hitch/dt_s", "/steps"})
+    EXPECT_TRUE(number_at(scenario, pointer) && number_at(scenario, pointer)->is_timing) << pointer;
+  for (const char* const pointer :
+       {"", "/", "/name", "/start", "/start/x_px/0", "/clock/dt_s", "/clock/jitter/kind",
+        "/clock/jitter/sigma_s", "/events", "/events/6/step", "/events/-/step", "/events/3/grab",
+        "/events/0/place/x_px", "/duration_s", "/expect/final_x_px/0", "/events/5/resize/window",
+        "start/x_px"})
+    EXPECT_FALSE(number_at(scenario, pointer)) << pointer;
+}
+
+}  // namespace
+}  // namespace hyrax

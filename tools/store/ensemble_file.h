@@ -1,0 +1,94 @@
+// A sweep's results in a file of the format `hyrax-ensemble/1`.
+//
+// /members has a dataset for each number that is kept, /inputs one for each varied key, one row a member.
+// Attributes of `/`: format, sweep (its base inside), members, physics; of a part also part and parts.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/sweep.h"
+#include "tools/store/ensemble_columns.h"
+#include "tools/store/hdf5.h"
+
+namespace hyrax {
+
+inline constexpr std::string_view kEnsembleFormat = "hyrax-ensemble/1";
+
+/// What a result file is of.
+struct EnsembleHead {
+  std::string sweep_text;    ///< As SweepFile::text.
+  std::int64_t members = 0;  ///< Of the whole sweep.
+  SweepPart part;
+  bool is_part = false;  ///< Whether it is a part's file, even of one.
+  bool operator==(const EnsembleHead&) const = default;
+};
+
+/// Where the rows that are done are kept until the file is complete.
+[[nodiscard]] std::string partial_path(const std::string& path);
+
+/// Writes a result file row by row into `PATH.partial`, which is renamed when it is complete. What was
+/// written survives the end of the process, in whatever way, and can be resumed.
+class EnsembleWriter {
+ public:
+  /// Creates the partial file, or with `resumes` opens the one that exists.
+  /// ERRORS: Failure(cannot_access) if it cannot be written, or another process writes it; Failure(bad_input)
+  /// if it is resumed and is of another sweep or part, or damaged.
+  EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep, bool resumes);
+  EnsembleWriter(const EnsembleWriter&) = delete;
+  EnsembleWriter& operator=(const EnsembleWriter&) = delete;
+  ~EnsembleWriter();
+
+  /// Rows that are written.
+  [[nodiscard]] std::int64_t rows_done() const { return rows_done_; }
+  /// Writes the next rows. ERRORS: Failure(cannot_access).
+  void write(const EnsembleRows& rows);
+  /// Writes the next rows of all columns from their bytes, as EnsembleReader::read gives them.
+  void write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count);
+  /// Completes the file. REQUIRES: all rows are written. ERRORS: Failure(cannot_access).
+  void commit();
+
+ private:
+  void create(const EnsembleHead& head, std::int64_t rows);
+  [[nodiscard]] bool resume(const EnsembleHead& head);
+  void note_done(std::int64_t rows);
+  [[noreturn]] void fail() const;
+
+  std::string path_;
+  std::string partial_path_;
+  int lock_ = -1;
+  std::vector<EnsembleColumn> columns_;
+  h5::Handle file_;
+  std::vector<h5::Handle> datasets_;
+  h5::Handle done_;  // The attribute that holds rows_done_.
+  std::int64_t rows_done_ = 0;
+  std::vector<std::byte> buffer_;
+};
+
+/// Reads a complete result file.
+class EnsembleReader {
+ public:
+  /// ERRORS: Failure(cannot_access) if it cannot be read; Failure(bad_input) if it is no result file of a
+  /// sweep, or damaged.
+  explicit EnsembleReader(const std::string& path);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const EnsembleHead& head() const { return head_; }
+  [[nodiscard]] const Sweep& sweep() const { return sweep_; }
+  [[nodiscard]] const std::vector<EnsembleColumn>& columns() const { return columns_; }
+  [[nodiscard]] std::int64_t rows() const { return head_.part.rows(head_.members); }
+  /// Rows of a column, in its memory type. ERRORS: Failure(cannot_access).
+  void read(std::size_t column, std::int64_t first_row, std::int64_t count, std::byte* to) const;
+
+ private:
+  std::string path_;
+  EnsembleHead head_;
+  Sweep sweep_;
+  std::vector<EnsembleColumn> columns_;
+  h5::Handle file_;
+  std::vector<h5::Handle> datasets_;
+};
+
+}  // namespace hyrax
