@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kContactsListed = 40;  // All of a run with up to this many; else half at each end.
 constexpr std::size_t kChecksumDigits = 32;
+constexpr std::string_view kStateHashKey = "state hash: ";
 constexpr std::string_view kReasonKey = "reason: ";
 constexpr std::string_view kChecksumsKey = "seal: ";
 
@@ -76,6 +77,14 @@ std::string waypoints_text(const Waypoints& waypoints) {
 std::string_view line_at(std::string_view text, std::size_t begin) {
   const std::size_t end = text.find('\n', begin);
   return text.substr(begin, end == std::string_view::npos ? end : end + 1 - begin);
+}
+
+// Of the first line that begins with the key, not counting the first line of all; empty: there is none.
+std::string value_of(const std::string& text, std::string_view key) {
+  const std::size_t line = text.find(std::string("\n").append(key));
+  if (line == std::string::npos) return "";
+  const std::size_t begin = line + 1 + key.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::string shown(std::string_view line) {
@@ -187,8 +196,8 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
                                 const GoldenChecksums& checksums) {
   const WallCounts& counts = summary.contacts;
   const Row& end = summary.final;
-  std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\nstate hash: {}\n", run.scenario.name,
-                                 run.physics, run.steps, run.state_hash);
+  std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\n{}{}\n", run.scenario.name,
+                                 run.physics, run.steps, kStateHashKey, run.state_hash);
   text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts.left, counts.right,
                       counts.top, counts.ground);
   text += list_of(run);
@@ -205,12 +214,9 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
                             checksums.contents, checksums.file);
 }
 
-std::string summary_reason(const std::string& text) {
-  const std::size_t line = text.find(std::string("\n").append(kReasonKey));
-  if (line == std::string::npos) return "";
-  const std::size_t begin = line + 1 + kReasonKey.size();
-  return text.substr(begin, text.find('\n', begin) - begin);
-}
+std::string summary_reason(const std::string& text) { return value_of(text, kReasonKey); }
+
+std::string summary_state_hash(const std::string& text) { return value_of(text, kStateHashKey); }
 
 std::optional<std::string> summary_file_checksum(const std::string& text) {
   const std::size_t line_length = kChecksumsKey.size() + 2 * kChecksumDigits + 2;

@@ -34,6 +34,9 @@ struct GoldenChecksums {
 /// The reason that a summary states; empty if it states none.
 [[nodiscard]] std::string summary_reason(const std::string& text);
 
+/// The state hash that a summary states; empty if it states none.
+[[nodiscard]] std::string summary_state_hash(const std::string& text);
+
 /// The checksum of the .h5 file that a summary ends with; nothing if it does not end with one.
 [[nodiscard]] std::optional<std::string> summary_file_checksum(const std::string& text);
 

@@ -5,6 +5,7 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
+#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/store/golden_file.h"
@@ -79,13 +80,22 @@ void refuse_pair(Comparison& comparison, const std::string& fault) {
                      "; restore it, or bless the scenario again";
 }
 
+// Whether a row, a contact or the scenario differs; else only what the golden file says of itself.
+bool has_other_run(const Comparison& comparison, const StoredRun& kept, const Scenario& scenario) {
+  return comparison.first || !comparison.contacts.is_none() || !plays_the_same(kept.scenario, scenario);
+}
+
 PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
                                 FreshRun fresh, const std::string& h5_checksum) {
-  const StoredRun kept = read_golden(place.h5_path);
+  StoredRun kept = read_golden(place.h5_path);
   ComparedRun compared = compare_with(kept, scenario);
-  PairComparison pair{std::move(compared.comparison), compared.summary, false, ""};
-  if (!pair.comparison.agrees) return pair;
+  PairComparison pair{
+      .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
   const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
+  if (has_other_run(pair.comparison, kept, scenario))
+    pair.runs = std::make_shared<const PairRuns>(
+        PairRuns{std::move(kept), std::move(fresh.run), blessed_checksum == h5_checksum});
+  if (!pair.comparison.agrees) return pair;
   if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, place))
     refuse_pair(pair.comparison, *fault);
   else if (blessed_checksum != h5_checksum)
@@ -104,7 +114,7 @@ std::string summary_of(const FreshRun& fresh, const std::string& reason, const s
 
 std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
                                                 bool reads_h5) {
-  const std::string text = read_text_file(place.txt_path);
+  const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
   FreshRun fresh = play_for_golden(scenario);
   if (text == summary_of(fresh, summary_reason(text), h5_checksum))
