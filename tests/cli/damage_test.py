@@ -55,7 +55,11 @@ def damages(path):
 
 
 def flipped(value):
-    """A text with the lowest bit of its last digit flipped, or a number with its lowest."""
+    """A text with the lowest bit of its last digit flipped, or a number, or the first of several, with its lowest."""
+    if isinstance(value, numpy.ndarray):
+        bits = value.copy()
+        bits.view(numpy.int64)[0] ^= 1
+        return bits
     if not isinstance(value, str):
         return value ^ 1
     place = max(place for place, character in enumerate(value) if character.isdigit())
