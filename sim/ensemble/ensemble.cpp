@@ -62,7 +62,7 @@ class EnsemblePlayer::Batch {
     if (!has_own_frames_) event_frames_ = frames_of(sweep.base, step_count(sweep.base));
   }
 
-  StepTally play(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results) {
+  StepTally play(const WorkPart& part, std::int64_t first_row, std::span<MemberResult> results) {
     load(part, first_row, results);
     StepTally tally;
     const std::size_t events = sweep_.base.events.size();
@@ -81,7 +81,7 @@ class EnsemblePlayer::Batch {
     return scenario.events.empty() ? std::vector<std::int64_t>{} : schedule_events(scenario, steps).frames;
   }
 
-  void load(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results) {
+  void load(const WorkPart& part, std::int64_t first_row, std::span<MemberResult> results) {
     members_.resize(results.size());
     actions_.clear();
     if (has_own_frames_) event_frames_.clear();
@@ -218,7 +218,7 @@ EnsemblePlayer::EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& option
 EnsemblePlayer::~EnsemblePlayer() = default;
 EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;
 
-StepTally EnsemblePlayer::play(const SweepPart& part, std::int64_t first_row,
+StepTally EnsemblePlayer::play(const WorkPart& part, std::int64_t first_row,
                                std::span<MemberResult> results) {
   StepTally tally;
   if (!batch_) {

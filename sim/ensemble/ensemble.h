@@ -57,7 +57,7 @@ class EnsemblePlayer {
 
   /// Plays the members of rows `first_row`, `first_row + 1`, ... of a part, one for each result.
   /// REQUIRES: the rows exist.
-  StepTally play(const SweepPart& part, std::int64_t first_row, std::span<MemberResult> results);
+  StepTally play(const WorkPart& part, std::int64_t first_row, std::span<MemberResult> results);
 
  private:
   class Batch;

@@ -14,6 +14,7 @@
 
 #include "sim/scenario/number_at.h"
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/work_part.h"
 
 namespace hyrax {
 
@@ -72,19 +73,6 @@ struct Sweep {
   std::uint64_t seed = 0;       ///< Of the draws.
   std::vector<VariedKey> vary;  ///< Sorted by the bytes of their pointers.
   KeepSet keep;
-};
-
-/// One of `count` parts of a sweep: every member i with i mod count = index.
-struct SweepPart {
-  std::int64_t index = 0;
-  std::int64_t count = 1;
-  bool operator==(const SweepPart&) const = default;
-
-  [[nodiscard]] std::int64_t member(std::int64_t row) const { return index + row * count; }
-  /// Members of a sweep in this part.
-  [[nodiscard]] std::int64_t rows(std::int64_t members) const {
-    return index < members ? (members - index - 1) / count + 1 : 0;
-  }
 };
 
 /// The value of key `key` in a member. A draw takes u_(member * K + key) of the sweep's seed, with K keys

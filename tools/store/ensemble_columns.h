@@ -19,7 +19,7 @@ enum class ColumnType : std::uint8_t { real, integer, seed, byte };
 /// Rows of a part that are written at once, with their results.
 struct EnsembleRows {
   const Sweep& sweep;
-  SweepPart part;
+  WorkPart part;
   std::int64_t first_row = 0;
   std::span<const MemberResult> results;
 };

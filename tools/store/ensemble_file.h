@@ -21,7 +21,7 @@ inline constexpr std::string_view kEnsembleFormat = "hyrax-ensemble/1";
 struct EnsembleHead {
   std::string sweep_text;    ///< As SweepFile::text.
   std::int64_t members = 0;  ///< Of the whole sweep.
-  SweepPart part;
+  WorkPart part;
   bool is_part = false;  ///< Whether it is a part's file, even of one.
   bool operator==(const EnsembleHead&) const = default;
 };

@@ -5,13 +5,9 @@
 #include <optional>
 #include <string>
 
-namespace hyrax {
+#include "sim/scenario/work_part.h"
 
-/// One of `count` parts of numbered work: every number k with k mod count = index.
-struct WorkPart {
-  std::int64_t index = 0;
-  std::int64_t count = 1;
-};
+namespace hyrax {
 
 struct ChosenPart {
   WorkPart part;

@@ -11,8 +11,8 @@
 #include "tools/files/scenario_writer.h"
 #include "tools/files/sweep_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
+#include "tools/hyrax-sim/command_line/part.h"
 #include "tools/hyrax-sim/sweep/member_filter.h"
-#include "tools/hyrax-sim/sweep/part.h"
 #include "tools/hyrax-sim/sweep/sweep_run.h"
 #include "tools/store/output_guard.h"
 

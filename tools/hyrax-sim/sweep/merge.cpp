@@ -43,7 +43,7 @@ void add_part(const std::string& path, Parts& parts) {
 }
 
 // The name that a missing part has, if it is named as the first one.
-std::string missing_path(const std::string& known_path, const SweepPart& known, std::int64_t index) {
+std::string missing_path(const std::string& known_path, const WorkPart& known, std::int64_t index) {
   const std::string mark = fmt::format(".part-{}-of-{}", known.index, known.count);
   const std::size_t at = known_path.rfind(mark);
   const std::string name = fmt::format(".part-{}-of-{}", index, known.count);
@@ -62,7 +62,7 @@ class Interleaver {
     std::vector<std::byte> merged(static_cast<std::size_t>(count) * width);
     for (const auto& [index, part] : parts_) {
       const std::int64_t part_first = first / stride;
-      const std::int64_t part_count = SweepPart{index, stride}.rows(first + count) - part_first;
+      const std::int64_t part_count = WorkPart{index, stride}.rows(first + count) - part_first;
       if (part_count <= 0) continue;
       buffer_.resize(static_cast<std::size_t>(part_count) * width);
       part->read(column, part_first, part_count, buffer_.data());

@@ -35,7 +35,7 @@ struct Chunk {
 // Threads compute chunks, one after the other; take() hands them out in order. Few are held at a time.
 class ChunkPool {
  public:
-  ChunkPool(const Sweep& sweep, const SweepPart& part, std::int64_t first_row, std::int64_t rows,
+  ChunkPool(const Sweep& sweep, const WorkPart& part, std::int64_t first_row, std::int64_t rows,
             std::int64_t threads)
       : sweep_(sweep), part_(part), first_row_(first_row), rows_(rows), chunk_rows_(chunk_rows(sweep)) {
     held_max_ = 2 * threads;
@@ -102,7 +102,7 @@ class ChunkPool {
   }
 
   const Sweep& sweep_;
-  const SweepPart part_;
+  const WorkPart part_;
   const std::int64_t first_row_;
   const std::int64_t rows_;
   const std::int64_t chunk_rows_;
@@ -139,7 +139,7 @@ SweepOutcome compute_sweep(const Sweep& sweep, const SweepJob& job) {
   return outcome;
 }
 
-std::string part_path(const std::string& path, const SweepPart& part) {
+std::string part_path(const std::string& path, const WorkPart& part) {
   const FileName name = file_name(path);
   return fmt::format("{}{}.part-{}-of-{}{}", name.folder, name.stem, part.index, part.count, name.extension);
 }

@@ -38,6 +38,6 @@ struct MergeOutcome {
 [[nodiscard]] MergeOutcome merge_parts(const std::vector<std::string>& paths, const std::string& output);
 
 /// "FILE.part-I-of-N.h5" for FILE.h5.
-[[nodiscard]] std::string part_path(const std::string& path, const SweepPart& part);
+[[nodiscard]] std::string part_path(const std::string& path, const WorkPart& part);
 
 }  // namespace hyrax

@@ -84,7 +84,7 @@ TEST(Sweep, PartsHoldEveryMemberOnce) {
   for (const std::int64_t parts : {1, 3, 7, 20}) {
     std::vector<int> seen(12, 0);
     for (std::int64_t index = 0; index < parts; ++index) {
-      const SweepPart part{index, parts};
+      const WorkPart part{index, parts};
       for (std::int64_t row = 0; row < part.rows(12); ++row)
         ++seen.at(static_cast<std::size_t>(part.member(row)));
     }
