@@ -160,8 +160,8 @@ class Diff(ProgramTest):
         self.assertEqual(lines[1], "  apart      at most 5 px, at step 100 (1.667 s)")
         self.assertEqual(lines[2], f"  rest       0.25 px apart: x {last['x']:.6g} -> {last['x'] - 0.25:.6g}, "
                                    f"y {last['y']:.6g} px; settled since 4 s")
-        self.assertEqual(lines[3:6], ["  contacts   no contact moved", "  energy     at most -4.8e+03 px²/s², at step 100",
-                                      "  class      values"])
+        self.assertEqual(lines[3:6], ["  contacts   no contact moved",
+                                      "  energy     at most -4.8e+03 px²/s², at step 100", "  class      values"])
 
     def test_a_run_that_does_not_settle_ends_somewhere(self):
         self.change("trajectory/x", 299, lambda value: value + 9.0)
@@ -198,7 +198,8 @@ class Diff(ProgramTest):
         outcome = self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--figure", "diff.svg")
         self.assertIn("  figure     diff.svg\n", outcome.out)
         svg = (self.folder / "diff.svg").read_text()
-        for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "distance (px)", "time (s)"):
+        for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "distance (px)",
+                     "time (s)"):
             self.assertIn(part, svg)
 
     def test_another_length_or_scenario_is_of_class_shape_even_with_equal_rows(self):
