@@ -49,7 +49,8 @@ def damages(path):
                 continue
             yield (f"attribute {name}",
                    lambda copy, name=name, value=value: copy.attrs.__setitem__(name, flipped(value)))
-            yield f"no attribute {name}", lambda copy, name=name: copy.attrs.__delitem__(name)
+            if name != "constants":  # Without it they are the paper's, as these are.
+                yield f"no attribute {name}", lambda copy, name=name: copy.attrs.__delitem__(name)
         yield ("attribute /contacts total",
                lambda copy: copy["contacts"].attrs.modify("total", copy["contacts"].attrs["total"] ^ 1))
 
