@@ -21,6 +21,7 @@
   COMMAND(diff)                 \
   COMMAND(drift)                \
   COMMAND(study)                \
+  COMMAND(report)               \
   COMMAND(new)                  \
   COMMAND(validate)             \
   COMMAND(schema)               \

@@ -1,12 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/compare/trajectory_comparer.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
-#include "tools/store/trajectory_file.h"
+#include "tools/hyrax-sim/runs/file_difference.h"
 
 namespace hyrax {
 namespace {
@@ -16,93 +12,6 @@ struct DiffRequest {
   Tolerance tolerance;
   Printing printing;
 };
-
-// The rows of a file, one after another, in batches.
-class RowCursor {
- public:
-  explicit RowCursor(const TrajectoryFile& file) : file_(file) { load(0); }
-  [[nodiscard]] bool is_done() const { return at_ >= batch_.size(); }
-  [[nodiscard]] Row row() const { return batch_.row(at_); }
-  void next() {
-    if (++at_ == batch_.size()) load(first_ + static_cast<std::int64_t>(batch_.size()));
-  }
-
- private:
-  static constexpr std::int64_t kBatch = 65536;
-  void load(std::int64_t first) {
-    first_ = first;
-    at_ = 0;
-    batch_ = file_.rows(first, std::min(kBatch, file_.row_count() - first));
-  }
-
-  const TrajectoryFile& file_;
-  Columns batch_;
-  std::int64_t first_ = 0;
-  std::size_t at_ = 0;
-};
-
-struct Difference {
-  Comparison comparison;
-  TrajectoryComparer values;
-  std::int64_t rows_compared = 0;
-  std::optional<std::int64_t> lone_step;  // Of the first row that only one of the files holds.
-};
-
-// Compares rows of the same step; a step that one file does not record is skipped.
-void compare_rows(const TrajectoryFile& a, const TrajectoryFile& b, Difference& difference) {
-  RowCursor left(a);
-  RowCursor right(b);
-  while (!left.is_done() && !right.is_done()) {
-    const Row row_a = left.row();
-    const Row row_b = right.row();
-    if (row_a.step == row_b.step) {
-      difference.values.compare(row_a, row_b);
-      ++difference.rows_compared;
-    }
-    if (row_a.step != row_b.step && !difference.lone_step)
-      difference.lone_step = std::min(row_a.step, row_b.step);
-    if (row_a.step <= row_b.step) left.next();
-    if (row_b.step <= row_a.step) right.next();
-  }
-  if (difference.lone_step) return;
-  if (!left.is_done()) difference.lone_step = left.row().step;
-  if (!right.is_done()) difference.lone_step = right.row().step;
-}
-
-// Golden files of long runs hold the first row of each block, other files the rows that the scenario records.
-bool hold_recorded_rows(const TrajectoryFile& a, const TrajectoryFile& b) {
-  return !a.has("blocks") && !b.has("blocks");
-}
-
-std::string shape_of(const FileHead& a, const FileHead& b) {
-  if (a.steps != b.steps) return fmt::format("the numbers of steps differ: {} and {}", a.steps, b.steps);
-  if (!plays_the_same(a.scenario, b.scenario)) return "the scenarios differ";
-  return "";
-}
-
-Difference compare(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance) {
-  Difference difference{{}, TrajectoryComparer(tolerance), 0, {}};
-  Comparison& comparison = difference.comparison;
-  compare_rows(a, b, difference);
-  difference.values.compare(a.contacts(), b.contacts());
-  comparison.first = difference.values.first();
-  comparison.contacts = difference.values.contacts();
-  comparison.largest = difference.values.distance().largest();
-  comparison.shape = shape_of(a.head(), b.head());
-  if (a.head().physics != b.head().physics)
-    comparison.physics = "the physics models differ: " + a.head().physics + " and " + b.head().physics;
-  if (comparison.shape.empty() && difference.lone_step && hold_recorded_rows(a, b))
-    comparison.shape = fmt::format("only one of the files holds row {}", *difference.lone_step);
-  if (!comparison.shape.empty())
-    comparison.difference = DifferenceClass::shape;
-  else if (a.contacts_total() != b.contacts_total())
-    comparison.difference = DifferenceClass::contacts;
-  else if (comparison.first || !comparison.contacts.is_none() ||
-           (tolerance.is_exact() && a.head().state_hash != b.head().state_hash))
-    comparison.difference = class_of(comparison.contacts, difference.values.distance());
-  comparison.agrees = !comparison.difference;
-  return difference;
-}
 
 std::string worst_text(std::string_view field, const WorstDifference& worst) {
   const auto ulps = ulps_of(field, worst.a, worst.b);
@@ -114,7 +23,7 @@ std::string worst_text(std::string_view field, const WorstDifference& worst) {
                      ulps ? fmt::format(", {} ulp{}", *ulps, *ulps == 1 ? "" : "s") : "");
 }
 
-void print_difference(const Difference& difference, const TrajectoryFile& a, const TrajectoryFile& b,
+void print_difference(const FileDifference& difference, const TrajectoryFile& a, const TrajectoryFile& b,
                       const DiffRequest& request) {
   const Comparison& comparison = difference.comparison;
   const VerdictWord verdict{comparison.agrees ? "agree" : "DIFFER", comparison.agrees};
@@ -131,7 +40,7 @@ void print_difference(const Difference& difference, const TrajectoryFile& a, con
     print_text("{}", build_text(a.provenance(), b.provenance(), comparison.difference));
 }
 
-Json json_of(const Difference& difference) {
+Json json_of(const FileDifference& difference) {
   const Comparison& comparison = difference.comparison;
   Json::Object worst;
   for (std::size_t field = 0; field < kRowFields.size(); ++field)
@@ -154,7 +63,7 @@ Json json_of(const Difference& difference) {
 ExitCode diff(const DiffRequest& request) {
   const TrajectoryFile a = TrajectoryFile::open(request.files[0]);
   const TrajectoryFile b = TrajectoryFile::open(request.files[1]);
-  const Difference difference = compare(a, b, request.tolerance);
+  const FileDifference difference = compare_files(a, b, request.tolerance);
   if (request.printing.is_json)
     print_text("{}\n", to_text(json_of(difference), {.depth_indented = 2}));
   else
