@@ -136,6 +136,11 @@ Json provenance_json(const Provenance& provenance) {
   return object;
 }
 
+Json constants_json(const Constants& constants) {
+  const ConstantNumbers numbers = numbers_of(constants);
+  return Json::Array(numbers.begin(), numbers.end());
+}
+
 Json worst_json(const std::optional<Worst>& worst) {
   if (!worst) return nullptr;
   return Json::Object{{"value", worst->value}, {"step", worst->step}};
@@ -197,6 +202,7 @@ Json run_data(const TrajectoryFile& file) {
                     {"row_count", file.row_count()},
                     {"state_hash", head.state_hash},
                     {"physics", head.physics},
+                    {"constants", constants_json(head.constants)},
                     {"record", doubles_json(record_of(head.scenario))},
                     {"rows", rows_json(evidence.rows)},
                     {"blocks", blocks_json(evidence.blocks)},

@@ -53,3 +53,14 @@ export function firstAtLeast(values, wanted) {
   }
   return low;
 }
+
+/** The last index whose value is at most `wanted`; values rise. */
+export function lastAtMost(values, wanted) {
+  let low = 0, high = values.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (values[middle] <= wanted) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
