@@ -39,11 +39,11 @@ function chartsOf(result, sizes) {
       ...overlay(`x, ${label}`, other?.rows.x), ...overlay(`y, ${label}`, other?.rows.y)] },
     { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
       { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy }] },
-    { id: 'energy', title: 'Energy', unit: 'px²/s²', series: [
+    { id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
       { name: 'run', color: 'green', values: energyOf(result, sizes) },
       ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] },
-    { id: 'dt', title: 'Frame time', unit: 'ms', decimals: 3, series: [
-      { name: 'dt', color: 'blue', steps: true, values: rows.dt.map((dt, i) => (rows.step[i] === 0 ? NaN : 1000 * dt)) }] },
+    { id: 'dt', title: 'Frame time', unit: 'ms', decimals: 3, range: fromZero, series: [
+      { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
   ];
   if (errors?.step.length)
     charts.splice(3, 0, { id: 'errors', title: 'Errors against the reference', unit: 'px', isLog: true, series: [
@@ -68,6 +68,8 @@ function logAxis() {
     values: (_, splits) => splits.map(value => `10${exponent(Math.round(Math.log10(value)))}`),
   };
 }
+
+const fromZero = (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.15 * high : 1];
 
 const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : value.toLocaleString('en').replace('-', '−'));
 
@@ -116,7 +118,7 @@ export class Charts {
       padding: [8, 8, isLast ? 0 : 6, 0],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { x: true, y: false, dist: 6 }, sync: { key: 'run', setSeries: false } },
-      scales: { x: { time: false }, y: chart.isLog ? { distr: 3, log: 10, range: log.range } : {} },
+      scales: { x: { time: false }, y: chart.isLog ? { distr: 3, log: 10, range: log.range } : chart.range ? { range: chart.range } : {} },
       axes: [
         { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${value} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },

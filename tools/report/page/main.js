@@ -64,6 +64,7 @@ class View {
     this.moment.listen(() => this.#follow());
     const every = result.check?.every ?? 1;
     element('charts-note').textContent = every > 1 ? `Drawn from every ${every.toLocaleString('en')}th row; the comparison covers all.` : '';
+    element('stage-note').textContent = result.other ? `Dashed: the ${result.other.label} file.` : '';
     this.setMode('replay');
     this.openLink() || this.paint();
   }
@@ -136,7 +137,7 @@ async function replayed(core, run, share) {
 async function main() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
-  element('verdict').replaceChildren(make('p', { class: 'quiet', role: 'status' }, 'Replaying …'));
+  element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
   const core = await Core.start().catch(() => null);
   const results = [];
   for (const run of report.runs)

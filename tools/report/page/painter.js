@@ -39,12 +39,12 @@ export class Painter {
   fit() {
     const [width, height] = this.extent;
     const room = this.canvas.parentElement.clientWidth;
-    const most = Math.max(180, Math.min(innerHeight * 0.56, 620));
+    const most = Math.max(180, Math.min(innerHeight * 0.46, 600));
     const cssWidth = Math.min(room, (most * width) / height);
     this.canvas.style.width = `${cssWidth}px`;
     this.canvas.style.height = `${Math.max(40, (cssWidth * height) / width)}px`;
     const ratio = devicePixelRatio || 1;
-    this.canvas.width = Math.round(cssWidth * ratio);
+    this.canvas.width = Math.max(1, Math.round(cssWidth * ratio));
     this.canvas.height = Math.round(Math.max(40, (cssWidth * height) / width) * ratio);
     this.scale = this.canvas.width / width;
     this.ratio = ratio;

@@ -56,16 +56,14 @@ function restTile({ final, at_rest_since_s: since }) {
 export function showVerdict(result) {
   const { run } = result;
   const { errors } = run;
-  const places = [
-    replayTile(result),
-    goldenTile(run.golden),
-    expectTile(run.expect),
+  const verdicts = [replayTile(result), goldenTile(run.golden), expectTile(run.expect)];
+  const figures = [
     contactsTile(run.result.contacts),
     restTile(run.result),
-    errorTile('Implementation error', errors.implementation_px, ' px', 'against the exact solution of its own step'),
-    errorTile('Truncation error', errors.truncation_px, ' px', 'against the ODE at this frame rate'),
-    errorTile('Model error', errors.model_px, ' px', 'against the drag of 60 Hz'),
-    errorTile('Energy drift', errors.energy_drift_rel && { ...errors.energy_drift_rel, value: 100 * errors.energy_drift_rel.value }, ' %', 'largest of a flight arc, of its energy'),
+    errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
+    errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
+    errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
+    errorTile('Energy drift', errors.energy_drift_rel && { ...errors.energy_drift_rel, value: 100 * errors.energy_drift_rel.value }, ' %', 'largest of a flight arc'),
   ];
-  element('verdict').replaceChildren(...places);
+  element('verdict').replaceChildren(make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
 }
