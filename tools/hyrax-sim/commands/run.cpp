@@ -124,7 +124,6 @@ void check_page_request(const RunRequest& request, std::size_t scenarios) {
   if (file_name(request.output).extension == ".csv")
     throw Failure(ExitCode::bad_input, "hyrax-sim run: --report: not possible with a CSV file (found " +
                                            request.output + "); allowed: .h5");
-  require_page();
 }
 
 void write_page(const RunRequest& request, const ScenarioRun& run) {
@@ -175,7 +174,10 @@ ExitCode run(const RunRequest& request) {
   OutputGuard guard(paths, request.golden_folder);
   place_outputs(request, guard, candidates);
   if (!request.figure.empty()) guard.admit("hyrax-sim run: --figure", request.figure, {".svg"});
-  if (!request.page.empty()) guard.admit("hyrax-sim run: --report", request.page, {".html"});
+  if (!request.page.empty()) {
+    guard.admit("hyrax-sim run: --report", request.page, {".html"});
+    require_page();
+  }
   const std::optional<StoredDrift> drift = stored_drift(request);
   if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
     make_output_folder(request, candidates.size());

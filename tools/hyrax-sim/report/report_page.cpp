@@ -34,11 +34,12 @@ void require_page() {
 }
 
 void write_report(const ReportRequest& request) {
+  const Json data = report_data(request);  // First: a bad input is reported by any build.
   require_page();
   std::string page(page_template());
   const std::size_t place = page.find(kDataPlace);
   assert(place != std::string::npos);
-  page.replace(place, kDataPlace.size(), script_text(report_data(request)));
+  page.replace(place, kDataPlace.size(), script_text(data));
   write_text_file(request.output, page);
 }
 
