@@ -38,6 +38,8 @@ enum class DifferenceClass {
   contacts,  ///< A contact moved, appeared or vanished.
   shape,     ///< Other length, missing data, another scenario.
 };
+inline constexpr std::array<DifferenceClass, 4> kDifferenceClasses = {
+    DifferenceClass::rounding, DifferenceClass::values, DifferenceClass::contacts, DifferenceClass::shape};
 [[nodiscard]] std::string_view name_of(DifferenceClass difference);
 
 /// The fields of a row, in the order in which a difference is looked for.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "sim/trajectory/block_rows.h"
+
 namespace hyrax {
 namespace {
 
@@ -22,33 +24,6 @@ bool is_same(const Columns& kept, std::size_t first, const Columns& batch) {
          is_same_column(kept.vy_px_per_s, first, batch.vy_px_per_s) &&
          is_same_column(kept.contact, first, batch.contact);
 }
-
-// The rows of a block, with their steps and times. A block repeats only at one dt.
-class BlockRows {
- public:
-  BlockRows(const Keyframe& keyframe, std::int64_t repetition)
-      : first_(keyframe.row), timeline_(keyframe.timeline) {
-    const std::int64_t rows_before = repetition * static_cast<std::int64_t>(kBlockRows);
-    first_.step += rows_before;
-    timeline_.frames += rows_before;
-    first_.t_s = timeline_.time_s();
-  }
-
-  [[nodiscard]] const Row& first() const { return first_; }
-  /// REQUIRES: called at most once for each row.
-  [[nodiscard]] Row next(const RowBlock& rows) {
-    Row row = rows.row(index_);
-    if (index_ > 0) timeline_.play(row.dt_s);
-    row.t_s = timeline_.time_s();
-    row.step = first_.step + static_cast<std::int64_t>(index_++);
-    return row;
-  }
-
- private:
-  Row first_;
-  Timeline timeline_;
-  std::size_t index_ = 0;
-};
 
 // REQUIRES: lists of the same contacts, at the same steps.
 std::optional<Divergence> first_difference(const std::vector<Contact>& expected,
@@ -179,8 +154,8 @@ bool RunComparer::find_row_by_checks(const BlockPair& pair) {
 // Of rows that are not known, the first one is kept all the same.
 void RunComparer::measure(const BlockPair& pair) {
   const RowBlock& expected = expanded(pair.kept);
-  BlockRows kept(pair.kept.keyframe, pair.kept_repetition);
-  BlockRows played(pair.played.keyframe, pair.played_repetition);
+  BlockRows kept(pair.kept.keyframe, expected, pair.kept_repetition);
+  BlockRows played(pair.played.keyframe, pair.played.rows, pair.played_repetition);
   if (expected.size() == 0) {
     distance_.add(kept.first(), played.first());
     distance_.add_unknown();
@@ -188,7 +163,7 @@ void RunComparer::measure(const BlockPair& pair) {
     return;
   }
   for (std::size_t index = 0; index < std::min(expected.size(), pair.played.rows.size()); ++index)
-    distance_.add(kept.next(expected), played.next(pair.played.rows));
+    distance_.add(kept.next(), played.next());
 }
 
 std::string RunComparer::contradiction(const Played& played) const {

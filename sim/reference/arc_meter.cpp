@@ -28,6 +28,21 @@ double Spread::standard_deviation() const {
   return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1));
 }
 
+ArcEnergyParts& ArcEnergyParts::operator+=(const ArcEnergyParts& other) {
+  gravity += other.gravity;
+  drag += other.drag;
+  return *this;
+}
+
+ContactEnergyParts& ContactEnergyParts::operator+=(const ContactEnergyParts& other) {
+  flight += other.flight;
+  lift += other.lift;
+  bounce += other.bounce;
+  friction += other.friction;
+  rest += other.rest;
+  return *this;
+}
+
 ArcMeter::ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver)
     : model_(model),
       sink_(sink),
@@ -61,6 +76,7 @@ void ArcMeter::fly(const Row& row) {
   const Flight run = seen_from_start(row);
   const Flight discrete = solution_.discrete();
   const Flight matched = solution_.matched();
+  const Flight law = solution_.exact_law();
   const Position model = solution_.model();
   const double elapsed_s = solution_.elapsed_s();
   Gathered& g = gathered_;
@@ -68,6 +84,8 @@ void ArcMeter::fly(const Row& row) {
   g.implementation_speed.add(run.vx_px_per_s - discrete.vx_px_per_s, run.vy_px_per_s - discrete.vy_px_per_s);
   g.truncation.add(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px);
   g.truncation_speed.add(run.vx_px_per_s - matched.vx_px_per_s, run.vy_px_per_s - matched.vy_px_per_s);
+  g.exact_law.add(run.dx_px - law.dx_px, run.dy_px - law.dy_px);
+  g.exact_law_speed.add(run.vx_px_per_s - law.vx_px_per_s, run.vy_px_per_s - law.vy_px_per_s);
   g.model.add(run.dx_px - model.x_px, run.dy_px - model.y_px);
   g.coordinate_largest_px = largest(g.coordinate_largest_px, row.x_px, row.y_px);
   g.coordinate_largest_px =
@@ -113,6 +131,7 @@ std::vector<ImpactErrors> ArcMeter::contacts(const Row* clamped, const ArcErrors
 }
 
 void ArcMeter::report_contacts(const std::vector<ImpactErrors>& contacts, bool is_stopped) {
+  if (!contacts.empty()) summary_.contact_energy += contacts.front().energy_parts;
   for (const ImpactErrors& contact : contacts) {
     add_to_summary(contact, is_stopped && contact.wall == Wall::ground);
     sink_.contact(contact);
@@ -170,6 +189,7 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   ArcErrors arc;
   arc.first_step = start_.row.step;
   arc.last_step = last_.step;
+  arc.t_s = last_.t_s;
   arc.duration_s = solution_.elapsed_s();
   arc.ended_by = ended_by;
   arc.solves_x = solution_.solves_x();
@@ -178,6 +198,8 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   arc.model_px = g.model.value();
   arc.implementation_px_per_s = g.implementation_speed.value();
   arc.truncation_px_per_s = g.truncation_speed.value();
+  arc.exact_law_px = g.exact_law.value();
+  arc.exact_law_px_per_s = g.exact_law_speed.value();
   arc.steps_astray = g.steps_astray;
   arc.energy_largest_px2_per_s2 = g.energy_largest;
   const double scale = arc.energy_scale_px2_per_s2();
@@ -186,6 +208,8 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   arc.energy_drift_rel_max = g.drift_largest / scale;
   arc.energy_drift_rel_end = g.drift_last / scale;
   if (const auto slope = g.drift_fit.slope_per_s()) arc.energy_drift_slope_per_s = *slope / scale;
+  const double by_gravity = solution_.gravity_energy_px2_per_s2();
+  arc.energy_parts = {by_gravity, g.drift_last - by_gravity};
   arc.coordinate_largest_px = g.coordinate_largest_px;
   return arc;
 }
@@ -199,7 +223,8 @@ void ArcMeter::verify(ArcErrors& arc) {
   }
   // The rows are finite; so is all that is measured of them.
   const double sum = arc.implementation_px + arc.truncation_px + arc.model_px + arc.implementation_px_per_s +
-                     arc.truncation_px_per_s + arc.energy_largest_px2_per_s2 + arc.energy_drift_rel_max +
+                     arc.truncation_px_per_s + arc.exact_law_px + arc.exact_law_px_per_s +
+                     arc.energy_largest_px2_per_s2 + arc.energy_drift_rel_max +
                      arc.energy_drift_slope_per_s.value_or(0.0);
   if (!std::isfinite(sum)) arc.reference_fault = "a value is not finite";
 }
@@ -207,19 +232,55 @@ void ArcMeter::verify(ArcErrors& arc) {
 ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) {
   ImpactErrors contact;
   contact.step = clamped.step;
+  contact.t_s = clamped.t_s;
   contact.wall = wall;
   contact.overshoot_px = overshoot_px(wall, clamped.dt_s);
-  contact.energy_jump_rel =
-      energy_gain(seen_from_start(last_), seen_from_start(clamped)) / arc.energy_scale_px2_per_s2();
+  contact.energy_jump_px2_per_s2 = energy_gain(seen_from_start(last_), seen_from_start(clamped));
+  contact.energy_jump_rel = contact.energy_jump_px2_per_s2 / arc.energy_scale_px2_per_s2();
+  contact.energy_parts = contact_energy(clamped);
   std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
   if (impact) {
     contact.time_error_s = clamped.dt_s - impact->t_s;
     if (impact->speed_px_per_s != 0.0)
       contact.effective_restitution = speed_after(wall, clamped) / impact->speed_px_per_s;
+    contact.late_bounce_px2_per_s2 = late_bounce(wall, clamped.dt_s, impact->speed_px_per_s);
     impact->t_s = clamped.dt_s - *contact.time_error_s;  // What is reported is what is checked.
   }
   if (check_) check_->check_impact(wall, clamped.dt_s, impact);
   return contact;
+}
+
+// Each operation of the paper's step from the arc's last row, and what it does to the energy.
+ContactEnergyParts ArcMeter::contact_energy(const Row& clamped) const {
+  const auto hits = [&](Wall wall) { return touches(clamped.contact, wall); };
+  Flight now = seen_from_start(last_);
+  const auto gain_to = [&](const Flight& next) {
+    const double gain = energy_gain(now, next);
+    now = next;
+    return gain;
+  };
+  ContactEnergyParts parts;
+  Flight next = seen_from_start(step_from_last(clamped.dt_s));
+  parts.flight = gain_to(next);
+  next.dx_px = clamped.x_px - start_.row.x_px;
+  next.dy_px = clamped.y_px - start_.row.y_px;
+  parts.lift = gain_to(next);
+  if (hits(Wall::left) || hits(Wall::right)) next.vx_px_per_s *= -model_.restitution;
+  if (hits(Wall::top) || hits(Wall::ground)) next.vy_px_per_s *= -model_.restitution;
+  parts.bounce = gain_to(next);
+  if (hits(Wall::ground)) next.vx_px_per_s *= model_.ground_friction;
+  parts.friction = gain_to(next);
+  if ((clamped.contact & kRestBit) != 0) next.vy_px_per_s = 0.0;
+  parts.rest = gain_to(next);
+  return parts;
+}
+
+double ArcMeter::late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const {
+  const Row unclamped = step_from_last(dt_s);
+  const bool is_x = wall == Wall::left || wall == Wall::right;
+  const double speed = std::fabs(is_x ? unclamped.vx_px_per_s : unclamped.vy_px_per_s);
+  return 0.5 * model_.restitution * model_.restitution *
+         ((speed - impact_speed_px_per_s) * (speed + impact_speed_px_per_s));
 }
 
 // In a corner the floor's friction acts on vx after the wall in x has turned it.
@@ -262,9 +323,11 @@ void ArcMeter::add_to_summary(const ArcErrors& arc) {
   if (!arc.solves_x) ++s.arcs_without_x;
   s.steps_astray += arc.steps_astray;
   count_fault(arc);
+  s.arc_energy += arc.energy_parts;
   include_worst(s.implementation_px, arc.implementation_px, arc.first_step);
   include_worst(s.truncation_px, arc.truncation_px, arc.first_step);
   include_worst(s.model_px, arc.model_px, arc.first_step);
+  include_worst(s.exact_law_px, arc.exact_law_px, arc.first_step);
   include_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
   include_worst(s.energy_drift_max_px2_per_s2, arc.energy_drift_max_px2_per_s2, arc.first_step);
   include_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
@@ -274,6 +337,7 @@ void ArcMeter::add_to_summary(const ArcErrors& arc) {
 void ArcMeter::add_to_summary(const ImpactErrors& contact, bool is_stopped) {
   DriftSummary& s = summary_;
   ++s.contacts;
+  s.late_bounces_px2_per_s2 += contact.late_bounce_px2_per_s2.value_or(0.0);
   include_worst(s.time_error_s, contact.time_error_s, contact.step);
   include_worst(s.overshoot_px, contact.overshoot_px, contact.step);
   include_worst(s.energy_jump_rel, contact.energy_jump_rel, contact.step);

@@ -49,7 +49,8 @@ class ArcMeter final : public ArcVisitor {
  private:
   // What is gathered over the rows of one arc.
   struct Gathered {
-    LargestDistance implementation, truncation, model, implementation_speed, truncation_speed;
+    LargestDistance implementation, truncation, model, exact_law;
+    LargestDistance implementation_speed, truncation_speed, exact_law_speed;
     LineFit drift_fit;
     double energy_largest = 0.0;
     double drift_largest = 0.0;
@@ -74,6 +75,8 @@ class ArcMeter final : public ArcVisitor {
   [[nodiscard]] ArcErrors arc_errors(ArcEnd ended_by) const;
   [[nodiscard]] std::vector<ImpactErrors> contacts(const Row* clamped, const ArcErrors& arc);
   [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc);
+  [[nodiscard]] ContactEnergyParts contact_energy(const Row& clamped) const;
+  [[nodiscard]] double late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const;
   [[nodiscard]] double speed_after(Wall wall, const Row& clamped) const;
   [[nodiscard]] double overshoot_px(Wall wall, double dt_s) const;
   [[nodiscard]] Flight seen_from_start(const Row& row) const;

@@ -10,8 +10,10 @@ void ArcSolution::start(const Velocity& velocity, bool solves_x) {
   first_ = velocity;
   solves_x_ = solves_x;
   start_ = {};
-  start_.discrete.x.speed = start_.matched.x.speed = {velocity.vx_px_per_s, 0.0};
-  start_.discrete.y.speed = start_.matched.y.speed = {velocity.vy_px_per_s, 0.0};
+  for (WideFlight* const flight : {&start_.discrete, &start_.matched, &start_.exact_law}) {
+    flight->x.speed = {velocity.vx_px_per_s, 0.0};
+    flight->y.speed = {velocity.vy_px_per_s, 0.0};
+  }
   dt_s_ = 0.0;
   frames_ = 0;
 }
@@ -28,6 +30,8 @@ void ArcSolution::open_segment(double dt_s) {
     start_.t = start_.t + two_product(frames(), dt_s_);
     move_on(start_.discrete, powers_.wide_discrete(frames_));
     move_on(start_.matched, powers_.wide_matched(frames_));
+    move_on(start_.exact_law, powers_.wide_exact_law(frames_));
+    start_.dt_squares = start_.dt_squares + two_product(dt_s_, dt_s_) * frames();
   }
   dt_s_ = dt_s;
   frames_ = 0;

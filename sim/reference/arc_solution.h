@@ -14,7 +14,8 @@ namespace hyrax {
 /// The exact flights that a run is measured against, from one first velocity:
 /// - discrete: the paper's step without rounding;
 /// - matched: the ODE v' = g - k v whose k is -ln(a) / dt in each frame; a frame of dt 0 only damps;
-/// - model: the same ODE with k at its 60 Hz value, whatever the frames are.
+/// - model: the same ODE with k at its 60 Hz value, whatever the frames are;
+/// - exact law: the ODE whose flow is the paper's step (frame_powers.h).
 ///
 /// Frames of bit-equal dt are solved from where they began; where dt changes, the state there is
 /// kept to 100 bits. So errors do not grow with the number of frames: below 1e-14 of
@@ -37,6 +38,13 @@ class ArcSolution {
 
   [[nodiscard]] Flight discrete() const { return flight(powers_.discrete(frames_), start_.discrete); }
   [[nodiscard]] Flight matched() const { return flight(powers_.matched(frames_), start_.matched); }
+  [[nodiscard]] Flight exact_law() const { return flight(powers_.exact_law(frames_), start_.exact_law); }
+  /// What the discretisation of gravity did to the energy since the arc's first row, px^2/s^2: along the
+  /// exact law de/dt = -k v^2 - g eta, so it is -sum of g eta_i dt_i over the frames, whatever the speed.
+  [[nodiscard]] double gravity_energy_px2_per_s2() const {
+    const double dt_squares = start_.dt_squares.hi + (frames() * (dt_s_ * dt_s_) + start_.dt_squares.lo);
+    return -gravity_ * gravity_ * powers_.shift() * dt_squares;
+  }
   /// Displacement alone; of its speeds nothing is asked.
   [[nodiscard]] Position model() const;
 
@@ -57,6 +65,8 @@ class ArcSolution {
     DoubleDouble t;
     WideFlight discrete;
     WideFlight matched;
+    WideFlight exact_law;
+    DoubleDouble dt_squares;  // Sum over the frames before.
   };
 
   [[nodiscard]] double frames() const { return static_cast<double>(frames_); }

@@ -24,6 +24,27 @@ inline constexpr double kSolversApartEnergy_rel = 1e-9;
 /// energy do not drown the rest.
 inline constexpr double kEnergyScaleMin_px2_per_s2 = 1200.0;
 
+/// How an arc's energy drift at its last row came about, px^2/s^2: by the discretisation of gravity, which
+/// costs the same whatever the speed, and by drag along the path that follows from it. Their sum is the
+/// drift.
+struct ArcEnergyParts {
+  double gravity = 0.0;
+  double drag = 0.0;
+  ArcEnergyParts& operator+=(const ArcEnergyParts& other);
+};
+
+/// The energy change of a clamped step in the order of its operations, px^2/s^2: the flight without walls,
+/// the lift out of the wall, restitution, friction, the rest rule. In a corner lift and bounce hold both
+/// walls.
+struct ContactEnergyParts {
+  double flight = 0.0;
+  double lift = 0.0;
+  double bounce = 0.0;
+  double friction = 0.0;
+  double rest = 0.0;
+  ContactEnergyParts& operator+=(const ContactEnergyParts& other);
+};
+
 /// One flight arc against the exact flights from its first state.
 ///
 /// Each distance is the largest hypot(dx, dy) over the arc's rows, each speed error the largest
@@ -33,6 +54,7 @@ inline constexpr double kEnergyScaleMin_px2_per_s2 = 1200.0;
 struct ArcErrors {
   std::int64_t first_step = 0;  ///< Row numbers.
   std::int64_t last_step = 0;
+  double t_s = 0.0;  ///< Of the last row.
   double duration_s = 0.0;
   ArcEnd ended_by = ArcEnd::end;
   bool solves_x = true;  ///< False: no horizontal motion, and nothing was solved in x.
@@ -42,6 +64,8 @@ struct ArcErrors {
   double model_px = 0.0;           ///< Against the ODE with the drag rate of 60 Hz.
   double implementation_px_per_s = 0.0;
   double truncation_px_per_s = 0.0;
+  double exact_law_px = 0.0;  ///< Against the flow of the exact law of the step: rounding.
+  double exact_law_px_per_s = 0.0;
 
   /// Steps that are not the paper's step of the row before, done in strict double arithmetic: a
   /// fused or reordered operation shows here, where its size would pass for rounding.
@@ -54,6 +78,7 @@ struct ArcErrors {
   double energy_drift_rel_end = 0.0;
   /// Least-squares slope with intercept of the signed relative drift; none where no time passes.
   std::optional<double> energy_drift_slope_per_s;
+  ArcEnergyParts energy_parts;
 
   double coordinate_largest_px = 0.0;      ///< Of the run and the matched ODE.
   std::optional<double> gsl_vs_closed_px;  ///< None without a second solver, or where it failed.
@@ -74,11 +99,17 @@ struct ArcErrors {
 /// none). None where it does not cross within the clamped dt plus twice that last dt.
 struct ImpactErrors {
   std::int64_t step = 0;  ///< Of the clamped row.
+  double t_s = 0.0;
   Wall wall = Wall::ground;
   std::optional<double> time_error_s;           ///< t of the clamped row minus t*.
   double overshoot_px = 0.0;                    ///< How far past the wall the unclamped position was, >= 0.
-  double energy_jump_rel = 0.0;                 ///< Energy change over the clamped step / the arc's scale.
+  double energy_jump_px2_per_s2 = 0.0;          ///< Energy change over the clamped step,
+  double energy_jump_rel = 0.0;                 ///< and that / the arc's scale.
   std::optional<double> effective_restitution;  ///< Normal speed after that wall / normal speed at t*.
+  ContactEnergyParts energy_parts;              ///< In a corner the same for both walls.
+  /// What restitution at the end of the step, early or late, adds over restitution at t*, px^2/s^2: with r
+  /// the ratio of speeds, r^2 / 2 (speed^2 at the step's end - speed^2 at t*), of the normal speed.
+  std::optional<double> late_bounce_px2_per_s2;
 };
 
 /// A row of an arc against the exact flights. Rows of an arc come in order, its first row included.
@@ -155,6 +186,7 @@ struct DriftSummary {
   std::optional<Worst> implementation_px;
   std::optional<Worst> truncation_px;
   std::optional<Worst> model_px;
+  std::optional<Worst> exact_law_px;
   std::optional<Worst> energy_drift_rel_max;
   std::optional<Worst> energy_drift_max_px2_per_s2;
   std::optional<Worst> energy_drift_slope_per_s;  ///< The steepest, with its sign.
@@ -162,6 +194,9 @@ struct DriftSummary {
   std::optional<Worst> time_error_s;  ///< The largest in magnitude, with its sign.
   std::optional<Worst> overshoot_px;
   std::optional<Worst> energy_jump_rel;  ///< The largest in magnitude, with its sign.
+  ArcEnergyParts arc_energy;             ///< Sums over the arcs,
+  ContactEnergyParts contact_energy;     ///< the contacts (a corner counts once),
+  double late_bounces_px2_per_s2 = 0.0;  ///< and those with a t*.
   Spread effective_restitution;
 };
 

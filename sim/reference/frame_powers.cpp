@@ -11,6 +11,13 @@ FramePower<double> rounded(const FramePower<DoubleDouble>& wide) {
   return {wide.power.hi, wide.sum.hi, wide.sum_of_sums.hi};
 }
 
+// To 100 bits.
+DoubleDouble quotient(double a, DoubleDouble b) {
+  const double first = a / b.hi;
+  const DoubleDouble rest = -(b * first) + a;
+  return fast_two_sum(first, (rest.hi + rest.lo) / b.hi);
+}
+
 }  // namespace
 
 FramePowers::FramePowers(const Model& model) : air_drag_(model.air_drag), log_(wide_log(model.air_drag)) {
@@ -18,10 +25,12 @@ FramePowers::FramePowers(const Model& model) : air_drag_(model.air_drag), log_(w
   const WidePhi frame = wide_phi(log_);
   phi1_ = frame.one;
   phi2_ = frame.two;
+  kappa_ = quotient(model.air_drag, phi1_);  // -a ln(a) / (1 - a), for a = 1 as well.
+  shift_ = -(kappa_ * kappa_ * phi2_) + model.air_drag;
   rounded_.reserve(kFramesMax + 1);
   wide_.reserve(kFramesMax + 1);
   constexpr DoubleDouble kOne{1.0, 0.0};
-  push({{kOne, {}, {}}, {kOne, {}, {}}});
+  push({{kOne, {}, {}}, {kOne, {}, {}}, {kOne, {}, {}}});
 }
 
 void FramePowers::extend() {
@@ -34,12 +43,19 @@ void FramePowers::extend() {
   next.matched.power = next.discrete.power;
   next.matched.sum = last.matched.sum * air_drag_ + phi1_;
   next.matched.sum_of_sums = last.matched.sum_of_sums + (last.matched.sum * phi1_ + phi2_);
+  next.exact_law = exact_law_after(static_cast<double>(wide_.size()));
   push(next);
+}
+
+FramePower<DoubleDouble> FramePowers::exact_law_after(double frames) const {
+  const DoubleDouble z = log_ * frames;
+  const WidePhi p = wide_phi(z);
+  return {z * p.one + 1.0, kappa_ * p.one * frames, (kappa_ * kappa_ * p.two * frames + shift_) * frames};
 }
 
 void FramePowers::push(const Forms<DoubleDouble>& forms) {
   wide_.push_back(forms);
-  rounded_.push_back({rounded(forms.discrete), rounded(forms.matched)});
+  rounded_.push_back({rounded(forms.discrete), rounded(forms.matched), rounded(forms.exact_law)});
 }
 
 }  // namespace hyrax

@@ -26,6 +26,9 @@ double phi2_series(double z) {
 
 // phi1(2z) = phi1(z) (1 + e^z) / 2 and phi2(2z) = (phi1(z)^2 + 2 phi2(z)) / 4: only sums of
 // positive numbers, so that a doubling adds a rounding or two and magnifies none.
+WidePhi doubled(const WidePhi& half, DoubleDouble z) {
+  return {half.one * ((z * half.one) * 0.5 + 1.0), half.one * half.one * 0.25 + half.two * 0.5};
+}
 Phi doubled(const Phi& half, double z) {
   return {half.one * (1.0 + 0.5 * z * half.one), 0.25 * half.one * half.one + 0.5 * half.two};
 }
@@ -52,13 +55,23 @@ Phi phi(double z) {
 }
 
 WidePhi wide_phi(DoubleDouble z) {
+  int doublings = 0;
+  while (z.hi < -1.0) {
+    z = {0.5 * z.hi, 0.5 * z.lo};
+    ++doublings;
+  }
   DoubleDouble term{0.5, 0.0};
   DoubleDouble two = term;
   for (int n = 1; std::fabs(term.hi) > kWideEpsilon; ++n) {
     term = term * z / (n + 2.0);
     two = two + term;
   }
-  return {z * two + 1.0, two};
+  WidePhi result{z * two + 1.0, two};
+  for (; doublings > 0; --doublings) {
+    result = doubled(result, z);
+    z = {2.0 * z.hi, 2.0 * z.lo};
+  }
+  return result;
 }
 
 // ln a = -2 artanh q with q = (1 - a) / (1 + a); 1 - a is exact for these a.

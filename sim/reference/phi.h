@@ -22,7 +22,7 @@ struct WidePhi {
   DoubleDouble two{0.5, 0.0};
 };
 
-/// To 100 bits. REQUIRES: -1 <= z <= 0.
+/// To 100 bits. REQUIRES: z <= 0.
 [[nodiscard]] WidePhi wide_phi(DoubleDouble z);
 
 /// Natural logarithm to 100 bits. REQUIRES: 0.5 <= a <= 1.

@@ -19,6 +19,7 @@ namespace hyrax {
 
 /// Runs of more rows than this are kept as blocks.
 inline constexpr std::int64_t kStoredRowsMax = 2000;
+[[nodiscard]] constexpr bool is_stored_as_rows(std::int64_t steps) { return steps + 1 <= kStoredRowsMax; }
 /// Only so many distinct blocks keep row checks, so that a golden file stays small.
 inline constexpr std::size_t kCheckedBlocksMax = 16;
 
@@ -61,7 +62,7 @@ struct StoredRun {
 class RunRecorder : public RowSink {
  public:
   /// @param steps of the run: decides between rows and blocks.
-  explicit RunRecorder(std::int64_t steps) : is_short_(steps + 1 <= kStoredRowsMax) {}
+  explicit RunRecorder(std::int64_t steps) : is_short_(is_stored_as_rows(steps)) {}
 
   [[nodiscard]] Wants wants() const override {
     return {.rows_every = is_short_ ? 1 : 0, .contacts = true, .blocks = !is_short_};

@@ -6,11 +6,13 @@ ARC = {
     "first_step": int, "last_step": int, "duration_s": NUMBER, "ended_by": str, "implementation_px": NUMBER,
     "truncation_px": NUMBER, "model_px": NUMBER, "energy_drift_rel_max": NUMBER,
     "energy_drift_rel_end": NUMBER, "energy_drift_slope_per_s": Maybe(NUMBER), "energy_drift_max": NUMBER,
-    "energy_drift_end": NUMBER, "gsl_vs_closed_px": Maybe(NUMBER),
+    "energy_drift_end": NUMBER, "exact_law_px": NUMBER,
+    "energy_parts": {"gravity": NUMBER, "drag": NUMBER}, "gsl_vs_closed_px": Maybe(NUMBER),
 }
 CONTACT = {
     "step": int, "wall": str, "time_error_s": Maybe(NUMBER), "overshoot_px": NUMBER, "energy_jump_rel": NUMBER,
     "effective_restitution": Maybe(NUMBER),
+    "energy_parts": {"flight": NUMBER, "lift": NUMBER, "bounce": NUMBER, "friction": NUMBER, "rest": NUMBER},
 }
 
 

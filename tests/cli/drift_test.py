@@ -36,6 +36,20 @@ class Errors(DriftTest):
             if model_px:
                 self.assertAlmostEqual(arc["model_px"], model_px, delta=0.05)
 
+    def test_gravity_once_a_step_costs_ten_pixels_of_height_a_second(self):
+        arc, = self.drift_of(flight(60))["arcs"]
+        self.assertLess(arc["exact_law_px"], 1e-9)
+        # eta = 9.9933 px/s at 60 Hz (sim/reference/README.md).
+        self.assertAlmostEqual(arc["energy_parts"]["gravity"] / 1200, -9.9933, delta=1e-4)
+        self.assertAlmostEqual(sum(arc["energy_parts"].values()), arc["energy_drift_end"], delta=1e-9)
+
+    def test_the_end_moves_with_the_start(self):
+        (xx, _, xv, _), (_, yy, _, _), *_ = self.drift_of(flight(60))["sensitivity"]
+        damped_s = sum(0.999 ** frame for frame in range(1, 61)) / 60
+        self.assertEqual((xx, yy), (1, 1))
+        self.assertAlmostEqual(xv, damped_s, delta=1e-12)
+        self.assertIn("end moves by", self.expect(AGREED, "drift", self.write("one.json", fling()), "-v").out)
+
     def test_arcs_end_where_the_scenario_says(self):
         events = [{"step": 20, "fling": {"vx_px_per_s": 0, "vy_px_per_s": -500}}, {"step": 30, "grab": {}},
                   {"step": 35, "release": {"vx_px_per_s": 100, "vy_px_per_s": 0}},
@@ -184,7 +198,7 @@ class Table(DriftTest):
         events = [{"step": step, "fling": {"vx_px_per_s": 10, "vy_px_per_s": -100}} for step in range(5, 300, 5)]
         table = self.table_of(flight(60, 300, events=events))
         self.assertIn("  ... 40 more; --verbose lists them", table)
-        self.assertLess(len(table.splitlines()), 33)
+        self.assertLess(len(table.splitlines()), 36)
 
     def test_it_says_what_was_left_out(self):
         table = self.table_of(flight(60), "--reference", "closed")

@@ -112,6 +112,15 @@ class Rows(unittest.TestCase):
         needed = {need.package for row in (*BUILDS, *CONTROLS, *THIS_BUILD) for need in row.needs}
         self.assertEqual(needed - installed, set())
 
+    def test_every_compiler_and_runner_is_played_daily_and_each_row_is_daily_or_nightly(self):
+        daily = {(row.compiler, row.runs_on) for row in BUILDS if not row.is_nightly}
+        self.assertEqual(daily, {(row.compiler, row.runs_on) for row in BUILDS})
+        every, *halves = (set(succeed(HERE / "run", "--list", "--rows", rows).out.splitlines())
+                          for rows in ("all", "daily", "nightly"))
+        self.assertEqual(every, set.union(*halves))
+        self.assertEqual(set.intersection(*halves), set())
+        self.assertTrue(all(halves))
+
     def test_every_row_has_a_unique_name_and_folder(self):
         rows = (*BUILDS, *CONTROLS)
         self.assertEqual(len({row.name for row in rows}), len(rows))

@@ -67,6 +67,7 @@ class Row:
     cpu: tuple = ()  # Flags of /proc/cpuinfo without which the program cannot run here.
     must: Verdict = AGREES
     is_blind: bool = False  # The self-test is removed.
+    is_nightly: bool = False  # A platform or a control that another row has as well, with other flags.
     variants: tuple = ()
 
     @property
@@ -98,22 +99,23 @@ HEADERS_OF_32_BITS = "-idirafter /usr/include/x86_64-linux-gnu"
 WITHOUT_GUARDS = "-DHYRAX_CONTROL_WITHOUT_GUARDS"
 
 
-def native(compiler, package, *all_flags):
+def native(compiler, package, daily, *nightly):
     """A compiler for this processor, with each of these flags."""
-    return [Row(f"{compiler} {flags}", compiler, flags, needs=(Needs(compiler, package),)) for flags in all_flags]
+    return [Row(f"{compiler} {flags}", compiler, flags, needs=(Needs(compiler, package),), is_nightly=flags != daily)
+            for flags in (daily, *nightly)]
 
 
 def level(number, cpu):
     """A microarchitecture level of x86-64."""
     name = "x86-64" if number == 1 else f"x86-64-v{number}"
-    return Row(f"x86-64-v{number}", "g++", f"-O3 -march={name}", needs=(GXX,), cpu=("lm", *cpu))
+    return Row(f"x86-64-v{number}", "g++", f"-O3 -march={name}", needs=(GXX,), cpu=("lm", *cpu), is_nightly=True)
 
 
-def windows(flags):
+def windows(flags, **options):
     """MinGW, under Wine."""
     return Row(f"Windows {flags}", "x86_64-w64-mingw32-g++-posix", flags, toolchain="mingw.cmake",
                program="bin/hyrax-replay.exe", runs_on="Wine",
-               needs=(Needs("x86_64-w64-mingw32-g++-posix", "g++-mingw-w64-x86-64-posix"), Needs("wine", "wine")))
+               needs=(Needs("x86_64-w64-mingw32-g++-posix", "g++-mingw-w64-x86-64-posix"), Needs("wine", "wine")), **options)
 
 
 def emulated(name, triple, emulator):
@@ -125,12 +127,12 @@ def emulated(name, triple, emulator):
 
 BUILDS = (
     Row("g++ -O3", "g++", "-O3", needs=(GXX,), variants=THIS_BUILD),
-    *native("g++", "g++", "-O0", "-O2", "-O3 -march=native", "-O2 -flto"),
-    *native("clang++", "clang", "-O0", "-O2", "-O3 -march=native"),
-    *native("clang++-22", "clang-22", "-O0", "-O2", "-O3 -march=native"),
+    *native("g++", "g++", "-O3 -march=native", "-O0", "-O2", "-O2 -flto"),
+    *native("clang++", "clang", "-O2", "-O0", "-O3 -march=native"),
+    *native("clang++-22", "clang-22", "-O3 -march=native", "-O0", "-O2"),
     level(1, ()), level(2, V2), level(3, V3), level(4, V4),
     Row("i386 with SSE2", "g++", "-O2 -m32", more_flags=HEADERS_OF_32_BITS, needs=(GXX, IN_32_BITS), cpu=("lm",)),
-    windows("-O0"), windows("-O2"),
+    windows("-O2"), windows("-O0", is_nightly=True),
     emulated("aarch64", "aarch64-linux-gnu", "qemu-aarch64"),
     emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64"),
     emulated("s390x, big-endian", "s390x-linux-gnu", "qemu-s390x"),
@@ -151,9 +153,10 @@ CONTROLS = (
     Row("x87 on i386", flags="-O2 -m32", last_flags="-mfpmath=387", more_flags=HEADERS_OF_32_BITS,
         needs=(GXX, IN_32_BITS), cpu=("lm",), must=Verdict("compiles", "excess precision (x87)")),
     Row("-ffast-math, guards lifted", flags="-O1 -ffast-math", more_flags=WITHOUT_GUARDS, needs=(GXX,), cpu=("lm",),
-        must=FLUSHED),
+        must=FLUSHED, is_nightly=True),
     Row("x87 on i386, guards lifted", flags="-O1 -m32", last_flags="-mfpmath=387",
-        more_flags=f"{HEADERS_OF_32_BITS} {WITHOUT_GUARDS}", needs=(GXX, IN_32_BITS), cpu=("lm",), must=EXCESS),
+        more_flags=f"{HEADERS_OF_32_BITS} {WITHOUT_GUARDS}", needs=(GXX, IN_32_BITS), cpu=("lm",), must=EXCESS,
+        is_nightly=True),
     Row("fused", flags="-O2 -march=native", last_flags="-ffp-contract=fast", needs=(GXX,), cpu=("fma",), must=FUSED),
     Row("fused, self-test taken out", flags="-O2 -march=native", last_flags="-ffp-contract=fast", is_blind=True,
         needs=(GXX,), cpu=("fma",), must=DIFFERS),

@@ -222,6 +222,10 @@ Scenario load_scenario(const std::string& path, const std::vector<Override>& ove
   return to_scenario(document, path, is_stdin ? "stdin" : std::string(file_name(path).stem));
 }
 
+Scenario parse_scenario_file(std::string_view text, const std::string& path) {
+  return to_scenario(parse_json(text, path), path, std::string(file_name(path).stem));
+}
+
 Scenario parse_scenario(std::string_view text, const std::string& source) {
   return to_scenario(parse_json(text, source), source, "");
 }

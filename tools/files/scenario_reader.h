@@ -34,6 +34,9 @@ void replace_value(Json& document, const Override& given, const std::string& sou
 /// ERRORS: Failure(cannot_access) if the file cannot be read; Failure(bad_input) as above.
 [[nodiscard]] Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides = {});
 
+/// Reads a scenario from the text of the file at `path`, which need not say its name.
+[[nodiscard]] Scenario parse_scenario_file(std::string_view text, const std::string& path);
+
 /// Reads a scenario from text that carries its name.
 [[nodiscard]] Scenario parse_scenario(std::string_view text, const std::string& source);
 

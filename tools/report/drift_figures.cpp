@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
+#include "sim/reference/model.h"
 #include "tools/files/failure.h"
 #include "tools/report/figure_body.h"
 #include "tools/report/figure_script.h"
@@ -16,7 +18,8 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kArcsMarkedMax = 80;
-constexpr std::array<std::string_view, 4> kSuffixes = {"-energy", "-energy-drift", "-errors", "-restitution"};
+constexpr std::array<std::string_view, 5> kSuffixes = {"-energy", "-energy-drift", "-errors", "-restitution",
+                                                       "-drift-causes"};
 
 // The colours of walls in all pictures.
 Tone tone_of(Wall wall) {
@@ -217,11 +220,72 @@ Figure restitution_figure(const DriftPicture& picture) {
   return figure;
 }
 
+// What the step added and took so far, by cause, as the height that this energy lifts the sprite by.
+struct Causes {
+  Series gravity{.name = "gravity once a step", .look = {.tone = Tone::blue}};
+  Series drag{.name = "drag on that path", .look = {.tone = Tone::green}};
+  Series lift{.name = "lift out of walls", .look = {.tone = Tone::vermilion}};
+  Series bounce{.name = "restitution after the wall", .look = {.tone = Tone::purple}};
+  Series sum{.name = "all four", .look = {.tone = Tone::ink, .width_px = 1.5, .dash = Dash::short_dashes}};
+
+  [[nodiscard]] std::array<Series*, 5> all() { return {&gravity, &drag, &lift, &bounce, &sum}; }
+  // Each stays as it was, up to t.
+  void hold(double t_s) {
+    for (Series* const series : all()) add(*series, t_s, 0.0);
+  }
+  void fly(const ArcErrors& arc) {
+    hold(arc.t_s - arc.duration_s);
+    add(gravity, arc.t_s, arc.energy_parts.gravity);
+    add(drag, arc.t_s, arc.energy_parts.drag);
+    add(lift, arc.t_s, 0.0);
+    add(bounce, arc.t_s, 0.0);
+    add(sum, arc.t_s, arc.energy_drift_end_px2_per_s2);
+  }
+  void meet(const ImpactErrors& contact, bool is_corner_again) {
+    hold(contact.t_s);
+    const double lifted = is_corner_again ? 0.0 : contact.energy_parts.lift;
+    const double late = contact.late_bounce_px2_per_s2.value_or(0.0);
+    add(lift, contact.t_s, lifted);
+    add(bounce, contact.t_s, late);
+    add(sum, contact.t_s, lifted + late);
+  }
+
+ private:
+  static void add(Series& series, double t_s, double energy_px2_per_s2) {
+    const double before = series.y.empty() ? 0.0 : series.y.back();
+    series.x.push_back(t_s);
+    series.y.push_back(before + energy_px2_per_s2 / Model{}.gravity_px_per_s2);
+  }
+};
+
+Figure causes_figure(const DriftPicture& picture) {
+  Causes causes;
+  std::size_t next = 0;
+  const auto meet_before = [&](std::int64_t step) {
+    for (; next < picture.contacts.size() && picture.contacts[next].step < step; ++next) {
+      const bool is_again = next > 0 && picture.contacts[next - 1].step == picture.contacts[next].step;
+      causes.meet(picture.contacts[next], is_again);
+    }
+  };
+  for (const ArcErrors& arc : picture.arcs) {
+    meet_before(arc.last_step);
+    causes.fly(arc);
+  }
+  meet_before(std::numeric_limits<std::int64_t>::max());
+  Plot plot = plot_over_time(picture, {.label = "energy so far, as px of height"});
+  for (Series* const series : causes.all()) plot.series.push_back(std::move(*series));
+  plot.marks = {{.is_vertical = false, .at = 0.0}};
+  return over_time(
+      figure_of(picture, kSuffixes[4],
+                "What the step adds and takes by itself: energy against exact flights and bounces"),
+      std::move(plot), picture);
+}
+
 }  // namespace
 
 std::vector<Figure> drift_figures(const DriftPicture& picture) {
   return {energy_figure(picture), energy_drift_figure(picture), errors_figure(picture),
-          restitution_figure(picture)};
+          restitution_figure(picture), causes_figure(picture)};
 }
 
 std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name) {

@@ -27,8 +27,9 @@ struct DriftPicture {
 };
 
 /// Energy of run and reference against time; energy drift of each arc in % of the arc's largest energy; the
-/// three errors on a logarithmic scale; effective restitution of the contacts with the 0.6 of the paper.
-/// Their suffixes: -energy, -energy-drift, -errors, -restitution.
+/// three errors on a logarithmic scale; effective restitution of the contacts with the 0.6 of the paper; the
+/// causes of energy drift, summed over time.
+/// Their suffixes: -energy, -energy-drift, -errors, -restitution, -drift-causes.
 [[nodiscard]] std::vector<Figure> drift_figures(const DriftPicture& picture);
 
 /// The paths of the figures that draw_drift_figures writes for a scenario of that name.

@@ -24,7 +24,7 @@ constexpr std::array<DriftColumn<ArcErrors>, 3> kReferenceArcColumns = {{
      [](Arc a) { return or_nan(a.gsl_vs_closed_px); }},
 }};
 
-constexpr std::array<DriftColumn<ArcErrors>, 11> kDriftArcColumns = {{
+constexpr std::array<DriftColumn<ArcErrors>, 15> kDriftArcColumns = {{
     {"duration", "s", "time from the first row to the last", [](Arc a) { return a.duration_s; }},
     {"implementation", "px", "largest distance from the discrete closed form",
      [](Arc a) { return a.implementation_px; }},
@@ -35,6 +35,10 @@ constexpr std::array<DriftColumn<ArcErrors>, 11> kDriftArcColumns = {{
      [](Arc a) { return a.implementation_px_per_s; }},
     {"truncation_speed", "px/s", "largest difference of velocity from the matched ODE",
      [](Arc a) { return a.truncation_px_per_s; }},
+    {"exact_law", "px", "largest distance from the flow of the step's exact law",
+     [](Arc a) { return a.exact_law_px; }},
+    {"exact_law_speed", "px/s", "largest difference of velocity from the flow of the step's exact law",
+     [](Arc a) { return a.exact_law_px_per_s; }},
     {"energy_drift_rel_max", "1",
      "energy_drift_max / largest energy of the matched ODE, 1200 px2/s2 at least",
      [](Arc a) { return a.energy_drift_rel_max; }},
@@ -47,10 +51,14 @@ constexpr std::array<DriftColumn<ArcErrors>, 11> kDriftArcColumns = {{
      [](Arc a) { return a.energy_drift_max_px2_per_s2; }},
     {"energy_drift_end", "px2/s2", "energy of the run minus the matched ODE's at the last row",
      [](Arc a) { return a.energy_drift_end_px2_per_s2; }},
+    {"energy_by_gravity", "px2/s2", "part of energy_drift_end by the discretisation of gravity",
+     [](Arc a) { return a.energy_parts.gravity; }},
+    {"energy_by_drag", "px2/s2", "part of energy_drift_end by drag along another path",
+     [](Arc a) { return a.energy_parts.drag; }},
 }};
 
 using Impact = const ImpactErrors&;
-constexpr std::array<DriftColumn<ImpactErrors>, 4> kImpactColumns = {{
+constexpr std::array<DriftColumn<ImpactErrors>, 9> kImpactColumns = {{
     {"time_error", "s", "time of the clamped row minus the true impact's",
      [](Impact c) { return or_nan(c.time_error_s); }},
     {"overshoot", "px", "how far past the wall the unclamped position was",
@@ -60,6 +68,13 @@ constexpr std::array<DriftColumn<ImpactErrors>, 4> kImpactColumns = {{
      [](Impact c) { return c.energy_jump_rel; }},
     {"effective_restitution", "1", "normal speed after / normal speed at the true impact",
      [](Impact c) { return or_nan(c.effective_restitution); }},
+    {"energy_by_flight", "px2/s2", "energy change of the clamped step by its flight without walls",
+     [](Impact c) { return c.energy_parts.flight; }},
+    {"energy_by_lift", "px2/s2", "by the lift out of the wall", [](Impact c) { return c.energy_parts.lift; }},
+    {"energy_by_bounce", "px2/s2", "by restitution", [](Impact c) { return c.energy_parts.bounce; }},
+    {"energy_by_friction", "px2/s2", "by the friction of the ground",
+     [](Impact c) { return c.energy_parts.friction; }},
+    {"energy_by_rest", "px2/s2", "by the rest rule", [](Impact c) { return c.energy_parts.rest; }},
 }};
 
 // A group with one dataset for each column of its records; notes whether all could be written.

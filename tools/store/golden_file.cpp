@@ -107,6 +107,12 @@ std::vector<std::string> attribute_list(hid_t file) {
   return listing.lines;
 }
 
+std::vector<std::string> stored_attributes(const std::string& path) {
+  const auto list = [&] { return attribute_list(h5::open_file(path)); };
+  read_isolated(path, [&] { static_cast<void>(list()); });
+  return list();
+}
+
 // Objects and attributes are the same for any number of contacts.
 std::vector<std::string> expected_attributes(StoredRun run) {
   run.contacts.clear();
@@ -130,17 +136,19 @@ StoredRun read_golden(const std::string& path) {
 }
 
 std::optional<std::string> attribute_difference(const std::string& path, const StoredRun& run) {
-  const auto list = [&] { return attribute_list(h5::open_file(path)); };
-  read_isolated(path, [&] { static_cast<void>(list()); });
   const std::vector<std::string> expected = expected_attributes(run);
   // Files of earlier versions have fewer attributes; those that they have must be the same.
   auto next = expected.begin();
-  for (const std::string& line : list()) {
+  for (const std::string& line : stored_attributes(path)) {
     next = std::find(next, expected.end(), line);
     if (next == expected.end()) return path + ": holds " + line + ", which bless does not write";
     ++next;
   }
   return std::nullopt;
+}
+
+bool has_all_attributes(const std::string& path, const StoredRun& run) {
+  return stored_attributes(path) == expected_attributes(run);
 }
 
 }  // namespace hyrax

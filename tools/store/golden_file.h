@@ -24,4 +24,8 @@ void write_golden(const AtomicFile& target, const std::string& path, const Store
 /// ERRORS: as read_isolated's.
 [[nodiscard]] std::optional<std::string> attribute_difference(const std::string& path, const StoredRun& run);
 
+/// Whether the file has every object and attribute that bless would write for the run, and no other.
+/// @param run, REQUIRES, ERRORS: as attribute_difference's.
+[[nodiscard]] bool has_all_attributes(const std::string& path, const StoredRun& run);
+
 }  // namespace hyrax

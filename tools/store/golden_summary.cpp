@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -19,13 +20,27 @@ namespace {
 
 constexpr std::size_t kContactsListed = 40;  // All of a run with up to this many; else half at each end.
 constexpr std::size_t kChecksumDigits = 32;
+constexpr std::string_view kStateHashKey = "state hash: ";
 constexpr std::string_view kReasonKey = "reason: ";
 constexpr std::string_view kChecksumsKey = "seal: ";
 
+// To 6 digits; a zero has no sign.
+std::string decimal(double value) {
+  std::string text = fmt::format("{:.6f}", value);
+  return text == "-0.000000" ? text.substr(1) : text;
+}
+
+// In px/s, as it met the wall. By sqrt, whose bits are the same everywhere; those of hypot are not.
+double speed_before(const Contact& contact) {
+  return std::sqrt(contact.vx_before_px_per_s * contact.vx_before_px_per_s +
+                   contact.vy_before_px_per_s * contact.vy_before_px_per_s);
+}
+
 std::string line_of(const Contact& contact) {
   const std::string_view wall = kWallNames[wall_index(contact.wall)];
-  if (contact.step == contact.last_step) return fmt::format("  {} {}\n", contact.step, wall);
-  return fmt::format("  {} .. {} {}\n", contact.step, contact.last_step, wall);
+  const std::string last_step =
+      contact.step == contact.last_step ? "" : fmt::format(" .. {}", contact.last_step);
+  return fmt::format("  {}{} {} at {} px/s\n", contact.step, last_step, wall, decimal(speed_before(contact)));
 }
 
 std::string list_of(const StoredRun& run) {
@@ -46,10 +61,30 @@ std::string list_of(const StoredRun& run) {
   return text;
 }
 
+std::string place_text(const Row& row) {
+  return fmt::format("x {} px, y {} px, step {}\n", decimal(row.x_px), decimal(row.y_px), row.step);
+}
+
+std::string waypoints_text(const Waypoints& waypoints) {
+  std::string text = fmt::format("apex: {}", place_text(waypoints.apex));
+  if (!waypoints.at_seconds.empty()) text += "position:\n";
+  int second = 0;
+  for (const Row& row : waypoints.at_seconds) text += fmt::format("  {} s  {}", ++second, place_text(row));
+  return text;
+}
+
 // The line that begins at `begin`, with its line end; empty after the last one.
 std::string_view line_at(std::string_view text, std::size_t begin) {
   const std::size_t end = text.find('\n', begin);
   return text.substr(begin, end == std::string_view::npos ? end : end + 1 - begin);
+}
+
+// Of the first line that begins with the key, not counting the first line of all; empty: there is none.
+std::string value_of(const std::string& text, std::string_view key) {
+  const std::size_t line = text.find(std::string("\n").append(key));
+  if (line == std::string::npos) return "";
+  const std::size_t begin = line + 1 + key.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::string shown(std::string_view line) {
@@ -123,6 +158,7 @@ std::string contents_checksum(const StoredRun& run) {
   ContentsHash hash;
   hash.add(to_text(to_json(without_texts(run.scenario))));
   hash.add(run.physics);
+  for (const double constant : numbers_of(run.constants)) hash.add(constant);
   hash.add(run.steps);
   hash.add(run.state_hash);
   for (const double t_s : run.rows.t_s) hash.add(t_s);
@@ -155,33 +191,32 @@ std::string file_checksum(const std::string& path) {
   return hex(hash.value());
 }
 
-std::string golden_summary_text(const StoredRun& run, const RunSummary& summary, const std::string& reason,
-                                const std::string& margin, const GoldenChecksums& checksums) {
+std::string golden_summary_text(const StoredRun& run, const RunSummary& summary, const Waypoints& waypoints,
+                                const std::string& reason, const std::string& margin,
+                                const GoldenChecksums& checksums) {
   const WallCounts& counts = summary.contacts;
   const Row& end = summary.final;
-  std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\nstate hash: {}\n", run.scenario.name,
-                                 run.physics, run.steps, run.state_hash);
+  std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\n{}{}\n", run.scenario.name,
+                                 run.physics, run.steps, kStateHashKey, run.state_hash);
   text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts.left, counts.right,
                       counts.top, counts.ground);
   text += list_of(run);
+  text += waypoints_text(waypoints);
   text += fmt::format("end: t {} s\n", end.t_s);
   text += fmt::format("  x  {} px  {}\n  y  {} px  {}\n", end.x_px, hex_float(end.x_px), end.y_px,
                       hex_float(end.y_px));
   text += fmt::format("  vx {} px/s  {}\n  vy {} px/s  {}\n", end.vx_px_per_s, hex_float(end.vx_px_per_s),
                       end.vy_px_per_s, hex_float(end.vy_px_per_s));
-  text += summary.at_rest_since_s ? fmt::format("at rest since: {} s\n", *summary.at_rest_since_s)
-                                  : std::string("at rest since: never\n");
+  text += summary.at_rest_since_s ? fmt::format("settled since: {} s\n", *summary.at_rest_since_s)
+                                  : std::string("not settled: moved within the last 1 s\n");
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
                             checksums.contents, checksums.file);
 }
 
-std::string summary_reason(const std::string& text) {
-  const std::size_t line = text.find(std::string("\n").append(kReasonKey));
-  if (line == std::string::npos) return "";
-  const std::size_t begin = line + 1 + kReasonKey.size();
-  return text.substr(begin, text.find('\n', begin) - begin);
-}
+std::string summary_reason(const std::string& text) { return value_of(text, kReasonKey); }
+
+std::string summary_state_hash(const std::string& text) { return value_of(text, kStateHashKey); }
 
 std::optional<std::string> summary_file_checksum(const std::string& text) {
   const std::size_t line_length = kChecksumsKey.size() + 2 * kChecksumDigits + 2;

@@ -6,6 +6,7 @@
 
 #include "sim/trajectory/run_summary.h"
 #include "sim/trajectory/stored_run.h"
+#include "sim/trajectory/waypoints.h"
 
 namespace hyrax {
 
@@ -17,20 +18,24 @@ struct GoldenChecksums {
 };
 
 /// XXH3-128, as 32 hex digits, over a run's scenario (without name, description, $schema and expect), physics
-/// model, state hash, times, contacts, inputs and keyframes.
+/// model, constants, state hash, times, contacts, inputs and keyframes.
 [[nodiscard]] std::string contents_checksum(const StoredRun& run);
 
 /// XXH3-128 over a file's bytes. ERRORS: Failure(cannot_access) if it cannot be read.
 [[nodiscard]] std::string file_checksum(const std::string& path);
 
+/// The run for review in a diff: what moved shows in lines of decimal px.
 /// @param reason given to bless; line ends become blanks.
 /// @param margin how far the start may move before a contact changes; no line if empty.
 [[nodiscard]] std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
-                                              const std::string& reason, const std::string& margin,
-                                              const GoldenChecksums& checksums);
+                                              const Waypoints& waypoints, const std::string& reason,
+                                              const std::string& margin, const GoldenChecksums& checksums);
 
 /// The reason that a summary states; empty if it states none.
 [[nodiscard]] std::string summary_reason(const std::string& text);
+
+/// The state hash that a summary states; empty if it states none.
+[[nodiscard]] std::string summary_state_hash(const std::string& text);
 
 /// The checksum of the .h5 file that a summary ends with; nothing if it does not end with one.
 [[nodiscard]] std::optional<std::string> summary_file_checksum(const std::string& text);

@@ -7,19 +7,13 @@
 #include "sim/reference/flight.h"
 
 namespace hyrax {
-namespace {
-
-// Longer than any scenario that is studied, and short enough for the closed form's bracket.
-constexpr double kHorizon_s = 1e4;
-
-}  // namespace
-
-void ExactFling::start(const State& motion, const Bounds& bounds) {
+void ExactFling::start(const State& motion, const Bounds& bounds, bool slides, double until_s) {
   assert(bounds.right_px >= 0.0 && bounds.bottom_px >= 0.0);
   bounds_ = bounds;
   from_ = motion;
   from_s_ = 0.0;
-  slides_ = false;
+  slides_ = slides;
+  until_s_ = until_s;
   impacts_.clear();
   put_inside();
   find_next();
@@ -37,7 +31,7 @@ void ExactFling::put_inside() {
 }
 
 State ExactFling::at(double t_s) {
-  assert(t_s >= from_s_);
+  assert(t_s >= from_s_ && t_s <= until_s_);
   while (t_s >= next_s_) {
     from_ = fly(next_s_ - from_s_);
     from_s_ = next_s_;
@@ -62,7 +56,8 @@ void ExactFling::find_next() {
   next_s_ = std::numeric_limits<double>::infinity();
   const double rate_per_s = laws_.drag_rate_per_s + (slides_ ? laws_.friction_rate_per_s : 0.0);
   const auto consider = [&](Wall wall, double position_px, double speed_px_per_s, double acceleration) {
-    const auto impact = time_of_impact({position_px, speed_px_per_s, acceleration, rate_per_s}, kHorizon_s);
+    const auto impact =
+        time_of_impact({position_px, speed_px_per_s, acceleration, rate_per_s}, until_s_ - from_s_);
     if (!impact || from_s_ + impact->t_s >= next_s_) return;
     next_s_ = from_s_ + impact->t_s;
     next_wall_ = wall;

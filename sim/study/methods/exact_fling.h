@@ -20,11 +20,15 @@ class ExactFling {
 
   /// Starts again at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
   /// that it is behind, as an impact at time 0.
-  void start(const State& motion, const Bounds& bounds);
+  /// @param slides whether it lies on the ground, after its last impact there.
+  /// @param until_s no later time will be asked for. Longer than any scenario that is studied by default, and
+  /// short enough for the closed form's bracket.
+  void start(const State& motion, const Bounds& bounds, bool slides = false, double until_s = 1e4);
 
-  /// REQUIRES: t_s not below any asked for before, since the start.
+  /// REQUIRES: t_s not below any asked for before, since the start, and at most until_s.
   [[nodiscard]] State at(double t_s);
 
+  [[nodiscard]] bool slides() const { return slides_; }
   /// Up to the latest time asked for, in their order; the corner's wall in x first.
   [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
 
@@ -38,6 +42,7 @@ class ExactFling {
   Bounds bounds_;
   State from_;           // State at from_s_,
   double from_s_ = 0.0;  // where this arc or slide began.
+  double until_s_ = 0.0;
   double next_s_ = 0.0;  // Time of the next impact.
   Wall next_wall_ = Wall::ground;
   bool slides_ = false;

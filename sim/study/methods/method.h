@@ -34,7 +34,9 @@ struct Divergent {};  ///< ... does not vanish with the frame.
 struct Convergent {   ///< ... goes as this power of the frame.
   int order = 1;
 };
-struct Exact {};   ///< ... is rounding, at every frame.
+struct Exact {                       ///< ... is rounding, at every frame,
+  bool meets_walls_exactly = false;  ///< and of whole flings as well.
+};
 struct Adaptive {  ///< ... is set by a tolerance: the method chooses steps of its own within the frame.
   double tolerance = 0.0;
 };
@@ -52,9 +54,9 @@ struct MethodKind {
   [[nodiscard]] bool is_adaptive() const { return std::holds_alternative<Adaptive>(accuracy); }
 };
 
-/// The paper's step, first of all, its rate-normalised variant, classical steps, sub-steps and the two exact
-/// ones. All except the paper's solve the fixed laws; those that go by frames meet walls as the paper's step
-/// does, except that the friction on a sprite lying on the ground is taken by time.
+/// The paper's step, first of all, its rate-normalised variant, classical steps, sub-steps and the exact
+/// ones. All except the paper's solve the fixed laws; those that look at walls once a frame meet them as the
+/// paper's step does, except that the friction on a sprite lying on the ground is taken by time.
 [[nodiscard]] std::vector<MethodKind> frame_methods();
 
 /// Each of GSL's steppers at several tolerances, without walls. Quick: fewer tolerances, and without the

@@ -82,7 +82,8 @@ struct SpeedErrorOptions {
 /// 0. Every method plays every problem to its end, with finite errors.
 /// 1. In free flight every convergent method's order can be fitted over three rates or more, and is the
 ///    analytic one, +- kOrderApart.
-/// 2. The exact methods' errors are rounding, at every rate.
+/// 2. The exact methods' errors are rounding, at every rate, and of those that meet walls exactly in flings,
+/// too.
 /// 3. The paper's step does not converge: its error at the highest rate is above that at 60 Hz.
 /// 4. Its distance from the fixed ODE, measured here, is that of sim/reference to 1e-6 of itself.
 /// 5. Its truncation against the matched ODE is of first order, and that of its velocity is its closed form.

@@ -11,7 +11,7 @@ namespace hyrax {
 namespace {
 
 // In the order of frame_methods().
-constexpr std::array<Look, 8> kLooks = {
+constexpr std::array<Look, 9> kLooks = {
     {{.tone = Tone::vermilion, .width_px = 4.0},
      {.tone = Tone::vermilion, .width_px = 2.0, .dash = Dash::short_dashes},
      {.tone = Tone::orange},
@@ -19,6 +19,7 @@ constexpr std::array<Look, 8> kLooks = {
      {.tone = Tone::sky_blue},
      {.tone = Tone::blue},
      {.tone = Tone::green, .width_px = 3.0},
+     {.tone = Tone::green, .width_px = 2.0, .dash = Dash::short_dashes},
      {.tone = Tone::ink, .width_px = 2.0, .dash = Dash::long_dashes}}};
 constexpr Look kAdaptiveLook{
     .form = Form::line_and_points, .tone = Tone::faint, .width_px = 1.5, .marker_size = 0.25};

@@ -36,11 +36,12 @@ class Rules {
       }
   }
   void exact_methods_are_exact() {
-    for (const WorkPoint& point : study_.points)
-      if (std::holds_alternative<Exact>(study_.methods[point.method].accuracy) &&
-          study_.problems[point.problem].is_free_flight)
+    for (const WorkPoint& point : study_.points) {
+      const auto* const exact = std::get_if<Exact>(&study_.methods[point.method].accuracy);
+      if (exact != nullptr && (exact->meets_walls_exactly || study_.problems[point.problem].is_free_flight))
         require("the error of an exact method is within rounding, px", name_of(point),
                 point.errors.position_px, 0.0, rounding_px(point.errors));
+    }
   }
   void paper_does_not_converge() {
     const auto at_60 = std::find_if(study_.paper.begin(), study_.paper.end(),

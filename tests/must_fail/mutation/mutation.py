@@ -3,6 +3,7 @@
 
     mutation.py --build build/release                     # all mutants, in a table
     mutation.py --build build/release --some 20           # twenty of them, spread over all
+    mutation.py --build build/release --one-in 5          # a fifth of each kind of change in each file
     mutation.py --build build/release --only 'update: .* <= '
 
 A mutant is caught (by a scenario, at a step, as a class of difference), or survives. One that survives must
@@ -33,6 +34,15 @@ def spread(mutants, count):
     if count is None or count >= len(mutants):
         return mutants
     return [mutants[number * len(mutants) // count] for number in range(count)]
+
+
+def one_in(share, mutants):
+    """Every so-manieth mutant of each kind of change in each file, and at least one of each."""
+    alike = {}
+    for mutant in mutants:
+        alike.setdefault((mutant.path, mutant.kind), []).append(mutant)
+    chosen = {mutant for group in alike.values() for mutant in group[::share]}
+    return [mutant for mutant in mutants if mutant in chosen]
 
 
 def try_all(judge, mutants, jobs):
@@ -75,6 +85,8 @@ def options():
     parser.add_argument("--scenarios", type=pathlib.Path, default="scenarios", help="what is checked")
     parser.add_argument("--reasons", type=pathlib.Path, default=here / "reasons.json", help="why some cannot be caught")
     parser.add_argument("--some", type=int, metavar="N", help="N mutants, evenly spread over all")
+    parser.add_argument("--one-in", type=int, metavar="N", default=1,
+                        help="every Nth of each kind of change in each file, at least one of each (1)")
     parser.add_argument("--only", type=re.compile, metavar="REGEX", help="those whose file and name match")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (2)")
     parser.add_argument("--markdown", type=pathlib.Path, metavar="FILE", help="writes the table there, too")
@@ -87,7 +99,7 @@ def main():
     asked = options()
     mutants = [mutant for subject in SUBJECTS for mutant in subject.mutants(asked.source)]
     chosen = [mutant for mutant in mutants if not asked.only or asked.only.search(f"{mutant.path}: {mutant.name}")]
-    chosen = spread(chosen, asked.some)
+    chosen = spread(one_in(asked.one_in, chosen), asked.some)
     if asked.list:
         print("\n".join(f"{mutant.kind:16} {mutant.path}: {mutant.name}" for mutant in chosen))
         return ALL_IS_WELL

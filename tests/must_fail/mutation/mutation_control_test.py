@@ -12,6 +12,7 @@ import unittest
 from unittest import mock
 
 from judge import Judge, Verdict
+from mutation import one_in
 from mutators import Mutant, mutants_of, numbers_near
 from process import run
 from program import SOURCE
@@ -98,6 +99,15 @@ class Tool(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
             exit_code, said = self.run_tool("--scenarios", folder, "--only", "physics.h: update: without m_vx .= AIR_DRAG")
         self.assertEqual((exit_code, said), (3, ""))
+
+    def test_one_in_some_has_each_kind_of_change_in_each_file(self):
+        mutants = [mutant for subject in SUBJECTS for mutant in subject.mutants(SOURCE)]
+        chosen = one_in(5, mutants)
+        self.assertEqual({(mutant.path, mutant.kind) for mutant in chosen},
+                         {(mutant.path, mutant.kind) for mutant in mutants})
+        self.assertLess(len(mutants) / 5, len(chosen))
+        self.assertLess(len(chosen), len(mutants) / 4)
+        self.assertEqual(one_in(1, mutants), mutants)
 
     def test_every_mutant_has_a_unique_name(self):
         exit_code, said = self.run_tool("--list")

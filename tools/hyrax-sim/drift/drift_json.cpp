@@ -8,6 +8,18 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json energy_parts_json(const ArcEnergyParts& parts) {
+  return Json::Object{{"gravity", parts.gravity}, {"drag", parts.drag}};
+}
+
+Json energy_parts_json(const ContactEnergyParts& parts) {
+  return Json::Object{{"flight", parts.flight},
+                      {"lift", parts.lift},
+                      {"bounce", parts.bounce},
+                      {"friction", parts.friction},
+                      {"rest", parts.rest}};
+}
+
 Json arc_json(const ArcErrors& arc) {
   return Json::Object{{"first_step", arc.first_step},
                       {"last_step", arc.last_step},
@@ -21,6 +33,8 @@ Json arc_json(const ArcErrors& arc) {
                       {"energy_drift_slope_per_s", or_null(arc.energy_drift_slope_per_s)},
                       {"energy_drift_max", arc.energy_drift_max_px2_per_s2},
                       {"energy_drift_end", arc.energy_drift_end_px2_per_s2},
+                      {"exact_law_px", arc.exact_law_px},
+                      {"energy_parts", energy_parts_json(arc.energy_parts)},
                       {"gsl_vs_closed_px", or_null(arc.gsl_vs_closed_px)}};
 }
 
@@ -30,7 +44,8 @@ Json contact_json(const ImpactErrors& contact) {
                       {"time_error_s", or_null(contact.time_error_s)},
                       {"overshoot_px", contact.overshoot_px},
                       {"energy_jump_rel", contact.energy_jump_rel},
-                      {"effective_restitution", or_null(contact.effective_restitution)}};
+                      {"effective_restitution", or_null(contact.effective_restitution)},
+                      {"energy_parts", energy_parts_json(contact.energy_parts)}};
 }
 
 template <class Value, class Write>
@@ -47,6 +62,7 @@ struct WorstKey {
 constexpr WorstKey kWorstKeys[] = {{"implementation_px", &DriftSummary::implementation_px},
                                    {"truncation_px", &DriftSummary::truncation_px},
                                    {"model_px", &DriftSummary::model_px},
+                                   {"exact_law_px", &DriftSummary::exact_law_px},
                                    {"energy_drift_rel_max", &DriftSummary::energy_drift_rel_max},
                                    {"energy_drift_slope_per_s", &DriftSummary::energy_drift_slope_per_s},
                                    {"energy_drift_max", &DriftSummary::energy_drift_max_px2_per_s2},
@@ -72,6 +88,11 @@ Json restitution_json(const Spread& spread) {
                       {"contacts", spread.count()}};
 }
 
+Json sensitivity_json(const Sensitivity& sensitivity) {
+  return list_of(std::vector(sensitivity.begin(), sensitivity.end()),
+                 [](const auto& row) { return Json(Json::Array(row.begin(), row.end())); });
+}
+
 Json margin_json(const Margin& margin) {
   Json::Object object{{"half_width", or_null(margin.half_width)}};
   if (margin.nearest)
@@ -82,9 +103,7 @@ Json margin_json(const Margin& margin) {
                      {"taken", margin.nearest->is_taken}});
   else
     object.emplace_back("nearest_decision", nullptr);
-  Json::Array sensitivity;
-  for (const auto& row : margin.sensitivity) sensitivity.emplace_back(Json::Array(row.begin(), row.end()));
-  object.emplace_back("sensitivity", std::move(sensitivity));
+  object.emplace_back("sensitivity", sensitivity_json(margin.sensitivity));
   object.emplace_back("sensitivity_norm", margin.sensitivity_norm);
   return object;
 }
@@ -105,6 +124,7 @@ Json::Object drift_json(const DriftReport& report) {
       {"skipped_arcs", summary.skipped_arcs},
       {"arcs", list_of(report.run.arcs, arc_json)},
       {"contacts", list_of(report.run.contacts, contact_json)},
+      {"sensitivity", sensitivity_json(report.run.margin.sensitivity)},
       {"worst", worst_json(summary, &Worst::value)},
       {"worst_step", worst_json(summary, &Worst::step)},
       {"arcs_measured", summary.arcs},

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "sim/reference/model.h"
 #include "tools/hyrax-sim/command_line/print.h"
 #include "tools/hyrax-sim/drift/drift.h"
 
@@ -56,6 +57,27 @@ std::string energy_text(const DriftSummary& summary) {
                      first_step);
 }
 
+// Energy as the height in px that it lifts the sprite by.
+std::string height(double energy_px2_per_s2) {
+  return fmt::format("{:+.3g} px", energy_px2_per_s2 / Model{}.gravity_px_per_s2);
+}
+
+// What the discretisation itself adds and takes, by cause; what the model takes at a contact is no error.
+std::string causes_text(const DriftSummary& summary) {
+  if (summary.arcs == 0) return "";
+  return fmt::format(
+      "  by cause     as height: gravity once a step {}, drag on that path {},\n"
+      "               lift out of walls {}, restitution after the wall {}\n",
+      height(summary.arc_energy.gravity), height(summary.arc_energy.drag),
+      height(summary.contact_energy.lift), height(summary.late_bounces_px2_per_s2));
+}
+
+std::string exact_law_text(const DriftSummary& summary) {
+  if (!summary.exact_law_px) return "";
+  return fmt::format("  exact law    of the step followed to {} px by every arc\n",
+                     number(summary.exact_law_px));
+}
+
 std::string arcs_text(const DriftRun& run, std::size_t lines_max) {
   const DriftSummary& summary = run.summary;
   if (summary.arcs == 0) return "  no flight arc of two steps or more\n";
@@ -74,7 +96,7 @@ std::string arcs_text(const DriftRun& run, std::size_t lines_max) {
          arc_line("worst", "", "", "", number(summary.implementation_px), number(summary.truncation_px),
                   number(summary.model_px), percent(summary.energy_drift_rel_max), "",
                   percent(summary.energy_drift_slope_per_s), number(summary.gsl_vs_closed_px)) +
-         energy_text(summary);
+         energy_text(summary) + causes_text(summary) + exact_law_text(summary);
 }
 
 template <class... Columns>
@@ -101,6 +123,19 @@ std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
     text += fmt::format(
         "  restitution  mean {:.4f}, standard deviation {:.4f}, {} contacts; the paper's is 0.6\n",
         restitution.mean(), restitution.standard_deviation(), restitution.count());
+  return text;
+}
+
+// Of the end to the start, as long as no contact changes.
+std::string sensitivity_text(const Sensitivity& sensitivity) {
+  constexpr std::string_view kNames[] = {"x", "y", "vx", "vy"};
+  std::string text = fmt::format("  {:<12} {:>10} {:>10} {:>10} {:>10}   of the start, by 1 px or 1 px/s\n",
+                                 "end moves by", kNames[0], kNames[1], kNames[2], kNames[3]);
+  for (std::size_t row = 0; row < sensitivity.size(); ++row) {
+    const auto& [x, y, vx, vy] = sensitivity[row];
+    text += fmt::format("  {:>12} {:>10} {:>10} {:>10} {:>10}\n", kNames[row], number(x), number(y),
+                        number(vx), number(vy));
+  }
   return text;
 }
 
@@ -226,6 +261,7 @@ void print_drift(const DriftReport& report, const Printing& printing) {
   print_text("{}{}", arcs_text(run, lines_max), contacts_text(run, lines_max));
   print_faults(run.summary);
   print_text("  {}\n", margin_text(run.margin));
+  if (printing.is_verbose()) print_text("{}", sensitivity_text(run.margin.sensitivity));
   if (is_knife_edge(run.margin)) print_text("  KNIFE EDGE   rounding alone can change a contact\n");
   print_text("{}", reference_text(run.gsl));
   if (const std::vector<std::string> items = not_computed(report); !items.empty())

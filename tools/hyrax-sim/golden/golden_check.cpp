@@ -10,6 +10,7 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "tools/files/scenario_changes.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
@@ -99,6 +100,8 @@ ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
   ComparedRun compared{comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash),
                                         summary.final, inputs_of(scenario, summary.steps)}),
                        summary};
+  if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
+    compared.comparison.shape += ": " + changes;
   if (!compared.comparison.agrees && summary.at_rest_since_s && settled_since_s(kept, *kernel))
     compared.comparison.rest_shift_px = distance_px(state_of(kept.final), state_of(summary.final));
   return compared;
@@ -111,7 +114,8 @@ RunSummary play(const Scenario& scenario) {
 
 FreshRun play_for_golden(const Scenario& scenario) {
   FreshRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(scenario, recorder, options_for(scenario));
+  WaypointMeter waypoints(step_count(scenario));
+  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, options_for(scenario));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};
@@ -128,7 +132,7 @@ FreshRun play_for_golden(const Scenario& scenario) {
   run.final = summary.final;
   run.contacts_total = summary.contacts.total();
   run.inputs = inputs_of(scenario, summary.steps);
-  return {std::move(run), summary};
+  return {std::move(run), summary, waypoints.take()};
 }
 
 }  // namespace hyrax

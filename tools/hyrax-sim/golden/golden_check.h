@@ -7,6 +7,7 @@
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/run_summary.h"
 #include "sim/trajectory/stored_run.h"
+#include "sim/trajectory/waypoints.h"
 
 namespace hyrax {
 
@@ -25,6 +26,7 @@ struct ComparedRun {
 struct FreshRun {
   StoredRun run;
   RunSummary summary;
+  Waypoints waypoints;
 };
 [[nodiscard]] FreshRun play_for_golden(const Scenario& scenario);
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
+#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
@@ -53,7 +56,8 @@ std::string margin_in_summary(const FreshRun& fresh) {
 }
 
 std::string summary_text(const FreshRun& fresh, const std::string& reason, const GoldenChecksums& checksums) {
-  return golden_summary_text(fresh.run, fresh.summary, reason, margin_in_summary(fresh), checksums);
+  return golden_summary_text(fresh.run, fresh.summary, fresh.waypoints, reason, margin_in_summary(fresh),
+                             checksums);
 }
 
 // What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
@@ -76,13 +80,22 @@ void refuse_pair(Comparison& comparison, const std::string& fault) {
                      "; restore it, or bless the scenario again";
 }
 
+// Whether a row, a contact or the scenario differs; else only what the golden file says of itself.
+bool has_other_run(const Comparison& comparison, const StoredRun& kept, const Scenario& scenario) {
+  return comparison.first || !comparison.contacts.is_none() || !plays_the_same(kept.scenario, scenario);
+}
+
 PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
                                 FreshRun fresh, const std::string& h5_checksum) {
-  const StoredRun kept = read_golden(place.h5_path);
+  StoredRun kept = read_golden(place.h5_path);
   ComparedRun compared = compare_with(kept, scenario);
-  PairComparison pair{std::move(compared.comparison), compared.summary, false, ""};
-  if (!pair.comparison.agrees) return pair;
+  PairComparison pair{
+      .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
   const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
+  if (has_other_run(pair.comparison, kept, scenario))
+    pair.runs = std::make_shared<const PairRuns>(
+        PairRuns{std::move(kept), std::move(fresh.run), blessed_checksum == h5_checksum});
+  if (!pair.comparison.agrees) return pair;
   if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, place))
     refuse_pair(pair.comparison, *fault);
   else if (blessed_checksum != h5_checksum)
@@ -101,7 +114,7 @@ std::string summary_of(const FreshRun& fresh, const std::string& reason, const s
 
 std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
                                                 bool reads_h5) {
-  const std::string text = read_text_file(place.txt_path);
+  const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
   FreshRun fresh = play_for_golden(scenario);
   if (text == summary_of(fresh, summary_reason(text), h5_checksum))
@@ -112,8 +125,9 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
 
 bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
   const StoredRun kept = read_golden(place.h5_path);
-  return kept.scenario.name == scenario.name && compare_with(kept, scenario).comparison.agrees &&
-         !attribute_difference(place.h5_path, kept);
+  return kept.scenario.name == scenario.name && kept.physics == kPhysicsModel &&
+         numbers_of(kept.constants) == numbers_of(core_constants()) &&
+         compare_with(kept, scenario).comparison.agrees && has_all_attributes(place.h5_path, kept);
 }
 
 }  // namespace hyrax

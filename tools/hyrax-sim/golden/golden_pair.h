@@ -1,13 +1,22 @@
 // A scenario's run against its golden pair: the .h5 file and the summary beside it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "sim/trajectory/stored_run.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
 #include "tools/store/golden_place.h"
 
 namespace hyrax {
+
+/// Both runs of a pair that differ, for what is to be explained.
+struct PairRuns {
+  StoredRun golden;
+  StoredRun fresh;                   ///< The run of this program.
+  bool is_golden_as_blessed = true;  ///< The .h5 file has the checksum in its summary.
+};
 
 struct PairComparison {
   Comparison comparison{};
@@ -15,12 +24,14 @@ struct PairComparison {
   bool is_current = true;  ///< Blessing the run would write this summary again, and this .h5 file.
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
+  /// Where rows, contacts or scenarios differ; nullptr where the pair agrees or was merely changed.
+  std::shared_ptr<const PairRuns> runs{};
 };
 
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
 /// summary, every line of it but the reason's text, is not the one that blessing the run would write.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
-/// REQUIRES: has_golden_file(place); with `reads_h5`, as read_isolated.
+/// REQUIRES: the .h5 file exists (without its .txt the pair never agrees); with `reads_h5`, as read_isolated.
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
                                                               const GoldenPlace& place, bool reads_h5);

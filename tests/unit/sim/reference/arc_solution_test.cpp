@@ -96,6 +96,88 @@ TEST(DiscreteFlight, FollowsTheStepFrameByFrameUnderJitter) {
             kTolerance);
 }
 
+// The flow of v' = kappa G - k v, y' = kappa v + eta over one frame, in the textbook form.
+struct ExactLawTruth {
+  WideMotion motion;
+  WideMotion operator()(double dt_s) {
+    const Wide a = kAirDrag;
+    const Wide log_drag = Wide(0.0) - log(a);
+    const Wide kappa = a * log_drag / (Wide(1.0) - a);
+    const Wide phi1 = (Wide(1.0) - a) / log_drag;
+    const Wide gain = Wide(kGravity) * dt_s;
+    const Wide eta = a * gain - kappa * kappa * (gain / log_drag) * (Wide(1.0) - phi1);
+    const Wide phi2 = (Wide(1.0) - phi1) / log_drag;
+    motion.displacement =
+        motion.displacement + Wide(dt_s) * (kappa * (phi1 * motion.speed + kappa * gain * phi2) + eta);
+    motion.speed = a * motion.speed + kappa * gain * phi1;
+    return motion;
+  }
+};
+
+TEST(ExactLaw, IsWhatTheStepDoesToSixtyDigits) {
+  DiscreteTruth step{{0.0, -900.0}};
+  ExactLawTruth law{{0.0, -900.0}};
+  for (const double dt_s : jittered_frames(600)) {
+    const Wide apart = step(dt_s).displacement - law(dt_s).displacement;
+    EXPECT_LT(std::fabs(apart.rounded()), 1e-55);
+  }
+}
+
+TEST(ExactLaw, IsFollowedByTheSolutionOverAHundredSeconds) {
+  for (const double rate_hz : {24.0, 60.0, 240.0}) {
+    const std::vector<double> frames_s(static_cast<std::size_t>(100 * rate_hz), 1.0 / rate_hz);
+    EXPECT_LT(worst_error(frames_s, -900.0, ExactLawTruth{{0.0, -900.0}},
+                          [](const ArcSolution& s) { return s.exact_law(); }),
+              kTolerance)
+        << rate_hz;
+  }
+}
+
+TEST(ExactLaw, IsFollowedByTheSolutionUnderJitter) {
+  EXPECT_LT(worst_error(jittered_frames(6000), 700.0, ExactLawTruth{{0.0, 700.0}},
+                        [](const ArcSolution& s) { return s.exact_law(); }),
+            kTolerance);
+}
+
+// Along the law de/dt = -k v^2 - G eta, and along the matched ODE de/dt = -k v^2: what gravity's part leaves
+// of the drift is the difference of both integrals, here by Simpson's rule over each frame.
+TEST(ExactLaw, LeavesToDragWhatGravityDoesNotExplain) {
+  constexpr double kFrame_s = 1.0 / 60;
+  const double k = -std::log(kAirDrag) / kFrame_s;
+  const double kappa = -kAirDrag * std::log(kAirDrag) / (1.0 - kAirDrag);
+  ArcSolution solution((Model()));
+  solution.start({500.0, -900.0}, true);
+  double by_drag = 0.0;
+  for (int i = 0; i < 120; ++i) {
+    const Flight law = solution.exact_law();
+    const Flight matched = solution.matched();
+    const auto loss = [&](double t_s) {
+      const double law_x = fly(law.vx_px_per_s, 0.0, k, t_s).speed_px_per_s;
+      const double law_y = fly(law.vy_px_per_s, kappa * kGravity, k, t_s).speed_px_per_s;
+      const double x = fly(matched.vx_px_per_s, 0.0, k, t_s).speed_px_per_s;
+      const double y = fly(matched.vy_px_per_s, kGravity, k, t_s).speed_px_per_s;
+      return -k * (law_x * law_x + law_y * law_y - x * x - y * y);
+    };
+    by_drag += kFrame_s / 6.0 * (loss(0.0) + 4.0 * loss(kFrame_s / 2.0) + loss(kFrame_s));
+    solution.advance(kFrame_s);
+  }
+  const Flight law = solution.exact_law();
+  const Flight matched = solution.matched();
+  const double drift = (law.vx_px_per_s * law.vx_px_per_s - matched.vx_px_per_s * matched.vx_px_per_s) / 2 +
+                       (law.vy_px_per_s * law.vy_px_per_s - matched.vy_px_per_s * matched.vy_px_per_s) / 2 -
+                       kGravity * (law.dy_px - matched.dy_px);
+  EXPECT_NEAR(drift - solution.gravity_energy_px2_per_s2(), by_drag, 1e-6);
+  EXPECT_LT(drift, -20'000.0);
+}
+
+TEST(ExactLaw, WithoutDragLosesHalfGravitySquaredTimesTheFrame) {
+  ArcSolution solution({.air_drag = 1.0});
+  solution.start({500.0, -900.0}, true);
+  for (int i = 0; i < 64; ++i) solution.advance(1.0 / 64);
+  EXPECT_EQ(solution.exact_law().dy_px, solution.discrete().dy_px);
+  EXPECT_EQ(solution.gravity_energy_px2_per_s2(), -kGravity * kGravity / 64 / 2);
+}
+
 TEST(MatchedFlight, SolvesTheOdeOverAHundredSeconds) {
   for (const double rate_hz : {24.0, 60.0, 240.0}) {
     const std::vector<double> frames_s(static_cast<std::size_t>(100 * rate_hz), 1.0 / rate_hz);

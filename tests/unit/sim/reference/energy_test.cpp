@@ -85,6 +85,14 @@ TEST(EnergyDrift, IsTheDifferenceOfEnergiesAtEveryRow) {
                    largest);
 }
 
+// Control: another step follows another law.
+TEST(ExactLaw, IsNotFollowedByAnotherStep) {
+  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 60);
+  Measured measured;
+  measure(scenario, fly_by(paper_step(0.9989), scenario), measured);
+  EXPECT_GT(measured.arcs.at(0).exact_law_px, 0.01);
+}
+
 // A flight in powers of two (dt = 1/64 s, no drag) moves far away without losing a bit, so its
 // drift must not lose one either.
 class FarFromTheOrigin : public testing::Test {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -41,6 +42,26 @@ TEST_P(EveryScenario, FollowsTheDiscreteClosedFormToRounding) {
   EXPECT_EQ(measured_.summary.steps_astray, 0);
   for (const ArcErrors& arc : measured_.arcs)
     EXPECT_LT(arc.implementation_px, 1e-8 + 1e-12 * arc.coordinate_largest_px) << arc.first_step;
+}
+
+TEST_P(EveryScenario, FollowsTheExactLawOfTheStepToRounding) {
+  for (const ArcErrors& arc : measured_.arcs)
+    EXPECT_LT(arc.exact_law_px, 1e-8 + 1e-12 * arc.coordinate_largest_px) << arc.first_step;
+}
+
+// The parts are the model's own operations, the sum is that of the run's rows.
+TEST_P(EveryScenario, SplitsTheEnergyOfAnArcAndOfAContactIntoPartsThatAddUp) {
+  for (const ArcErrors& arc : measured_.arcs)
+    EXPECT_NEAR(arc.energy_parts.gravity + arc.energy_parts.drag, arc.energy_drift_end_px2_per_s2,
+                1e-9 + 1e-12 * arc.energy_scale_px2_per_s2());
+  for (const ImpactErrors& contact : measured_.contacts) {
+    const ContactEnergyParts& e = contact.energy_parts;
+    const double largest = std::max({std::fabs(e.flight), std::fabs(e.lift), std::fabs(e.bounce),
+                                     std::fabs(e.friction), std::fabs(e.rest)});
+    EXPECT_NEAR(e.flight + e.lift + e.bounce + e.friction + e.rest, contact.energy_jump_px2_per_s2,
+                1e-9 + 1e-12 * largest)
+        << contact.step;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(scenario_paths()), [](const auto& test) {

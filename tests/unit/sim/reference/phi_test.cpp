@@ -49,7 +49,7 @@ TEST(Phi, BeatsTheTextbookForm) {
 }
 
 TEST(WidePhi, HasAHundredBits) {
-  for (const double z : {-1.0, -0.5, -1e-3, -1e-9}) {
+  for (const double z : {-90.0, -3.0, -1.0, -0.5, -1e-3, -1e-9}) {
     const WidePhi p = wide_phi({z, 0.0});
     const WideTextbookPhi truth{Wide(z)};
     EXPECT_LT(relative_error(p.one, truth.one), 0x1p-100) << z;

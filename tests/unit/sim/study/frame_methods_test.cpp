@@ -90,6 +90,26 @@ TEST(FrameMethods, AllThatSolveTheFixedLawsTendToTheSameFling) {
   }
 }
 
+// Bounces pass rounding on, each impact a little more.
+TEST(FrameMethods, ImpactsInsideTheFrameMakeAFlingExact) {
+  for (const char* name : {"fling", "corner-fling", "jittered-fling"})
+    for (const double rate_hz : {15.0, 60.0, 1920.0}) {
+      const MethodErrors errors = errors_of("exact-impacts", problem_named(name), rate_hz);
+      EXPECT_LT(errors.position_px, 1e-8) << name << " at " << rate_hz << " Hz";
+      EXPECT_LT(errors.contact_time_s, 1e-10) << name << " at " << rate_hz << " Hz";
+      EXPECT_GT(errors_of("exact-flight", problem_named(name), rate_hz).position_px, 1e-3);  // The control.
+    }
+}
+
+TEST(FrameMethods, ImpactsInsideTheFrameKeepAFastSpriteInsideASmallWindow) {
+  Problem problem = problem_named("fling");
+  problem.start = {1.0, 2.0, 1e6, -1e6};
+  problem.stages = {{.duration_s = 5.0, .bounds = {3.0, 0.0}}};
+  const MethodErrors errors = errors_of("exact-impacts", problem, 15.0);
+  EXPECT_FALSE(errors.is_failed);
+  EXPECT_LT(errors.position_px, 1e-6);
+}
+
 TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
   class Lost final : public Method {
    public:

@@ -144,7 +144,7 @@ TEST(SpeedErrorStudy, HasTablesFiguresAndAVerdictThatHolds) {
   const StudyResult result = the_study().run(quick_request());
   ASSERT_EQ(result.tables.size(), 5u);
   EXPECT_EQ(result.tables[0].name, "points");
-  EXPECT_EQ(row_count(result.tables[0]), 2u * 8u * 5u + 10u * 3u);
+  EXPECT_EQ(row_count(result.tables[0]), 2u * 9u * 5u + 10u * 3u);
   ASSERT_EQ(result.figures.size(), 2u);
   EXPECT_EQ(result.figures[0].suffix, "");
   EXPECT_EQ(result.figures[1].suffix, "-fling");

@@ -94,6 +94,14 @@ TEST(SpeedErrorRules, FindAnExactMethodThatIsNot) {
   EXPECT_TRUE(is_broken(study, "within rounding"));
 }
 
+TEST(SpeedErrorRules, FindImpactsInsideTheFrameThatAreNotExact) {
+  SpeedError study = some_study();
+  std::find_if(study.methods.begin(), study.methods.end(), [](const MethodKind& kind) {
+    return kind.name == "exact-flight";
+  })->accuracy = Exact{.meets_walls_exactly = true};
+  EXPECT_TRUE(is_broken(study, "within rounding, px (exact-flight, fling"));
+}
+
 TEST(SpeedErrorRules, FindAPapersStepThatConverges) {
   SpeedError study = some_study();
   study.paper.back().model_px = 0.1;

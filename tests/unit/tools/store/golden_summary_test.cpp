@@ -20,11 +20,18 @@ StoredRun some_run() {
   Contact bounce;
   bounce.step = bounce.last_step = 110;
   bounce.wall = Wall::right;
+  bounce.vx_before_px_per_s = 400.0;
+  bounce.vy_before_px_per_s = -300.0;
   Contact rest;
   rest.step = 312;
   rest.last_step = 600;
   run.contacts = {bounce, rest};
   return run;
+}
+
+Waypoints some_waypoints() {
+  return {.apex = {.step = 67, .x_px = 1200.0, .y_px = 123.4567894},
+          .at_seconds = {{.step = 60, .x_px = -1e-9, .y_px = -0.5}, {.step = 120, .x_px = 3.0, .y_px = 4.0}}};
 }
 
 RunSummary some_summary() {
@@ -38,7 +45,7 @@ RunSummary some_summary() {
 
 std::string text_of(const StoredRun& run, const RunSummary& summary, const std::string& reason,
                     const std::string& margin = "") {
-  return golden_summary_text(run, summary, reason, margin,
+  return golden_summary_text(run, summary, some_waypoints(), reason, margin,
                              {"0123456789abcdef0123456789abcdef", "fedcba9876543210fedcba9876543210"});
 }
 
@@ -49,22 +56,26 @@ TEST(GoldenSummary, IsMadeToBeReadInAReview) {
             "steps: 600\n"
             "state hash: c0ea1a610d86b14114d3cef7071362e5\n"
             "contacts: left 0, right 1, top 0, ground 1\n"
-            "  110 right\n"
-            "  312 .. 600 ground\n"
+            "  110 right at 500.000000 px/s\n"
+            "  312 .. 600 ground at 0.000000 px/s\n"
+            "apex: x 1200.000000 px, y 123.456789 px, step 67\n"
+            "position:\n"
+            "  1 s  x 0.000000 px, y -0.500000 px, step 60\n"
+            "  2 s  x 3.000000 px, y 4.000000 px, step 120\n"
             "end: t 10 s\n"
             "  x  643.5 px  0x1.41cp+9\n"
             "  y  952 px  0x1.dcp+9\n"
             "  vx -0 px/s  -0x0p+0\n"
             "  vy 0.1 px/s  0x1.999999999999ap-4\n"
-            "at rest since: 5.25 s\n"
+            "settled since: 5.25 s\n"
             "reason: a longer throw\n"
             "seal: 0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210\n");
 }
 
-TEST(GoldenSummary, SaysThatThereIsNoRest) {
+TEST(GoldenSummary, SaysThatItHasNotSettled) {
   RunSummary restless = some_summary();
   restless.at_rest_since_s.reset();
-  EXPECT_NE(text_of(some_run(), restless, "x").find("at rest since: never\n"), std::string::npos);
+  EXPECT_NE(text_of(some_run(), restless, "x").find("not settled: moved within the last 1 s\n"), std::string::npos);
 }
 
 TEST(GoldenSummary, KeepsAReasonOfSeveralLinesInOne) {
@@ -81,9 +92,10 @@ TEST(GoldenSummary, ShowsFirstAndLastOfManyContacts) {
     run.contacts.push_back(contact);
   }
   const std::string text = text_of(run, some_summary(), "x");
-  EXPECT_NE(text.find("  1 ground\n"), std::string::npos);
-  EXPECT_NE(text.find("  20 ground\n  ... 960 more\n  981 ground\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("  1000 ground\n"), std::string::npos);
+  EXPECT_NE(text.find("  1 ground at"), std::string::npos);
+  EXPECT_NE(text.find("  20 ground at 0.000000 px/s\n  ... 960 more\n  981 ground"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("  1000 ground at"), std::string::npos);
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 60);
 }
 
@@ -101,9 +113,9 @@ TEST(GoldenSummary, ReportsTheFirstLineThatDiffers) {
   const std::string text = text_of(some_run(), some_summary(), "x");
   EXPECT_EQ(summary_difference("scenario: fling\nphysics: hyrax-physics/2\n", text),
             "line 2: differs (found 'physics: hyrax-physics/2'); expected 'physics: hyrax-physics/1'");
-  EXPECT_EQ(summary_difference(text + "more\n", text), "line 16: differs (found 'more'); expected nothing");
+  EXPECT_EQ(summary_difference(text + "more\n", text), "line 20: differs (found 'more'); expected nothing");
   EXPECT_EQ(summary_difference(text.substr(0, text.size() - 1), text),
-            "line 15: differs (found 'seal: 0123456789abcdef0123456789abcdef "
+            "line 19: differs (found 'seal: 0123456789abcdef0123456789abcdef "
             "fedcba9876543210fedcba9876543210' without a line end); expected 'seal: "
             "0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210'");
 }

@@ -1,0 +1,124 @@
+#include "tools/hyrax-sim/golden/bless_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/files/printable.h"
+#include "tools/hyrax-sim/golden/difference_text.h"
+#include "tools/store/trajectory_format.h"
+
+namespace hyrax {
+namespace {
+
+using Status = Blessing::Status;
+
+bool differs_more_than_rounding(const Blessing& blessing) {
+  return blessing.differs_in && *blessing.differs_in > DifferenceClass::rounding;
+}
+
+void print_plan(const Blessing& blessing, const Printing& printing) {
+  const std::string path = printable(blessing.path);
+  const std::string h5_path = printable(blessing.place.h5_path);
+  if (blessing.status == Status::unchanged)
+    print_text("{}: {} with {} already\n", path, VerdictWord{"agrees", true}, h5_path);
+  if (printing.is_quiet()) return;
+  if (blessing.status == Status::fresh) print_text("{}: new golden file\n", path);
+  if (blessing.status != Status::changed && blessing.status != Status::refused) return;
+  if (!blessing.unreadable.empty())
+    return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
+  print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
+             difference_text(blessing.comparison, printing.is_verbose()));
+}
+
+// Where results that were accepted under a model's name change by more than rounding.
+void print_model_hint(const BlessReport& report) {
+  const bool is_due = std::ranges::any_of(report.blessings, [](const Blessing& blessing) {
+    return differs_more_than_rounding(blessing) && blessing.runs &&
+           blessing.runs->golden.physics == kPhysicsModel;
+  });
+  if (is_due)
+    print_text(
+        "results change by more than rounding: give the physics model a new number (now {}; kPhysicsModel in "
+        "tools/store/trajectory_format.h)\n",
+        kPhysicsModel);
+}
+
+void print_done(const Blessing& blessing) {
+  if (blessing.has_failed()) return;
+  const std::string path = printable(blessing.path);
+  const auto& [h5_path, txt_path] = blessing.place;
+  if (blessing.writes_golden_file() && blessing.keeps_h5)
+    print_text("{}: agrees with {} already; its summary, {}, is written again\n", path, printable(h5_path),
+               printable(txt_path));
+  else if (blessing.writes_golden_file())
+    print_text("{}: {}, {}\n", path, VerdictWord{"blessed", true}, printable(h5_path));
+  if (blessing.scenario_text) print_text("{}: expect.state_hash updated\n", path);
+}
+
+// null for a scenario that cannot be read.
+Json path_json(const std::string& path) { return path.empty() ? Json() : Json(path); }
+
+Json result_json(const Blessing& blessing) {
+  const Comparison& comparison = blessing.comparison;
+  const bool is_compared = !blessing.has_failed() && blessing.status != Status::fresh;
+  Json::Object entry{{"scenario", blessing.path},
+                     {"status", name_of(blessing.status)},
+                     {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+                     {"max_px", is_compared ? max_px_json(comparison) : Json()},
+                     {"contacts_moved", is_compared ? Json(comparison.contacts.total()) : Json()},
+                     {"first_divergence", divergence_json(comparison.first)},
+                     {"golden_file", path_json(blessing.place.h5_path)},
+                     {"summary", path_json(blessing.place.txt_path)},
+                     {"updates_hash", blessing.scenario_text.has_value()}};
+  if (!blessing.error.empty()) entry.emplace_back("error", blessing.error);
+  return entry;
+}
+
+}  // namespace
+
+std::string refusal_sentence(const BlessReport& report) {
+  const auto& blessings = report.blessings;
+  const auto failed = std::ranges::count(blessings, Status::failed, &Blessing::status);
+  if (failed > 0)
+    return fmt::format("hyrax-sim bless: nothing written: {} of {} scenarios failed", failed,
+                       blessings.size());
+  const auto refused = std::ranges::count(blessings, Status::refused, &Blessing::status);
+  if (refused == 0) return "";
+  const Blessing& widest = *std::ranges::max_element(blessings, {}, [](const Blessing& blessing) {
+    return blessing.status == Status::refused ? blessing.differs_in : std::nullopt;
+  });
+  return fmt::format(
+      "hyrax-sim bless: nothing written: {} of {} scenarios differ by more than --accept allows; --accept {} "
+      "accepts all of them, the widest of which is {}",
+      refused, blessings.size(), name_of(*widest.differs_in), widest.path);
+}
+
+void print_plans(const BlessReport& report, const Printing& printing) {
+  for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
+  if (!printing.is_quiet()) print_model_hint(report);
+  if (printing.is_quiet()) return;
+  for (const std::string& path : report.pruned) print_text("{}: has no scenario\n", printable(path));
+}
+
+void print_done(const BlessReport& report, bool is_dry_run) {
+  if (is_dry_run) print_text("dry run: nothing written\n");
+  if (!report.is_written) return;
+  for (const Blessing& blessing : report.blessings) print_done(blessing);
+  for (const std::string& path : report.pruned) print_text("{}: removed\n", printable(path));
+}
+
+Json bless_json(const BlessReport& report) {
+  Json::Object document;
+  for (const Status status :
+       {Status::fresh, Status::changed, Status::unchanged, Status::refused, Status::failed})
+    document.emplace_back(name_of(status), std::ranges::count(report.blessings, status, &Blessing::status));
+  document.emplace_back("written", report.is_written);
+  document.emplace_back("pruned", Json::Array(report.pruned.begin(), report.pruned.end()));
+  Json::Array results;
+  for (const Blessing& blessing : report.blessings) results.emplace_back(result_json(blessing));
+  document.emplace_back("results", std::move(results));
+  return document;
+}
+
+}  // namespace hyrax
