@@ -23,6 +23,11 @@ SCENARIOS = ["flings/first-fling", "flings/sprite-grows-and-shrinks", "flings/gr
 HOSTILE = "<script>alert(1)</script><img src=x onerror=alert(2)> </script><!-- \u2028 &amp; \"'"
 
 
+def number(name):
+    """The value of a readout, as JavaScript."""
+    return f"Number(document.querySelector('[data-name={name}]').textContent.replace('−', '-'))"
+
+
 class ReportTest(ProgramTest):
     """Reports of runs, opened in a browser."""
 
@@ -45,7 +50,8 @@ class ReportTest(ProgramTest):
 
     def report(self, name, *options):
         """Writes the report of a trajectory in the folder; returns a task that opens it."""
-        self.expect(AGREED, "report", f"{name}.h5", *options, "-o", f"{name}.html")
+        outcome = self.expect(AGREED, "report", f"{name}.h5", *options, "-o", f"{name}.html", "--json")
+        self.assertEqual(outcome.json, {"output": f"{name}.html"})
         return {"file": str(self.folder / f"{name}.html")}
 
     def played(self, name, document):
@@ -55,8 +61,7 @@ class ReportTest(ProgramTest):
 
     def hash_of(self, scenario, output):
         """Runs a scenario file; returns its state hash."""
-        outcome = self.expect(AGREED, "run", scenario, "-o", output, "--json")
-        return json.loads(outcome.out)["runs"][0]["state_hash"]
+        return self.expect(AGREED, "run", scenario, "-o", output, "--json").json["runs"][0]["state_hash"]
 
     def test_replays_the_bits_of_every_kind_of_scenario_without_errors_or_requests(self):
         tasks, hashes = [], []
@@ -137,9 +142,9 @@ class ReportTest(ProgramTest):
         down = str(self.folder / "flung.json")
         (page,) = self.open({**self.report("fling"), "actions": [
             ["click", "#mode-fling"],
-            ["wait", "Number(document.querySelector('[data-name=y]').textContent) > 940"],
+            ["wait", f"{number('y')} > 951.5 && Math.abs({number('vy')}) < 30"],
             ["mouse", [[0.5, 0.95], [0.45, 0.7], [0.4, 0.5], [0.5, 0.4], [0.7, 0.35]]],
-            ["wait", "Math.abs(Number(document.querySelector('[data-name=vx]').textContent.replace('−', '-'))) > 100"],
+            ["wait", f"window.released ??= {number('row')}, {number('row')} > window.released + 20"],
             ["download", "#download-scenario", down]]})
         self.assertEqual(page["errors"], [])
         document = json.loads(pathlib.Path(down).read_text(encoding="utf-8"))

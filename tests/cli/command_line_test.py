@@ -147,7 +147,8 @@ class OneDocument(ProgramTest):
         commands = {"run": files, "check": files, "diff": ["one.h5", "one.h5"], "drift": files, "validate": files,
                     "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "new": ["fresh"], "schema": [],
                     "bless": [*files, "--reason", "x"]}
-        self.assertEqual(sorted(commands), sorted(re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)))
+        with_page = ["report"]  # Its --json is tested where the page is built: tests/browser.
+        self.assertEqual(sorted([*commands, *with_page]), sorted(re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)))
         for command, arguments in commands.items():
             self.assertIn(f"\n  {command} ", screen)
             self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)
