@@ -19,7 +19,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::int64_t kBatchRows = 1 << 16;
 constexpr std::size_t kInputsShownMax = 5'000;
 constexpr std::size_t kScenarioTextMax = 200'000;
 
