@@ -287,7 +287,8 @@ class Accept(ProgramTest):
         self.differ("rounding")
         self.bless_accepting(AGREED, None)
         self.differ("values")
-        self.bless_accepting(DISAGREED, None, says="--accept values accepts all of them, the widest of which is scenarios/a.json")
+        self.bless_accepting(DISAGREED, None,
+                             says="--accept values accepts all of them, the widest of which is scenarios/a.json")
 
     def test_one_that_is_refused_keeps_all_from_being_written(self):
         self.differ("contacts", "c")
@@ -295,7 +296,8 @@ class Accept(ProgramTest):
         self.differ("rounding", "a")
         self.write("scenarios/new.json", fling(name="new"))
         before = self.state_of("golden")
-        document = self.bless_accepting(DISAGREED, None, says="2 of 4 scenarios differ by more than --accept allows; --accept contacts")
+        document = self.bless_accepting(
+            DISAGREED, None, says="2 of 4 scenarios differ by more than --accept allows; --accept contacts")
         self.assertEqual((document["new"], document["changed"], document["refused"]), (1, 1, 2))
         self.bless_accepting(DISAGREED, "values", says="1 of 4 scenarios")
         self.assertEqual(self.state_of("golden"), before)
@@ -321,7 +323,8 @@ class Accept(ProgramTest):
             self.bless_accepting(AGREED, "shape")
 
     def test_an_unknown_class_is_refused(self):
-        self.expect(BAD_INPUT, "bless", "scenarios", "--reason", "x", "--accept", "bits", says="rounding, values, contacts, shape")
+        self.expect(BAD_INPUT, "bless", "scenarios", "--reason", "x", "--accept", "bits",
+                    says="rounding, values, contacts, shape")
 
     def test_a_dry_run_writes_nothing(self):
         self.differ("rounding")
@@ -369,7 +372,8 @@ class UpdateHash(ProgramTest):
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         self.assertIn("scenarios/fling.json: expect.state_hash updated\n", outcome.out)
         run = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before.replace(32 * "0", run["state_hash"]))
+        self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
+                         before.replace(32 * "0", run["state_hash"]))
         self.expect(AGREED, "check")
         with h5py.File(self.folder / "golden/fling.h5") as file:
             self.assertEqual(json.loads(file.attrs["scenario"])["expect"]["state_hash"], run["state_hash"])

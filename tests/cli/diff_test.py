@@ -138,6 +138,70 @@ class Diff(ProgramTest):
         self.assertIn("vanished   right step 36", text)
         self.assertIn("appeared   left step", text)
 
+    def test_two_scenarios_are_compared_in_px_and_contacts_never_in_ulps(self):
+        self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/start/vx_px_per_s=1190")
+        text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+        self.assertIn("the scenarios differ: /start/vx_px_per_s 1200 -> 1190\n", text)
+        for part in ("ulp", "worst", "first", "0x1."):
+            self.assertNotIn(part, text)
+        document = self.diff(DISAGREED)
+        self.assertIsNone(document["first_divergence"]["ulps"])
+        self.assertEqual({worst["ulps"] for worst in document["worst"].values()}, {None})
+
+    def test_px_come_first(self):
+        with h5py.File(self.folder / "a.h5") as file:
+            last = {name: file[f"trajectory/{name}"][-1] for name in "xy"}
+        shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file["trajectory/x"][100] += 3.0
+            file["trajectory/y"][100] += 4.0
+            file["trajectory/x"][-1] -= 0.25
+        lines = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out.splitlines()
+        self.assertEqual(lines[1], "  apart      at most 5 px, at step 100 (1.667 s)")
+        self.assertEqual(lines[2], f"  rest       0.25 px apart: x {last['x']:.6g} -> {last['x'] - 0.25:.6g}, "
+                                   f"y {last['y']:.6g} px; settled since 4 s")
+        self.assertEqual(lines[3:6], ["  contacts   no contact moved",
+                                      "  energy     at most -4.8e+03 px²/s², at step 100", "  class      values"])
+
+    def test_a_run_that_does_not_settle_ends_somewhere(self):
+        self.change("trajectory/x", 299, lambda value: value + 9.0)
+        text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+        self.assertIn("  end        the same place: ", text)
+        self.assertIn("; settled since 4 s -> not settled\n", text)
+
+    def test_other_clocks_are_compared_at_the_same_time(self):
+        rest = {"x_px": 100, "y_px": 952, "vx_px_per_s": 60}
+        self.write("slide.json", fling(name="slide", start=rest, window={"width_px": 10**6, "height_px": 10**6},
+                                       clock={"dt_s": 0.5}, steps=8))
+        self.expect(AGREED, "run", "slide.json", "-o", "a.h5")
+        self.expect(AGREED, "run", "slide.json", "-o", "b.h5", "--set", "/clock/dt_s=0.25", "--set", "/steps=16")
+        largest = 0.0
+        with h5py.File(self.folder / "a.h5") as a, h5py.File(self.folder / "b.h5") as b:
+            rows_a, rows_b = ({name: file[f"trajectory/{name}"][:] for name in "txy"} for file in (a, b))
+            for row, at_s in enumerate(rows_b["t"]):
+                shown = int(numpy.flatnonzero(rows_a["t"] <= at_s)[-1])
+                distance = numpy.hypot(rows_a["x"][shown] - rows_b["x"][row], rows_a["y"][shown] - rows_b["y"][row])
+                largest = max(largest, distance)
+        text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+        self.assertRegex(text, rf"  apart      at most {largest:.3g} px, at step \d+ \(.* s\); rows of the same time\n")
+
+    def test_a_figure_shows_both_paths_and_their_distance(self):
+        self.change("trajectory/x", 100, lambda value: value + 0.25)
+        (self.folder / "scenarios").mkdir()
+        (self.folder / "golden").mkdir()
+        before = self.state_of(".")
+        for path, says in (("golden/a.svg", "golden"), ("fig.png", ".svg")):
+            self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--figure", path, says=says)
+        self.assertEqual(self.state_of("."), before)
+        if shutil.which("gnuplot") is None:
+            self.skipTest("gnuplot is not installed")
+        outcome = self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--figure", "diff.svg")
+        self.assertIn("  figure     diff.svg\n", outcome.out)
+        svg = (self.folder / "diff.svg").read_text()
+        for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "distance (px)",
+                     "time (s)"):
+            self.assertIn(part, svg)
+
     def test_another_length_or_scenario_is_of_class_shape_even_with_equal_rows(self):
         for setting in ("/steps=299", "/record/every=2", "/window/width_px=1919"):
             self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", setting)

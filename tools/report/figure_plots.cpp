@@ -109,6 +109,17 @@ std::string axis_script(char name, const Axis& axis, const Range& ends) {
   return script;
 }
 
+// Widens one of the axes, to both sides.
+void make_scales_equal(Range& x, Range& y, const Box& box) {
+  const double x_per_px = (x.high - x.low) / (box.right - box.left);
+  const double y_per_px = (y.high - y.low) / (box.bottom - kBodyTop);
+  Range& widened = x_per_px < y_per_px ? x : y;
+  const double factor = std::max(x_per_px, y_per_px) / std::min(x_per_px, y_per_px);
+  const double space = 0.5 * (factor - 1.0) * (widened.high - widened.low);
+  widened.low -= space;
+  widened.high += space;
+}
+
 // One plot in its box, between the commands of the head and of the legend.
 class PlotScript {
  public:
@@ -120,6 +131,7 @@ class PlotScript {
     y_ends_ = ends_of(plot.y, range_of(plot.y, plot, [](const Series& series) {
                         return std::array{&series.y, &series.y_low, &series.y_low};
                       }));
+    if (plot.has_equal_scales && std::isnan(plot.x.low)) make_scales_equal(x_ends_, y_ends_, box);
   }
 
   [[nodiscard]] std::string data() const {
@@ -332,7 +344,7 @@ Canvas body_size(const std::vector<Plot>& plots) {
   const Plot& plot = plots.front();
   double height = kHeight;
   if (!plot.y.categories.empty()) height = kCategory * static_cast<double>(plot.y.categories.size());
-  if (plot.has_equal_scales)
+  if (plot.has_equal_scales && !std::isnan(plot.x.low))
     height = (kWidth - kLeft - kRight) * (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
   return {kWidth, height + kBelow};
 }

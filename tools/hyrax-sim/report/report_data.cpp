@@ -7,10 +7,10 @@
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/build_info.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/hyrax-sim/diff/trajectory_diff.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/report/report_page.h"
-#include "tools/hyrax-sim/runs/file_difference.h"
 #include "tools/hyrax-sim/runs/run_rows.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/report/wasm/scenario_record.h"
@@ -153,7 +153,7 @@ Json errors_json(const DriftSummary& summary) {
                       {"arcs", summary.arcs}};
 }
 
-Json comparison_json(const FileDifference& difference, const std::string& against) {
+Json comparison_json(const TrajectoryDiff& difference, const std::string& against) {
   const Comparison& comparison = difference.comparison;
   return Json::Object{{"file", against},
                       {"agrees", comparison.agrees},
@@ -227,7 +227,7 @@ Json report_data(const ReportRequest& request) {
     Json run = run_data(file);
     if (against)
       run.get<Json::Object>()->emplace_back(
-          "golden", comparison_json(compare_files(*against, file, {}), request.against));
+          "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));
     runs.push_back(std::move(run));
   }
   Json::Object data{{"format", "hyrax-report/1"},

@@ -75,7 +75,8 @@ TEST(GoldenSummary, IsMadeToBeReadInAReview) {
 TEST(GoldenSummary, SaysThatItHasNotSettled) {
   RunSummary restless = some_summary();
   restless.at_rest_since_s.reset();
-  EXPECT_NE(text_of(some_run(), restless, "x").find("not settled: moved within the last 1 s\n"), std::string::npos);
+  EXPECT_NE(text_of(some_run(), restless, "x").find("not settled: moved within the last 1 s\n"),
+            std::string::npos);
 }
 
 TEST(GoldenSummary, KeepsAReasonOfSeveralLinesInOne) {

@@ -1,0 +1,45 @@
+// Two runs in one picture: both paths, and their distance over time.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/result/figure.h"
+#include "sim/trajectory/row.h"
+
+namespace hyrax {
+
+/// Gathers pairs of rows for a figure. Of a long run only so many pairs are kept that a picture can show, of
+/// neighbours the one of the largest distance. Memory is bounded.
+class Overlay {
+ public:
+  static constexpr std::size_t kPairsMax = 20'000;
+
+  /// Pairs in order of time. One that is not finite is left out.
+  void add(const Row& a, const Row& b);
+
+  struct Texts {
+    std::string title;
+    std::string subtitle;
+    std::string a;  ///< Names of the runs.
+    std::string b;
+  };
+  [[nodiscard]] Figure figure(const Texts& texts) const;
+
+ private:
+  struct Pair {
+    double t_s = 0.0;
+    Position a;
+    Position b;
+    double px = 0.0;
+  };
+  [[nodiscard]] std::vector<Pair> pairs() const;
+
+  std::vector<Pair> kept_;
+  std::size_t stride_ = 1;  // So many pairs become one.
+  std::size_t seen_ = 0;    // Of the stride that is not complete.
+  Pair farthest_;           // Of these.
+};
+
+}  // namespace hyrax

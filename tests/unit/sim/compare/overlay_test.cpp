@@ -1,0 +1,67 @@
+// Two runs in one picture.
+#include "sim/compare/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hyrax {
+namespace {
+
+Row row_at(std::int64_t step, double x_px, double y_px) {
+  return {.step = step, .t_s = 0.5 * static_cast<double>(step), .x_px = x_px, .y_px = y_px};
+}
+
+std::vector<Plot> plots_of(const Overlay& overlay) {
+  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b"}).body);
+}
+
+TEST(Overlay, HasBothPathsAndTheirDistanceOverTime) {
+  Overlay overlay;
+  overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
+  overlay.add(row_at(1, 5.0, 6.0), row_at(1, 8.0, 10.0));
+  const std::vector<Plot> plots = plots_of(overlay);
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(plots[0].series[0].x, (std::vector{1.0, 5.0}));
+  EXPECT_EQ(plots[0].series[1].y, (std::vector{2.0, 10.0}));
+  EXPECT_TRUE(plots[0].y.is_reversed);
+  EXPECT_TRUE(plots[0].has_equal_scales);
+  EXPECT_EQ(plots[1].series[0].x, (std::vector{0.0, 0.5}));
+  EXPECT_EQ(plots[1].series[0].y, (std::vector{0.0, 5.0}));
+  EXPECT_FALSE(plots[1].y.is_logarithmic);
+}
+
+TEST(Overlay, DrawsSmallDistancesOnALogarithmicAxisWithALineForZero) {
+  Overlay overlay;
+  overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
+  overlay.add(row_at(1, 0.0, 2.0), row_at(1, 1e-9, 2.0));
+  const Axis axis = plots_of(overlay)[1].y;
+  EXPECT_TRUE(axis.is_logarithmic);
+  EXPECT_DOUBLE_EQ(axis.zero_at, 1e-10);
+}
+
+TEST(Overlay, LeavesOutWhatIsNotFinite) {
+  Overlay overlay;
+  overlay.add(row_at(0, 1.0, 2.0), row_at(0, std::numeric_limits<double>::quiet_NaN(), 2.0));
+  overlay.add(row_at(1, std::numeric_limits<double>::infinity(), 2.0), row_at(1, 1.0, 2.0));
+  EXPECT_TRUE(plots_of(overlay)[1].series[0].y.empty());
+}
+
+// However long the run is, the row of the largest distance is drawn.
+TEST(Overlay, KeepsTheLargestDistanceOfALongRun) {
+  for (const std::int64_t farthest : {0, 1, 12'345, 99'999, 100'001}) {
+    Overlay overlay;
+    for (std::int64_t step = 0; step < 100'002; ++step)
+      overlay.add(row_at(step, 0.0, 0.0), row_at(step, step == farthest ? 7.0 : 1.0, 0.0));
+    const Series distance = plots_of(overlay)[1].series[0];
+    EXPECT_LE(distance.y.size(), Overlay::kPairsMax);
+    EXPECT_GT(distance.y.size(), Overlay::kPairsMax / 4);
+    EXPECT_EQ(std::ranges::max(distance.y), 7.0) << farthest;
+    EXPECT_TRUE(std::ranges::is_sorted(distance.x));
+  }
+}
+
+}  // namespace
+}  // namespace hyrax

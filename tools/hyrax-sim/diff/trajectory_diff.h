@@ -1,0 +1,43 @@
+// Two trajectory files, compared row by row.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "sim/compare/energy_difference.h"
+#include "sim/compare/overlay.h"
+#include "sim/compare/trajectory_comparer.h"
+#include "tools/store/trajectory_file.h"
+
+namespace hyrax {
+
+/// How a file's run ended.
+struct RunEnd {
+  Row row;
+  bool has_every_row = false;  ///< Else it is not known when it settled.
+  std::optional<double> settled_since_s;
+};
+
+struct TrajectoryDiff {
+  explicit TrajectoryDiff(const Tolerance& tolerance, double gravity_px_per_s2)
+      : values(tolerance), energy(gravity_px_per_s2) {}
+
+  bool is_same_scenario = true;
+  bool is_by_time = false;  ///< Distances of rows of the same time: the clocks differ.
+  Comparison comparison;
+  TrajectoryComparer values;
+  EnergyDifference energy;
+  std::int64_t rows_compared = 0;  ///< Of the same step.
+  std::optional<double> largest_at_s;
+  RunEnd end_a;
+  RunEnd end_b;
+
+  /// Whether anything that is recorded differs, within the tolerance or not.
+  [[nodiscard]] bool has_differences() const;
+};
+
+/// @param overlay gets the pairs whose distance counts; may be nullptr.
+[[nodiscard]] TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& b,
+                                               const Tolerance& tolerance, Overlay* overlay);
+
+}  // namespace hyrax
