@@ -12,6 +12,11 @@ packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
 packages_for_platforms=(clang-22 g++-12-multilib qemu-user g++-aarch64-linux-gnu g++-arm-linux-gnueabihf
   g++-powerpc64le-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine wine64
   nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32)
+# For the report page: its core is WebAssembly, its scripts are bundled with npm packages.
+packages_for_page=(nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32
+  libclang-rt-19-dev-wasm32)
+command -v npm > /dev/null || packages_for_page+=(npm) # A nodejs from elsewhere than Debian brings its own.
+packages_to_browse=(chromium)
 # For tests/cli/hyrax, which run hyrax.exe under Wine and compare screenshots.
 packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot imagemagick xdotool librsvg2-bin)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
@@ -176,13 +181,22 @@ build() {
   fi
 }
 
-# build_program FOLDER: builds hyrax-sim if a source file changed, and prints nothing if none did. The folder may be
-# that of tools/test: whatever it was configured for, it can build hyrax-sim.
+# build_page FOLDER: builds the report page from npm packages, which are fetched once. On failure hyrax-sim is built
+# without it, as before.
+build_page() { timed "build report page" logged build "$1" page; }
+
+# build_program FOLDER [page]: builds hyrax-sim if a source file changed, and prints nothing if none did; with `page`, the
+# report page is built into it. The folder may be that of tools/test: whatever it was configured for, it can build
+# hyrax-sim.
 build_program() {
   local begin=${EPOCHREALTIME/[.,]/} program=$1/bin/hyrax-sim before
   hold "$1"
   is_configured "$1" || configure "$1" CMAKE_BUILD_TYPE=Release HYRAX_TESTS=OFF ||
     stop "CMake could not configure hyrax-sim; see the output above."
+  if [[ ${2:-} == page ]] && ! is_configured "$1" HYRAX_PAGE=ON; then
+    build_page "$1" || stop "The report page could not be built; see the output above. Is the network available?"
+    configure "$1" HYRAX_PAGE=ON || stop "CMake could not configure hyrax-sim; see the output above."
+  fi
   before=$(time_of_change "$program")
   build "$1" hyrax-sim || stop "hyrax-sim could not be built; see the output above."
   [[ $(time_of_change "$program") == "$before" ]] || say_time "build hyrax-sim" "$begin" 0

@@ -147,8 +147,12 @@ class OneDocument(ProgramTest):
         sweep = {"format": "hyrax-sweep/1", "base": fling(), "vary": {"/start/x_px": {"grid": [0, 9, 3]}}}
         commands = {"run": files, "check": files, "diff": ["one.h5", "one.h5"], "drift": files, "validate": files,
                     "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "new": ["fresh"], "schema": [],
-                    "bless": [*files, "--reason", "x"], "sweep": [self.write("sweep.json", sweep)]}
-        self.assertEqual(sorted(commands), sorted(re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)))
+                    "bless": [*files, "--reason", "x"], "sweep": [self.write("sweep.json", sweep)],
+                    "fuzz": ["--runs", "5"],
+                    "shrink": [self.write("long.json", fling()), "--fails", "exit 7", "-o", "small.json"]}
+        with_page = ["report"]  # Its --json is tested where the page is built: tests/browser.
+        listed = re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)
+        self.assertEqual(sorted([*commands, *with_page]), sorted(listed))
         for command, arguments in commands.items():
             self.assertIn(f"\n  {command} ", screen)
             self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)

@@ -22,6 +22,7 @@
   COMMAND(drift)                \
   COMMAND(study)                \
   COMMAND(sweep)                \
+  COMMAND(report)               \
   COMMAND(new)                  \
   COMMAND(fuzz)                 \
   COMMAND(shrink)               \

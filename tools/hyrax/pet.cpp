@@ -6,13 +6,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::int64_t kSpansPerSecond = 10;  // 100 ms.
-constexpr std::int64_t kShortestSpansPerSecond = 100;
-
-double speed_px_per_s(std::int64_t distance_px, std::int64_t ticks_per_s, std::int64_t span_ticks) {
-  return static_cast<double>(distance_px * ticks_per_s) / static_cast<double>(span_ticks);
-}
-
 constexpr double kTurns_px_per_s = 20.0;  // It does not turn around at lower speeds.
 constexpr int kStandsFrames = 3;          // A bounce touches the ground for one frame.
 constexpr double kStands_px = 1.0;        // A settled hyrax on a display that drops frames hops by less.
@@ -29,32 +22,6 @@ Keyframe start_of(const Desk& desk) {
 }
 
 }  // namespace
-
-Hand::Hand(std::int64_t ticks_per_s, ScreenPoint at, std::int64_t ticks)
-    : ticks_per_s_(ticks_per_s), grabbed_ticks_(ticks), samples_{{at, ticks}} {
-  assert(ticks_per_s > 0);
-}
-
-void Hand::move(ScreenPoint to, std::int64_t ticks) {
-  assert(ticks >= samples_.back().ticks);
-  samples_.push_back({to, ticks});
-  // The last sample before the span is the position at its beginning.
-  const std::int64_t begin_ticks = ticks - ticks_per_s_ / kSpansPerSecond;
-  while (samples_.size() > 1 && samples_[1].ticks <= begin_ticks) samples_.pop_front();
-}
-
-Velocity Hand::velocity(std::int64_t ticks) const {
-  const std::int64_t longest_ticks = ticks_per_s_ / kSpansPerSecond;
-  const std::int64_t shortest_ticks = std::max<std::int64_t>(ticks_per_s_ / kShortestSpansPerSecond, 1);
-  const std::int64_t span_ticks = std::clamp(ticks - grabbed_ticks_, shortest_ticks, longest_ticks);
-  const std::int64_t begin_ticks = ticks - span_ticks;
-  ScreenPoint begin = samples_.front().at;
-  for (const Sample& sample : samples_)
-    if (sample.ticks <= begin_ticks) begin = sample.at;
-  const ScreenPoint end = samples_.back().at;
-  return {speed_px_per_s(std::int64_t{end.x_px} - begin.x_px, ticks_per_s_, span_ticks),
-          speed_px_per_s(std::int64_t{end.y_px} - begin.y_px, ticks_per_s_, span_ticks)};
-}
 
 Pet::Pet(const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
     : desk_(desk), ticks_per_s_(ticks_per_s), timer_(ticks_per_s, ticks), session_(start_of(desk)) {}

@@ -4,9 +4,7 @@
 #include <cassert>
 #include <optional>
 
-#include "sim/replay/kernel.h"
-#include "sim/trajectory/row.h"
-#include "sim/trajectory/state_hash.h"
+#include "tools/hyrax/frame_player.h"
 #include "tools/hyrax/recording.h"
 
 namespace hyrax {
@@ -21,7 +19,7 @@ class Session {
   explicit Session(const Keyframe& start);
 
   /// The state before the next frame.
-  [[nodiscard]] const Keyframe& now() const { return now_; }
+  [[nodiscard]] const Keyframe& now() const { return player_.now(); }
 
   /// An input of the next frame. REQUIRES: no hitch; no grab while held, no release while not.
   void apply(const Action& action);
@@ -40,7 +38,7 @@ class Session {
   /// Starts a recording. REQUIRES: !is_recording(). ERRORS: Failure(bad_input) if the file exists.
   void start_recording(const std::string& path, ScenarioSaver& saver) {
     assert(!is_recording());
-    recording_.emplace(path, now_, saver);
+    recording_.emplace(path, now(), saver);
   }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
   /// REQUIRES: is_recording().
@@ -55,10 +53,7 @@ class Session {
   void continue_recording();
 
  private:
-  Keyframe now_;
-  RowBlock row_;  // Of the frame being played.
-  StretchLog log_;
-  RestAnchor rest_;
+  FramePlayer player_;
   Ring ring_;
   std::optional<Recording> recording_;
   int still_frames_ = 0;

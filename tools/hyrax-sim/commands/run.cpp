@@ -8,7 +8,9 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/outcomes.h"
+#include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/drift/drift.h"
+#include "tools/hyrax-sim/report/report_page.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/output_guard.h"
 
@@ -22,6 +24,7 @@ struct RunRequest {
   std::string output;
   std::vector<std::string> overrides;
   std::string figure;
+  std::string page;
   std::string golden_folder;
   ReferenceRequest reference{.name = "closed", .stepper = "", .tolerance = {}};
   bool measures_drift = false;
@@ -113,6 +116,28 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
   outcomes.add(std::move(entry));
 }
 
+void check_page_request(const RunRequest& request, std::size_t scenarios) {
+  if (scenarios > 1)
+    throw Failure(
+        ExitCode::bad_input,
+        fmt::format("hyrax-sim run: --report: allowed for one scenario only (found {})", scenarios));
+  if (file_name(request.output).extension == ".csv")
+    throw Failure(ExitCode::bad_input, "hyrax-sim run: --report: not possible with a CSV file (found " +
+                                           request.output + "); allowed: .h5");
+}
+
+void write_page(const RunRequest& request, const ScenarioRun& run) {
+  std::vector<std::string> command = {"hyrax-sim", "run", as_argument(run.path)};
+  for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
+  command.insert(command.end(), {"--report", request.page});
+  write_report({.files = {run.output},
+                .against = run.comparison ? run.golden_path : "",
+                .output = request.page,
+                .command = shell_command(command)});
+  if (!request.printing.is_json)
+    print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.page);
+}
+
 void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift, const Candidate& candidate,
              Outcomes& outcomes) {
   if (candidate.failure) throw *candidate.failure;
@@ -127,6 +152,7 @@ void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift,
   if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
   if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
   report(request, run, outcomes);
+  if (!request.page.empty()) outcomes.attempt_after([&] { write_page(request, run); });
   if (!picture) return;
   outcomes.attempt_after([&] {
     picture->draw(request.figure, run);
@@ -142,11 +168,16 @@ ExitCode run(const RunRequest& request) {
     throw Failure(
         ExitCode::bad_input,
         fmt::format("hyrax-sim run: --figure: allowed for one scenario only (found {})", paths.size()));
+  if (!request.page.empty()) check_page_request(request, paths.size());
   std::vector<Candidate> candidates;
   for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
   OutputGuard guard(paths, request.golden_folder);
   place_outputs(request, guard, candidates);
   if (!request.figure.empty()) guard.admit("hyrax-sim run: --figure", request.figure, {".svg"});
+  if (!request.page.empty()) {
+    guard.admit("hyrax-sim run: --report", request.page, {".html"});
+    require_page();
+  }
   const std::optional<StoredDrift> drift = stored_drift(request);
   if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
     make_output_folder(request, candidates.size());
@@ -179,6 +210,8 @@ Command run_command() {
                       {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
         options.text(request->figure,
                      {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
+        options.text(request->page,
+                     {"--report", "FILE.html", "write a page that replays the run in the browser"});
         options.text(
             request->golden_folder,
             {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});

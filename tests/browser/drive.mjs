@@ -1,0 +1,74 @@
+// node drive.mjs PACKAGES_FOLDER: opens pages in one Chromium, one after another. Reads lists of tasks from standard
+// input and prints the list of their results, each list as JSON in one line.
+//
+// A task is {file, hash, bypass_csp, actions}; an action is ["evaluate", expression], ["click", selector],
+// ["press", key], ["mouse", [[x, y]...]] (a drag along points given as fractions of the replay canvas),
+// ["download", selector, path] or ["wait", expression]. A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { argv, stdin } from 'node:process';
+import { createInterface } from 'node:readline';
+
+const { chromium } = createRequire(join(argv[2], 'package.json'))('playwright-core');
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium' });
+
+async function drag(page, points) {
+  const box = await page.locator('#replay').boundingBox();
+  const place = ([x, y]) => [box.x + x * box.width, box.y + y * box.height];
+  await page.mouse.move(...place(points[0]));
+  await page.mouse.down();
+  for (const point of points.slice(1)) {
+    await page.mouse.move(...place(point), { steps: 3 });
+    await page.waitForTimeout(16);
+  }
+  await page.mouse.up();
+}
+
+// Not waitForFunction, which evaluates text, as the page's policy forbids.
+async function waitFor(page, expression) {
+  const end = Date.now() + 20_000;
+  while (!(await page.evaluate(expression))) {
+    if (Date.now() > end) throw new Error(`never true: ${expression}`);
+    await page.waitForTimeout(20);
+  }
+  return true;
+}
+
+const actions = {
+  evaluate: (page, expression) => page.evaluate(expression),
+  click: (page, selector) => page.click(selector),
+  press: (page, key) => page.keyboard.press(key),
+  mouse: drag,
+  wait: waitFor,
+  download: async (page, selector, path) => {
+    const [file] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
+    await file.saveAs(path);
+    return file.suggestedFilename();
+  },
+};
+
+async function perform(task) {
+  const seen = { errors: [], requests: [], values: [] };
+  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width: 1280, height: 900 } });
+  const page = await context.newPage();
+  page.on('pageerror', error => seen.errors.push(String(error)));
+  page.on('console', message => message.type() === 'error' && seen.errors.push(message.text()));
+  page.on('dialog', dialog => seen.errors.push(`dialog: ${dialog.message()}`) && dialog.dismiss());
+  await context.route(url => !/^(file|data|blob):/.test(url.href), route => {
+    seen.requests.push(route.request().url());
+    return route.abort();
+  });
+  await page.goto(`file://${task.file}${task.hash ?? ''}`);
+  await page.waitForFunction(() => 'ready' in document.documentElement.dataset, null, { timeout: 30_000 });
+  seen.attributes = await page.evaluate(() => ({ ...document.documentElement.dataset }));
+  for (const [name, ...rest] of task.actions ?? []) seen.values.push((await actions[name](page, ...rest)) ?? null);
+  await context.close();
+  return seen;
+}
+
+for await (const line of createInterface({ input: stdin })) {
+  const results = [];
+  for (const task of JSON.parse(line)) results.push(await perform(task).catch(error => ({ failed: String(error) })));
+  console.log(JSON.stringify(results));
+}
+await browser.close();

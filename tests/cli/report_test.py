@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""The command report, and run --report, in a program that was built without the page: usage, inputs, outputs.
+
+What the page shows is tested in a browser: tests/browser.
+"""
+
+import os
+import pathlib
+import shutil
+
+import program
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest
+
+program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
+
+
+class ReportTest(ProgramTest):
+    """A run, and what cannot be reported of it."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", program.fling())
+        self.expect(AGREED, "run", "fling.json")
+
+    def test_without_the_page_says_in_one_sentence_how_to_get_it(self):
+        outcome = self.expect(CANNOT_ACCESS, "report", "fling.h5", "-o", "fling.html", says=("tools/run", "HYRAX_PAGE"))
+        self.assertEqual(outcome.err.count("\n"), 1)
+        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
+
+    def test_run_writes_nothing_without_the_page(self):
+        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "new.h5", "--report", "new.html", says="HYRAX_PAGE")
+        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
+
+    def test_needs_an_output(self):
+        self.expect(BAD_INPUT, "report", "fling.h5", says="-o FILE.html is missing")
+
+    def test_writes_html_only(self):
+        self.expect(BAD_INPUT, "report", "fling.h5", "-o", "fling.txt", says="allowed: .html")
+        self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.h5", "--report", "a.htm", says="allowed: .html")
+        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
+
+    def test_refuses_what_is_no_trajectory(self):
+        self.write("text.h5", "text")
+        self.expect(BAD_INPUT, "report", "text.h5", "-o", "a.html", says="text.h5: is not an HDF5 file")
+        self.expect(BAD_INPUT, "report", "fling.h5", "--against", "text.h5", "-o", "a.html", says="text.h5: is not")
+        self.expect(CANNOT_ACCESS, "report", "none.h5", "-o", "a.html", says="none.h5: cannot be read")
+
+    def test_replaces_neither_input_nor_golden_file_nor_scenario(self):
+        shutil.copy(self.folder / "fling.h5", self.folder / "page.html")
+        (self.folder / "link.html").symlink_to("page.html")
+        self.expect(BAD_INPUT, "report", "page.html", "-o", "page.html", says="would overwrite an input")
+        self.expect(BAD_INPUT, "report", "fling.h5", "--against", "page.html", "-o", "link.html", says="would overwrite")
+        self.project("a")
+        before = self.state_of(".")
+        self.expect(BAD_INPUT, "report", "fling.h5", "-o", "golden/a.html", says="golden")
+        self.expect(BAD_INPUT, "run", "scenarios/a.json", "-o", "a.h5", "--report", "golden/a.html", says="golden")
+        self.write("scenario.html", program.fling())
+        self.expect(BAD_INPUT, "report", "fling.h5", "-o", "scenario.html", says="would overwrite a scenario")
+        (self.folder / "scenario.html").unlink()
+        self.assertEqual(self.state_of("."), before)
+
+    def test_run_reports_one_scenario_in_a_trajectory_file(self):
+        self.write("other.json", program.fling(name="other"))
+        self.expect(BAD_INPUT, "run", "fling.json", "other.json", "--report", "a.html", says="one scenario only")
+        self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.csv", "--report", "a.html", says="CSV")
+
+
+if __name__ == "__main__":
+    program.main()

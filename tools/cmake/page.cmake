@@ -1,0 +1,44 @@
+# The target `page`: the report page as one file, ${hyrax_page_file}, from tools/report/page and tools/report/wasm.
+# Packages come by `npm ci` into the build folder, once for each lock file.
+set(page_sources ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
+set(page_folder ${PROJECT_BINARY_DIR}/page)
+set(hyrax_page_file ${page_folder}/page.html)
+
+set(page_packages)
+foreach(name IN ITEMS package.json package-lock.json .npmrc)
+  list(APPEND page_packages ${page_sources}/${name})
+endforeach()
+add_custom_command(
+  OUTPUT ${page_folder}/packages.stamp
+  COMMAND ${CMAKE_COMMAND} -E copy ${page_packages} ${page_folder}
+  COMMAND npm ci --silent
+  COMMAND ${CMAKE_COMMAND} -E touch packages.stamp
+  DEPENDS ${page_packages}
+  WORKING_DIRECTORY ${page_folder}
+  COMMENT "npm ci"
+  VERBATIM)
+file(MAKE_DIRECTORY ${page_folder})
+
+# A build of its own, for another processor: it finds out itself what to build.
+set(core ${page_folder}/wasm/page_core.wasm)
+add_custom_target(
+  page_core
+  COMMAND
+    ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR}/report/wasm -B ${page_folder}/wasm -G Ninja --log-level=WARNING
+    -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/tools/cmake/wasi.cmake
+  COMMAND ${CMAKE_COMMAND} --build ${page_folder}/wasm --target page_core
+  BYPRODUCTS ${core}
+  COMMENT "The page's core as WebAssembly"
+  VERBATIM)
+
+file(GLOB page_parts CONFIGURE_DEPENDS ${page_sources}/*.js ${page_sources}/*.mjs ${page_sources}/*.css
+     ${page_sources}/*.html ${PROJECT_SOURCE_DIR}/tools/hyrax/sprite/hyrax.svg)
+add_custom_command(
+  OUTPUT ${hyrax_page_file}
+  COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=${page_folder}/node_modules node ${page_sources}/bundle.mjs ${page_folder}
+          ${core} ${PROJECT_SOURCE_DIR}/tools/hyrax/sprite/hyrax.svg ${hyrax_page_file}
+  DEPENDS ${page_folder}/packages.stamp ${core} ${page_parts}
+  COMMENT "The report page"
+  VERBATIM)
+add_custom_target(page DEPENDS ${hyrax_page_file})
+add_dependencies(page page_core)

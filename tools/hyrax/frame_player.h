@@ -1,0 +1,30 @@
+// Plays frames that are not known beforehand, as a replay of them does.
+#pragma once
+
+#include "sim/replay/kernel.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/state_hash.h"
+
+namespace hyrax {
+
+/// Plays single frames with the step and the inputs of a replay.
+class FramePlayer {
+ public:
+  explicit FramePlayer(const Keyframe& start) : now_(start) {}
+
+  /// The state before the next frame.
+  [[nodiscard]] const Keyframe& now() const { return now_; }
+
+  /// An input of the next frame. REQUIRES: no hitch; no grab while held, no release while not.
+  void apply(const Action& action);
+  /// Plays a frame of `dt_s` seconds, 0 .. kFrameMax_s.
+  void advance(double dt_s);
+
+ private:
+  Keyframe now_;
+  RowBlock row_;  // Of the frame being played.
+  StretchLog log_;
+  RestAnchor rest_;
+};
+
+}  // namespace hyrax

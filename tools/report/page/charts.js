@@ -1,0 +1,209 @@
+// Charts over the time of a run, with one cursor and one zoom.
+import uPlot from 'uplot';
+import { element, firstAtLeast, lastAtMost, make, save } from './data.js';
+import { exact, fixed, rounded } from './numbers.js';
+import { color } from './painter.js';
+import { sizesAt } from './replay.js';
+
+const gravityOf = run => run.constants[0];
+
+// Specific energy, zero at rest on the floor: (vx^2 + vy^2) / 2 + g (bottom - y).
+function energyOf({ run, rows }, sizes) {
+  return rows.x.map((_, i) => {
+    const { window, sprite } = sizesAt(sizes, rows.step[i]);
+    return (rows.vx[i] ** 2 + rows.vy[i] ** 2) / 2 + gravityOf(run) * (window[1] - sprite[1] - rows.y[i]);
+  });
+}
+
+// Values that only some rows have, as a list over all rows; null draws a gap.
+function spread(rows, steps, values, isShown = () => true) {
+  const list = new Array(rows.step.length).fill(null);
+  let row = 0;
+  for (let i = 0; i < steps.length; ++i) {
+    while (row < list.length && rows.step[row] < steps[i]) ++row;
+    if (row < list.length && rows.step[row] === steps[i] && isShown(values[i])) list[row] = values[i];
+  }
+  return list;
+}
+
+// What the charts show: title, unit, series. A series is {name, color, values, digits, dash}.
+function chartsOf(result, sizes) {
+  const { rows, errors, other } = result;
+  const overlay = (name, values) => (other ? [{ name, color: 'vermilion', dash: true, values: spread(rows, other.rows.step, values) }] : []);
+  const positive = value => value > 0;
+  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], positive) });
+  const label = other?.label;
+  const charts = [
+    { id: 'position', title: 'Position', unit: 'px', decimals: 1, series: [
+      { name: 'x', color: 'blue', values: rows.x }, { name: 'y', color: 'orange', values: rows.y },
+      ...overlay(`x, ${label}`, other?.rows.x), ...overlay(`y, ${label}`, other?.rows.y)] },
+    { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
+      { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy }] },
+    { id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
+      { name: 'run', color: 'green', values: energyOf(result, sizes) },
+      ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] },
+    { id: 'dt', title: 'Frame time', unit: 'ms', decimals: 3, range: fromZero, series: [
+      { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
+  ];
+  if (errors?.step.length)
+    charts.splice(3, 0, { id: 'errors', title: 'Errors against the reference', unit: 'px', isLog: true, series: [
+      errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] });
+  return charts;
+}
+
+const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');
+
+// Whole decades, of which few are labelled.
+function logAxis() {
+  return {
+    range: (_, low, high) => {
+      const from = Math.floor(Math.log10(low > 0 ? low : 1e-12)), to = Math.ceil(Math.log10(high > 0 ? high : 1));
+      return [10 ** from, 10 ** Math.max(to, from + 1)];
+    },
+    splits: (plot, _, low, high) => {
+      const from = Math.round(Math.log10(low)), to = Math.round(Math.log10(high));
+      const stride = Math.max(1, Math.ceil((to - from) / 4));
+      return Array.from({ length: Math.floor((to - from) / stride) + 1 }, (_, i) => 10 ** (from + i * stride));
+    },
+    values: (_, splits) => splits.map(value => `10${exponent(Math.round(Math.log10(value)))}`),
+  };
+}
+
+const fromZero = (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.15 * high : 1];
+
+const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : value.toLocaleString('en').replace('-', '−'));
+
+export class Charts {
+  #plots = [];
+  #isZooming = false;
+
+  constructor(result, sizes, moment, seek) {
+    this.result = result;
+    this.moment = moment;
+    this.seek = seek;
+    this.place = element('charts');
+    this.place.replaceChildren();
+    const charts = chartsOf(result, sizes);
+    this.#plots = charts.map((chart, i) => this.#draw(chart, i === charts.length - 1));
+    this.zoomToMotion();
+    this.show();
+    moment.listen(() => this.show());
+  }
+
+  #draw(chart, isLast) {
+    const { rows } = this.result;
+    const legend = chart.series.map(series => make('span', { class: 'key' }, make('i', { class: `swatch ${series.dash ? 'dashed' : ''} tint-${series.color}` }),
+      `${series.name} `, make('output', {}, '')));
+    const figure = make('figure', { class: 'chart', id: `chart-${chart.id}` },
+      make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, `, ${chart.unit}`)), make('span', { class: 'keys' }, ...legend),
+        make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart) }, 'CSV')));
+    this.place.append(figure);
+    const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(series => series.values)], figure);
+    const playhead = make('div', { class: 'playhead' });
+    plot.over.append(playhead);
+    const { divergence } = this.result;
+    const marker = divergence === undefined || divergence === null ? null : make('div', { class: 'divergence', title: `first difference at step ${divergence}` });
+    if (marker) plot.over.append(marker);
+    this.#listen(plot);
+    return { plot, chart, playhead, marker, outputs: legend.map(key => key.querySelector('output')), figure };
+  }
+
+  #options(chart, figure, isLast) {
+    const log = chart.isLog ? logAxis() : null;
+    const axis = { stroke: () => color('quiet'), font: '11px system-ui, sans-serif', ticks: { show: false },
+      grid: { stroke: () => color('rule'), width: 1 } };
+    return {
+      width: figure.clientWidth || 300,
+      height: isLast ? 132 : 108,
+      padding: [8, 8, isLast ? 0 : 6, 0],
+      legend: { show: false },
+      cursor: { y: false, points: { show: false }, drag: { x: true, y: false, dist: 6 }, sync: { key: 'run', setSeries: false } },
+      scales: { x: { time: false }, y: chart.isLog ? { distr: 3, log: 10, range: log.range } : chart.range ? { range: chart.range } : {} },
+      axes: [
+        { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${value} s`) },
+        { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
+      ],
+      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: false,
+        dash: series.dash ? [5, 4] : undefined, points: { show: false },
+        paths: series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
+      hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)] },
+    };
+  }
+
+  // A mouse that rests shows its row; a finger scrubs.
+  #listen(plot) {
+    const over = plot.over;
+    const seek = event => {
+      const t = plot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x');
+      this.seek(Math.max(0, lastAtMost(this.result.rows.t, t)));
+    };
+    over.addEventListener('pointermove', event => {
+      if (event.pointerType === 'mouse' ? event.buttons === 0 && this.followsMouse() : event.isPrimary) seek(event);
+    });
+    over.addEventListener('pointerdown', event => event.pointerType !== 'mouse' && seek(event));
+    over.addEventListener('click', seek);
+    over.addEventListener('dblclick', () => this.zoom(null));
+  }
+
+  /** Set by the page: whether the mouse moves the moment, which it does not while playing. */
+  followsMouse = () => true;
+
+  #zoomed(source) {
+    if (this.#isZooming) return;
+    this.#isZooming = true;
+    const { min, max } = source.scales.x;
+    for (const { plot } of this.#plots) if (plot !== source) plot.setScale('x', { min, max });
+    this.#isZooming = false;
+    this.show();
+  }
+
+  /** [from, to] in s; null: the whole run. */
+  zoom(range) {
+    const t = this.result.rows.t;
+    const [min, max] = range ?? [t[0], t[t.length - 1] || 1];
+    this.#isZooming = true;
+    for (const { plot } of this.#plots) plot.setScale('x', { min, max });
+    this.#isZooming = false;
+    this.show();
+  }
+  // A run that has long settled opens on the part that moves.
+  zoomToMotion() {
+    const { rows, run } = this.result;
+    const end = rows.t[rows.t.length - 1];
+    const since = run.result.at_rest_since_s;
+    this.zoom(since !== null && since > 0 && since < 0.7 * end ? [0, since * 1.08] : null);
+  }
+
+  show() {
+    const { index, t } = this.moment;
+    for (const { plot, chart, playhead, marker, outputs } of this.#plots) {
+      const place = (mark, time) => {
+        const left = plot.valToPos(time, 'x');
+        mark.hidden = !(left >= -1 && left <= plot.over.clientWidth + 1);
+        mark.style.transform = `translateX(${left}px)`;
+      };
+      place(playhead, t);
+      if (marker) place(marker, this.result.rows.t[firstAtLeast(this.result.rows.step, this.result.divergence)] ?? NaN);
+      chart.series.forEach((series, i) => {
+        const value = series.values[index];
+        outputs[i].textContent = value === null || Number.isNaN(value) ? '–' : chart.decimals === undefined ? rounded(value, 4) : fixed(value, chart.decimals);
+      });
+    }
+  }
+
+  fit() {
+    for (const { plot, figure } of this.#plots) plot.setSize({ width: figure.clientWidth, height: plot.height });
+    this.show();
+  }
+  repaint() {
+    for (const { plot } of this.#plots) plot.redraw(false);
+  }
+
+  #saveCsv(chart) {
+    const { rows, run } = this.result;
+    const lines = [['step', 't_s', ...chart.series.map(series => `${series.name} (${chart.unit})`)].map(head => `"${head.replaceAll('"', '""')}"`).join(',')];
+    for (let i = 0; i < rows.step.length; ++i)
+      lines.push([rows.step[i], exact(rows.t[i]), ...chart.series.map(({ values }) => (values[i] === null || Number.isNaN(values[i]) ? '' : exact(values[i])))].join(','));
+    save(`${run.name}-${chart.id}.csv`, 'text/csv', `${lines.join('\n')}\n`);
+  }
+}

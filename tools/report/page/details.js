@@ -1,0 +1,65 @@
+// Contacts, what was modelled and left out, how it was made.
+import { element, make, report, save } from './data.js';
+import { count, rounded } from './numbers.js';
+
+const shownMax = 200;
+const wallNames = { 1: 'left', 2: 'right', 4: 'top', 8: 'ground' };
+
+const entry = (term, ...texts) => [make('dt', {}, term), ...texts.map(text => make('dd', {}, text))];
+const code = text => make('code', {}, text);
+
+function contactRow(contacts, i, seek) {
+  const step = make('button', { type: 'button', class: 'link', onclick: () => seek(contacts.step[i]) }, String(contacts.step[i]));
+  const last = contacts.lastStep[i] > contacts.step[i] ? `to ${contacts.lastStep[i]}` : '';
+  const wall = contacts.wall[i];
+  const isInX = wall < 4;
+  const before = isInX ? contacts.vxBefore[i] : contacts.vyBefore[i];
+  const after = isInX ? contacts.vxAfter[i] : contacts.vyAfter[i];
+  return make('tr', {}, make('td', {}, step, ' ', make('span', { class: 'quiet' }, last)),
+    make('td', {}, make('span', { class: `wall wall-${wallNames[wall]}` }), wallNames[wall]),
+    ...[contacts.t[i], before, after, contacts.overshoot[i]].map(value => make('td', { class: 'number' }, rounded(value))));
+}
+
+function showContacts({ contacts, check }, seek) {
+  const place = element('contacts');
+  if (!contacts || contacts.step.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, 'None.'));
+  const heads = ['Step', 'Wall', 't, s', 'Speed before, px/s', 'after', 'Overshoot, px'];
+  const shown = Math.min(shownMax, contacts.step.length);
+  const rows = Array.from({ length: shown }, (_, i) => contactRow(contacts, i, seek));
+  place.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(head => make('th', { scope: 'col' }, head)))),
+    make('tbody', {}, ...rows)));
+  if (check.contacts > shown) place.append(make('p', { class: 'quiet' }, `The first ${shown} of ${check.contacts.toLocaleString('en')}.`));
+}
+
+function showCoverage(run) {
+  const list = names => (names.length ? names.join(', ') : 'nothing');
+  element('coverage').replaceChildren(
+    ...entry('Exercised', list(run.result.exercised)),
+    ...entry('Never touched', list(run.result.never_touched)),
+    ...entry('Not computed', list(run.result.not_computed)),
+    ...entry('Margin', run.margin));
+  element('expectations').replaceChildren(...run.expect.map(each =>
+    make('p', { class: `expectation ${each.holds ? 'good' : 'bad'}` }, make('b', {}, each.holds ? 'holds' : 'does not hold'), ' ', each.text)));
+}
+
+function showOrigin({ run, check }) {
+  const provenance = Object.entries(run.provenance).flatMap(([name, value]) => entry(name.replaceAll('_', ' '), value));
+  const place = element('made');
+  place.replaceChildren(
+    ...entry('command', code(report.command)),
+    ...entry('report', report.program),
+    ...entry('file', `${run.file}, ${count(run.row_count, 'row')}`),
+    ...entry('physics', run.physics),
+    ...entry('state hash of the file', code(run.state_hash)),
+    ...entry('of this browser', code(check?.stateHash ?? '–')),
+    ...provenance);
+  if (run.scenario_text)
+    place.append(...entry('scenario', make('button', { type: 'button', class: 'link',
+      onclick: () => save(`${run.name}.json`, 'application/json', run.scenario_text) }, `Save ${run.name}.json`)));
+}
+
+export function showDetails(result, seek) {
+  showContacts(result, seek);
+  showCoverage(result.run);
+  showOrigin(result);
+}

@@ -1,0 +1,173 @@
+// Puts the page together: replays the runs, shows one, follows the reader.
+import { Charts } from './charts.js';
+import { Core } from './core.js';
+import { element, firstAtLeast, lastAtMost, make, report, root, rowsOf } from './data.js';
+import { showDetails } from './details.js';
+import { Playground } from './fling.js';
+import { Moment } from './moment.js';
+import { fixed } from './numbers.js';
+import { Painter } from './painter.js';
+import { Player } from './player.js';
+import { replay, sizesAt, sizesOf } from './replay.js';
+import { showVerdict } from './verdict.js';
+
+const worst = { agrees: 0, none: 1, differs: 2 };
+
+function showHead(run) {
+  document.title = `${run.name} · hyrax-sim report`;
+  element('name').textContent = run.name;
+  element('title').textContent = run.title.slice(run.title.indexOf(':') + 2);
+  element('description').textContent = run.description;
+  element('description').hidden = run.description === '';
+}
+
+const readoutNames = [['t', 's', 3], ['row', '', 0], ['x', 'px', 2], ['y', 'px', 2], ['vx', 'px/s', 1], ['vy', 'px/s', 1]];
+
+function showReadouts(body) {
+  const place = element('readouts');
+  if (place.children.length === 0)
+    place.append(...readoutNames.map(([name, unit]) => make('div', {}, make('dt', {}, name === 't' ? 'time' : name), make('dd', {}, make('output', { 'data-name': name }), unit ? ` ${unit}` : ''))));
+  for (const [name, , decimals] of readoutNames)
+    place.querySelector(`[data-name=${name}]`).textContent = fixed(body[name], decimals);
+}
+
+// The golden file's rows, or those of the file where the replay differs from it.
+function otherOf(result) {
+  const { run, outcome, file } = result;
+  if (report.against && !run.golden.agrees) {
+    const rows = rowsOf(report.against);
+    if (rows.step.length > 1) return { label: 'golden', rows };
+  }
+  return outcome === 'differs' && file.step.length > 1 ? { label: 'file', rows: file } : null;
+}
+
+function divergenceOf(result) {
+  if (result.check?.firstDifference !== null && result.check) return result.check.firstDifference;
+  return result.run.golden?.first_divergence?.step ?? null;
+}
+
+class View {
+  constructor(core, painter, result) {
+    const { run } = result;
+    Object.assign(this, { core, painter, result });
+    result.other = otherOf(result);
+    result.divergence = divergenceOf(result);
+    this.sizes = sizesOf(run);
+    this.moment = new Moment(result.rows);
+    showHead(run);
+    showVerdict(result);
+    showDetails(result, step => this.player.seekStep(step));
+    painter.setScene({ sizes: this.sizes, rows: result.rows, contacts: result.contacts, other: result.other?.rows });
+    this.charts = new Charts(result, this.sizes, this.moment, index => this.player.seek(index));
+    this.player = new Player(this.moment, result.contacts, () => this.charts.zoom(null));
+    this.charts.followsMouse = () => !this.player.isPlaying && root.dataset.mode !== 'fling';
+    this.moment.listen(() => this.#follow());
+    const every = result.check?.every ?? 1;
+    element('charts-note').textContent = every > 1 ? `Drawn from every ${every.toLocaleString('en')}th row; the comparison covers all.` : '';
+    element('stage-note').textContent = result.other ? `Dashed: the ${result.other.label} file.` : '';
+    this.setMode('replay');
+    this.openLink() || this.paint();
+  }
+
+  body() {
+    const { rows } = this.moment, i = this.moment.index;
+    return Object.fromEntries(['step', 't', 'x', 'y', 'vx', 'vy', 'contact'].map(name => [name, rows[name][i]]));
+  }
+  paint() {
+    if (this.playground) return;
+    const body = this.body();
+    const other = this.result.other?.rows;
+    const at = other ? firstAtLeast(other.step, body.step) : -1;
+    const ghost = other && other.step[at] === body.step ? { x: other.x[at], y: other.y[at], vx: other.vx[at] } : null;
+    this.painter.paint(body, { ghost });
+    showReadouts({ ...body, row: body.step });
+    element('time').setAttribute('aria-valuetext', `row ${body.step}, ${fixed(body.t, 3)} s`);
+  }
+
+  #follow() {
+    this.paint();
+    clearTimeout(this.writing);
+    this.writing = setTimeout(() => history.replaceState(null, '', `#step=${this.moment.step}`), 250);
+  }
+  /** Opens the moment that the address names. */
+  openLink() {
+    const wanted = /^#step=(\d+)/.exec(location.hash);
+    if (!wanted) return false;
+    this.player.seek(Math.max(0, lastAtMost(this.moment.rows.step, Number(wanted[1]))));
+    this.paint();
+    return true;
+  }
+
+  setMode(mode) {
+    root.dataset.mode = mode;
+    const isFling = mode === 'fling';
+    element('mode-replay').setAttribute('aria-pressed', !isFling);
+    element('mode-fling').setAttribute('aria-pressed', isFling);
+    element('replay-controls').hidden = isFling;
+    element('fling-controls').hidden = !isFling;
+    this.player.pause();
+    this.playground?.end();
+    this.playground = null;
+    if (isFling) this.playground = new Playground(this.core, this.painter, this.result.run, this.sizes,
+      body => showReadouts({ ...body, row: body.frames }));
+    else this.paint();
+  }
+  fit() {
+    this.painter.fit();
+    this.charts.fit();
+    this.player.paintTicks();
+    this.paint();
+  }
+  repaint() {
+    this.charts.repaint();
+    this.fit();
+  }
+  end() {
+    this.setMode('replay');
+    this.player.end();
+    clearTimeout(this.writing);
+  }
+}
+
+async function replayed(core, run, share) {
+  if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), outcome: 'none', reason: 'this browser runs no WebAssembly' };
+  return replay(core, run, share);
+}
+
+async function main() {
+  root.dataset.replay = 'running';
+  showHead(report.runs[0]);
+  element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
+  const core = await Core.start().catch(() => null);
+  const results = [];
+  for (const run of report.runs)
+    results.push(await replayed(core, run, share => (element('verdict').firstChild.textContent = `Replaying ${run.name}: ${Math.floor(100 * share)} %`)));
+
+  const worstResult = results.reduce((a, b) => (worst[b.outcome] > worst[a.outcome] ? b : a));
+  const painter = new Painter(element('replay'), () => view?.paint());
+  let view = null;
+  const open = index => {
+    view?.end();
+    view = new View(core, painter, results[index]);
+  };
+  const picker = element('run');
+  picker.append(...results.map(({ run }, i) => make('option', { value: i }, `${run.name} (${run.file})`)));
+  element('run-picker').hidden = results.length < 2;
+  picker.addEventListener('change', () => open(Number(picker.value)));
+  element('mode-replay').addEventListener('click', () => view.setMode('replay'));
+  element('mode-fling').addEventListener('click', () => view.setMode('fling'));
+  element('mode-fling').disabled = core === null;
+  addEventListener('hashchange', () => view.openLink());
+  new ResizeObserver(() => view?.fit()).observe(document.querySelector('.columns'));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.repaint());
+  open(results.indexOf(worstResult));
+  picker.value = results.indexOf(worstResult);
+
+  if (worstResult.check) root.dataset.stateHash = worstResult.check.stateHash;
+  const { check } = worstResult;
+  if (worstResult.outcome === 'differs' && check.firstDifference !== null) root.dataset.firstDifference = check.firstDifference;
+  root.dataset.replay = worstResult.outcome;
+  root.dataset.ready = '';
+}
+
+main();

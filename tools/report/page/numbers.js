@@ -1,0 +1,24 @@
+// Numbers for people.
+
+/** `digits` significant digits, without needless zeros: 1234.5, 3.2e-12. */
+export function rounded(value, digits = 4) {
+  if (value === null || value === undefined || Number.isNaN(value)) return '–';
+  if (typeof value === 'string' || !Number.isFinite(value)) return String(value);
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 1e7 || size < 1e-3) return value.toExponential(Math.min(digits, 2) - 1).replace('-', '−').replace('e−', 'e−').replace('e+', 'e');
+  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+  return String(Number(value.toFixed(Math.min(decimals, 8)))).replace('-', '−');
+}
+
+/** A fixed number of decimals, so that a value that changes keeps its width. */
+export function fixed(value, decimals) {
+  if (!Number.isFinite(value)) return '–';
+  const text = Math.abs(value) < 1e9 ? value.toFixed(decimals) : value.toExponential(3);
+  return (/^-0\.?0*$/.test(text) ? text.slice(1) : text).replace('-', '−');
+}
+
+export const count = (number, noun) => `${number.toLocaleString('en')} ${noun}${number === 1 ? '' : 's'}`;
+
+/** As JSON reads it back to the same bits. */
+export const exact = value => (Object.is(value, -0) ? '-0.0' : String(value));

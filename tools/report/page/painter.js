@@ -1,0 +1,188 @@
+// Draws the window to scale: the path, contacts, the hyrax.
+import { bytes, element } from './data.js';
+import { sizesAt } from './replay.js';
+
+const poses = ['fly', 'stand', 'held'];
+
+// The sprite's file has all poses; a style shows one.
+function poseImage(svg, pose, onload) {
+  const image = new Image();
+  image.onload = onload;
+  const style = `<style>.pose{display:none}#${pose}{display:inline}</style></svg>`;
+  image.src = `data:image/svg+xml,${encodeURIComponent(svg.replace('</svg>', style))}`;
+  return image;
+}
+
+export const color = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+export const wallColors = { 1: 'purple', 2: 'orange', 4: 'blue', 8: 'green' };
+
+export class Painter {
+  #images;
+  #layer = document.createElement('canvas');
+
+  constructor(canvas, onchange) {
+    this.canvas = canvas;
+    const svg = new TextDecoder().decode(bytes(element('sprite').textContent));
+    this.#images = Object.fromEntries(poses.map(pose => [pose, poseImage(svg, pose, onchange)]));
+  }
+
+  /** What to draw: window and sprite sizes in force, rows, contacts, another run's rows. */
+  setScene(scene) {
+    this.scene = scene;
+    const widest = Math.max(...scene.sizes.map(size => size.window[0]), 1);
+    const highest = Math.max(...scene.sizes.map(size => size.window[1]), 1);
+    this.extent = [widest, highest];
+    this.fit();
+  }
+
+  /** Fits the canvas into its place, at the resolution of the display. */
+  fit() {
+    const [width, height] = this.extent;
+    const room = this.canvas.parentElement.clientWidth;
+    const most = Math.max(180, Math.min(innerHeight * 0.46, 600));
+    const cssWidth = Math.min(room, (most * width) / height);
+    this.canvas.style.width = `${cssWidth}px`;
+    this.canvas.style.height = `${Math.max(40, (cssWidth * height) / width)}px`;
+    const ratio = devicePixelRatio || 1;
+    this.canvas.width = Math.max(1, Math.round(cssWidth * ratio));
+    this.canvas.height = Math.round(Math.max(40, (cssWidth * height) / width) * ratio);
+    this.scale = this.canvas.width / width;
+    this.ratio = ratio;
+    this.#paintLayer();
+  }
+
+  /** A point of an event, in px of the window. */
+  pointOf(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return [((event.clientX - box.left) * this.extent[0]) / box.width, ((event.clientY - box.top) * this.extent[1]) / box.height];
+  }
+
+  #path(context, rows, end) {
+    const { sizes } = this.scene;
+    const scale = this.scale;
+    let x = NaN, y = NaN;
+    context.beginPath();
+    for (let i = 0; i < end; ++i) {
+      const { sprite } = sizesAt(sizes, rows.step[i]);
+      const nextX = (rows.x[i] + sprite[0] / 2) * scale, nextY = (rows.y[i] + sprite[1] / 2) * scale;
+      if (!Number.isFinite(nextX + nextY)) break;
+      if (Math.abs(nextX - x) < 0.7 && Math.abs(nextY - y) < 0.7) continue;
+      if (Number.isNaN(x)) context.moveTo(nextX, nextY);
+      else context.lineTo(nextX, nextY);
+      [x, y] = [nextX, nextY];
+    }
+    context.stroke();
+  }
+
+  #paintWindow(context, { window }) {
+    context.fillStyle = color('screen');
+    context.fillRect(0, 0, window[0] * this.scale, window[1] * this.scale);
+  }
+
+  // All that does not change with the moment.
+  #paintLayer() {
+    const { canvas, scene, ratio } = this;
+    this.#layer.width = canvas.width;
+    this.#layer.height = canvas.height;
+    const context = this.#layer.getContext('2d');
+    context.lineJoin = 'round';
+    if (scene.other) {
+      context.setLineDash([5 * ratio, 4 * ratio]);
+      context.strokeStyle = color('vermilion');
+      context.lineWidth = 1.5 * ratio;
+      this.#path(context, scene.other, scene.other.step.length);
+      context.setLineDash([]);
+    }
+    if (!scene.rows) return;
+    context.strokeStyle = color('path');
+    context.lineWidth = 1.5 * ratio;
+    this.#path(context, scene.rows, scene.rows.step.length);
+    if (scene.contacts) this.#paintContacts(context, scene.contacts);
+  }
+
+  // A stroke along the wall, as long as the sprite's side.
+  #paintContacts(context, contacts) {
+    const { scale, ratio } = this;
+    context.lineWidth = 3 * ratio;
+    const shown = Math.min(contacts.step.length, 500);
+    for (let i = 0; i < shown; ++i) {
+      const { window, sprite } = sizesAt(this.scene.sizes, contacts.step[i]);
+      const wall = contacts.wall[i];
+      const [x, y] = [contacts.x[i] * scale, contacts.y[i] * scale];
+      const [width, height] = [sprite[0] * scale, sprite[1] * scale];
+      const inset = context.lineWidth / 2;
+      context.strokeStyle = color(wallColors[wall]);
+      context.beginPath();
+      if (wall < 4) {
+        const at = wall === 1 ? inset : window[0] * scale - inset;
+        context.moveTo(at, y + height * 0.3);
+        context.lineTo(at, y + height * 0.7);
+      } else {
+        const at = wall === 4 ? inset : window[1] * scale - inset;
+        context.moveTo(x + width * 0.3, at);
+        context.lineTo(x + width * 0.7, at);
+      }
+      context.stroke();
+    }
+  }
+
+  #paintArrow(context, { x, y, vx, vy }, sprite) {
+    const { scale, ratio } = this;
+    const speed = Math.hypot(vx, vy);
+    if (!(speed > 20)) return;
+    const length = Math.min(0.12 * speed * scale, 90 * ratio);
+    const [ux, uy] = [vx / speed, vy / speed];
+    const [fromX, fromY] = [(x + sprite[0] / 2) * scale, (y + sprite[1] / 2) * scale];
+    const [toX, toY] = [fromX + ux * length, fromY + uy * length];
+    const head = 6 * ratio;
+    context.strokeStyle = context.fillStyle = color('ink');
+    context.lineWidth = 1.5 * ratio;
+    context.beginPath();
+    context.moveTo(fromX, fromY);
+    context.lineTo(toX, toY);
+    context.stroke();
+    context.beginPath();
+    context.moveTo(toX + ux * head, toY + uy * head);
+    context.lineTo(toX - uy * head * 0.6, toY + ux * head * 0.6);
+    context.lineTo(toX + uy * head * 0.6, toY - ux * head * 0.6);
+    context.fill();
+  }
+
+  #paintHyrax(context, body, sprite, pose) {
+    const [width, height] = [sprite[0] * this.scale, sprite[1] * this.scale];
+    const side = Math.max(2 * this.ratio, Math.min(width, height));
+    context.save();
+    context.translate(body.x * this.scale + width / 2, body.y * this.scale + height / 2);
+    context.strokeStyle = color('box');
+    context.lineWidth = this.ratio;
+    context.strokeRect(-width / 2, -height / 2, width, height);
+    if (body.vx < 0) context.scale(-1, 1);
+    const image = this.#images[pose];
+    if (image.complete && image.naturalWidth > 0) context.drawImage(image, -side / 2, -side / 2, side, side);
+    context.restore();
+  }
+
+  /** Draws a body {step, x, y, vx, vy, contact}; `trail`: rows to draw instead of the scene's. */
+  paint(body, { isHeld = false, trail = null, ghost = null } = {}) {
+    const context = this.canvas.getContext('2d');
+    const size = sizesAt(this.scene.sizes, body.step);
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.#paintWindow(context, size);
+    if (trail) {
+      context.strokeStyle = color('path');
+      context.lineWidth = 1.5 * this.ratio;
+      context.lineJoin = 'round';
+      this.#path(context, trail, trail.step.length);
+    } else {
+      context.drawImage(this.#layer, 0, 0);
+    }
+    if (ghost) {
+      context.globalAlpha = 0.35;
+      this.#paintHyrax(context, ghost, size.sprite, 'fly');
+      context.globalAlpha = 1;
+    }
+    const isDown = body.y >= size.window[1] - size.sprite[1] - 1 && Math.abs(body.vy) < 60;
+    this.#paintHyrax(context, body, size.sprite, isHeld ? 'held' : isDown ? 'stand' : 'fly');
+    if (!isHeld) this.#paintArrow(context, body, size.sprite);
+  }
+}

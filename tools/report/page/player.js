@@ -1,0 +1,120 @@
+// The replay's controls: play, step, scrub, speed, keys.
+import { element, firstAtLeast, lastAtMost, root } from './data.js';
+import { color, wallColors } from './painter.js';
+
+export class Player {
+  #frame = 0;
+  #keys = new AbortController();
+
+  constructor(moment, contacts, resetZoom) {
+    this.moment = moment;
+    this.contacts = contacts;
+    this.resetZoom = resetZoom;
+    const slider = element('time');
+    slider.max = moment.length - 1;
+    slider.value = moment.index;
+    const on = (id, event, listener) => element(id).addEventListener(event, listener, { signal: this.#keys.signal });
+    on('time', 'input', () => this.seek(Number(slider.value)));
+    on('play', 'click', () => this.toggle());
+    on('first', 'click', () => this.seek(0));
+    on('back', 'click', () => this.seek(moment.index - 1));
+    on('forward', 'click', () => this.seek(moment.index + 1));
+    addEventListener('keydown', event => this.#key(event), { signal: this.#keys.signal });
+    moment.listen(() => (slider.value = moment.index));
+    this.paintTicks();
+  }
+
+  /** Ends it: another run is shown. */
+  end() {
+    this.pause();
+    this.#keys.abort();
+  }
+
+  get isPlaying() {
+    return this.#frame !== 0;
+  }
+  seek(index) {
+    this.pause();
+    this.moment.show(index);
+  }
+  seekStep(step) {
+    this.seek(firstAtLeast(this.moment.rows.step, step));
+  }
+  toggle() {
+    if (this.isPlaying) this.pause();
+    else this.play();
+  }
+  pause() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#show();
+  }
+
+  play() {
+    const { moment } = this;
+    const times = moment.rows.t;
+    if (moment.index === moment.length - 1) moment.show(0);
+    let t = moment.t, last = performance.now();
+    const next = now => {
+      t += (Math.max(0, now - last) / 1000) * Number(element('speed').value);
+      last = now;
+      moment.show(lastAtMost(times, t));
+      if (t >= times[moment.length - 1]) {
+        moment.show(moment.length - 1);
+        return this.pause();
+      }
+      this.#frame = requestAnimationFrame(next);
+    };
+    this.#frame = requestAnimationFrame(next);
+    this.#show();
+  }
+
+  #show() {
+    element('play').classList.toggle('playing', this.isPlaying);
+    element('play').setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
+  }
+
+  #contact(direction) {
+    const { step } = this.moment;
+    const steps = this.contacts?.step ?? [];
+    const wanted = direction > 0 ? steps.find(each => each > step) : steps.findLast(each => each < step);
+    if (wanted !== undefined) this.seekStep(wanted);
+  }
+
+  #key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || root.dataset.mode === 'fling') return;
+    const tag = event.target.tagName;
+    if (tag === 'SELECT' || (tag === 'BUTTON' && event.key === ' ') || tag === 'SUMMARY') return;
+    const stride = event.shiftKey ? 10 : 1;
+    const actions = {
+      ' ': () => this.toggle(),
+      ArrowLeft: () => this.seek(this.moment.index - stride),
+      ArrowRight: () => this.seek(this.moment.index + stride),
+      Home: () => this.seek(0),
+      End: () => this.seek(this.moment.length - 1),
+      '[': () => this.#contact(-1),
+      ']': () => this.#contact(1),
+      0: () => this.resetZoom(),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  }
+
+  /** A tick for each contact, below the slider. */
+  paintTicks() {
+    const canvas = element('ticks');
+    const ratio = devicePixelRatio || 1;
+    const inset = 8; // Half the slider's thumb.
+    canvas.width = Math.round(canvas.clientWidth * ratio);
+    canvas.height = Math.round(canvas.clientHeight * ratio);
+    const context = canvas.getContext('2d');
+    const last = this.moment.rows.step[this.moment.length - 1] || 1;
+    for (let i = 0; i < (this.contacts?.step.length ?? 0); ++i) {
+      context.fillStyle = color(wallColors[this.contacts.wall[i]]);
+      const at = inset + ((canvas.clientWidth - 2 * inset) * this.contacts.step[i]) / last;
+      context.fillRect(Math.round(at * ratio), 0, Math.max(1, Math.round(1.5 * ratio)), canvas.height);
+    }
+  }
+}

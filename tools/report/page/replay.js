@@ -1,0 +1,53 @@
+// Plays a run of the report in the browser, and compares it with the file.
+import { bytes, doubles, rowsOf } from './data.js';
+
+const pause = () => new Promise(resolve => setTimeout(resolve));
+
+async function playAll(core, steps, progress) {
+  let piece = 20_000;
+  for (let at = 0; at < steps; ) {
+    const begin = performance.now();
+    const end = Math.min(steps, at + piece);
+    at = core.playTo(end);
+    if (at < end) return; // Not finite: the run ended there.
+    const took = performance.now() - begin;
+    if (took < 15) piece *= 2;
+    if (took > 60) piece = Math.max(1000, piece / 2);
+    progress(at / steps);
+    await pause();
+  }
+}
+
+/**
+ * The run as this browser computes it: rows, contacts, errors, and whether its bits are those of the file.
+ * `outcome` is "agrees", "differs" or "none".
+ */
+export async function replay(core, run, progress) {
+  const file = rowsOf(run);
+  const steps = core.load(doubles(run.record), file, bytes(run.blocks));
+  if (steps < 0) return { run, file, rows: file, outcome: 'none' };
+  const begin = performance.now();
+  await playAll(core, steps, progress);
+  const check = core.finish();
+  const isSame = check.firstDifference === null && check.isComplete && check.steps === run.steps && check.stateHash === run.state_hash;
+  return { run, file, check, milliseconds: performance.now() - begin, outcome: isSame ? 'agrees' : 'differs',
+    rows: core.rows(), contacts: core.contacts(), errors: core.errors() };
+}
+
+/** The window and sprite in force at each row: [{step, window, sprite}], by step. */
+export function sizesOf(run) {
+  const record = doubles(run.record);
+  const sizes = [{ step: 0, window: [...record.slice(0, 2)], sprite: [...record.slice(2, 4)] }];
+  for (const input of run.inputs) {
+    if (input.kind !== 'resize') continue;
+    const last = sizes.at(-1);
+    sizes.push({ step: input.frame + 1, window: input.window ?? last.window, sprite: input.sprite ?? last.sprite });
+  }
+  return sizes;
+}
+
+export function sizesAt(sizes, step) {
+  let index = sizes.length - 1;
+  while (index > 0 && sizes[index].step > step) --index;
+  return sizes[index];
+}

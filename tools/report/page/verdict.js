@@ -1,0 +1,69 @@
+// The verdict: tiles that say first what a reader wants to know.
+import { make, element } from './data.js';
+import { count, rounded } from './numbers.js';
+
+const walls = ['left', 'right', 'top', 'ground'];
+
+function tile(label, value, note, state = '') {
+  return make('div', { class: `tile ${state}` }, make('p', { class: 'label' }, label), make('p', { class: 'value' }, value),
+    make('p', { class: 'note' }, note));
+}
+
+function goldenTile(golden) {
+  if (!golden) return tile('Golden file', 'not compared', 'report --against GOLDEN.h5 compares');
+  if (golden.agrees) return tile('Golden file', 'agrees', `${count(golden.rows_compared, 'row')}, bit for bit`, 'good');
+  const first = golden.first_divergence;
+  const parts = [golden.class];
+  if (golden.shape) parts.push(golden.shape);
+  if (first) parts.push(`from step ${first.step} in ${first.field}`);
+  if (golden.max_px) parts.push(`at most ${rounded(golden.max_px, 3)} px apart`);
+  if (golden.contacts_moved) parts.push(`${count(golden.contacts_moved, 'contact')} moved`);
+  return tile('Golden file', 'differs', parts.join('; '), 'bad');
+}
+
+function expectTile(expectations) {
+  if (expectations.length === 0) return tile('Expectations', 'none', 'the scenario has no expect');
+  const held = expectations.filter(each => each.holds).length;
+  const broken = expectations.find(each => !each.holds);
+  return tile('Expectations', `${held} of ${expectations.length} hold`, broken ? broken.text : 'expect of the scenario', broken ? 'bad' : 'good');
+}
+
+function replayTile(result) {
+  const label = 'Replayed in this browser';
+  const { outcome, check, run } = result;
+  if (outcome === 'none') return tile(label, 'not replayed', result.reason ?? 'the scenario cannot be played here');
+  const compared = run.blocks ? `${count(run.row_count, 'row')} by block hash` : `${count(check.compared, 'row')} of ${(run.steps + 1).toLocaleString('en')}`;
+  if (outcome === 'agrees') return tile(label, 'same bits', `${compared} and the state hash, ${rounded(result.milliseconds, 2)} ms`, 'good');
+  const where = check.firstDifference === null ? 'the state hash differs; no stored row does' : `first at step ${check.firstDifference}`;
+  return tile(label, 'differs', where, 'bad');
+}
+
+function errorTile(label, worst, unit, meaning) {
+  return tile(label, worst ? `${rounded(worst.value, 3)}${unit}` : '–', worst ? meaning : 'no flight arc');
+}
+
+function contactsTile(contacts) {
+  const total = walls.reduce((sum, wall) => sum + contacts[wall], 0);
+  const parts = walls.filter(wall => contacts[wall]).map(wall => `${wall} ${contacts[wall]}`);
+  return tile('Contacts', String(total), parts.join(', ') || 'it met no wall');
+}
+
+function restTile({ final, at_rest_since_s: since }) {
+  const place = `x ${rounded(final.x_px, 6)}, y ${rounded(final.y_px, 6)} px`;
+  return since === null ? tile('Ends', 'not settled', place) : tile('Comes to rest', `after ${rounded(since, 4)} s`, place);
+}
+
+export function showVerdict(result) {
+  const { run } = result;
+  const { errors } = run;
+  const verdicts = [replayTile(result), goldenTile(run.golden), expectTile(run.expect)];
+  const figures = [
+    contactsTile(run.result.contacts),
+    restTile(run.result),
+    errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
+    errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
+    errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
+    errorTile('Energy drift', errors.energy_drift_rel && { ...errors.energy_drift_rel, value: 100 * errors.energy_drift_rel.value }, ' %', 'largest of a flight arc'),
+  ];
+  element('verdict').replaceChildren(make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
+}

@@ -1,0 +1,110 @@
+// A run as the page plays it: what is drawn, and what of the file it is held to.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/reference/drift_meter.h"
+#include "sim/replay/replay.h"
+
+namespace hyrax {
+
+/// A file's rows and block digests, which the replay must give again bit for bit.
+struct FileEvidence {
+  Columns rows;                ///< In order of steps, any of them.
+  std::vector<Digest> blocks;  ///< Of every block of the run, or none.
+};
+
+/// The rows that are drawn: all of a run of up to kRowsShownMax, of a longer one every K-th.
+class ShownRows final : public RowSink {
+ public:
+  static constexpr std::int64_t kRowsShownMax = 1'000'000;
+  static constexpr std::size_t kContactsShownMax = 10'000;
+
+  explicit ShownRows(std::int64_t steps) : every_(1 + steps / kRowsShownMax) {}
+
+  [[nodiscard]] Wants wants() const override { return {.rows_every = every_, .contacts = true}; }
+  void rows(const Columns& batch) override;
+  void contact_began(const Contact& contact) override;
+  void contact_ended(std::int64_t index, std::int64_t last_step) override;
+
+  [[nodiscard]] std::int64_t every() const { return every_; }
+  [[nodiscard]] const Columns& columns() const { return columns_; }
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
+
+ private:
+  std::int64_t every_;
+  Columns columns_;
+  std::vector<Contact> contacts_;
+};
+
+/// Holds a replay to the rows and block digests of a file.
+class EvidenceCheck final : public RowSink {
+ public:
+  explicit EvidenceCheck(FileEvidence evidence) : evidence_(std::move(evidence)) {}
+
+  [[nodiscard]] Wants wants() const override;
+  void rows(const Columns& batch) override;
+  void block(const Block& block, std::int64_t count) override;
+
+  /// The first row that differs; of a block of which no row is known, its first.
+  [[nodiscard]] std::optional<std::int64_t> first_difference() const;
+  [[nodiscard]] std::int64_t rows_compared() const { return static_cast<std::int64_t>(next_row_); }
+  /// Whether every row and block of the file was played.
+  [[nodiscard]] bool is_complete() const {
+    return next_row_ == evidence_.rows.size() && next_block_ == evidence_.blocks.size();
+  }
+
+ private:
+  FileEvidence evidence_;
+  std::size_t next_row_ = 0;
+  std::size_t next_block_ = 0;
+  std::optional<std::int64_t> row_;
+  std::optional<std::int64_t> block_;
+};
+
+/// The three errors and the energy of every row of an arc.
+class RowErrorList final : public DriftSink {
+ public:
+  [[nodiscard]] bool wants_rows() const override { return true; }
+  void row(const RowErrors& row) override { rows_.push_back(row); }
+  [[nodiscard]] const std::vector<RowErrors>& rows() const { return rows_; }
+
+ private:
+  std::vector<RowErrors> rows_;
+};
+
+class ShownRun {
+ public:
+  /// Longer runs are not measured against the reference.
+  static constexpr std::int64_t kStepsMeasuredMax = 200'000;
+
+  ShownRun(const Scenario& scenario, FileEvidence evidence);
+
+  [[nodiscard]] std::int64_t steps() const { return replay_.steps(); }
+  /// Plays up to row `step`; returns the row reached, which is less if the state became non-finite.
+  std::int64_t play_to(std::int64_t step);
+  void finish();
+
+  [[nodiscard]] const ShownRows& shown() const { return shown_; }
+  [[nodiscard]] const EvidenceCheck& check() const { return check_; }
+  [[nodiscard]] const RowErrorList& errors() const { return errors_; }
+  /// REQUIRES: finish() was called.
+  [[nodiscard]] const RunSummary& summary() const { return summary_; }
+
+ private:
+  [[nodiscard]] std::vector<RowSink*> sinks();
+
+  Scenario scenario_;
+  ShownRows shown_;
+  EvidenceCheck check_;
+  RowErrorList errors_;
+  std::optional<DriftMeter> meter_;
+  Replay replay_;
+  RunSummary summary_;
+};
+
+}  // namespace hyrax
