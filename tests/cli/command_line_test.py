@@ -149,7 +149,7 @@ class OneDocument(ProgramTest):
                     "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "new": ["fresh"], "schema": [],
                     "bless": [*files, "--reason", "x"], "sweep": [self.write("sweep.json", sweep)],
                     "fuzz": ["--runs", "5"],
-                    "shrink": [self.write("long.json", fling()), "--fails", "exit 7", "-o", "small.json"]}
+                    "shrink": [self.write("long.json", fling()), "--fails", "test -f {} && exit 7", "-o", "small.json"]}
         with_page = ["report"]  # Its --json is tested where the page is built: tests/browser.
         listed = re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)
         self.assertEqual(sorted([*commands, *with_page]), sorted(listed))

@@ -205,7 +205,7 @@ class Margin(DriftTest):
         self.assertIn("\nmargin: ", digest.read_text(encoding="utf-8"))
         self.assertIn("\nreason: the margin, too\n", digest.read_text(encoding="utf-8"))
         self.assertEqual((self.folder / "golden/one.h5").stat().st_mtime_ns, rows.st_mtime_ns)
-        self.assertIn("nothing written", self.expect(AGREED, "bless", "scenarios", "--reason", "again").out)
+        self.assertIn("agrees with golden/one.h5 already", self.expect(AGREED, "bless", "scenarios", "--reason", "again").out)
 
 
 class Figures(DriftTest):

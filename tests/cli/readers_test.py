@@ -42,7 +42,7 @@ class H5py(Reader):
     def test_the_root_says_what_the_file_is(self):
         with h5py.File(self.path) as file:
             self.assertEqual(sorted(file), ["contacts", "events", "provenance", "trajectory"])
-            self.assertEqual(sorted(file.attrs), ["NX_class", "default", "format", "name", "physics", "scenario",
+            self.assertEqual(sorted(file.attrs), ["NX_class", "constants", "default", "format", "name", "physics", "scenario",
                                                   "state_hash", "steps"])
             self.assertEqual(file.attrs["format"], "hyrax-trajectory/1")
             self.assertEqual(file.attrs["physics"], "hyrax-physics/1")
