@@ -21,6 +21,8 @@ function(hyrax_room target)
             -Wshadow
             -Wconversion
             -Wdouble-promotion
+            # In a unit of several sources an anonymous namespace is still a source's own.
+            $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
             $<$<BOOL:${HYRAX_WERROR}>:-Werror>)
   if(arg_HEADERS_OF)
     target_precompile_headers(${target} REUSE_FROM ${arg_HEADERS_OF})
