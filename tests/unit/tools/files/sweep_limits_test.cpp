@@ -68,9 +68,11 @@ TEST(SweepLimits, OfClocksAreTheReaders) {
   set_at(fixed, "/events", Json::Array{});
   expect_same_limits(fixed, "/clock/rate_hz");
   expect_same_limits(fixed, "/steps");
-  set_at(fixed, "/clock/jitter", Json::Object{{"kind", "normal"}, {"sigma_s", 0.1}, {"seed", std::uint64_t{1}}});
+  set_at(fixed, "/clock/jitter",
+         Json::Object{{"kind", "normal"}, {"sigma_s", 0.1}, {"seed", std::uint64_t{1}}});
   expect_same_limits(fixed, "/clock/jitter/sigma_s");
-  set_at(fixed, "/clock/jitter", Json::Object{{"kind", "missed_frames"}, {"probability", 0.1}, {"seed", std::uint64_t{1}}});
+  set_at(fixed, "/clock/jitter",
+         Json::Object{{"kind", "missed_frames"}, {"probability", 0.1}, {"seed", std::uint64_t{1}}});
   expect_same_limits(fixed, "/clock/jitter/probability");
   expect_same_limits(fixed, "/clock/jitter/seed", false);
   set_at(fixed, "/clock", Json::Object{{"dt_s", 0.5}});
