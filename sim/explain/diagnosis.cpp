@@ -102,8 +102,8 @@ Diagnosis diagnose(const DifferingRun& run, const Kernel& program) {
             {}};
   }
   Diagnosis diagnosis{std::nullopt, observed_steps(fresh, golden, program)};
-  std::ranges::stable_partition(diagnosis.evidence,
-                                [&](const ObservedStep& step) { return !gives(base, step); });
+  std::stable_partition(diagnosis.evidence.begin(), diagnosis.evidence.end(),
+                        [&](const ObservedStep& step) { return !gives(base, step); });
   const bool gives_golden = reproduces(base, golden.constants, playback_of(golden), golden);
   const bool is_step_changed = !diagnosis.evidence.empty() && !gives(base, diagnosis.evidence.front());
   if (!is_step_changed) diagnosis.cause = cause_of_playback(run, program, base, gives_golden);

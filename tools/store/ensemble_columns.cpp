@@ -27,9 +27,9 @@ EnsembleColumn real_column(const std::string& name, const std::string& unit, con
   return member_column(name, unit, long_name, ColumnType::real, 1, get);
 }
 
-using Columns = std::vector<EnsembleColumn>;
+using EnsembleColumns = std::vector<EnsembleColumn>;
 
-void add_final(Columns& columns) {
+void add_final(EnsembleColumns& columns) {
   columns.push_back(real_column("x", "px", "final x", [](const MemberResult& r) { return r.final.x_px; }));
   columns.push_back(real_column("y", "px", "final y", [](const MemberResult& r) { return r.final.y_px; }));
   columns.push_back(
@@ -38,7 +38,7 @@ void add_final(Columns& columns) {
       real_column("vy", "px/s", "final vy", [](const MemberResult& r) { return r.final.vy_px_per_s; }));
 }
 
-void add_contacts(Columns& columns) {
+void add_contacts(EnsembleColumns& columns) {
   columns.push_back(member_column("contacts", "1", "contacts with left, right, top, ground",
                                   ColumnType::integer, 4, [](const MemberResult& r) {
                                     return std::array<std::int64_t, 4>{r.contacts.left, r.contacts.right,
@@ -46,7 +46,7 @@ void add_contacts(Columns& columns) {
                                   }));
 }
 
-void add_extremes(Columns& columns) {
+void add_extremes(EnsembleColumns& columns) {
   columns.push_back(
       real_column("x_min", "px", "smallest x of all rows", [](const MemberResult& r) { return r.x_min_px; }));
   columns.push_back(
@@ -105,7 +105,7 @@ EnsembleColumn input_column(const VariedKey& key, std::size_t index) {
 }  // namespace
 
 std::vector<EnsembleColumn> columns_of(const Sweep& sweep) {
-  Columns columns;
+  EnsembleColumns columns;
   if (sweep.keep.has(Keep::final)) add_final(columns);
   if (sweep.keep.has(Keep::contacts)) add_contacts(columns);
   if (sweep.keep.has(Keep::at_rest))

@@ -11,7 +11,7 @@
 namespace hyrax {
 namespace {
 
-using Status = Blessing::Status;
+using BlessStatus = Blessing::Status;
 
 bool differs_more_than_rounding(const Blessing& blessing) {
   return blessing.differs_in && *blessing.differs_in > DifferenceClass::rounding;
@@ -20,11 +20,11 @@ bool differs_more_than_rounding(const Blessing& blessing) {
 void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
   const std::string h5_path = printable(blessing.place.h5_path);
-  if (blessing.status == Status::unchanged)
+  if (blessing.status == BlessStatus::unchanged)
     print_text("{}: {} with {} already\n", path, VerdictWord{"agrees", true}, h5_path);
   if (printing.is_quiet()) return;
-  if (blessing.status == Status::fresh) print_text("{}: new golden file\n", path);
-  if (blessing.status != Status::changed && blessing.status != Status::refused) return;
+  if (blessing.status == BlessStatus::fresh) print_text("{}: new golden file\n", path);
+  if (blessing.status != BlessStatus::changed && blessing.status != BlessStatus::refused) return;
   if (!blessing.unreadable.empty())
     return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
   print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
@@ -61,7 +61,7 @@ Json path_json(const std::string& path) { return path.empty() ? Json() : Json(pa
 
 Json result_json(const Blessing& blessing) {
   const Comparison& comparison = blessing.comparison;
-  const bool is_compared = !blessing.has_failed() && blessing.status != Status::fresh;
+  const bool is_compared = !blessing.has_failed() && blessing.status != BlessStatus::fresh;
   Json::Object entry{{"scenario", blessing.path},
                      {"status", name_of(blessing.status)},
                      {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
@@ -79,14 +79,14 @@ Json result_json(const Blessing& blessing) {
 
 std::string refusal_sentence(const BlessReport& report) {
   const auto& blessings = report.blessings;
-  const auto failed = std::ranges::count(blessings, Status::failed, &Blessing::status);
+  const auto failed = std::ranges::count(blessings, BlessStatus::failed, &Blessing::status);
   if (failed > 0)
     return fmt::format("hyrax-sim bless: nothing written: {} of {} scenarios failed", failed,
                        blessings.size());
-  const auto refused = std::ranges::count(blessings, Status::refused, &Blessing::status);
+  const auto refused = std::ranges::count(blessings, BlessStatus::refused, &Blessing::status);
   if (refused == 0) return "";
   const Blessing& widest = *std::ranges::max_element(blessings, {}, [](const Blessing& blessing) {
-    return blessing.status == Status::refused ? blessing.differs_in : std::nullopt;
+    return blessing.status == BlessStatus::refused ? blessing.differs_in : std::nullopt;
   });
   return fmt::format(
       "hyrax-sim bless: nothing written: {} of {} scenarios differ by more than --accept allows; --accept {} "
@@ -110,8 +110,8 @@ void print_done(const BlessReport& report, bool is_dry_run) {
 
 Json bless_json(const BlessReport& report) {
   Json::Object document;
-  for (const Status status :
-       {Status::fresh, Status::changed, Status::unchanged, Status::refused, Status::failed})
+  for (const BlessStatus status : {BlessStatus::fresh, BlessStatus::changed, BlessStatus::unchanged,
+                                   BlessStatus::refused, BlessStatus::failed})
     document.emplace_back(name_of(status), std::ranges::count(report.blessings, status, &Blessing::status));
   document.emplace_back("written", report.is_written);
   document.emplace_back("pruned", Json::Array(report.pruned.begin(), report.pruned.end()));

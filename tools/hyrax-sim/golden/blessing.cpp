@@ -23,7 +23,7 @@ namespace hyrax {
 namespace {
 
 namespace fs = std::filesystem;
-using Status = Blessing::Status;
+using BlessStatus = Blessing::Status;
 
 GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
   if (path == "-")
@@ -63,7 +63,7 @@ void require_expected(const std::string& path, const Scenario& scenario, const R
 
 // A golden file whose rows cannot be compared. Its summary may still say that the run is the accepted one.
 RunSummary replace_unreadable(const Scenario& scenario, const std::string& why, Blessing& blessing) {
-  blessing.status = Status::changed;
+  blessing.status = BlessStatus::changed;
   blessing.unreadable = why;
   blessing.comparison.agrees = false;
   blessing.comparison.difference = DifferenceClass::shape;
@@ -77,7 +77,7 @@ RunSummary replace_unreadable(const Scenario& scenario, const std::string& why, 
 void take_over(PairComparison pair, Blessing& blessing) {
   blessing.comparison = std::move(pair.comparison);
   blessing.runs = std::move(pair.runs);
-  blessing.status = pair.is_current ? Status::unchanged : Status::changed;
+  blessing.status = pair.is_current ? BlessStatus::unchanged : BlessStatus::changed;
   if (blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario))
     blessing.differs_in = blessing.comparison.difference;
 }
@@ -87,7 +87,7 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   const auto& [h5_path, txt_path] = blessing.place;
   const bool has_both = has_golden_file(blessing.place);
   if (!is_there(h5_path) && !is_there(txt_path)) {
-    blessing.status = Status::fresh;
+    blessing.status = BlessStatus::fresh;
     return play(scenario);
   }
   if (!is_there(h5_path)) return replace_unreadable(scenario, h5_path + " is missing", blessing);
@@ -125,7 +125,7 @@ void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& gu
     for (const std::string& path : {blessing.place.h5_path, blessing.place.txt_path}) require_writable(path);
   require_expected(blessing.path, scenario, summary);
   if (!blessing.differs_in || *blessing.differs_in <= options.accepted) return;
-  blessing.status = Status::refused;
+  blessing.status = BlessStatus::refused;
   blessing.exit_code = ExitCode::disagreed;
 }
 
@@ -158,7 +158,7 @@ void attempt(Blessing& blessing, const Step& step) {
     blessing.error = blessing.path + ": internal error: " + error.what();
     blessing.exit_code = ExitCode::program_fault;
   }
-  blessing.status = Status::failed;
+  blessing.status = BlessStatus::failed;
   print_error(blessing.error);
 }
 
@@ -187,7 +187,7 @@ std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
 
 }  // namespace
 
-std::string_view name_of(Status status) {
+std::string_view name_of(BlessStatus status) {
   constexpr std::string_view kNames[] = {"new", "changed", "unchanged", "refused", "failed"};
   return kNames[static_cast<std::size_t>(status)];
 }
