@@ -51,11 +51,11 @@ bool has_timing_keys(const Sweep& sweep) {
 class EnsemblePlayer::Batch {
  public:
   Batch(const Sweep& sweep, const KernelSet& kernels)
-      : sweep_(sweep),
+      : player_(kernels, detail_of(sweep.keep)),
+        sweep_(sweep),
         scenarios_(sweep),
         clock_(lane_clock(sweep.base.clock)),
         detail_(detail_of(sweep.keep)),
-        player_(kernels, detail_),
         has_own_frames_(has_timing_keys(sweep)) {
     if (const auto* const trace = std::get_if<RecordedSteps>(&sweep.base.clock.base))
       trace_ = trace->dt_s.data();
@@ -197,11 +197,11 @@ class EnsemblePlayer::Batch {
     result.at_rest_since_s = since_s.value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
+  LanePlayer player_;
   const Sweep& sweep_;
   SweepMembers scenarios_;
   LaneClock clock_;
   Detail detail_;
-  LanePlayer player_;
   bool has_own_frames_;
   const double* trace_ = nullptr;
   std::vector<MovingMember> members_;

@@ -38,7 +38,7 @@ void play_all(Work& work, std::size_t count, std::int64_t block) {
   };
   for (std::size_t lane = 0; lane < kLanes; ++lane) fill(lane);
   std::int64_t first_end = *std::min_element(end.begin(), end.end());
-  while (live != 0) {
+  while (live != 0) {  // NOLINT(bugprone-infinite-loop): `fill` changes it.
     const std::int64_t steps = std::min(first_end - elapsed, block);
     work.play(steps);
     elapsed += steps;

@@ -33,9 +33,9 @@ class LanePlayer {
     std::int64_t frames = 0;  // To play, up to the end of the leg.
   };
 
+  Lanes lanes_{};
   const KernelSet& kernels_;
   Detail detail_;
-  Lanes lanes_{};
   std::vector<Slide> slides_;
   std::vector<Slide> slowing_;
 };
