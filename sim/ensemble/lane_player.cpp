@@ -30,7 +30,10 @@ void play_all(Work& work, std::size_t count, std::int64_t block) {
   const auto fill = [&](std::size_t lane) {
     live &= ~(std::uint32_t{1} << lane);
     end[lane] = std::numeric_limits<std::int64_t>::max();
-    if (next == count) return;
+    if (next == count) {
+      if constexpr (requires { work.leave_empty(lane); }) work.leave_empty(lane);
+      return;
+    }
     live |= std::uint32_t{1} << lane;
     index[lane] = next;
     end[lane] = elapsed + work.frames(next);
@@ -115,6 +118,10 @@ class LanePlayer::Flying {
     if (player_.detail_ == Detail::extremes) load_extremes(member, lane);
     computed_ += leg.frames;
   }
+
+  // The kernel computes an empty lane as well: from here on it reads no more frames of a trace than the lanes
+  // that are left do.
+  void leave_empty(std::size_t lane) { lanes_.frame[lane] = 0; }
 
   void play(std::int64_t steps) { player_.kernels_.play(lanes_, steps, player_.detail_, clock_); }
 
