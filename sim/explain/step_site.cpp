@@ -7,10 +7,11 @@
 namespace hyrax {
 namespace {
 
+// The walls of an axis are two, the one at 0 first.
 std::string_view wall_name(const Statement& first_of, std::size_t index) {
-  constexpr std::string_view kInX[] = {"left wall: ", "right wall: "};
-  constexpr std::string_view kInY[] = {"top: ", "ground: "};
-  return (first_of.operation == Operation::wall_x ? kInX : kInY)[index % 2];
+  const bool is_far = index % 2 != 0;
+  if (first_of.operation == Operation::wall_x) return is_far ? "right wall: " : "left wall: ";
+  return is_far ? "ground: " : "top: ";
 }
 
 void add_sites(StepStatements& list, std::string_view wall, std::vector<StepSite>& sites) {
