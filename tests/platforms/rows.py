@@ -131,7 +131,9 @@ BUILDS = (
     *native("clang++", "clang", "-O2", "-O0", "-O3 -march=native"),
     *native("clang++-22", "clang-22", "-O3 -march=native", "-O0", "-O2"),
     level(1, ()), level(2, V2), level(3, V3), level(4, V4),
-    Row("i386 with SSE2", "g++", "-O2 -m32", more_flags=HEADERS_OF_32_BITS, needs=(GXX, IN_32_BITS), cpu=("lm",)),
+    # Under qemu-user, for not every kernel of 64 bits runs programs of 32.
+    Row("i386 with SSE2", "g++", "-O2 -m32", more_flags=HEADERS_OF_32_BITS, runner=("qemu-i386",), runs_on="qemu-i386",
+        needs=(GXX, IN_32_BITS, Needs("qemu-i386", "qemu-user")), cpu=("lm",)),
     windows("-O2"), windows("-O0", is_nightly=True),
     emulated("aarch64", "aarch64-linux-gnu", "qemu-aarch64"),
     emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64"),
