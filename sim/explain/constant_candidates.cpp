@@ -16,8 +16,7 @@ std::vector<Candidate> constant_candidates(const Constants& golden, const Consta
   std::string all;
   for (const Operation operation : kWithConstant) {
     double Constants::*const constant = constant_of(operation);
-    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): each of these operations has a
-    // constant.
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): none of these lacks one.
     const double from = golden.*constant;
     const double to = program.*constant;
     if (same_bits(from, to)) continue;
