@@ -6,36 +6,17 @@
 #include "sim/motion/listing.h"
 #include "sim/replay/kernel_of.h"
 #include "sim/replay/replay.h"
+#include "sim/replay/step_core.h"
 
 namespace hyrax {
 namespace {
 
-// A core whose step is data.
-class StatementCore {
- public:
-  StatementCore(const StepStatements& step, const State& state) : step_(&step), state_(state) {}
+struct StatementsStep {
+  const StepStatements* statements = nullptr;
 
-  void update(double dt_s, int window_width, int window_height, int sprite_width, int sprite_height) {
-    StatementRun(dt_s, bounds_of({window_width, window_height}, {sprite_width, sprite_height}))(*step_,
-                                                                                                state_);
+  void operator()(State& state, double dt_s, const Bounds& bounds) const {
+    StatementRun(dt_s, bounds)(*statements, state);
   }
-  [[nodiscard]] double x() const { return state_.x_px; }
-  [[nodiscard]] double y() const { return state_.y_px; }
-  [[nodiscard]] double vx() const { return state_.vx_px_per_s; }
-  [[nodiscard]] double vy() const { return state_.vy_px_per_s; }
-  void setPos(double x_px, double y_px) {
-    state_.x_px = x_px;
-    state_.y_px = y_px;
-  }
-  void setVelocity(double vx_px_per_s, double vy_px_per_s) {
-    state_.vx_px_per_s = vx_px_per_s;
-    state_.vy_px_per_s = vy_px_per_s;
-  }
-  void resetVelocity() { setVelocity(0.0, 0.0); }
-
- private:
-  const StepStatements* step_;
-  State state_;
 };
 
 // By which the replay tells the walls, in strict arithmetic whatever the build: a flight as data.
@@ -54,13 +35,13 @@ class StatementFlight {
 };
 
 struct StatementCores {
-  using Core = StatementCore;
+  using Core = StepCore<StatementsStep>;
 
-  const StepStatements* step = nullptr;
+  StatementsStep step;
   const StepStatements* flight = nullptr;  // Without walls.
   Constants observed;
 
-  [[nodiscard]] StatementCore make(const State& state) const { return {*step, state}; }
+  [[nodiscard]] Core make(const State& state) const { return {step, state}; }
   [[nodiscard]] Constants constants() const { return observed; }
   [[nodiscard]] StatementFlight listing(const Bounds& bounds) const { return {*flight, observed, bounds}; }
 };
@@ -156,11 +137,11 @@ bool reproduces(const StatementCores& cores, const Scenario& scenario, const Sto
 bool reproduces(const StepStatements& step, const Constants& observed, const Scenario& scenario,
                 const StoredRun& run) {
   const StepStatements listed_flight = flight_of(listing(observed));
-  if (reproduces({&step, &listed_flight, observed}, scenario, run)) return true;
+  if (reproduces({{&step}, &listed_flight, observed}, scenario, run)) return true;
   if (!is_fused(step)) return false;
   // A build that fuses the step's multiply-adds fuses those by which its replay tells the walls, too.
   const StepStatements own_flight = flight_of(step);
-  return reproduces({&step, &own_flight, observed}, scenario, run);
+  return reproduces({{&step}, &own_flight, observed}, scenario, run);
 }
 
 }  // namespace hyrax

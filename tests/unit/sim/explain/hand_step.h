@@ -7,6 +7,7 @@
 
 #include "sim/replay/kernel_of.h"
 #include "sim/replay/replay.h"
+#include "sim/replay/step_core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/stored_run.h"
@@ -65,31 +66,12 @@ struct HandStep {
   }
 };
 
-/// A core with that step.
-class HandCore {
- public:
-  HandCore(const HandStep& step, const State& state) : step_(&step), state_(state) {}
-  void update(double dt_s, int window_width, int window_height, int sprite_width, int sprite_height) {
-    (*step_)(state_, dt_s, bounds_of({window_width, window_height}, {sprite_width, sprite_height}));
-  }
-  [[nodiscard]] double x() const { return state_.x_px; }
-  [[nodiscard]] double y() const { return state_.y_px; }
-  [[nodiscard]] double vx() const { return state_.vx_px_per_s; }
-  [[nodiscard]] double vy() const { return state_.vy_px_per_s; }
-  void setPos(double x_px, double y_px) { state_.x_px = x_px, state_.y_px = y_px; }
-  void setVelocity(double vx_px_per_s, double vy_px_per_s) {
-    state_.vx_px_per_s = vx_px_per_s, state_.vy_px_per_s = vy_px_per_s;
-  }
-  void resetVelocity() { setVelocity(0.0, 0.0); }
-
- private:
-  const HandStep* step_;
-  State state_;
-};
+/// Cores with that step.
 struct HandCores {
-  using Core = HandCore;
+  using Step = std::reference_wrapper<const HandStep>;
+  using Core = StepCore<Step>;
   const HandStep* step = nullptr;
-  [[nodiscard]] HandCore make(const State& state) const { return {*step, state}; }
+  [[nodiscard]] Core make(const State& state) const { return {Step(*step), state}; }
   [[nodiscard]] Constants constants() const { return step->constants; }
 };
 

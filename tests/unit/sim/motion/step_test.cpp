@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include "sim/motion/listing.h"
 #include "sim/motion/step.h"
 #include "sim/physics/physics.h"
 #include "sim/scenario/split_mix64.h"
@@ -23,12 +25,25 @@ bool same_state(const State& m, const physics& core) {
          same(m.vy_px_per_s, core.vy());
 }
 
-// One step of both from the same state.
 template <class PartSet>
-bool agrees(const State& start, double dt_s, const World& world, const PartSet& parts) {
+auto step_with(const PartSet& parts) {
+  return [parts](State& state, double dt_s, const Bounds& bounds) {
+    ListingStep(kPaper, parts, bounds)(state, dt_s);
+  };
+}
+
+auto step_of(const StepStatements& statements) {
+  return [statements](State& state, double dt_s, const Bounds& bounds) {
+    StatementRun(dt_s, bounds)(statements, state);
+  };
+}
+
+// One step of both from the same state.
+template <class Step>
+bool agrees(const State& start, double dt_s, const World& world, const Step& step) {
   State variant = start;
   physics core = core_of(start);
-  ListingStep(kPaper, parts, world.bounds())(variant, dt_s);
+  step(variant, dt_s, world.bounds());
   core.update(dt_s, world.window.width_px, world.window.height_px, world.sprite.width_px,
               world.sprite.height_px);
   return same_state(variant, core);
@@ -60,8 +75,8 @@ void visit_edges(const Visit& visit) {
 
 TEST(ListingStep, WithAllPartsIsTheCoreOnEveryEdge) {
   visit_edges([](const State& start, double dt_s, const World& world) {
-    ASSERT_TRUE(agrees(start, dt_s, world, AllParts()));
-    ASSERT_TRUE(agrees(start, dt_s, world, Parts()));
+    ASSERT_TRUE(agrees(start, dt_s, world, step_with(AllParts())));
+    ASSERT_TRUE(agrees(start, dt_s, world, step_with(Parts())));
   });
 }
 
@@ -87,13 +102,33 @@ TEST(ListingStep, WithAllPartsIsTheCoreThroughRandomFlings) {
   }
 }
 
+TEST(ListingAsData, IsTheCoreOnEveryEdge) {
+  const auto step = step_of(listing(kPaper));
+  visit_edges([&](const State& start, double dt_s, const World& world) {
+    ASSERT_TRUE(agrees(start, dt_s, world, step));
+  });
+}
+
+TEST(ListingAsData, WithoutAnyOneStatementIsNotTheCore) {
+  for (std::size_t statement = 0; statement < listing(kPaper).size(); ++statement) {
+    StepStatements statements = listing(kPaper);
+    statements.erase(statements.begin() + static_cast<std::ptrdiff_t>(statement));
+    const auto step = step_of(statements);
+    std::size_t differ = 0;
+    visit_edges([&](const State& start, double dt_s, const World& world) {
+      differ += !agrees(start, dt_s, world, step);
+    });
+    EXPECT_GT(differ, 0u) << statement;
+  }
+}
+
 TEST(ListingStep, WithoutAnyOnePartIsNotTheCore) {
   for (std::size_t part = 0; part < kPartCount; ++part) {
     Parts parts;
     parts.leave_out(static_cast<Part>(part));
     std::size_t differ = 0;
     visit_edges([&](const State& start, double dt_s, const World& world) {
-      differ += !agrees(start, dt_s, world, parts);
+      differ += !agrees(start, dt_s, world, step_with(parts));
     });
     EXPECT_GT(differ, 0u) << kPartNames[part];
   }
