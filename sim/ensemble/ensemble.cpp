@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/ensemble/lane_player.h"
+#include "sim/replay/core.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/schedule.h"
 
@@ -211,7 +212,7 @@ class EnsemblePlayer::Batch {
 };
 
 EnsemblePlayer::EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options) : sweep_(sweep) {
-  if (options.replays || needs_replay(sweep)) return;
+  if (options.replays || needs_replay(sweep) || !core_is_listing()) return;
   batch_ =
       std::make_unique<Batch>(sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front());
 }

@@ -1,6 +1,5 @@
-// The kernels, compiled once for every instruction set. Each operation is that of class physics, in its
-// order:
-// + - * and comparison, rounded one by one (-ffp-contract=off keeps them apart here as well).
+// The kernels, compiled once for every instruction set. Each operation is the listing's (sim/motion/step.h),
+// in its order: + - * and comparison, rounded one by one (-ffp-contract=off keeps them apart here as well).
 //
 // A clamp is a comparison and a selection, so that NaN, -0 and bounds below 0 take the ways that they take in
 // the listing. `-v * RESTITUTION` is `v * -RESTITUTION`: rounding is symmetric.
@@ -8,7 +7,6 @@
 #include <vector>
 
 #include "sim/ensemble/lanes.h"
-#include "sim/physics/physics.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/ensemble/kernels.cpp"
@@ -58,6 +56,18 @@ HWY_INLINE std::uint32_t lane_bits(Mask mask, std::size_t lane) {
   return static_cast<std::uint32_t>(bytes[0]) << lane;
 }
 
+// The constants, in every lane.
+struct Laws {
+  explicit HWY_INLINE Laws(const Constants& constants)
+      : gravity(real(constants.gravity_px_per_s2)),
+        bounce(real(-constants.restitution)),
+        drag(real(constants.air_drag)),
+        friction(real(constants.ground_friction)),
+        rest_threshold(real(constants.rest_threshold_px_per_s)) {}
+
+  Real gravity, bounce, drag, friction, rest_threshold;
+};
+
 // The bodies of one vector of lanes.
 struct Bodies {
   Real x, y, vx, vy, right, bottom;
@@ -68,22 +78,20 @@ struct StepContact {
   Mask left, right, top, ground;
 };
 
-HWY_INLINE StepContact step(Bodies& b, Real dt, Real gravity_dt) {
+HWY_INLINE StepContact step(const Laws& laws, Bodies& b, Real dt, Real gravity_dt) {
   const Real zero = hn::Zero(Reals());
-  const Real bounce = real(-physics::RESTITUTION);
-  const Real drag = real(physics::AIR_DRAG);
-  b.vy = hn::Mul(hn::Add(b.vy, gravity_dt), drag);
-  b.vx = hn::Mul(b.vx, drag);
+  b.vy = hn::Mul(hn::Add(b.vy, gravity_dt), laws.drag);
+  b.vx = hn::Mul(b.vx, laws.drag);
   b.x = hn::Add(b.x, hn::Mul(b.vx, dt));
   b.y = hn::Add(b.y, hn::Mul(b.vy, dt));
   const StepContact c{hn::Lt(b.x, zero), hn::Gt(b.x, b.right), hn::Lt(b.y, zero), hn::Gt(b.y, b.bottom)};
   b.x = hn::IfThenElse(c.left, zero, hn::IfThenElse(c.right, b.right, b.x));
-  b.vx = hn::IfThenElse(hn::Or(c.left, c.right), hn::Mul(b.vx, bounce), b.vx);
+  b.vx = hn::IfThenElse(hn::Or(c.left, c.right), hn::Mul(b.vx, laws.bounce), b.vx);
   b.y = hn::IfThenElse(c.top, zero, hn::IfThenElse(c.ground, b.bottom, b.y));
-  b.vy = hn::IfThenElse(hn::Or(c.top, c.ground), hn::Mul(b.vy, bounce), b.vy);
+  b.vy = hn::IfThenElse(hn::Or(c.top, c.ground), hn::Mul(b.vy, laws.bounce), b.vy);
   const Mask ground = hn::AndNot(c.top, c.ground);
-  b.vx = hn::IfThenElse(ground, hn::Mul(b.vx, real(physics::GROUND_FRICTION)), b.vx);
-  const Mask rest = hn::And(ground, hn::Lt(hn::Abs(b.vy), real(physics::REST_THRESHOLD)));
+  b.vx = hn::IfThenElse(ground, hn::Mul(b.vx, laws.friction), b.vx);
+  const Mask rest = hn::And(ground, hn::Lt(hn::Abs(b.vy), laws.rest_threshold));
   b.vy = hn::IfThenElse(rest, zero, b.vy);
   return {c.left, hn::AndNot(c.left, c.right), c.top, ground};
 }
@@ -206,11 +214,11 @@ struct Group {
   Times times;
   Extremes extremes;
 
-  HWY_INLINE void load_from(const Lanes& lanes, std::size_t lane) {
+  HWY_INLINE void load_from(const Laws& laws, const Lanes& lanes, std::size_t lane) {
     b = {load(lanes.x_px, lane),        load(lanes.y_px, lane),     load(lanes.vx_px_per_s, lane),
          load(lanes.vy_px_per_s, lane), load(lanes.right_px, lane), load(lanes.bottom_px, lane)};
     dt = load(lanes.dt_s, lane);
-    gravity_dt = hn::Mul(real(physics::GRAVITY), dt);
+    gravity_dt = hn::Mul(laws.gravity, dt);
     if constexpr (!kIsFixed)
       frame_times = {
           dt, load(lanes.amount, lane), {load(lanes.draw, lane)}, load(lanes.frame, lane), lanes.trace};
@@ -257,12 +265,12 @@ struct Group {
     }
   }
 
-  HWY_INLINE Mask play(LaneClock clock, double step_number) {
+  HWY_INLINE Mask play(const Laws& laws, LaneClock clock, double step_number) {
     if constexpr (!kIsFixed) {
       dt = frame_times.next(clock);
-      gravity_dt = hn::Mul(real(physics::GRAVITY), dt);
+      gravity_dt = hn::Mul(laws.gravity, dt);
     }
-    const StepContact contact = step(b, dt, gravity_dt);
+    const StepContact contact = step(laws, b, dt, gravity_dt);
     if constexpr (kIsTracked) {
       if constexpr (!kIsFixed) times.play(dt);
       const Mask moves = track.take(b, contact, real(step_number));
@@ -277,23 +285,23 @@ template <Detail kDetail, bool kIsFixed>
 using Groups = std::array<Group<kDetail, kIsFixed>, kAtOnce>;
 
 template <Detail kDetail, bool kIsFixed>
-HWY_INLINE void play_steps(Groups<kDetail, kIsFixed>& groups, LaneClock clock, std::int64_t first,
-                           std::int64_t end) {
+HWY_INLINE void play_steps(const Laws& laws, Groups<kDetail, kIsFixed>& groups, LaneClock clock,
+                           std::int64_t first, std::int64_t end) {
   for (std::int64_t at = first; at < end; ++at)
-    for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].play(clock, static_cast<double>(at + 1));
+    for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].play(laws, clock, static_cast<double>(at + 1));
 }
 
 // The last two steps of a block at fixed dt, and what they tell: see Lanes.
 template <Detail kDetail>
-HWY_INLINE void play_last_two(Groups<kDetail, true>& groups, Lanes& lanes, std::size_t first_lane,
-                              std::int64_t at) {
+HWY_INLINE void play_last_two(const Laws& laws, Groups<kDetail, true>& groups, Lanes& lanes,
+                              std::size_t first_lane, std::int64_t at) {
   for (std::size_t g = 0; g < kAtOnce; ++g) {
     const std::size_t lane = first_lane + g * kWidth;
     Group<kDetail, true>& group = groups[g];
     const Bodies two_before = group.b;
-    const Mask ground_before = group.play(LaneClock::fixed, static_cast<double>(at + 1));
+    const Mask ground_before = group.play(laws, LaneClock::fixed, static_cast<double>(at + 1));
     store(group.b.vy, lanes.vy_before_px_per_s, lane);
-    const Mask ground = group.play(LaneClock::fixed, static_cast<double>(at + 2));
+    const Mask ground = group.play(laws, LaneClock::fixed, static_cast<double>(at + 2));
     const Mask is_as_before =
         hn::And(has_same_bits(group.b.y, two_before.y), has_same_bits(group.b.vy, two_before.vy));
     lanes.is_at_rest |= lane_bits(hn::And(hn::And(ground, ground_before), is_as_before), lane);
@@ -306,36 +314,37 @@ HWY_INLINE void play_last_two(Groups<kDetail, true>& groups, Lanes& lanes, std::
 }
 
 template <Detail kDetail, bool kIsFixed>
-void play_as(Lanes& lanes, std::int64_t steps, LaneClock clock) {
+void play_as(const Laws& laws, Lanes& lanes, std::int64_t steps, LaneClock clock) {
   lanes.is_at_rest = 0;
   lanes.repeats = 0;
   const bool has_last_two = kIsFixed && steps >= 2;
   for (std::size_t lane = 0; lane < kLanes; lane += kAtOnce * kWidth) {
     Groups<kDetail, kIsFixed> groups;
-    for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].load_from(lanes, lane + g * kWidth);
-    play_steps<kDetail, kIsFixed>(groups, clock, 0, has_last_two ? steps - 2 : steps);
+    for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].load_from(laws, lanes, lane + g * kWidth);
+    play_steps<kDetail, kIsFixed>(laws, groups, clock, 0, has_last_two ? steps - 2 : steps);
     if constexpr (kIsFixed)
-      if (has_last_two) play_last_two<kDetail>(groups, lanes, lane, steps - 2);
+      if (has_last_two) play_last_two<kDetail>(laws, groups, lanes, lane, steps - 2);
     for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].store_to(lanes, lane + g * kWidth);
   }
 }
 
 template <Detail kDetail>
-void play_detail(Lanes& lanes, std::int64_t steps, LaneClock clock) {
+void play_detail(const Laws& laws, Lanes& lanes, std::int64_t steps, LaneClock clock) {
   if (clock == LaneClock::fixed)
-    play_as<kDetail, true>(lanes, steps, clock);
+    play_as<kDetail, true>(laws, lanes, steps, clock);
   else
-    play_as<kDetail, false>(lanes, steps, clock);
+    play_as<kDetail, false>(laws, lanes, steps, clock);
 }
 
 void play(Lanes& lanes, std::int64_t steps, Detail detail, LaneClock clock) {
+  const Laws laws(lanes.constants);
   switch (detail) {
     case Detail::final:
-      return play_detail<Detail::final>(lanes, steps, clock);
+      return play_detail<Detail::final>(laws, lanes, steps, clock);
     case Detail::tracked:
-      return play_detail<Detail::tracked>(lanes, steps, clock);
+      return play_detail<Detail::tracked>(laws, lanes, steps, clock);
     case Detail::extremes:
-      return play_detail<Detail::extremes>(lanes, steps, clock);
+      return play_detail<Detail::extremes>(laws, lanes, steps, clock);
   }
 }
 
@@ -344,10 +353,10 @@ struct Slider {
   Real x, vx, dt, anchor_x, moved;
 
   template <bool kIsTracked>
-  HWY_INLINE void play(double step_number) {
-    vx = hn::Mul(vx, real(physics::AIR_DRAG));
+  HWY_INLINE void play(const Laws& laws, double step_number) {
+    vx = hn::Mul(vx, laws.drag);
     x = hn::Add(x, hn::Mul(vx, dt));
-    vx = hn::Mul(vx, real(physics::GROUND_FRICTION));
+    vx = hn::Mul(vx, laws.friction);
     if constexpr (kIsTracked) {
       const Mask moves = hn::Gt(hn::Abs(hn::Sub(x, anchor_x)), real(0.5));  // RestAnchor::kStill_px.
       anchor_x = hn::IfThenElse(moves, x, anchor_x);
@@ -358,6 +367,7 @@ struct Slider {
 
 template <bool kIsTracked>
 void slide_as(Lanes& lanes, std::int64_t steps) {
+  const Laws laws(lanes.constants);
   lanes.is_at_rest = 0;
   for (std::size_t first = 0; first < kLanes; first += kAtOnce * kWidth) {
     std::array<Slider, kAtOnce> sliders;
@@ -368,11 +378,11 @@ void slide_as(Lanes& lanes, std::int64_t steps) {
     }
     for (std::int64_t at = 0; at + 1 < steps; ++at)
       for (std::size_t g = 0; g < kAtOnce; ++g)
-        sliders[g].template play<kIsTracked>(static_cast<double>(at + 1));
+        sliders[g].template play<kIsTracked>(laws, static_cast<double>(at + 1));
     for (std::size_t g = 0; g < kAtOnce; ++g) {
       const std::size_t lane = first + g * kWidth;
       const Real x_before = sliders[g].x;
-      sliders[g].template play<kIsTracked>(static_cast<double>(steps));
+      sliders[g].template play<kIsTracked>(laws, static_cast<double>(steps));
       lanes.is_at_rest |= lane_bits(has_same_bits(sliders[g].x, x_before), lane);
       store(sliders[g].x, lanes.x_px, lane);
       store(sliders[g].vx, lanes.vx_px_per_s, lane);
@@ -386,19 +396,18 @@ void slide(Lanes& lanes, std::int64_t steps, bool is_tracked) {
   is_tracked ? slide_as<true>(lanes, steps) : slide_as<false>(lanes, steps);
 }
 
-HWY_INLINE Real slowed(Real vx) {
-  return hn::Mul(hn::Mul(vx, real(physics::AIR_DRAG)), real(physics::GROUND_FRICTION));
-}
+HWY_INLINE Real slowed(const Laws& laws, Real vx) { return hn::Mul(hn::Mul(vx, laws.drag), laws.friction); }
 
 void slow_down(Lanes& lanes, std::int64_t steps) {
+  const Laws laws(lanes.constants);
   lanes.repeats = 0;
   for (std::size_t first = 0; first < kLanes; first += kAtOnce * kWidth) {
     std::array<Real, kAtOnce> vx;
     for (std::size_t g = 0; g < kAtOnce; ++g) vx[g] = load(lanes.vx_px_per_s, first + g * kWidth);
     for (std::int64_t at = 0; at + 1 < steps; ++at)
-      for (std::size_t g = 0; g < kAtOnce; ++g) vx[g] = slowed(vx[g]);
+      for (std::size_t g = 0; g < kAtOnce; ++g) vx[g] = slowed(laws, vx[g]);
     for (std::size_t g = 0; g < kAtOnce; ++g) {
-      const Real last = slowed(vx[g]);
+      const Real last = slowed(laws, vx[g]);
       lanes.repeats |= lane_bits(has_same_bits(last, vx[g]), first + g * kWidth);
       store(last, lanes.vx_px_per_s, first + g * kWidth);
     }

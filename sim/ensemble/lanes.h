@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/motion/state.h"
+
 namespace hyrax {
 
 inline constexpr std::size_t kLanes = 32;
@@ -38,6 +40,8 @@ struct alignas(64) Lanes {
   Bits draw;            ///< The generator before its next draw: seed + draws * gamma.
   Bits frame;           ///< The next frame of the trace.
   const double* trace;  ///< The dt of every frame.
+
+  Constants constants;  ///< Of the core.
 
   // Detail::tracked.
   Bits walls;  ///< That clamped the latest step.
