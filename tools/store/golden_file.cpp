@@ -108,9 +108,8 @@ std::vector<std::string> attribute_list(hid_t file) {
 }
 
 std::vector<std::string> stored_attributes(const std::string& path) {
-  const auto list = [&] { return attribute_list(h5::open_file(path)); };
-  read_isolated(path, [&] { static_cast<void>(list()); });
-  return list();
+  read_isolated(path, [&] { static_cast<void>(attribute_list(h5::open_file(path))); });
+  return attribute_list(h5::open_file(path));
 }
 
 // Objects and attributes are the same for any number of contacts.
@@ -136,7 +135,10 @@ StoredRun read_golden(const std::string& path) {
 }
 
 void read_goldens_ahead(const std::vector<std::string>& paths) {
-  read_isolated_together(paths, [](const std::string& path) { static_cast<void>(read_golden(path)); });
+  read_isolated_together(paths, [](const std::string& path) {
+    static_cast<void>(read_golden(path));
+    static_cast<void>(attribute_list(h5::open_file(path)));
+  });
 }
 
 std::optional<std::string> attribute_difference(const std::string& path, const StoredRun& run) {
