@@ -10,7 +10,7 @@ from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GO
                      main)
 
 BLESS = {"new": int, "changed": int, "unchanged": int, "refused": int, "failed": int, "written": bool, "pruned": [str],
-         "results": [object]}
+         "results": [object], "groups": [object]}
 BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)),
            "contacts_moved": Maybe(int), "first_divergence": Maybe(DIVERGENCE), "golden_file": Maybe(str),
            "summary": Maybe(str), "updates_hash": bool}
@@ -61,7 +61,14 @@ class Bless(ProgramTest):
 
     def test_it_shows_what_changes(self):
         self.write("scenarios/fling.json", fling(start=ANOTHER_START))
-        outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "further left")
+        arguments = ("bless", "scenarios/fling.json", "--reason", "further left", "--dry-run")
+        outcome = self.expect(AGREED, *arguments)
+        for part in ("scenarios/fling.json: changes golden/fling.h5\n",
+                     "1 of 1 scenario differs by one cause: the scenario changed since it was blessed: "
+                     "/start/x_px 1100 -> 1000 reproduces 1 of 1.\n", "(class shape)", "1 contact moved"):
+            self.assertIn(part, outcome.out)
+        self.assertNotIn("class      shape", outcome.out)
+        outcome = self.expect(AGREED, *arguments[:-1], "--verbose")
         for part in ("scenarios/fling.json: changes golden/fling.h5", "class      shape", "first      step 0, field x",
                      "expected   1100 ", "actual     1000 ", "moved      right step 36"):
             self.assertIn(part, outcome.out)
@@ -281,6 +288,9 @@ class Accept(ProgramTest):
                 self.assertEqual((document["changed"], document["refused"], document["written"]), (0, 1, False))
                 self.assertEqual([(entry["status"], entry["class"]) for entry in document["results"]],
                                  [("refused", kind), ("unchanged", None), ("unchanged", None)])
+                group, = document["groups"]
+                self.assertEqual((group["scenarios"], group["class"], group["kind"], group["reproduced"]),
+                                 (["scenarios/a.json"], kind, "unknown", 0))
                 self.assertEqual(self.state_of("golden"), before)
 
     def test_rounding_is_the_default(self):
@@ -308,7 +318,8 @@ class Accept(ProgramTest):
         self.write("scenarios/a.json", fling(name="a", start=ANOTHER_START))
         self.write("scenarios/new.json", fling(name="new"))
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x")
-        self.assertIn("the scenario changed since it was blessed: /start/x_px 1100 -> 1000\n", outcome.out)
+        self.assertIn("the scenario changed since it was blessed: /start/x_px 1100 -> 1000 reproduces 1 of 1.\n",
+                      outcome.out)
         self.expect(AGREED, "check")
 
     def test_a_golden_file_without_its_rows_needs_shape_unless_its_summary_has_the_run(self):
@@ -332,7 +343,7 @@ class Accept(ProgramTest):
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run", says="state_hash")
         before = self.state_of(".")
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--dry-run", "--update-hash")
-        for part in ("scenarios/a.json: changes golden/a.h5", "class      rounding", "new.json: new golden file",
+        for part in ("scenarios/a.json: changes golden/a.h5", "(class rounding)", "new.json: new golden file",
                      "dry run: nothing written\n"):
             self.assertIn(part, outcome.out)
         self.assertNotIn(": blessed", outcome.out)

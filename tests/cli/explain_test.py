@@ -21,9 +21,9 @@ class ExplainTest(ProgramTest):
         super().setUp()
         self.project("a/first", "a/second", "third")
 
-    def altered(self, core, *arguments, exit_code=DISAGREED):
-        """The outcome of `check` with that core."""
-        outcome = run(ALTERED, "check", *arguments, cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
+    def altered(self, core, *arguments, exit_code=DISAGREED, command=("check",)):
+        """The outcome of `check`, or of another command, with that core."""
+        outcome = run(ALTERED, *command, *arguments, cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         return outcome
 
@@ -102,6 +102,13 @@ class Text(ExplainTest):
                                r"  worst   scenarios/\S+\.json: [\d.]+ px at step \d+, [\d.]+ s, \d+ contacts moved")
         self.assertIn("  to see all      hyrax-sim check --verbose\n", text)
         self.assertTrue(text.endswith("3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n"))
+
+    def test_bless_shows_the_groups_of_check(self):
+        bless = ("bless", "scenarios", "--reason", "x", "--dry-run")
+        paragraph = self.altered("gravity_stronger").out.partition("  to see all")[0]
+        self.assertIn(paragraph, self.altered("gravity_stronger", command=bless).out)
+        self.assertEqual(self.groups("gravity_stronger", "--quiet", command=bless), self.groups("gravity_stronger"))
+        self.assertEqual(self.groups("none", command=bless, exit_code=AGREED), [])
 
     def test_rounding_moves_no_contact(self):
         text = self.altered("gravity_by_one_ulp").out

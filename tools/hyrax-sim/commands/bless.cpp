@@ -47,7 +47,10 @@ ExitCode bless(BlessRequest& request) {
   if (request.prunes) report.pruned = find_prunable(request.files, request.options.golden_folder);
   if (blesses(request)) report.blessings = plan_blessings(list_scenarios(request.files), request.options);
   const bool is_refused = !refusal_sentence(report).empty();
-  if (!request.printing.is_json) print_plans(report, request.printing);
+  const std::vector<DifferenceGroup> groups = request.printing.is_quiet() && !request.printing.is_json
+                                                  ? std::vector<DifferenceGroup>{}
+                                                  : groups_of(report);
+  if (!request.printing.is_json) print_plans(report, groups, request.printing);
   if (is_refused) print_error(refusal_sentence(report));
   report.is_written = !is_refused && !request.is_dry_run;
   if (report.is_written) {
@@ -56,7 +59,7 @@ ExitCode bless(BlessRequest& request) {
     prune(report.pruned);
   }
   if (request.printing.is_json)
-    print_text("{}\n", to_text(bless_json(report), {.depth_indented = 2}));
+    print_text("{}\n", to_text(bless_json(report, groups), {.depth_indented = 2}));
   else
     print_done(report, request.is_dry_run);
   ExitCode exit_code = ExitCode::agreed;
@@ -103,7 +106,8 @@ Command bless_command() {
         options.text(
             request->options.golden_folder,
             {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-        options.printing(request->printing, "print all contacts that moved");
+        options.printing(request->printing,
+                         "print what differs in every scenario, and all contacts that moved");
         return [request] { return bless(*request); };
       }};
 }

@@ -4,6 +4,7 @@
 
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/atomic_file.h"
+#include "tools/files/child_process.h"
 #include "tools/files/json.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
@@ -11,6 +12,7 @@
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/search/broken_rule.h"
+#include "tools/hyrax-sim/search/temporary_folder.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -44,7 +46,7 @@ class UserCommand {
     std::string line = command_;
     for (std::size_t at = 0; (at = line.find("{}", at)) != std::string::npos; at += path.size())
       line.replace(at, 2, path);
-    return run_child({"/bin/sh", "-c", line}, limit_s_);
+    return run_child({"/bin/sh", "-c", line}, {}, limit_s_);
   }
   [[nodiscard]] std::string text_of(const ChildEnd& end) const { return end_text(end, limit_s_); }
 

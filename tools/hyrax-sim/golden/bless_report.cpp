@@ -6,6 +6,7 @@
 
 #include "tools/files/printable.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
+#include "tools/hyrax-sim/golden/group_text.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
@@ -17,6 +18,13 @@ bool differs_more_than_rounding(const Blessing& blessing) {
   return blessing.differs_in && *blessing.differs_in > DifferenceClass::rounding;
 }
 
+// Whether its run is another one than its golden file's.
+bool differs(const Blessing& blessing) {
+  return (blessing.status == BlessStatus::changed || blessing.status == BlessStatus::refused) &&
+         blessing.unreadable.empty() && !blessing.comparison.agrees;
+}
+
+// Of a run that differs, its group says more.
 void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
   const std::string h5_path = printable(blessing.place.h5_path);
@@ -28,7 +36,9 @@ void print_plan(const Blessing& blessing, const Printing& printing) {
   if (!blessing.unreadable.empty())
     return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
   print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
-             difference_text(blessing.comparison, printing.is_verbose()));
+             printing.is_verbose() || !differs(blessing)
+                 ? difference_text(blessing.comparison, printing.is_verbose())
+                 : "");
 }
 
 // Where results that were accepted under a model's name change by more than rounding.
@@ -94,10 +104,20 @@ std::string refusal_sentence(const BlessReport& report) {
       refused, blessings.size(), name_of(*widest.differs_in), widest.path);
 }
 
-void print_plans(const BlessReport& report, const Printing& printing) {
+std::vector<DifferenceGroup> groups_of(const BlessReport& report) {
+  std::vector<DifferingScenario> differing;
+  for (const Blessing& blessing : report.blessings)
+    if (differs(blessing)) differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get()});
+  return differing.empty() ? std::vector<DifferenceGroup>{} : group_by_cause(differing);
+}
+
+void print_plans(const BlessReport& report, const std::vector<DifferenceGroup>& groups,
+                 const Printing& printing) {
   for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
-  if (!printing.is_quiet()) print_model_hint(report);
   if (printing.is_quiet()) return;
+  const GroupCounts counts{report.blessings.size(), groups.size()};
+  for (const DifferenceGroup& group : groups) print_group(group, counts);
+  print_model_hint(report);
   for (const std::string& path : report.pruned) print_text("{}: has no scenario\n", printable(path));
 }
 
@@ -108,7 +128,7 @@ void print_done(const BlessReport& report, bool is_dry_run) {
   for (const std::string& path : report.pruned) print_text("{}: removed\n", printable(path));
 }
 
-Json bless_json(const BlessReport& report) {
+Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& groups) {
   Json::Object document;
   for (const BlessStatus status : {BlessStatus::fresh, BlessStatus::changed, BlessStatus::unchanged,
                                    BlessStatus::refused, BlessStatus::failed})
@@ -118,6 +138,9 @@ Json bless_json(const BlessReport& report) {
   Json::Array results;
   for (const Blessing& blessing : report.blessings) results.emplace_back(result_json(blessing));
   document.emplace_back("results", std::move(results));
+  Json::Array causes;
+  for (const DifferenceGroup& group : groups) causes.emplace_back(group_json(group));
+  document.emplace_back("groups", std::move(causes));
   return document;
 }
 

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "tools/files/child_process.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/hyrax-sim/search/temporary_folder.h"
 
 namespace hyrax {
 namespace {
@@ -112,8 +114,8 @@ std::vector<std::string> OtherProgram::ask(Asked command, std::span<const Scenar
     paths.push_back(folder.write("in/" + scenario.name + ".json", scenario_file_text(scenario)));
   }
   end = command == Asked::run
-            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, kLimit_s)
-            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, kLimit_s);
+            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kLimit_s)
+            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kLimit_s);
   const Json document = parsed(end.out);
   Hashes printed = command == Asked::run ? hashes_of_runs(document) : hashes_of_checks(document);
   std::vector<std::string> hashes;

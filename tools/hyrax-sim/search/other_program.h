@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "tools/hyrax-sim/search/child_process.h"
+#include "tools/files/child_process.h"
 
 namespace hyrax {
 

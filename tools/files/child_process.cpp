@@ -1,22 +1,16 @@
-#include "tools/hyrax-sim/search/child_process.h"
+#include "tools/files/child_process.h"
 
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
-#include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include "tools/files/failure.h"
 
 extern "C" {
 #include <sys/pidfd.h>  // Debian 12's declares C functions without saying so.
@@ -27,14 +21,10 @@ extern char** environ;
 namespace hyrax {
 namespace {
 
-[[noreturn]] void fail_to_start(const std::string& program, int error_number) {
-  throw Failure(ExitCode::cannot_access, program + ": cannot be started: " + std::strerror(error_number));
-}
-
 class Descriptor {
  public:
   Descriptor(int number, const std::string& program) : number_(number) {
-    if (number_ < 0) fail_to_start(program, errno);
+    if (number_ < 0) throw CannotStart(program, errno);
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -45,11 +35,17 @@ class Descriptor {
   int number_;
 };
 
-// A file in memory: neither side ever waits for the other, however much is printed.
-class PrintedText : public Descriptor {
+class MemoryFile : public Descriptor {
  public:
-  explicit PrintedText(const std::string& program)
-      : Descriptor(memfd_create("hyrax-printed", MFD_CLOEXEC), program) {}
+  explicit MemoryFile(const std::string& program)
+      : Descriptor(memfd_create("hyrax-child", MFD_CLOEXEC), program) {}
+  MemoryFile(const std::string& program, std::string_view text) : MemoryFile(program) {
+    for (std::size_t at = 0; at < text.size();) {
+      const ssize_t count = pwrite(number(), text.data() + at, text.size() - at, static_cast<off_t>(at));
+      if (count < 0 && errno != EINTR) throw CannotStart(program, errno);
+      if (count > 0) at += static_cast<std::size_t>(count);
+    }
+  }
 
   [[nodiscard]] std::string text() const {
     std::string text;
@@ -64,9 +60,9 @@ class PrintedText : public Descriptor {
 // The child's streams, and a process group of its own, so that all of it can be killed.
 class SpawnSettings {
  public:
-  SpawnSettings(const PrintedText& out, const PrintedText& err) {
+  SpawnSettings(const MemoryFile& in, const MemoryFile& out, const MemoryFile& err) {
     posix_spawn_file_actions_init(&files_);
-    posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&files_, in.number(), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files_, out.number(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files_, err.number(), STDERR_FILENO);
     posix_spawnattr_init(&attributes_);
@@ -96,30 +92,41 @@ pid_t start(const std::vector<std::string>& arguments, const SpawnSettings& sett
   if (const int error =
           posix_spawnp(&child, words[0], settings.files(), settings.attributes(), words.data(), environ);
       error != 0)
-    fail_to_start(arguments.front(), error);
+    throw CannotStart(arguments.front(), error);
   return child;
 }
 
 // Whether the child ended within the time.
-bool wait_for(const Descriptor& child, double limit_s) {
+bool wait_for(const Descriptor& child, std::optional<double> limit_s) {
   pollfd ended{.fd = child.number(), .events = POLLIN, .revents = 0};
-  return poll(&ended, 1, static_cast<int>(limit_s * 1e3)) > 0;
+  int count = 0;
+  while ((count = poll(&ended, 1, limit_s ? static_cast<int>(*limit_s * 1e3) : -1)) < 0 && errno == EINTR) {
+  }
+  return count > 0;
 }
 
 int reap(pid_t child, const std::string& program) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) fail_to_start(program, errno);
+    if (errno != EINTR) throw CannotStart(program, errno);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
 
-ChildEnd run_child(const std::vector<std::string>& arguments, double limit_s) {
+CannotStart::CannotStart(const std::string& program, int error_number)
+    : Failure(ExitCode::cannot_access, program + ": cannot be started: " + std::strerror(error_number)),
+      error_number_(error_number) {}
+
+bool CannotStart::is_missing() const { return error_number_ == ENOENT; }
+
+ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view input,
+                   std::optional<double> limit_s) {
   const std::string& program = arguments.front();
-  const PrintedText out(program);
-  const PrintedText err(program);
-  const pid_t child = start(arguments, SpawnSettings(out, err));
+  const MemoryFile in(program, input);
+  const MemoryFile out(program);
+  const MemoryFile err(program);
+  const pid_t child = start(arguments, SpawnSettings(in, out, err));
   ChildEnd end;
   {
     const Descriptor watched(pidfd_open(child, 0), program);
@@ -136,25 +143,6 @@ std::string end_text(const ChildEnd& end, double limit_s) {
   if (end.is_timed_out) return fmt::format("no end within {} s", limit_s);
   if (end.exit_code > 128) return fmt::format("signal {} (exit code {})", end.exit_code - 128, end.exit_code);
   return fmt::format("exit code {}", end.exit_code);
-}
-
-TemporaryFolder::TemporaryFolder() {
-  const char* const parent = std::getenv("TMPDIR");
-  path_ = std::string(parent != nullptr && *parent != '\0' ? parent : "/tmp") + "/hyrax-sim-XXXXXX";
-  if (mkdtemp(path_.data()) == nullptr)
-    throw Failure(ExitCode::cannot_access, path_ + ": cannot be created: " + std::strerror(errno));
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
-  const std::string path = path_ + "/" + name;
-  std::ofstream file(path, std::ios::binary);
-  if (!(file << text).flush()) throw Failure(ExitCode::cannot_access, path + ": cannot be written");
-  return path;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace hyrax

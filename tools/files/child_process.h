@@ -1,0 +1,44 @@
+// A program that is started, waited for and, if it takes too long, ended.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/files/failure.h"
+
+namespace hyrax {
+
+/// How a program ended.
+struct ChildEnd {
+  int exit_code = 0;  ///< 128 + the signal's number if a signal ended it, as a shell says it.
+  bool is_timed_out = false;
+  std::string out;  ///< What it printed on standard output ...
+  std::string err;  ///< ... and on standard error.
+};
+
+/// "PROGRAM: cannot be started: REASON", an exit code of cannot_access, and the reason as errno has it.
+class CannotStart : public Failure {
+ public:
+  CannotStart(const std::string& program, int error_number);
+  [[nodiscard]] bool is_missing() const;  ///< There is no such program.
+
+ private:
+  int error_number_;
+};
+
+/// Starts a program and waits for its end. After `limit_s` it and what it started are killed; what it left
+/// running when it ended is killed, too. Input and output are files in memory, not pipes: neither side waits
+/// for the other, however long they are.
+/// @param arguments the program, searched for in PATH if it is a bare name, and its arguments.
+/// @param input what the program reads.
+/// @param limit_s no limit if empty.
+/// ERRORS: CannotStart.
+[[nodiscard]] ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view input,
+                                 std::optional<double> limit_s);
+
+/// "exit code 3", "signal 11 (exit code 139)", "no end within 10 s".
+[[nodiscard]] std::string end_text(const ChildEnd& end, double limit_s);
+
+}  // namespace hyrax
