@@ -209,7 +209,7 @@ class Verdict(CheckTest):
                 path.unlink()
                 path.write_bytes(kept)
 
-    def test_files_without_a_valid_seal_are_read_with_any_number_of_workers(self):
+    def test_files_without_valid_checksums_are_read_with_any_number_of_workers(self):
         for path in self.folder.glob("golden/**/*.txt"):
             path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
         for jobs in (1, 2, 8):
@@ -335,11 +335,11 @@ class OneVerdict(CheckTest):
         with h5py.File(self.h5, "r+") as file:
             file[path].attrs[name] = value
 
-    def nudge_and_seal(self, dataset, row):
+    def nudge_under_checksum(self, dataset, row):
         """The pair as a program would have blessed it that differs in one value, and has the same state hash."""
         nudge(self.h5, dataset, row)
-        seal = f"seal: {32 * 'c'} {xxhash.xxh3_128_hexdigest(self.h5.read_bytes())}\n"
-        self.txt.write_text(self.txt.read_text().partition("seal: ")[0] + seal)
+        checksums = f"checksums: {32 * 'c'} {xxhash.xxh3_128_hexdigest(self.h5.read_bytes())}\n"
+        self.txt.write_text(self.txt.read_text().partition("checksums: ")[0] + checksums)
 
     def test_on_the_golden_file_of_another_scenario(self):
         for changes in ({"record": {"every": 2}}, {"steps": None, "duration_s": 5}, {"clock": {"dt_s": 1 / 60}},
@@ -362,15 +362,15 @@ class OneVerdict(CheckTest):
         self.assertEqual(self.verdicts(), 3 * [("agreed", None)])
 
     def test_on_what_only_contacts_show(self):
-        self.assert_all_say("disagreed", "rounding", self.nudge_and_seal, "contacts/overshoot", 0)
+        self.assert_all_say("disagreed", "rounding", self.nudge_under_checksum, "contacts/overshoot", 0)
 
     def test_on_what_only_times_show(self):
-        self.assert_all_say("disagreed", "rounding", self.nudge_and_seal, "trajectory/t", 7)
+        self.assert_all_say("disagreed", "rounding", self.nudge_under_checksum, "trajectory/t", 7)
 
     def test_on_a_changed_summary(self):
         for old, new in (("steps: 300", "steps: 301"), ("scenario: third", "scenario: thirD"), ("ground 8\n", "ground 7\n"),
                          ("margin: any", "margin: ani"), ("nearest decision: right", "nearest decision: left"),
-                         ("seal: ", "seal:  "), ("state hash: ", "state hash: 0"), ("reason: for", "reason for")):
+                         ("checksums: ", "checksums:  "), ("state hash: ", "state hash: 0"), ("reason: for", "reason for")):
             self.assert_all_say("disagreed", "shape", self.edit_summary, old, new)
         self.assert_all_say("disagreed", "shape", self.txt.write_text, "nothing\n")
 
@@ -520,7 +520,7 @@ class Suggested(CheckTest):
 
 
 class Seal(CheckTest):
-    """A digest's seal makes reading the golden file unnecessary, and must never hide a fault in it."""
+    """A summary's checksums make reading the golden file unnecessary, and must never hide a fault in it."""
 
     def setUp(self):
         super().setUp()
@@ -528,7 +528,7 @@ class Seal(CheckTest):
         self.text = self.digest.read_text()
         self.contents, self.file = self.text.splitlines()[-1].split()[1:]
 
-    def test_a_damaged_file_is_found_under_a_valid_seal(self):
+    def test_a_damaged_file_is_found_under_valid_checksums(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
         self.assertEqual((first["step"], first["field"]), (5, "y"))
@@ -544,10 +544,10 @@ class Seal(CheckTest):
         self.bless("scenarios/third.json")
         self.check(AGREED)
 
-    def test_a_broken_seal_disagrees(self):
-        for text in (self.text.replace("seal: ", "sealed: "), self.text[:-1],
+    def test_broken_checksums_disagree(self):
+        for text in (self.text.replace("checksums: ", "checksum: "), self.text[:-1],
                      self.text.replace(self.contents, 32 * "0"), self.text.replace(self.file, 32 * "z")):
-            self.assert_not_as_blessed(text, f"; expected 'seal: {self.contents} {self.file}'")
+            self.assert_not_as_blessed(text, f"; expected 'checksums: {self.contents} {self.file}'")
         self.assert_not_as_blessed(self.text + "\n", "(found ''); expected nothing")
 
     def test_the_digest_of_another_run_disagrees(self):

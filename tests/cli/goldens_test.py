@@ -79,12 +79,12 @@ class Goldens(unittest.TestCase):
                 self.assertEqual(said["scenario"], file.attrs["name"], name)
             self.assertTrue(said["reason"].strip(), name)
 
-    def test_digests_are_sealed_with_the_hash_of_their_file(self):
+    def test_summaries_have_the_checksum_of_their_golden_file(self):
         for name in sorted(names("golden", ".h5")):
             golden = SOURCE / "golden" / f"{name}.h5"
-            seal = golden.with_suffix(".txt").read_text(encoding="utf-8").splitlines()[-1]
-            self.assertRegex(seal, r"^seal: [0-9a-f]{32} [0-9a-f]{32}$", name)
-            self.assertEqual(seal.split()[2], xxhash.xxh3_128_hexdigest(golden.read_bytes()), name)
+            checksums = golden.with_suffix(".txt").read_text(encoding="utf-8").splitlines()[-1]
+            self.assertRegex(checksums, r"^checksums: [0-9a-f]{32} [0-9a-f]{32}$", name)
+            self.assertEqual(checksums.split()[2], xxhash.xxh3_128_hexdigest(golden.read_bytes()), name)
 
 
 if __name__ == "__main__":

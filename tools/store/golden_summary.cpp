@@ -22,7 +22,7 @@ constexpr std::size_t kContactsListed = 40;  // All of a run with up to this man
 constexpr std::size_t kChecksumDigits = 32;
 constexpr std::string_view kStateHashKey = "state hash: ";
 constexpr std::string_view kReasonKey = "reason: ";
-constexpr std::string_view kChecksumsKey = "seal: ";
+constexpr std::string_view kChecksumsKey = "checksums: ";
 
 // To 6 digits; a zero has no sign.
 std::string decimal(double value) {

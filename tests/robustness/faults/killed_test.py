@@ -200,9 +200,9 @@ class Blessing(Killed):
     def test_a_rewritten_digest(self):
         digest = self.folder / "before/golden/fling.txt"
         self.write_before("scenarios/fling.json", self.old)
-        digest.write_text(digest.read_text().replace("seal: ", "sealed: "))
+        digest.write_text(digest.read_text().replace("checksums: ", "checksum: "))
         for _ in self.kill_everywhere("bless", "scenarios/fling.json", "--reason", "of an older form"):
-            is_new = "\nseal: " in (self.folder / "now/golden/fling.txt").read_text()
+            is_new = "\nchecksums: " in (self.folder / "now/golden/fling.txt").read_text()
             self.assertEqual(self.verdict("check")[0], AGREED if is_new else DISAGREED)
 
 

@@ -69,7 +69,7 @@ TEST(GoldenSummary, IsMadeToBeReadInAReview) {
             "  vy 0.1 px/s  0x1.999999999999ap-4\n"
             "settled since: 5.25 s\n"
             "reason: a longer throw\n"
-            "seal: 0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210\n");
+            "checksums: 0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210\n");
 }
 
 TEST(GoldenSummary, SaysThatItHasNotSettled) {
@@ -81,7 +81,7 @@ TEST(GoldenSummary, SaysThatItHasNotSettled) {
 
 TEST(GoldenSummary, KeepsAReasonOfSeveralLinesInOne) {
   const std::string text = text_of(some_run(), some_summary(), "first\nstate hash: forged\nlast");
-  EXPECT_NE(text.find("\nreason: first state hash: forged last\nseal: "), std::string::npos) << text;
+  EXPECT_NE(text.find("\nreason: first state hash: forged last\nchecksums: "), std::string::npos) << text;
 }
 
 TEST(GoldenSummary, ShowsFirstAndLastOfManyContacts) {
@@ -116,8 +116,8 @@ TEST(GoldenSummary, ReportsTheFirstLineThatDiffers) {
             "line 2: differs (found 'physics: hyrax-physics/2'); expected 'physics: hyrax-physics/1'");
   EXPECT_EQ(summary_difference(text + "more\n", text), "line 20: differs (found 'more'); expected nothing");
   EXPECT_EQ(summary_difference(text.substr(0, text.size() - 1), text),
-            "line 19: differs (found 'seal: 0123456789abcdef0123456789abcdef "
-            "fedcba9876543210fedcba9876543210' without a line end); expected 'seal: "
+            "line 19: differs (found 'checksums: 0123456789abcdef0123456789abcdef "
+            "fedcba9876543210fedcba9876543210' without a line end); expected 'checksums: "
             "0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210'");
 }
 
