@@ -76,8 +76,9 @@ class Bless(ProgramTest):
 
     def test_it_refuses_a_run_whose_expectations_do_not_hold(self):
         self.write("scenarios/fling.json", fling(start=ANOTHER_START, expect={"final_x_px": [0, 1], "finite": True}))
-        self.expect(DISAGREED, "bless", "scenarios/fling.json", "--reason", "wishful",
-                    says=("scenarios/fling.json: not blessed", "final_x_px: wanted 0 .. 1, measured "))
+        outcome = self.expect(DISAGREED, "bless", "scenarios/fling.json", "--reason", "wishful",
+                              says=("scenarios/fling.json: not blessed", "final_x_px: wanted 0 .. 1, measured "))
+        self.assertIn("the scenario changed since it was blessed: /start/x_px 1100 -> 1000", outcome.out)
         self.write("scenarios/new.json", fling(name="new", expect={"contacts": {"top": 1}}))
         self.expect(DISAGREED, "bless", "scenarios/new.json", "--reason", "wishful", says="contacts/top")
         self.assert_golden_untouched()

@@ -18,10 +18,9 @@ bool differs_more_than_rounding(const Blessing& blessing) {
   return blessing.differs_in && *blessing.differs_in > DifferenceClass::rounding;
 }
 
-// Whether its run is another one than its golden file's.
-bool differs(const Blessing& blessing) {
-  return (blessing.status == BlessStatus::changed || blessing.status == BlessStatus::refused) &&
-         blessing.unreadable.empty() && !blessing.comparison.agrees;
+// Whether its run is another one than its golden file's; one that fails for another reason may be, too.
+bool plays_otherwise(const Blessing& blessing) {
+  return blessing.status != BlessStatus::fresh && blessing.unreadable.empty() && !blessing.comparison.agrees;
 }
 
 // Of a run that differs, its group says more.
@@ -36,7 +35,7 @@ void print_plan(const Blessing& blessing, const Printing& printing) {
   if (!blessing.unreadable.empty())
     return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
   print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
-             printing.is_verbose() || !differs(blessing)
+             printing.is_verbose() || !plays_otherwise(blessing)
                  ? difference_text(blessing.comparison, printing.is_verbose())
                  : "");
 }
@@ -107,7 +106,7 @@ std::string refusal_sentence(const BlessReport& report) {
 std::vector<DifferenceGroup> groups_of(const BlessReport& report) {
   std::vector<DifferingScenario> differing;
   for (const Blessing& blessing : report.blessings)
-    if (differs(blessing)) differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get()});
+    if (plays_otherwise(blessing)) differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get()});
   return differing.empty() ? std::vector<DifferenceGroup>{} : group_by_cause(differing);
 }
 
