@@ -180,6 +180,23 @@ class Documents(ExplainTest):
             self.assertIn(f"- `scenarios/{name}.json`: ", text)
         self.expect(AGREED, "check", "--summary", "green.md")
         self.assertIn("3 agreed", (self.folder / "green.md").read_text())
+        self.assertEqual([name for name in self.names() if name.startswith("green")], ["green.md"])
+
+    def test_the_summary_has_a_picture_of_each_cause(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start))
+        self.altered("gravity_by_one_ulp", "--summary", "che ck.md")
+        text = (self.folder / "che ck.md").read_text()
+        for group, name in enumerate(("che ck-1.svg", "che ck-2.svg"), 1):
+            self.assertIn(f"![both paths of the worst scenario, and their distance](<{name}>)", text)
+            self.assertIn("</svg>", (self.folder / name).read_text(), group)
+        self.assertNotIn("-3.svg", text)
+
+    def test_a_picture_that_cannot_be_drawn_changes_no_verdict(self):
+        outcome = run(ALTERED, "check", "--summary", "check.md", cwd=self.folder,
+                      env={**os.environ, "HYRAX_ALTERED_CORE": "gravity_stronger", "PATH": "/nowhere"})
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertIn("gnuplot is not installed", (self.folder / "check.md").read_text())
 
     def test_hostile_names_stay_in_their_place(self):
         names = ("per%cent", "com,ma", "co:lon", "line\nbreak", "tick`s``", "<b>&\"", "::error file=x::y", "\x1b[31mred")
@@ -203,6 +220,7 @@ class Documents(ExplainTest):
         self.expect(BAD_INPUT, "check", "--summary", "golden/report.md", says="--summary: ")
         self.expect(BAD_INPUT, "check", "--summary", "report.txt", says="--summary: ")
         self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report.md", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report-1.svg", says="report-1.svg")
         self.expect(CANNOT_ACCESS, "check", "--summary", "no/such/report.md", says="no/such/report.md")
         self.assertEqual(self.names(), ["golden", "scenarios"])
 

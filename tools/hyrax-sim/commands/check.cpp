@@ -10,6 +10,7 @@
 #include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/command_line/workers.h"
+#include "tools/hyrax-sim/golden/check_pictures.h"
 #include "tools/hyrax-sim/golden/check_report.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/output_guard.h"
@@ -96,7 +97,11 @@ ExitCode check(CheckRequest& request) {
   const std::vector<std::string> paths = paths_of(request);
   OutputGuard guard(paths, request.golden_folder);
   if (!request.junit.empty()) guard.admit("hyrax-sim check: --junit", request.junit);
-  if (!request.summary.empty()) guard.admit("hyrax-sim check: --summary", request.summary, {".md"});
+  if (!request.summary.empty()) {
+    guard.admit("hyrax-sim check: --summary", request.summary, {".md"});
+    for (const std::string& path : picture_paths(request.summary))
+      guard.admit("hyrax-sim check: --summary", path);
+  }
   const std::int64_t jobs = request.jobs.value_or(processors());
   std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
   std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
@@ -114,7 +119,9 @@ ExitCode check(CheckRequest& request) {
   if (!request.junit.empty())
     outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(report)); });
   if (!request.summary.empty())
-    outcomes.attempt_after([&] { write_text_file(request.summary, check_markdown(report)); });
+    outcomes.attempt_after([&] {
+      write_text_file(request.summary, check_markdown(report, write_pictures(report, request.summary)));
+    });
   return outcomes.exit_code();
 }
 
@@ -141,7 +148,9 @@ Command check_command() {
         options.choice(request->annotate,
                        {"--annotate", "github", "also print a workflow command for each that does not agree"},
                        {"github"});
-        options.text(request->summary, {"--summary", "FILE.md", "also write the report in Markdown"});
+        options.text(request->summary,
+                     {"--summary", "FILE.md",
+                      "also write the report in Markdown, with a picture of each cause beside it"});
         options.flag(request->is_quick,
                      {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
         options.printing(request->printing,

@@ -11,8 +11,8 @@
 #include "tools/files/scenario_writer.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
+#include "tools/hyrax-sim/command_line/temporary_folder.h"
 #include "tools/hyrax-sim/search/broken_rule.h"
-#include "tools/hyrax-sim/search/temporary_folder.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {

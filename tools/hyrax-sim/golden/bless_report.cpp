@@ -106,7 +106,8 @@ std::string refusal_sentence(const BlessReport& report) {
 std::vector<DifferenceGroup> groups_of(const BlessReport& report) {
   std::vector<DifferingScenario> differing;
   for (const Blessing& blessing : report.blessings)
-    if (plays_otherwise(blessing)) differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get()});
+    if (plays_otherwise(blessing))
+      differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get()});
   return differing.empty() ? std::vector<DifferenceGroup>{} : group_by_cause(differing);
 }
 

@@ -25,10 +25,33 @@ std::string code_span(std::string_view text) {
   return fence + pad + line + pad + fence;
 }
 
-std::string group_section(const DifferenceGroup& group, const GroupCounts& counts) {
+// The target of a link: in angle brackets a name may hold blanks and parentheses.
+std::string link_target(const std::string& name) {
+  std::string target;
+  for (const char c : name) {
+    if (c == '<' || c == '>' || c == '\\') target += '\\';
+    target += c;
+  }
+  return "<" + target + ">";
+}
+
+std::string picture_text(const GroupPicture& picture) {
+  std::string text;
+  if (!picture.svg.empty())
+    text += fmt::format("![both paths of the worst scenario, and their distance]({})\n\n",
+                        link_target(picture.svg));
+  if (!picture.html.empty())
+    text += fmt::format("[The same run, played step by step]({})\n\n", link_target(picture.html));
+  if (!picture.missing.empty()) text += code_span(picture.missing) + "\n\n";
+  return text;
+}
+
+std::string group_section(const DifferenceGroup& group, const GroupCounts& counts,
+                          const GroupPicture& picture) {
   std::string text =
       fmt::format("### {} ({})\n\n{}\n\n{}\n\n", group.cause.operation, name_of(group.cause.kind),
                   code_span(cause_sentence(group, counts).text()), code_span(consequence_sentence(group)));
+  text += picture_text(picture);
   for (const DifferingScenario& scenario : group.scenarios)
     text += fmt::format("- {}: {}\n", code_span(scenario.path), code_span(scenario_consequence(scenario)));
   return text + "\n";
@@ -36,12 +59,14 @@ std::string group_section(const DifferenceGroup& group, const GroupCounts& count
 
 }  // namespace
 
-std::string check_markdown(const CheckReport& report) {
+std::string check_markdown(const CheckReport& report, const std::vector<GroupPicture>& pictures) {
   const bool is_green = report.count(Status::agreed) == static_cast<std::int64_t>(report.verdicts().size());
   std::string text = fmt::format("## hyrax-sim check: {}\n\n{}\n\n", is_green ? "agreed" : "not agreed",
                                  counts_sentence(report));
   const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
-  for (const DifferenceGroup& group : report.groups()) text += group_section(group, counts);
+  for (std::size_t group = 0; group < report.groups().size(); ++group)
+    text += group_section(report.groups()[group], counts,
+                          group < pictures.size() ? pictures[group] : GroupPicture{});
   for (const CheckVerdict& verdict : report.verdicts())
     if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
       text += fmt::format("- {}: {}: {}\n", code_span(verdict.path), name_of(verdict.status),

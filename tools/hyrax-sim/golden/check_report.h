@@ -67,7 +67,16 @@ void print_check(const CheckReport& report, const Printing& printing);
 /// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
 /// that does not agree; of each cause the worst scenario first.
 [[nodiscard]] std::string github_annotations(const CheckReport& report);
+/// What was drawn of a group: names of files beside the summary; empty: none.
+struct GroupPicture {
+  std::string svg;      ///< Both paths of the worst scenario, and their distance over time.
+  std::string html;     ///< A page that plays it.
+  std::string missing;  ///< Why something could not be drawn.
+};
+
 /// The report in Markdown.
-[[nodiscard]] std::string check_markdown(const CheckReport& report);
+/// @param pictures of the first groups.
+[[nodiscard]] std::string check_markdown(const CheckReport& report,
+                                         const std::vector<GroupPicture>& pictures);
 
 }  // namespace hyrax

@@ -12,8 +12,11 @@ namespace {
 
 constexpr std::size_t kWorstListed = 3;
 
-// Three digits say how far; more are in the JSON document.
-std::string px_text(double px) { return fmt::format("{:.3g} px", px); }
+// Three digits say how far; more are in the JSON document. Whole px from 1,000 px on.
+std::string px_text(double px) {
+  const bool is_long = px >= 1e3 && px < 1e6;
+  return is_long ? fmt::format("{:.0f} px", px) : fmt::format("{:.3g} px", px);
+}
 
 std::string contacts_text(std::int64_t contacts) {
   if (contacts == 0) return "no contact moved";
