@@ -197,6 +197,18 @@ class Blessing(Killed):
             self.assertTrue(digest.exists() or not rows.exists())
             self.assert_mended_by("bless", "scenarios/unblessed.json", "--reason", "x")
 
+    def test_a_state_hash_that_is_updated(self):
+        command = (*self.COMMAND, "--update-hash")
+        old_hash = {"state_hash": "0" * 32}
+        self.write_before("scenarios/fling.json", fling(name="fling", start=ANOTHER_START, expect=old_hash))
+        seen = set()
+        for _ in self.kill_everywhere(*command):
+            has_old_hash = "0" * 32 in (self.folder / "now/scenarios/fling.json").read_text()
+            seen.add(has_old_hash)
+            self.assertEqual(self.verdict("check")[0], DISAGREED if has_old_hash else AGREED)
+            self.assert_mended_by(*command)
+        self.assertEqual(seen, {False, True})
+
     def test_a_rewritten_digest(self):
         digest = self.folder / "before/golden/fling.txt"
         self.write_before("scenarios/fling.json", self.old)
