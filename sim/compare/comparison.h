@@ -88,6 +88,13 @@ struct Divergence {
   return same_bits(expected, actual) && !std::isnan(expected);
 }
 
+/// Whether a field of two contacts agrees. An overshoot that neither run knows does.
+[[nodiscard]] inline bool agrees(const ContactField& field, const Contact& expected, const Contact& actual) {
+  const bool is_unknown = field.value == &Contact::overshoot_px && std::isnan(expected.overshoot_px) &&
+                          std::isnan(actual.overshoot_px);
+  return is_unknown || agrees(expected.*field.value, actual.*field.value);
+}
+
 /// Distance of two values of a field in units in the last place. Nothing where either is NaN, and nothing for
 /// "contact": a set of flags has no such distance.
 [[nodiscard]] std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual);

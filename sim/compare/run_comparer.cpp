@@ -30,9 +30,9 @@ std::optional<Divergence> first_difference(const std::vector<Contact>& expected,
                                            const std::vector<Contact>& actual) {
   for (std::size_t index = 0; index < expected.size(); ++index)
     for (const ContactField& field : kContactFields) {
-      const double a = expected[index].*field.value;
-      const double b = actual[index].*field.value;
-      if (!agrees(a, b)) return divergence_at(actual[index].step, field.name, a, b);
+      if (agrees(field, expected[index], actual[index])) continue;
+      return divergence_at(actual[index].step, field.name, expected[index].*field.value,
+                           actual[index].*field.value);
     }
   return std::nullopt;
 }

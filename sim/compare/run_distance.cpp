@@ -48,8 +48,10 @@ void RunDistance::add(const Row& a, const Row& b) {
 }
 
 void RunDistance::add(const Contact& a, const Contact& b) {
+  const bool is_unknown = std::isnan(a.overshoot_px) && std::isnan(b.overshoot_px);
   is_rounding_ = is_rounding_ && is_time_within(a.t_s, b.t_s) && is_place_within(a.x_px, b.x_px) &&
-                 is_place_within(a.y_px, b.y_px) && is_place_within(a.overshoot_px, b.overshoot_px) &&
+                 is_place_within(a.y_px, b.y_px) &&
+                 (is_unknown || is_place_within(a.overshoot_px, b.overshoot_px)) &&
                  is_speed_within(a.vx_before_px_per_s, b.vx_before_px_per_s) &&
                  is_speed_within(a.vy_before_px_per_s, b.vy_before_px_per_s) &&
                  is_speed_within(a.vx_after_px_per_s, b.vx_after_px_per_s) &&

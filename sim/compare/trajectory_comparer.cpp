@@ -48,7 +48,7 @@ void TrajectoryComparer::compare(const std::vector<Contact>& a, const std::vecto
     for (const ContactField& field : kContactFields) {
       const double left = a[index].*field.value;
       const double right = b[index].*field.value;
-      if (tolerance_.accepts(left, right) || first_) continue;
+      if (first_ || agrees(field, a[index], b[index]) || tolerance_.accepts(left, right)) continue;
       first_ = divergence_at(a[index].step, field.name, left, right);
     }
 }

@@ -71,7 +71,7 @@ std::optional<Cause> cause_of_playback(const DifferingRun& run, const Kernel& pr
                                        const StepStatements& base, bool gives_golden) {
   const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
   if (!is_as_blessed) return unknown("the golden file was changed after it was blessed");
-  if (!reproduces(base, program.constants(), fresh.scenario, fresh))
+  if (!reproduces(base, *program.constants(), fresh.scenario, fresh))
     return {{kInputCause,
              CauseKind::unknown,
              "every step is the listing's, but an input has another effect",
@@ -89,13 +89,21 @@ std::optional<Cause> cause_of_playback(const DifferingRun& run, const Kernel& pr
   return std::nullopt;
 }
 
+// Of a core of one's own no change can be tried.
+Cause without_listing(const std::string& scenario_change) {
+  if (!scenario_change.empty())
+    return unknown("the scenario changed since it was blessed: " + scenario_change);
+  return unknown("changes can be tried on the paper's model only, and the core is another one");
+}
+
 }  // namespace
 
 Diagnosis diagnose(const DifferingRun& run, const Kernel& program) {
   const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
-  const StepStatements base = listing(golden.constants);
+  if (!program.constants() || !golden.constants) return {without_listing(scenario_change), {}};
+  const StepStatements base = listing(*golden.constants);
   if (!scenario_change.empty()) {
-    if (reproduces(base, program.constants(), fresh.scenario, fresh))
+    if (reproduces(base, *program.constants(), fresh.scenario, fresh))
       return {changed(kScenarioCause, scenario_change), {}};
     return {unknown("the scenario changed since it was blessed: " + scenario_change +
                     "; the listing does not reproduce its run"),
@@ -104,7 +112,7 @@ Diagnosis diagnose(const DifferingRun& run, const Kernel& program) {
   Diagnosis diagnosis{std::nullopt, observed_steps(fresh, golden, program)};
   std::stable_partition(diagnosis.evidence.begin(), diagnosis.evidence.end(),
                         [&](const ObservedStep& step) { return !gives(base, step); });
-  const bool gives_golden = reproduces(base, golden.constants, playback_of(golden), golden);
+  const bool gives_golden = reproduces(base, *golden.constants, playback_of(golden), golden);
   const bool is_step_changed = !diagnosis.evidence.empty() && !gives(base, diagnosis.evidence.front());
   if (!is_step_changed) diagnosis.cause = cause_of_playback(run, program, base, gives_golden);
   diagnosis.has_equal_rows = !is_step_changed && !diagnosis.cause;
@@ -113,7 +121,7 @@ Diagnosis diagnose(const DifferingRun& run, const Kernel& program) {
 }
 
 Cause unexplained(const DifferingRun& run, const std::vector<ObservedStep>& evidence) {
-  const StepStatements base = listing(run.golden.constants);
+  const StepStatements base = listing(*run.golden.constants);
   if (evidence.empty() || gives(base, evidence.front()))
     return unknown("all rows agree, but what is measured of the contacts does not");
   const auto differing_end =
@@ -123,7 +131,7 @@ Cause unexplained(const DifferingRun& run, const std::vector<ObservedStep>& evid
   const std::string nothing = "no single change reproduces it";
   if (is_input)
     return {kInputCause, CauseKind::unknown, nothing + "; only steps after inputs differ", {}, {}};
-  const std::optional<Operation> first = first_operation(run.golden.constants, evidence.front());
+  const std::optional<Operation> first = first_operation(*run.golden.constants, evidence.front());
   if (!first) return unknown(nothing);
   return {name_of(*first),
           CauseKind::unknown,

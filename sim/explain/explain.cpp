@@ -85,21 +85,21 @@ class Explanation {
 
   // Takes from `open` the runs whose golden files have the constants of the first one's.
   void cover_alike(std::vector<std::size_t>& open) {
-    const Constants constants = runs_[open.front()].golden.constants;
+    const Constants constants = *runs_[open.front()].golden.constants;
     std::vector<StepCase> cases;
     std::erase_if(open, [&](std::size_t run) {
       const DifferingRun& one = runs_[run];
-      if (!same_bits(one.golden.constants, constants)) return false;
+      if (!same_bits(*one.golden.constants, constants)) return false;
       cases.push_back({run, one.fresh, playback_of(one.golden),
                        FrameClock(one.golden.scenario.clock).is_fixed(), diagnoses_[run].has_equal_rows,
                        std::move(diagnoses_[run].evidence)});
       return true;
     });
-    std::vector<Candidate> candidates = candidates_for(constants, program_.constants());
-    std::vector<CauseGroup> found = Cover(candidates, cases, program_.constants()).groups();
+    std::vector<Candidate> candidates = candidates_for(constants, *program_.constants());
+    std::vector<CauseGroup> found = Cover(candidates, cases, *program_.constants()).groups();
     if (explained_runs(found) < cases.size()) {
       std::ranges::move(fitted_for(constants, cases), std::back_inserter(candidates));
-      found = Cover(candidates, cases, program_.constants()).groups();
+      found = Cover(candidates, cases, *program_.constants()).groups();
     }
     std::vector<bool> is_explained(runs_.size());
     for (const CauseGroup& group : found) {

@@ -31,7 +31,8 @@ struct CauseGroup {
 /// program; it reproduces a run if it gives the run's bits in every row, which a replay to the end decides.
 /// The candidate that reproduces most of the runs makes the first group, and so on among the rest; of those
 /// that reproduce equally many, that of the lowest TieRank, then the constant with the shortest decimal, then
-/// the first. What none reproduces is of kind unknown.
+/// the first. What none reproduces is of kind unknown; so is every run of a core that is not the paper's
+/// model.
 /// @param program the core that played the runs.
 [[nodiscard]] std::vector<CauseGroup> explain(const std::vector<DifferingRun>& runs, const Kernel& program);
 

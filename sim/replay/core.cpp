@@ -11,6 +11,7 @@
 #include "sim/motion/step.h"
 #include "sim/physics/physics.h"
 #include "sim/replay/core_constants.h"
+#include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
 namespace {
@@ -126,7 +127,7 @@ State core_flight(const State& body, double dt_s) {
 }
 
 bool core_is_listing() {
-  static const bool is_listing = sets_as_listing() && is_listing_on_grid();
+  static const bool is_listing = is_paper_model(core_model()) && sets_as_listing() && is_listing_on_grid();
   return is_listing;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/physics/physics.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/kernel_of.h"
+#include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
 namespace {
@@ -22,11 +23,13 @@ struct ShippedCores {
 
 }  // namespace
 
-const Kernel& shipped_kernel() {
+const Kernel& core_kernel() {
   static const KernelOf<ShippedCores> kernel;
   return kernel;
 }
 
-Constants core_constants() { return shipped_kernel().constants(); }
+std::string_view core_model() { return kPhysicsModel; }
+
+Constants core_constants() { return *core_kernel().constants(); }
 
 }  // namespace hyrax

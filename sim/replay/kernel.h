@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sim/scenario/scenario.h"
@@ -63,12 +64,13 @@ class Kernel {
   /// REQUIRES: stretch.frames <= rows.room().
   virtual void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows,
                     StretchLog& log) const = 0;
-  [[nodiscard]] virtual Constants constants() const = 0;
+  /// Nothing where the core is not the paper's model.
+  [[nodiscard]] virtual std::optional<Constants> constants() const = 0;
   /// Applies an action by the core's own setters.
   virtual void apply(const Action& action, Keyframe& now) const = 0;
 };
 
-/// The kernel of class physics, whose source is the only one of the replay that includes it.
-[[nodiscard]] const Kernel& shipped_kernel();
+/// The kernel of this program's class physics, whose source is the only one of the replay that includes it.
+[[nodiscard]] const Kernel& core_kernel();
 
 }  // namespace hyrax

@@ -2,19 +2,26 @@
 #pragma once
 
 #include <cassert>
+#include <limits>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "sim/motion/step.h"
 #include "sim/replay/kernel.h"
+#include "sim/replay/row_walls.h"
 #include "sim/scenario/apply.h"
 
 namespace hyrax {
 
-/// The step by which a replay of these cores tells what their walls did: the listing's, or their own.
+/// What tells a replay of these cores what their walls did: the listing's step, one of their own, or the
+/// rows.
 template <class Cores>
 [[nodiscard]] auto listing_of(const Cores& cores, const Bounds& bounds) {
   if constexpr (requires { cores.listing(bounds); })
     return cores.listing(bounds);
+  else if constexpr (!requires { cores.constants(); })
+    return RowWalls(bounds);
   else
     return ListingStep(cores.constants(), AllParts{}, bounds);
 }
@@ -24,7 +31,8 @@ template <class Cores>
 /// (sim/motion/step.h) with the core's constants; a test holds that step to physics::update bit for bit.
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
 /// have another step than the listing's to tell the walls by: `listing(const Bounds&)`, with `fly` and
-/// `meet_walls_in_x`.
+/// `meet_walls_in_x`. Without `constants` the core is not the paper's model, and the rows alone tell
+/// (sim/replay/row_walls.h): then `before` is the velocity before the step, and `overshoot` is NaN.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
@@ -46,7 +54,12 @@ class KernelOf final : public Kernel {
     rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
   }
 
-  [[nodiscard]] Constants constants() const override { return cores_.constants(); }
+  [[nodiscard]] std::optional<Constants> constants() const override {
+    if constexpr (kIsToldByRows)
+      return std::nullopt;
+    else
+      return cores_.constants();
+  }
 
   void apply(const Action& action, Keyframe& now) const override {
     Body body{cores_.make(state_of(now.row)), now.window, now.sprite, now.is_held};
@@ -57,6 +70,7 @@ class KernelOf final : public Kernel {
  private:
   using Core = typename Cores::Core;
   using Listing = decltype(listing_of(std::declval<const Cores&>(), Bounds()));
+  static constexpr bool kIsToldByRows = std::is_same_v<Listing, RowWalls>;
 
   // The core with the rest of the world, as hyrax::apply takes it.
   struct Body : Core {
@@ -103,9 +117,16 @@ class KernelOf final : public Kernel {
   [[gnu::noinline]] static void log_change(Listing listing, std::uint8_t contact_before, std::uint8_t contact,
                                            State flight, double dt_s, State after, std::int64_t offset,
                                            StretchLog& log) {
-    listing.fly(flight, dt_s);
-    State turned_in_x = flight;
-    listing.meet_walls_in_x(turned_in_x);
+    State left_x_walls = after;
+    State met_y_walls = flight;
+    Position overshoot{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    if constexpr (!kIsToldByRows) {
+      listing.fly(flight, dt_s);
+      overshoot = {flight.x_px - after.x_px, flight.y_px - after.y_px};
+      met_y_walls = flight;
+      listing.meet_walls_in_x(met_y_walls);
+      left_x_walls = met_y_walls;
+    }
     for (const Wall wall : kWalls) {
       if (touches(contact, wall) == touches(contact_before, wall)) continue;
       const bool is_in_x = wall == Wall::left || wall == Wall::right;
@@ -113,10 +134,9 @@ class KernelOf final : public Kernel {
         log.changes.push_back({offset, false, {.wall = wall}});
       else if (is_in_x)
         log.changes.push_back(
-            {offset, true, begun_contact(wall, flight, turned_in_x, after, flight.x_px - after.x_px)});
+            {offset, true, begun_contact(wall, flight, left_x_walls, after, overshoot.x_px)});
       else
-        log.changes.push_back(
-            {offset, true, begun_contact(wall, turned_in_x, after, after, flight.y_px - after.y_px)});
+        log.changes.push_back({offset, true, begun_contact(wall, met_y_walls, after, after, overshoot.y_px)});
     }
   }
 
@@ -143,15 +163,20 @@ class KernelOf final : public Kernel {
       const std::uint8_t contact_before = contact;
       body.update(dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
       contact = 0;
-      // Only a clamp, or great chance, puts the sprite onto a bound. One branch, not four.
-      const unsigned is_on_a_bound = unsigned{body.x() == 0.0} | unsigned{body.x() == bounds.right_px} |
-                                     unsigned{body.y() == 0.0} | unsigned{body.y() == bounds.bottom_px};
-      if (is_on_a_bound != 0) {
-        State flight = state_of(before);
-        listing.fly(flight, dt_s);
-        contact = contact_of(flight, body);
-        ++log.rows[contact];
-        log.had_friction |= touches(contact, Wall::ground) && flight.vx_px_per_s != 0.0;
+      if constexpr (kIsToldByRows) {
+        contact = listing.contact_of(state_of(before), dt_s, state_of(body));
+        if (contact != 0) ++log.rows[contact];
+      } else {
+        // Only a clamp, or great chance, puts the sprite onto a bound. One branch, not four.
+        const unsigned is_on_a_bound = unsigned{body.x() == 0.0} | unsigned{body.x() == bounds.right_px} |
+                                       unsigned{body.y() == 0.0} | unsigned{body.y() == bounds.bottom_px};
+        if (is_on_a_bound != 0) {
+          State flight = state_of(before);
+          listing.fly(flight, dt_s);
+          contact = contact_of(flight, body);
+          ++log.rows[contact];
+          log.had_friction |= touches(contact, Wall::ground) && flight.vx_px_per_s != 0.0;
+        }
       }
       pack_row(row, dt_s, body.x(), body.y(), body.vx(), body.vy(), contact);
       row += kPackedRowBytes;

@@ -26,7 +26,7 @@ Replay::Player::Player(const Scenario& scenario, std::vector<RowSink*> sinks, Re
                        const Keyframe& from, std::int64_t first_step)
     : scenario_(scenario),
       options_(options),
-      kernel_(options.kernel != nullptr ? *options.kernel : shipped_kernel()),
+      kernel_(options.kernel != nullptr ? *options.kernel : core_kernel()),
       clock_(scenario.clock),
       steps_(step_count(scenario)),
       event_frames_(schedule_events(scenario, steps_).frames),

@@ -20,7 +20,8 @@ struct Contact {
   double vy_before_px_per_s = 0.0;
   double vx_after_px_per_s = 0.0;
   double vy_after_px_per_s = 0.0;
-  double overshoot_px = 0.0;  ///< >= 0; how far past the wall the unclamped position was.
+  /// >= 0; how far past the wall the unclamped position was. NaN: not known, of a core of one's own.
+  double overshoot_px = 0.0;
   bool operator==(const Contact&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,8 @@ struct StoredBlock {
 struct StoredRun {
   Scenario scenario;
   std::string physics;  ///< Physics model.
-  Constants constants;  ///< Of the core that played it.
+  std::optional<Constants>
+      constants;  ///< Of the core that played it; nothing where it is not the paper's model.
   std::int64_t steps = 0;
   std::string state_hash;           ///< 32 hex digits.
   Columns rows;                     ///< Every row of a short run; else empty.

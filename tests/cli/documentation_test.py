@@ -17,7 +17,7 @@ What a README may print, by the first word after the fence:
     json      is valid; a scenario is valid, too, and its expectations hold. A name after the first word is the
               file's name in the scratch folder.
     python    runs there without error, after the blocks above it.
-    cmake, cpp   are lines of tests/cli/outside_project, which builds and runs.
+    cmake, cpp   are lines of tests/cli/outside_project or tests/cli/own_physics, which build and run.
     sh    is not run, but its scripts exist.
     text  is not checked.
 """
@@ -236,14 +236,15 @@ class Documents(unittest.TestCase):
                         self.assertTrue(block.kind != "sh" or os.access(SOURCE / script, os.X_OK), script)
 
     def test_every_line_about_embedding_is_built_by_a_test(self):
-        built = {"cmake": "CMakeLists.txt", "cpp": "fling.cpp"}
+        projects = [SOURCE / "tests/cli/outside_project", SOURCE / "tests/cli/own_physics"]
+        built = {kind: "".join(file.read_text(encoding="utf-8") for project in projects for file in project.glob(pattern))
+                 for kind, pattern in (("cmake", "CMakeLists.txt"), ("cpp", "*.cpp"))}
         for document in DOCUMENTS:
             for block in blocks_of(document):
                 if block.kind in built:
-                    file = SOURCE / "tests/cli/outside_project" / built[block.kind]
                     with self.on_each(document):
                         for line in block.body.splitlines():
-                            self.assertIn(line, file.read_text(encoding="utf-8"))
+                            self.assertIn(line, built[block.kind])
 
     def test_every_preset_exists(self):
         presets = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]

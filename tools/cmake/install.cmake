@@ -1,5 +1,5 @@
-# cmake --install: the program; the core library with its headers; and the CMake package `hyrax`,
-# whose hyrax::physics carries the floating-point flags that keep its bits.
+# cmake --install: the program; the core library with its headers; the CMake package `hyrax`, whose hyrax::physics
+# carries the floating-point flags that keep its bits; and what a program with another class physics is built from.
 include(CMakePackageConfigHelpers)
 
 set(hyrax_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hyrax)
@@ -8,7 +8,7 @@ set(hyrax_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hyrax)
 target_include_directories(hyrax_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hyrax>)
 set_target_properties(hyrax_physics PROPERTIES EXPORT_NAME physics)
 
-install(TARGETS hyrax-sim RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS hyrax-sim EXPORT hyrax RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(
   TARGETS hyrax_physics
   EXPORT hyrax
@@ -17,14 +17,50 @@ install(FILES ${PROJECT_SOURCE_DIR}/sim/physics/physics.h ${PROJECT_SOURCE_DIR}/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hyrax/sim/physics)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+# hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
+# core compiles two sources and needs no library but the compiler's own.
+set(hyrax_rooms physics replay compare explain reference reference_gsl search study ensemble trajectory scenario store
+                report child_process page_record no_page files fmt)
+list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:hyrax_\\1>")
+set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
+add_custom_command(
+  OUTPUT ${hyrax_program_object}
+  COMMAND
+    ${CMAKE_LINKER} -r -o ${hyrax_program_object} $<TARGET_OBJECTS:hyrax-sim> --start-group ${hyrax_rooms}
+    ${HDF5_HL_STATIC} ${HDF5_STATIC} ${SZIP_STATIC} ${AEC_STATIC} ${ZLIB_STATIC} ${GSL_LIBRARY} ${GSL_CBLAS_LIBRARY}
+    --end-group
+  DEPENDS hyrax-sim ${hyrax_rooms} $<TARGET_OBJECTS:hyrax-sim>
+  COMMAND_EXPAND_LISTS
+  COMMENT "hyrax-sim without its core"
+  VERBATIM)
+add_custom_target(hyrax_program ALL DEPENDS ${hyrax_program_object})
+install(FILES ${hyrax_program_object} DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
+foreach(
+  source IN
+  ITEMS motion/state.h motion/step.h
+        replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h replay/row_walls.h
+        scenario/apply.h scenario/frame_clock.h scenario/scenario.h
+        trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
+        trajectory/state_hash.h)
+  cmake_path(GET source PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/sim/${source} DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/sim/${folder})
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/tools/own_core/own_kernel.cpp
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/tools/own_core)
+
 install(
   EXPORT hyrax
   NAMESPACE hyrax::
-  FILE hyrax-config.cmake
+  FILE hyrax-targets.cmake
   DESTINATION ${hyrax_package_folder})
 # Before 1.0 a new minor version may move bits.
 write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
   VERSION ${PROJECT_VERSION}
   COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake DESTINATION ${hyrax_package_folder})
+set(PREFIX_FROM_PACKAGE /)
+cmake_path(RELATIVE_PATH PREFIX_FROM_PACKAGE BASE_DIRECTORY /${hyrax_package_folder})
+configure_file(${PROJECT_SOURCE_DIR}/tools/own_core/hyrax_add_scenarios.cmake
+               ${PROJECT_BINARY_DIR}/hyrax_add_scenarios.cmake @ONLY)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
+              ${PROJECT_BINARY_DIR}/hyrax_add_scenarios.cmake DESTINATION ${hyrax_package_folder})

@@ -8,10 +8,14 @@
 #include <unistd.h>
 
 #include "sim/physics/strict_arithmetic.h"
+#include "sim/replay/core_constants.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/build_info.h"
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/print.h"
+#include "tools/hyrax-sim/command_line/shell_command.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 
 // All commands, in the order of the help. commands/NAME.cpp defines NAME_command().
 #define HYRAX_COMMANDS(COMMAND) \
@@ -42,16 +46,29 @@ std::vector<Command> all_commands() {
   return {HYRAX_COMMANDS(HYRAX_CALL)};
 }
 
+// To this program's core.
+bool applies(const Command& command) { return !command.needs_paper_model || is_paper_model(core_model()); }
+
 std::string command_list(const std::vector<Command>& commands, bool is_common) {
   std::string text;
   for (const Command& command : commands)
-    if (command.is_common == is_common) text += fmt::format("  {:<9} {}\n", command.name, command.summary);
+    if (command.is_common == is_common && applies(command))
+      text += fmt::format("  {:<9} {}\n", command.name, command.summary);
   return text;
+}
+
+// Says what this program is, if it is not the one that the help is about.
+std::string about_core() {
+  if (is_paper_model(core_model())) return "";
+  return fmt::format(
+      "This program's core is {}, not the paper's model: commands that need that model are left out.\n\n",
+      core_model());
 }
 
 std::string first_screen(const std::vector<Command>& commands) {
   return "hyrax-sim replays flings of the hyrax bit for bit, and reports what changed and how exact they "
-         "are.\n\n"
+         "are.\n\n" +
+         about_core() +
          "  hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
          "  hyrax-sim check\n\n"
          "Usage: hyrax-sim COMMAND [OPTION]... [FILE]...\n\n"
@@ -89,6 +106,7 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   if (name == "--version" || name == "-V")
     return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
   const Command& command = find(commands, name);
+  if (command.needs_paper_model) require_paper_core("hyrax-sim " + name);
   Options options;
   const std::function<ExitCode()> act = command.declare(options);
   try {
@@ -123,6 +141,7 @@ int main(int argc, char** argv) {
   std::signal(SIGCHLD, SIG_DFL);
   ExitCode exit_code = ExitCode::program_fault;
   try {
+    if (argc > 0 && !is_paper_model(core_model())) set_program(argv[0]);
     exit_code = run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const Failure& failure) {
     print_error(failure.what());

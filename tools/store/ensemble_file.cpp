@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"

@@ -158,7 +158,8 @@ std::string contents_checksum(const StoredRun& run) {
   ContentsHash hash;
   hash.add(to_text(to_json(without_texts(run.scenario))));
   hash.add(run.physics);
-  for (const double constant : numbers_of(run.constants)) hash.add(constant);
+  if (run.constants)
+    for (const double constant : numbers_of(*run.constants)) hash.add(constant);
   hash.add(run.steps);
   hash.add(run.state_hash);
   for (const double t_s : run.rows.t_s) hash.add(t_s);

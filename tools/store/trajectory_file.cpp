@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "sim/reference/model.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
@@ -142,7 +143,7 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   if (!steps || *steps < 0 || *steps > kStepsMax)
     refuse("attribute steps: is missing or not an integer 0 .. 1e12");
   head.steps = *steps;
-  head.constants = read_constants();
+  if (is_paper_model(head.physics)) head.constants = read_constants();
   return head;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "sim/motion/state.h"
@@ -14,7 +15,6 @@
 namespace hyrax {
 
 inline constexpr std::string_view kTrajectoryFormat = "hyrax-trajectory/1";
-inline constexpr std::string_view kPhysicsModel = "hyrax-physics/1";
 
 /// A column of doubles: its dataset, unit and description, and its place in a batch of rows and in one row.
 /// A new one is added to Row and Columns, and here: every reader and writer of rows uses this list.
@@ -64,7 +64,9 @@ struct FileHead {
   std::int64_t steps = 0;
   std::string physics;
   std::string state_hash;  ///< 32 hex digits.
-  Constants constants{};   ///< Of the core that played the run; the paper's where a file does not have them.
+  /// Of the core that played the run: the paper's where the file of a paper's model does not have them,
+  /// nothing for a core of one's own.
+  std::optional<Constants> constants;
 };
 
 /// The numbers of the attribute `constants`, in the order of the paper's table.

@@ -215,7 +215,7 @@ bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inpu
   h5::write_attribute(file, "steps", head.steps);
   h5::write_attribute(file, "physics", head.physics);
   h5::write_attribute(file, "state_hash", head.state_hash);
-  h5::write_attribute(file, "constants", numbers_of(head.constants));
+  if (head.constants) h5::write_attribute(file, "constants", numbers_of(*head.constants));
   h5::write_attribute(file, "NX_class", "NXroot");
   h5::write_attribute(file, "default", "trajectory");
   write_provenance(file, own_provenance());

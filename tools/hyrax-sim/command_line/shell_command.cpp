@@ -9,6 +9,8 @@
 namespace hyrax {
 namespace {
 
+std::string program_called = "hyrax-sim";
+
 bool is_control(std::int32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
 bool is_plain(char c) {
@@ -48,15 +50,22 @@ std::string shell_command(const std::vector<std::string>& arguments) {
   return line;
 }
 
+void set_program(const std::string& as_called) { program_called = as_called; }
+
+std::string program_command(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), program_called);
+  return shell_command(arguments);
+}
+
 std::string as_argument(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
 
 std::string bless_command_for(const std::vector<std::string>& paths, const std::string& golden_folder) {
   const std::string scenario_path = is_folder(paths.front()) ? paths.front() + "/x.json" : paths.front();
   const auto by_path = golden_place(scenario_path, "");
   const auto place = golden_place(scenario_path, golden_folder);
-  std::vector<std::string> arguments = {"hyrax-sim", "bless"};
+  std::vector<std::string> arguments = {"bless"};
   for (const std::string& path : paths) arguments.push_back(as_argument(path));
-  std::string command = shell_command(arguments);
+  std::string command = program_command(arguments);
   if (!by_path || !place || by_path->h5_path != place->h5_path)
     command += " --golden " + quoted(golden_folder.empty() ? "golden" : as_argument(golden_folder));
   return command + " --reason TEXT";

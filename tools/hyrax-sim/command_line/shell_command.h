@@ -11,6 +11,13 @@ namespace hyrax {
 /// control character of it is printed as such.
 [[nodiscard]] std::string shell_command(const std::vector<std::string>& arguments);
 
+/// Names this program in suggested commands as it was called, which matters where it is not `hyrax-sim`: a
+/// program with a core of one's own. At start, before any other function here.
+void set_program(const std::string& as_called);
+
+/// shell_command of this program with these arguments.
+[[nodiscard]] std::string program_command(std::vector<std::string> arguments);
+
 /// The same path in a form that is not parsed as an option.
 [[nodiscard]] std::string as_argument(const std::string& path);
 

@@ -121,6 +121,7 @@ Command drift_command() {
           "hyrax-sim drift scenarios/flings/first-fling.json\n"
           "  hyrax-sim drift first-fling.h5 --figures pictures",
       .is_common = true,
+      .needs_paper_model = true,
       .declare = [](Options& options) {
         const auto request = std::make_shared<DriftRequest>();
         options.files(

@@ -187,6 +187,7 @@ Command fuzz_command() {
       .example =
           "hyrax-sim fuzz --time 60s\n"
           "  hyrax-sim fuzz --runs 100000 --seed 7 --against ./other-build/hyrax-sim -o failures",
+      .needs_paper_model = true,
       .declare = [](Options& options) {
         const auto request = std::make_shared<FuzzRequest>();
         options.integer(request->seed, {"--seed", "N", "which scenarios are drawn (default: 1)"}, 0);

@@ -3,10 +3,10 @@
 #include <xxhash.h>
 
 #include "sim/physics/strict_arithmetic.h"
+#include "sim/replay/core_constants.h"
 #include "tools/files/build_info.h"
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/options.h"
-#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
@@ -42,7 +42,7 @@ Json::Object facts() {
           {"target", build.target},
           {"instruction_set", build.instruction_set},
           {"processor", processor()},
-          {"physics", kPhysicsModel},
+          {"physics", core_model()},
           {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
           {"hdf5", hdf5_version()},
           {"gsl", gsl_version},

@@ -46,6 +46,7 @@ Command report_command() {
               "hyrax-sim report first-fling.h5 -o first-fling.html\n"
               "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html",
           .is_common = false,
+          .needs_paper_model = true,
           .declare = [](Options& options) {
             const auto arguments = std::make_shared<ReportArguments>();
             ReportRequest& request = arguments->request;

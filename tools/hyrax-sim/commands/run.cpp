@@ -11,6 +11,7 @@
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/report/report_page.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/output_guard.h"
 
@@ -95,6 +96,7 @@ void make_output_folder(const RunRequest& request, std::size_t scenarios) {
 }
 
 std::optional<StoredDrift> stored_drift(const RunRequest& request) {
+  if (request.measures_drift) require_paper_core("hyrax-sim run: --drift");
   if (request.measures_drift)
     return StoredDrift{{.gsl = gsl_options(request.reference, "hyrax-sim run")}, request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
@@ -117,6 +119,7 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
 }
 
 void check_page_request(const RunRequest& request, std::size_t scenarios) {
+  require_paper_core("hyrax-sim run: --report");
   if (scenarios > 1)
     throw Failure(
         ExitCode::bad_input,
@@ -141,6 +144,7 @@ void write_page(const RunRequest& request, const ScenarioRun& run) {
 void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift, const Candidate& candidate,
              Outcomes& outcomes) {
   if (candidate.failure) throw *candidate.failure;
+  require_measurable(candidate.path, *candidate.scenario);
   std::optional<RunPicture> picture;
   if (!request.figure.empty()) picture.emplace(*candidate.scenario);
   const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,

@@ -235,6 +235,7 @@ Command study_command() {
           "hyrax-sim study speed-error -o studies\n"
           "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
       .is_common = true,
+      .needs_paper_model = true,
       .declare = [](Options& options) {
         const auto arguments = std::make_shared<StudyArguments>();
         declare_arguments(options, *arguments);

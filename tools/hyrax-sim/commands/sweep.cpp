@@ -238,6 +238,7 @@ Command sweep_command() {
               "hyrax-sim sweep sweep.json --where \"at_rest_since > 9\"\n"
               "  hyrax-sim sweep sweep.json --member 17 -o member.json\n"
               "  hyrax-sim sweep --merge sweep.part-*.h5 -o sweep.h5",
+          .needs_paper_model = true,
           .declare = [](Options& options) {
             const auto request = std::make_shared<SweepRequest>();
             declare_options(options, *request);

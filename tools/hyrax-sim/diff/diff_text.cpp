@@ -78,7 +78,7 @@ std::string consequence_text(const TrajectoryDiff& diff) {
   text += diff.is_by_time ? "; rows of the same time\n" : "\n";
   return text + end_text(diff) +
          fmt::format("  contacts   {}\n", contacts_sentence(diff.comparison.contacts)) +
-         energy_text(diff.energy);
+         (diff.energy ? energy_text(*diff.energy) : "");
 }
 
 std::string values_text(const TrajectoryDiff& diff, bool lists_all) {

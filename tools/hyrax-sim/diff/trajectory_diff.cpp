@@ -133,7 +133,8 @@ bool TrajectoryDiff::has_differences() const {
 
 TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
                                  Overlay* overlay) {
-  TrajectoryDiff diff(tolerance, a.head().constants.gravity_px_per_s2);
+  TrajectoryDiff diff(tolerance);
+  if (a.head().constants && b.head().constants) diff.energy.emplace(a.head().constants->gravity_px_per_s2);
   diff.is_same_scenario = plays_the_same(a.head().scenario, b.head().scenario);
   diff.is_by_time = !(a.head().scenario.clock == b.head().scenario.clock);
   Comparison& comparison = diff.comparison;
@@ -144,7 +145,7 @@ TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& 
     const std::optional<WorstDistance> before = distance.largest();
     distance.add(row_a, of_same_step);
     if (distance.largest() && (!before || distance.largest()->px > before->px)) diff.largest_at_s = row_a.t_s;
-    diff.energy.add(row_a, row_b);
+    if (diff.energy) diff.energy->add(row_a, row_b);
     if (overlay != nullptr) overlay->add(row_a, row_b);
   };
   const auto lone_step = walk_by_step(a, b, [&](const Row& row_a, const Row& row_b) {

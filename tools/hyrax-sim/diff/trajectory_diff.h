@@ -19,15 +19,14 @@ struct RunEnd {
 };
 
 struct TrajectoryDiff {
-  explicit TrajectoryDiff(const Tolerance& tolerance, double gravity_px_per_s2)
-      : values(tolerance), energy(gravity_px_per_s2) {}
+  explicit TrajectoryDiff(const Tolerance& tolerance) : values(tolerance) {}
 
   bool is_same_scenario = true;
   bool is_by_time = false;  ///< Distances of rows of the same time: the clocks differ.
   Comparison comparison;
   TrajectoryComparer values;
-  EnergyDifference energy;
-  std::int64_t rows_compared = 0;  ///< Of the same step.
+  std::optional<EnergyDifference> energy;  ///< Of the paper's model.
+  std::int64_t rows_compared = 0;          ///< Of the same step.
   std::optional<double> largest_at_s;
   RunEnd end_a;
   RunEnd end_b;

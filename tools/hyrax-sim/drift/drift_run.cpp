@@ -1,4 +1,5 @@
 #include "tools/hyrax-sim/drift/drift.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 
 #include <fmt/format.h>
 
@@ -116,6 +117,7 @@ DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options) {
 
 DriftRun load_drift(const std::string& path, const DriftOptions& options) {
   const TrajectoryFile file = TrajectoryFile::open(path);
+  require_paper_run(file, "drift");
   const FileHead& head = file.head();
   DriftRecorder recorder(head.scenario, options);
   if (file.row_count() == head.steps + 1) {

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
+#include "sim/replay/core_constants.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/printable.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/golden/group_text.h"
-#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
@@ -44,12 +45,12 @@ void print_plan(const Blessing& blessing, const Printing& printing) {
 void print_model_hint(const BlessReport& report) {
   const bool is_due = std::ranges::any_of(report.blessings, [](const Blessing& blessing) {
     return differs_more_than_rounding(blessing) && blessing.runs &&
-           blessing.runs->golden.physics == kPhysicsModel;
+           blessing.runs->golden.physics == core_model();
   });
-  if (is_due)
+  if (is_due && is_paper_model(core_model()))
     print_text(
         "results change by more than rounding: give the physics model a new number (now {}; kPhysicsModel in "
-        "tools/store/trajectory_format.h)\n",
+        "sim/trajectory/physics_model.h)\n",
         kPhysicsModel);
 }
 

@@ -14,6 +14,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/state_hash_text.h"
 #include "tools/files/text_file.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
@@ -115,6 +116,7 @@ void update_hash(const RunSummary& summary, Scenario& scenario, Blessing& blessi
 
 void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& guard) {
   Scenario scenario = load_scenario(blessing.path);
+  require_measurable(blessing.path, scenario);
   blessing.place = place_of(blessing.path, options.golden_folder);
   require_usable(blessing.place, guard);
   const RunSummary summary = compare(scenario, blessing);

@@ -57,7 +57,7 @@ std::string commands_text(const CheckReport& report) {
   const bool is_alone = report.groups().size() == 1 && report.groups().front().scenarios.size() == 1;
   const std::vector<std::string> checked =
       report.arguments().empty() ? std::vector<std::string>{"scenarios"} : report.arguments();
-  std::vector<std::string> verbose = {"hyrax-sim", "check", "--verbose"};
+  std::vector<std::string> verbose = {"check", "--verbose"};
   for (const std::string& argument : report.arguments()) verbose.push_back(as_argument(argument));
   if (!report.golden_folder().empty())
     verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
@@ -65,8 +65,8 @@ std::string commands_text(const CheckReport& report) {
       "  to see all      {}\n"
       "  to see more     {}; {}\n"
       "  to accept it    {}{}\n",
-      shell_command(verbose), shell_command({"hyrax-sim", "run", as_argument(worst.path), "-o", "now.h5"}),
-      shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}),
+      program_command(verbose), program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
+      program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"}),
       bless_command_for(is_alone ? std::vector{worst.path} : checked, verdict.golden_folder),
       accept_option(report));
 }

@@ -9,6 +9,7 @@
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 
 namespace hyrax {
@@ -32,6 +33,7 @@ bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPla
 }
 
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
+  require_measurable(verdict.path, scenario);
   verdict.golden = golden_place(verdict.path, options.golden_folder);
   const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
   auto pair = has_golden ? compare_with_pair(scenario, *verdict.golden, options.reads_golden)

@@ -56,7 +56,7 @@ std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>
     runs.push_back({golden, fresh, scenario_changes(golden.scenario, fresh.scenario), is_as_blessed});
   }
   std::vector<DifferenceGroup> groups;
-  for (const CauseGroup& group : explain(runs, shipped_kernel())) {
+  for (const CauseGroup& group : explain(runs, core_kernel())) {
     std::vector<DifferingScenario> members;
     for (const std::size_t run : group.runs) members.push_back(played[run]);
     groups.push_back(make_group(group.cause, std::move(members)));

@@ -11,7 +11,6 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/scenario_changes.h"
-#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
@@ -98,15 +97,16 @@ std::optional<double> settled_since_s(const StoredRun& kept, std::int64_t steps_
 }  // namespace
 
 ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
-  const std::unique_ptr<const Kernel> kernel = listing_kernel(kept.constants);
-  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(kept.scenario, block, *kernel); });
+  const std::unique_ptr<const Kernel> listing = kept.constants ? listing_kernel(*kept.constants) : nullptr;
+  const Kernel& kernel = listing ? *listing : core_kernel();
+  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(kept.scenario, block, kernel); });
   const RunSummary summary = replay(scenario, comparer, options_for(scenario));
-  ComparedRun compared{comparer.finish({scenario, summary.steps, kPhysicsModel, hex(summary.state_hash),
+  ComparedRun compared{comparer.finish({scenario, summary.steps, core_model(), hex(summary.state_hash),
                                         summary.final, inputs_of(scenario, summary.steps)}),
                        summary};
   if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
     compared.comparison.shape += ": " + changes;
-  if (!compared.comparison.agrees && summary.at_rest_since_s && settled_since_s(kept, summary.steps, *kernel))
+  if (!compared.comparison.agrees && summary.at_rest_since_s && settled_since_s(kept, summary.steps, kernel))
     compared.comparison.rest_shift_px = distance_px(state_of(kept.final), state_of(summary.final));
   return compared;
 }
@@ -129,8 +129,8 @@ FreshRun play_for_golden(const Scenario& scenario) {
     };
   }
   run.scenario = scenario;
-  run.physics = kPhysicsModel;
-  run.constants = core_constants();
+  run.physics = core_model();
+  run.constants = core_kernel().constants();
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;

@@ -4,7 +4,10 @@
 #include <cassert>
 
 #include "sim/replay/core_constants.h"
+#include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
+#include "sim/trajectory/physics_model.h"
+#include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
@@ -44,8 +47,10 @@ void send_decisive_rows(const StoredRun& run, RowSink& sink) {
   static_cast<void>(replay->finish());
 }
 
+// Empty for a core of one's own: the margin is measured by the paper's model.
 std::string margin_in_summary(const FreshRun& fresh) {
   const StoredRun& run = fresh.run;
+  if (!is_paper_model(run.physics)) return "";
   MarginMeter meter(run.scenario, run.inputs);
   if (run.blocks.empty())
     meter.rows(run.rows);
@@ -85,9 +90,18 @@ bool has_other_run(const Comparison& comparison, const StoredRun& kept, const Sc
   return comparison.first || !comparison.contacts.is_none() || !plays_the_same(kept.scenario, scenario);
 }
 
+// Numbers of the paper's model compare with each other; any other core has golden files of its own.
+void require_own_model(const StoredRun& kept, const GoldenPlace& place) {
+  if (kept.physics == core_model() || (is_paper_model(kept.physics) && is_paper_model(core_model()))) return;
+  throw Failure(ExitCode::bad_input, place.h5_path + ": attribute physics: is of another core (found " +
+                                         kept.physics + "); this program's core is " +
+                                         std::string(core_model()));
+}
+
 PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
                                 FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
+  require_own_model(kept, place);
   ComparedRun compared = compare_with(kept, scenario);
   PairComparison pair{
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
@@ -104,6 +118,12 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
   else
     pair.note = pair.comparison.physics;
   return pair;
+}
+
+bool has_core_constants(const StoredRun& kept) {
+  const std::optional<Constants> constants = core_kernel().constants();
+  if (!kept.constants || !constants) return kept.constants.has_value() == constants.has_value();
+  return numbers_of(*kept.constants) == numbers_of(*constants);
 }
 
 }  // namespace
@@ -127,8 +147,7 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
 
 bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
   const StoredRun kept = read_golden(place.h5_path);
-  return kept.scenario.name == scenario.name && kept.physics == kPhysicsModel &&
-         numbers_of(kept.constants) == numbers_of(core_constants()) &&
+  return kept.scenario.name == scenario.name && kept.physics == core_model() && has_core_constants(kept) &&
          compare_with(kept, scenario).comparison.agrees && has_all_attributes(place.h5_path, kept);
 }
 

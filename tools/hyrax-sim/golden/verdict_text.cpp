@@ -73,8 +73,8 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
          fmt::format(
              "  to see more     {}; {}\n"
              "  to accept it    {}\n",
-             shell_command({"hyrax-sim", "run", as_argument(verdict.path), "-o", "now.h5"}),
-             shell_command({"hyrax-sim", "diff", as_argument(verdict.golden->h5_path), "now.h5"}), bless);
+             program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
+             program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"}), bless);
 }
 
 }  // namespace hyrax

@@ -11,6 +11,7 @@
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/report/report_page.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/hyrax-sim/runs/run_rows.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/report/wasm/scenario_record.h"
@@ -201,7 +202,7 @@ Json run_data(const TrajectoryFile& file) {
                     {"row_count", file.row_count()},
                     {"state_hash", head.state_hash},
                     {"physics", head.physics},
-                    {"constants", constants_json(head.constants)},
+                    {"constants", constants_json(head.constants.value())},
                     {"record", doubles_json(record_of(head.scenario))},
                     {"rows", rows_json(evidence.rows)},
                     {"blocks", blocks_json(evidence.blocks)},
@@ -221,9 +222,11 @@ Json run_data(const TrajectoryFile& file) {
 Json report_data(const ReportRequest& request) {
   Json::Array runs;
   std::optional<TrajectoryFile> against;
-  if (!request.against.empty()) against.emplace(TrajectoryFile::open(request.against));
+  if (!request.against.empty())
+    require_paper_run(against.emplace(TrajectoryFile::open(request.against)), "report");
   for (const std::string& path : request.files) {
     const TrajectoryFile file = TrajectoryFile::open(path);
+    require_paper_run(file, "report");
     Json run = run_data(file);
     if (against)
       run.get<Json::Object>()->emplace_back(

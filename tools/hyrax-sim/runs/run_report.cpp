@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/replay/core_constants.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/path.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
@@ -25,14 +27,19 @@ Coverage coverage_of(const ScenarioRun& run) {
   const auto add = [&](bool is_exercised, const char* name) {
     (is_exercised ? coverage.exercised : coverage.never_touched).emplace_back(name);
   };
-  add(summary.had_gravity, "gravity");
-  add(summary.had_drag, "drag");
+  const bool is_paper = is_paper_model(core_model());  // Of another core only the walls are known.
+  if (is_paper) {
+    add(summary.had_gravity, "gravity");
+    add(summary.had_drag, "drag");
+  }
   add(summary.clamped_steps.left > 0, "left wall");
   add(summary.clamped_steps.right > 0, "right wall");
   add(summary.clamped_steps.top > 0, "top");
   add(summary.clamped_steps.ground > 0, "ground");
-  add(summary.had_friction, "friction");
-  add(summary.rest_steps > 0, "rest rule");
+  if (is_paper) {
+    add(summary.had_friction, "friction");
+    add(summary.rest_steps > 0, "rest rule");
+  }
   const std::int64_t skipped = summary.steps - summary.steps_computed;
   if (skipped > 0 && summary.periodic_from_step)
     coverage.not_computed.push_back(
@@ -45,7 +52,7 @@ Coverage coverage_of(const ScenarioRun& run) {
   if (run.rows_recorded < summary.steps + 1)
     coverage.not_computed.push_back(
         fmt::format("{} of {} rows not stored", summary.steps + 1 - run.rows_recorded, summary.steps + 1));
-  if (!run.drift) coverage.not_computed.emplace_back("reference and energy (hyrax-sim drift)");
+  if (is_paper && !run.drift) coverage.not_computed.emplace_back("reference and energy (hyrax-sim drift)");
   if (!run.not_compared.empty())
     coverage.not_computed.push_back(fmt::format("comparison with a golden file ({})", run.not_compared));
   return coverage;
@@ -89,10 +96,10 @@ Json list_json(const std::vector<std::string>& names) { return Json::Array(names
 // Only a trajectory file can be compared.
 std::string diff_command_for(const ScenarioRun& run) {
   const auto diff = [&](const std::string& output) {
-    return shell_command({"hyrax-sim", "diff", as_argument(run.golden_path), as_argument(output)});
+    return program_command({"diff", as_argument(run.golden_path), as_argument(output)});
   };
   if (file_name(run.output).extension != ".csv") return diff(run.output);
-  return shell_command({"hyrax-sim", "run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
+  return program_command({"run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
 }
 
 void print_motion(const RunSummary& summary) {
@@ -148,6 +155,7 @@ void print_run(const ScenarioRun& run, const Printing& printing) {
     return;
   }
   print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
+  if (!is_paper_model(core_model())) print_text("  core           {}\n", core_model());
   print_motion(summary);
   if (printing.is_verbose()) print_details(summary);
   const Coverage coverage = coverage_of(run);

@@ -7,6 +7,7 @@
 
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/kernel.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/path.h"
@@ -79,8 +80,9 @@ WrittenRun write_trajectory(const std::string& output, const Scenario& scenario,
   if (run.summary.steps != steps) return run;
   std::function<bool(hid_t)> write_more;
   if (errors) write_more = [&](hid_t file) { return errors->finish(file, run.summary, run.drift.emplace()); };
-  writer.finish({scenario, steps, std::string(kPhysicsModel), hex(run.summary.state_hash), core_constants()},
-                inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
+  writer.finish(
+      {scenario, steps, std::string(core_model()), hex(run.summary.state_hash), core_kernel().constants()},
+      inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
   return run;
 }
 

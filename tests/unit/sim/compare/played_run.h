@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "sim/compare/run_comparer.h"
+#include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -93,6 +94,7 @@ inline StoredRun kept_run(const Scenario& scenario) {
   StoredRun run = recorder.take();
   run.scenario = scenario;
   run.physics = kSomePhysics;
+  run.constants = core_constants();
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;

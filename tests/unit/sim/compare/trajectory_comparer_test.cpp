@@ -156,6 +156,21 @@ TEST(TrajectoryComparer, ComparesContactsWithinTheTolerance) {
   EXPECT_EQ(far.first()->step, 9);
 }
 
+TEST(TrajectoryComparer, AcceptsAnOvershootThatNeitherRunKnows) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  TrajectoryComparer both({});
+  both.compare(std::vector{contact_at(9, kUnknown)}, std::vector{contact_at(9, kUnknown)});
+  EXPECT_FALSE(both.first());
+  TrajectoryComparer one({});
+  one.compare(std::vector{contact_at(9, kUnknown)}, std::vector{contact_at(9, 1.0)});
+  EXPECT_TRUE(one.first());
+  std::vector lost = {contact_at(9, kUnknown)};
+  lost.front().x_px = kUnknown;
+  TrajectoryComparer other({});
+  other.compare(lost, lost);
+  EXPECT_TRUE(other.first());
+}
+
 TEST(TrajectoryComparer, ReportsMovedContactsAtAnyTolerance) {
   TrajectoryComparer comparer({.abs = 1e9});
   comparer.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(10, 1.0)});

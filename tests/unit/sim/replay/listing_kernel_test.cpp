@@ -30,7 +30,7 @@ TEST(ListingKernel, EveryConstantMatters) {
     changed.*constant *= constant == &Constants::rest_threshold_px_per_s ? 10.0 : 1.0001;
     EXPECT_NE(hash_of(fling_at(60.0, 600), listing_kernel(changed).get()),
               hash_of(fling_at(60.0, 600), nullptr));
-    EXPECT_EQ(listing_kernel(changed)->constants().*constant, changed.*constant);
+    EXPECT_EQ(listing_kernel(changed)->constants().value().*constant, changed.*constant);
   }
   EXPECT_EQ(hash_of(eventful_fling(), listing_kernel(core_constants()).get()), shipped);
 }

@@ -6,6 +6,7 @@
 #include "tests/unit/sim/compare/played_run.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/tools/store/temp_folder.h"
+#include "tools/store/golden_summary.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -41,7 +42,7 @@ void expect_same_head(const StoredRun& a, const StoredRun& b) {
   EXPECT_EQ(a.physics, b.physics);
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.state_hash, b.state_hash);
-  EXPECT_EQ(numbers_of(a.constants), numbers_of(b.constants));
+  EXPECT_EQ(numbers_of(a.constants.value()), numbers_of(b.constants.value()));
   EXPECT_EQ(a.contacts_total, b.contacts_total);
   EXPECT_EQ(a.inputs, b.inputs);
   EXPECT_TRUE(same_contacts(a.contacts, b.contacts));
@@ -57,6 +58,16 @@ TEST_F(GoldenFile, OfAShortRunKeepsEveryRow) {
   EXPECT_TRUE(read.blocks.empty());
   for (std::size_t row = 0; row < read.rows.size(); ++row)
     EXPECT_TRUE(same_row(read.rows.row(row), kept.rows.row(row))) << row;
+}
+
+TEST_F(GoldenFile, OfACoreOfOnesOwnKeepsItsNameAndNoConstants) {
+  StoredRun kept = kept_run(eventful_fling());
+  kept.physics = "elastic_box";
+  kept.constants = std::nullopt;
+  const StoredRun read = write_and_read(kept);
+  EXPECT_EQ(read.physics, "elastic_box");
+  EXPECT_FALSE(read.constants);
+  EXPECT_NE(contents_checksum(kept), contents_checksum(kept_run(eventful_fling())));
 }
 
 TEST_F(GoldenFile, OfALongRunKeepsItsBlocks) {

@@ -8,6 +8,7 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/physics_model.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/tools/store/temp_folder.h"

@@ -1,0 +1,277 @@
+#!/usr/bin/python3
+"""A project with a class physics of its own, and one without, which use hyrax as an installed package only."""
+
+import os
+import pathlib
+import re
+import shutil
+import tempfile
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+import program
+from process import run, succeed
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, ProgramTest, main
+
+EXAMPLE = SOURCE / "tests/cli/own_physics"
+HYRAX_SIM = program.PROGRAM
+CTEST_FAILED = 8
+
+FLING = "scenarios/flings/first-fling.json"
+PLAIN = """cmake_minimum_required(VERSION 3.25)
+project(plain LANGUAGES {language})
+find_package(hyrax 0.1 REQUIRED)
+hyrax_add_scenarios({arguments})
+"""
+
+
+def elastic_rows(steps, rate_hz, state, bounds):
+    """The example's world in Python: x, y, vx, vy of each row."""
+    x, y, vx, vy = state
+    rows = [(x, y, vx, vy)]
+    for _ in range(steps):
+        x, y = x + vx * (1.0 / rate_hz), y + vy * (1.0 / rate_hz)
+        if not 0.0 <= x <= bounds[0]:
+            x, vx = (0.0 if x < 0.0 else 2.0 * bounds[0]) - x, -vx
+        if not 0.0 <= y <= bounds[1]:
+            y, vy = (0.0 if y < 0.0 else 2.0 * bounds[1]) - y, -vy
+        rows.append((x, y, vx, vy))
+    return np.array(rows)
+
+
+class OutsideProject(ProgramTest):
+    """The package, installed and moved: it must not remember where it was made."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.root = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
+        cls.addClassCleanup(shutil.rmtree, cls.root)
+        environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
+        succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", cls.root / "first", env=environment)
+        cls.package = (cls.root / "first").rename(cls.root / "package")
+
+    @classmethod
+    def configure(cls, source, *options):
+        """Runs cmake in SOURCE/build."""
+        return run("cmake", "-S", source, "-B", source / "build", "-G", os.environ["HYRAX_GENERATOR"],
+                   f"-DCMAKE_PREFIX_PATH={cls.package}", f"-DCMAKE_CXX_COMPILER={os.environ['HYRAX_CXX']}",
+                   f"-DCMAKE_CXX_FLAGS={os.environ['HYRAX_CXX_FLAGS']}", *options)
+
+    def ctest(self, source, exit_code):
+        """Runs the project's tests, which must end with this exit code; returns {name: is passed}."""
+        outcome = run("ctest", "--test-dir", source / "build", "--output-on-failure")
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line]
+        return {line[3]: "Passed" in line for line in lines}
+
+    def expect_refused(self, arguments, says, language="NONE"):
+        """A project that cannot be configured."""
+        source = self.folder / "refused"
+        shutil.rmtree(source, ignore_errors=True)
+        self.write("refused/scenarios/fling.json", program.fling())
+        self.write("refused/CMakeLists.txt", PLAIN.format(arguments=arguments, language=language))
+        outcome = self.configure(source)
+        self.assertNotEqual(outcome.exit_code, 0, outcome)
+        self.assertIn(says, " ".join(outcome.err.split()))
+
+
+class WithoutPhysics(OutsideProject):
+    """Scenarios of the shipped core."""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("flings/first-fling", "flings/corner-fling"):
+            for path in (f"scenarios/{name}.json", f"golden/{name}.h5", f"golden/{name}.txt"):
+                target = self.folder / path.replace("golden/", "accepted/")
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(SOURCE / path, target)
+        self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios/flings GOLDEN accepted", language="NONE"))
+
+    def test_each_file_is_a_test_and_a_new_file_a_new_one(self):
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        self.assertEqual(self.ctest(self.folder, 0), {"hyrax.first-fling": True, "hyrax.corner-fling": True})
+        scenario = (self.folder / FLING).read_text(encoding="utf-8")
+        self.write("scenarios/flings/new/other-file.json", scenario.replace('"name": "first-fling"', '"name": "renamed"'))
+        succeed("cmake", "--build", self.folder / "build")
+        self.assertEqual(self.ctest(self.folder, CTEST_FAILED),  # It has no golden file yet.
+                         {"hyrax.first-fling": True, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
+
+    def test_control_an_edited_scenario_turns_red(self):
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        scenario = self.folder / FLING
+        scenario.write_text(scenario.read_text(encoding="utf-8").replace('"x_px": 60', '"x_px": 61'), encoding="utf-8")
+        self.assertEqual(self.ctest(self.folder, CTEST_FAILED), {"hyrax.first-fling": False, "hyrax.corner-fling": True})
+
+    def test_wrong_arguments_are_refused(self):
+        self.expect_refused("nowhere", "no scenario file, *.json, in")
+        self.expect_refused("scenarios SPEED 3", "unknown or without a value: SPEED;3; allowed: DIR [GOLDEN DIR]")
+        self.expect_refused("scenarios GOLDEN", "unknown or without a value: GOLDEN; allowed:")
+        self.expect_refused("scenarios NAME box", "NAME needs PHYSICS")
+        self.expect_refused("scenarios PHYSICS none.h", "PHYSICS: no such file")
+        self.expect_refused("scenarios PHYSICS CMakeLists.txt NAME a/b", "NAME: must be of letters, digits")
+
+
+class OwnPhysics(OutsideProject):
+    """The example: another world, its golden files blessed by its own program."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.example = cls.root / "example"
+        shutil.copytree(EXAMPLE, cls.example)
+        start = time.monotonic()
+        assert cls.configure(cls.example).exit_code == 0
+        succeed("cmake", "--build", cls.example / "build")
+        print(f"configured and built in {time.monotonic() - start:.1f} s")
+        cls.program = shutil.copy(cls.example / "build/elastic_box-sim", cls.root)
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.example / "scenarios", self.folder / "scenarios")
+        program.PROGRAM = self.program
+
+    def tearDown(self):
+        program.PROGRAM = HYRAX_SIM
+
+    def blessed(self):
+        """Makes the golden files of the copied scenarios."""
+        self.bless("scenarios")
+
+    def test_the_project_is_red_until_blessed_then_green_then_red_for_another_constant(self):
+        project = self.example  # The other tests use a copy of its program.
+        names = ("elastic_box.billiard", "elastic_box.long/many-bounces")
+        self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False))
+        succeed(project / "build/elastic_box-sim", "bless", project / "scenarios", "--reason", "first results")
+        self.assertEqual(self.ctest(project, 0), dict.fromkeys(names, True))
+        header = project / "elastic_box.h"
+        header.write_text(header.read_text(encoding="utf-8").replace("RESTITUTION = 1.0", "RESTITUTION = 0.999"),
+                          encoding="utf-8")
+        succeed("cmake", "--build", project / "build")
+        self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False))
+        outcome = run(project / "build/elastic_box-sim", "check", "--json", cwd=project)
+        self.assertEqual(outcome.exit_code, DISAGREED)
+        long_run = outcome.json["results"][1]  # Its golden file has blocks and no rows: row checks find the row.
+        self.assertEqual((long_run["class"], long_run["first_divergence"]["step"]), ("contacts", 28))
+        self.assertEqual([(group["kind"], group["reproduced"]) for group in outcome.json["groups"]], [("unknown", 0)])
+        text = run(project / "build/elastic_box-sim", "check", cwd=project).out
+        self.assertIn("changes can be tried on the paper's model only", text)
+        self.assertIn(f"to accept it    {project}/build/elastic_box-sim bless scenarios", text)
+
+    def test_rows_are_those_of_the_core_bit_for_bit(self):
+        scenario = program.fling(window={"width_px": 800, "height_px": 600}, steps=3000,
+                                 sprite={"width_px": 100, "height_px": 100},
+                                 start={"x_px": 350.25, "y_px": 251, "vx_px_per_s": 401.5, "vy_px_per_s": -303.25})
+        self.expect(AGREED, "run", self.write("fling.json", scenario), "-o", "run.h5", "--no-skip")
+        rows = elastic_rows(3000, 60, (350.25, 251.0, 401.5, -303.25), (700.0, 500.0))
+        with h5py.File(self.folder / "run.h5") as file:
+            stored = np.column_stack([file[f"trajectory/{name}"] for name in ("x", "y", "vx", "vy")])
+            self.assertEqual(stored.tobytes(), rows.tobytes())
+            self.assertNotEqual(stored.tobytes(), (rows + 0.0 + np.finfo(float).eps).tobytes())  # The control.
+            contacts = file["contacts"]
+            first = contacts["step"][:]
+            self.assertGreater(len(first), 50)
+            for name, column in (("vx", 2), ("vy", 3)):
+                np.testing.assert_array_equal(contacts[f"{name}_before"], rows[first - 1, column])
+                np.testing.assert_array_equal(contacts[f"{name}_after"], rows[first, column])
+            self.assertTrue(np.isnan(contacts["overshoot"]).all())
+            turned = np.flatnonzero((rows[1:, 2] != rows[:-1, 2]) | (rows[1:, 3] != rows[:-1, 3])) + 1
+            self.assertEqual(sorted(set(first)), list(turned))
+
+    def test_files_say_whose_core_it_was(self):
+        self.blessed()
+        with h5py.File(self.folder / "golden/billiard.h5") as file:
+            self.assertEqual(file.attrs["physics"], "elastic_box")
+            self.assertNotIn("constants", file.attrs)
+        self.assertIn("\nphysics: elastic_box\n", (self.folder / "golden/billiard.txt").read_text(encoding="utf-8"))
+        self.assertRegex(self.expect(AGREED, "info").out, r"\nphysics +elastic_box\n")
+
+    def test_golden_files_of_another_core_are_refused_by_both(self):
+        self.blessed()
+        before = self.state_of("golden")
+        program.PROGRAM = HYRAX_SIM
+        outcome = self.expect(BAD_INPUT, "check")
+        self.assertIn("golden/billiard.h5: attribute physics: is of another core (found elastic_box); this program's "
+                      "core is hyrax-physics/1", outcome.out)
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake")
+        self.assertEqual(self.state_of("golden"), before)
+        self.expect(BAD_INPUT, "drift", "golden/billiard.h5", says="drift needs a run of the paper's model")
+        program.PROGRAM = self.program
+        outcome = self.expect(BAD_INPUT, "check", SOURCE / FLING)
+        self.assertIn("is of another core (found hyrax-physics/1); this program's core is elastic_box", outcome.out)
+
+    def test_a_still_sprite_has_the_same_bits_in_both_and_is_told_apart_all_the_same(self):
+        self.write("scenarios/still.json", program.fling(name="still", steps=0))
+        self.blessed()
+        program.PROGRAM = HYRAX_SIM
+        self.expect(BAD_INPUT, "check", "scenarios/still.json")
+
+    def test_what_needs_the_papers_model_is_refused(self):
+        self.blessed()
+        for arguments in (("drift", "scenarios/billiard.json"), ("study", "needs"), ("sweep", "sweep.json"), ("fuzz",),
+                          ("report", "x.h5", "-o", "x.html")):
+            self.expect(BAD_INPUT, *arguments, says=f"hyrax-sim {arguments[0]}: needs the paper's model (found the core "
+                        "elastic_box); does not apply to a core of one's own")
+        self.expect(BAD_INPUT, "run", "scenarios/billiard.json", "--drift", says="--drift: needs the paper's model")
+        self.expect(BAD_INPUT, "run", "scenarios/billiard.json", "--report", "x.html", says="--report: needs the paper's")
+        self.assertEqual(self.names(), ["golden", "scenarios"])
+        bounded = program.fling(expect={"in_bounds": True, "truncation_px_max": 1.0})
+        path = self.write("scenarios/bounded.json", bounded)
+        sentence = f"{path}: /expect/truncation_px_max: needs the paper's model"
+        self.expect(BAD_INPUT, "run", path, says=sentence)
+        self.assertIn(sentence, self.expect(BAD_INPUT, "check", path).out)
+        self.expect(BAD_INPUT, "bless", path, "--reason", "x", says=sentence)
+        first_screen = self.expect(AGREED).out
+        self.assertIn("This program's core is elastic_box", first_screen)
+        self.assertNotIn("\n  drift ", first_screen)
+
+    def test_run_diff_and_figures_serve_it(self):
+        self.blessed()
+        text = self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "run.h5", "--figure", "run.svg").out
+        self.assertRegex(text, r"\n  core +elastic_box\n")
+        self.assertRegex(text, r"\n  exercised +left wall, right wall, top, ground\n")
+        self.assertIn("agrees bit for bit with golden/billiard.h5", text)
+        self.assertIn("</svg>", (self.folder / "run.svg").read_text(encoding="utf-8"))
+        self.assertNotIn("energy", self.expect(AGREED, "diff", "golden/billiard.h5", "run.h5").out)
+        self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "75.h5", "--set", "/clock/rate_hz=75")
+        text = self.expect(DISAGREED, "diff", "run.h5", "75.h5", "--figure", "diff.svg").out
+        self.assertNotIn("energy", text)
+        self.expect(AGREED, "shrink", "scenarios/billiard.json", "--fails", "true {}", "-o", "small.json")
+
+    def test_the_pre_commit_hook_passes_and_fails_as_check_does(self):
+        config = (EXAMPLE / ".pre-commit-config.yaml").read_text(encoding="utf-8")
+        self.assertIn(config, (SOURCE / "tools/own_core/README.md").read_text(encoding="utf-8"))
+        entry = re.search("^ +entry: (.*)$", config, re.MULTILINE)[1]
+        self.assertEqual(run("sh", "-c", entry, cwd=self.folder).exit_code, 1)  # No build folder: cmake fails.
+        self.write("CMakeLists.txt", "cmake_minimum_required(VERSION 3.25)\nproject(none LANGUAGES NONE)\n")
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        shutil.copy(self.program, self.folder / "build")
+        self.blessed()
+        self.assertEqual(run("sh", "-c", entry, cwd=self.folder).exit_code, AGREED)
+        (self.folder / "golden/billiard.txt").unlink()
+        self.assertEqual(run("sh", "-c", entry, cwd=self.folder).exit_code, program.GOLDEN_MISSING)
+        files = re.search("^ +files: (.*)$", config, re.MULTILINE)[1]
+        for path in ("scenarios/long/many-bounces.json", "golden/billiard.h5", "elastic_box.h"):
+            self.assertRegex(path, files)
+        self.assertNotRegex("README.md", files)
+
+    def test_a_core_with_more_state_does_not_compile(self):
+        header = self.example / "elastic_box.h"
+        self.write("more_state.h", header.read_text(encoding="utf-8").replace("double m_vx, m_vy;",
+                                                                             "double m_vx, m_vy, m_spin = 0.0;"))
+        self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios PHYSICS more_state.h", language="CXX"))
+        self.assertEqual(self.configure(self.folder, "-DCMAKE_BUILD_TYPE=Debug").exit_code, 0)
+        outcome = run("cmake", "--build", self.folder / "build")
+        self.assertNotEqual(outcome.exit_code, 0)
+        self.assertIn("class physics must have no state but x, y, vx and vy", outcome.out + outcome.err)
+
+    def test_one_name_is_one_core(self):
+        header = self.example / "elastic_box.h"
+        self.expect_refused(f"scenarios PHYSICS {header})\nhyrax_add_scenarios(scenarios PHYSICS {EXAMPLE}/elastic_box.h",
+                            "NAME: elastic_box is the core of", language="CXX")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,126 @@
+#include "sim/replay/row_walls.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/replay/kernel_of.h"
+#include "sim/replay/replay.h"
+#include "sim/replay/step_core.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+
+namespace hyrax {
+namespace {
+
+constexpr Bounds kBounds{1000.0, 500.0};
+constexpr double kDt_s = 0.1;
+constexpr State kInside{500.0, 250.0, 0.0, 0.0};
+
+std::uint8_t contact_between(const State& before, const State& after) {
+  return RowWalls(kBounds).contact_of(before, kDt_s, after);
+}
+
+std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
+
+TEST(RowWalls, AreMetOnOrPastABound) {
+  EXPECT_EQ(contact_between(kInside, {0.0, 250.0, -9.0, 0.0}), bit(Wall::left));
+  EXPECT_EQ(contact_between(kInside, {-1e-9, 250.0, 9.0, 0.0}), bit(Wall::left));
+  EXPECT_EQ(contact_between(kInside, {1000.0, 250.0, 9.0, 0.0}), bit(Wall::right));
+  EXPECT_EQ(contact_between(kInside, {500.0, -3.0, 0.0, 9.0}), bit(Wall::top));
+  EXPECT_EQ(contact_between(kInside, {500.0, 501.0, 0.0, 9.0}), bit(Wall::ground));
+  EXPECT_EQ(contact_between(kInside, {0.0, 500.0, 9.0, 9.0}), bit(Wall::left) | bit(Wall::ground));
+  EXPECT_EQ(contact_between(kInside, {1e-9, std::nextafter(500.0, 0.0), 9.0, 9.0}), 0);
+}
+
+TEST(RowWalls, AreMetWhereTheVelocityTurnsAwayWithinReach) {
+  EXPECT_EQ(contact_between({4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, 50.0, 0.0}), bit(Wall::left));
+  EXPECT_EQ(contact_between({998.0, 250.0, 50.0, 0.0}, {997.0, 250.0, -50.0, 0.0}), bit(Wall::right));
+  EXPECT_EQ(contact_between({500.0, 4.0, 0.0, -50.0}, {500.0, 1.0, 0.0, 50.0}), bit(Wall::top));
+  EXPECT_EQ(contact_between({500.0, 498.0, 0.0, 50.0}, {500.0, 497.0, 0.0, -50.0}), bit(Wall::ground));
+}
+
+TEST(RowWalls, AreNotMetAtAnApexOrByAWeakenedVelocity) {
+  EXPECT_EQ(contact_between({500.0, 6.0, 0.0, -50.0}, {500.0, 5.0, 0.0, 50.0}), 0);
+  EXPECT_EQ(contact_between({500.0, 250.0, 30.0, 50.0}, {500.0, 250.0, -30.0, -50.0}), 0);
+  EXPECT_EQ(contact_between({4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, -10.0, 0.0}), 0);
+  EXPECT_EQ(contact_between({4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, 0.0, 0.0}), 0);
+}
+
+TEST(RowWalls, SetTheRestBitOnTheGroundOnly) {
+  EXPECT_EQ(contact_between(kInside, {500.0, 500.0, 9.0, 0.0}), bit(Wall::ground) | kRestBit);
+  EXPECT_EQ(contact_between(kInside, {500.0, 0.0, 9.0, 0.0}), bit(Wall::top));
+}
+
+TEST(RowWalls, OfTwoAtTheSamePlaceAreTheLeftAndTheTop) {
+  EXPECT_EQ(RowWalls({0.0, -20.0}).contact_of(kInside, kDt_s, {0.0, -10.0, 1.0, 1.0}),
+            bit(Wall::left) | bit(Wall::top));
+}
+
+// Gravity, and walls that reflect the path.
+struct ReflectedStep {
+  void operator()(State& s, double dt_s, const Bounds& bounds) const {
+    s.vy_px_per_s += 1200.0 * dt_s;
+    s.x_px += s.vx_px_per_s * dt_s;
+    s.y_px += s.vy_px_per_s * dt_s;
+    reflect(s.x_px, s.vx_px_per_s, bounds.right_px);
+    reflect(s.y_px, s.vy_px_per_s, bounds.bottom_px);
+  }
+  static void reflect(double& at_px, double& v_px_per_s, double bound_px) {
+    if (at_px >= 0.0 && at_px <= bound_px) return;
+    at_px = (at_px < 0.0 ? 0.0 : 2.0 * bound_px) - at_px;
+    v_px_per_s *= -0.9;
+  }
+};
+
+struct ReflectedCores {
+  using Core = StepCore<ReflectedStep>;
+  [[nodiscard]] Core make(const State& state) const { return {ReflectedStep{}, state}; }
+};
+
+TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
+  const KernelOf<ReflectedCores> kernel;
+  EXPECT_FALSE(kernel.constants());
+  Scenario scenario = fling_at(60.0, 600);
+  scenario.start = {301.25, 500.5};  // No row is on a bound.
+  TraceSink trace;
+  const RunSummary summary = replay(scenario, trace, {.kernel = &kernel});
+  const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
+  State state = start_state(scenario);
+  std::vector<Contact> bounces;
+  for (std::int64_t step = 1; step <= 600; ++step) {
+    const State before = state;
+    ReflectedStep{}(state, 1.0 / 60.0, bounds);
+    ASSERT_TRUE(same_bits(state, state_of(trace.rows()[static_cast<std::size_t>(step)]))) << step;
+    const auto bounce = [&](Wall wall) {
+      bounces.push_back({.step = step,
+                         .last_step = step,
+                         .wall = wall,
+                         .vx_before_px_per_s = before.vx_px_per_s,
+                         .vy_before_px_per_s = before.vy_px_per_s,
+                         .vx_after_px_per_s = state.vx_px_per_s,
+                         .vy_after_px_per_s = state.vy_px_per_s});
+    };
+    if (before.vx_px_per_s > 0.0 && state.vx_px_per_s < 0.0) bounce(Wall::right);
+    if (before.vx_px_per_s < 0.0 && state.vx_px_per_s > 0.0) bounce(Wall::left);
+    if (state.vy_px_per_s < before.vy_px_per_s) bounce(Wall::ground);
+  }
+  ASSERT_GE(bounces.size(), 6u);
+  ASSERT_EQ(trace.contacts().size(), bounces.size());
+  for (std::size_t index = 0; index < bounces.size(); ++index) {
+    const Contact& found = trace.contacts()[index];
+    EXPECT_TRUE(std::isnan(found.overshoot_px));
+    EXPECT_EQ(found.step, bounces[index].step);
+    EXPECT_EQ(found.last_step, bounces[index].last_step);
+    EXPECT_EQ(found.wall, bounces[index].wall);
+    EXPECT_EQ(found.vx_before_px_per_s, bounces[index].vx_before_px_per_s);
+    EXPECT_EQ(found.vy_before_px_per_s, bounces[index].vy_before_px_per_s);
+    EXPECT_EQ(found.vx_after_px_per_s, bounces[index].vx_after_px_per_s);
+    EXPECT_EQ(found.vy_after_px_per_s, bounces[index].vy_after_px_per_s);
+  }
+  EXPECT_EQ(summary.contacts.top, 0);
+  EXPECT_FALSE(summary.had_friction);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,40 @@
+// In place of sim/replay/kernel.cpp in a program whose class physics is a core of one's own, which
+// hyrax_add_scenarios.cmake builds: sim/physics/physics.h is then the user's header, HYRAX_OWN_CORE the
+// core's name.
+#include <type_traits>
+
+#include "sim/physics/physics.h"
+#include "sim/physics/strict_arithmetic.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/kernel_of.h"
+#include "sim/trajectory/physics_model.h"
+
+namespace hyrax {
+namespace {
+
+static_assert(!is_paper_model(HYRAX_OWN_CORE), "hyrax: the name of the paper's model; give the core another");
+static_assert(
+    sizeof(physics) <= sizeof(State) && std::is_trivially_copyable_v<physics>,
+    "hyrax: class physics must have no state but x, y, vx and vy: files, blocks and resumed runs keep "
+    "these four numbers only");
+
+struct OwnCores {
+  using Core = physics;
+
+  [[nodiscard]] physics make(const State& state) const {
+    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
+  }
+};
+
+}  // namespace
+
+const Kernel& core_kernel() {
+  static const KernelOf<OwnCores> kernel;
+  return kernel;
+}
+
+std::string_view core_model() { return HYRAX_OWN_CORE; }
+
+Constants core_constants() { return core_kernel().constants().value(); }
+
+}  // namespace hyrax
