@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import unittest
 
@@ -209,6 +210,17 @@ class Same(CompareTest):
         self.assertLessEqual(len(text.splitlines()), 40)
 
     @unittest.skipUnless(IS_ALL, "nightly")
+    def test_the_readme_shows_the_card_of_this_program(self):
+        """All but the line that depends on the machine."""
+        readme = (SOURCE / "sim/card/README.md").read_text(encoding="utf-8")
+        shown = re.search(r"```text\n(.*?)```", readme, re.DOTALL)[1]
+        text = self.compare(AGREED, self.header("drag_by_time", candidates.COMPARED["drag_by_time"])).out
+
+        def measured(card):
+            return [line for line in card.splitlines() if "ns a step" not in line]
+        self.assertEqual(measured(text), measured(shown))
+
+    @unittest.skipUnless(IS_ALL, "nightly")
     def test_what_has_no_scenarios_is_not_measured(self):
         self.library(["flings/first-fling"])
         header = self.header("same", [])
@@ -227,11 +239,14 @@ class Studied(CompareTest):
                       env={**os.environ, "HYRAX_ALTERED_CORE": core})
         return json.loads(outcome.out)
 
+    # These families and what is expected of them depend on the core that makes them: the card takes those of the base.
+    OF_THE_CORE = ("grazing", "rest", "zeno")
+
     def broken(self, core):
-        """Names of broken invariants. The family of grazing starts depends on the core that makes it."""
+        """Names of broken invariants."""
         cases = self.study(core, "hard-cases", "--quick")["cases"]
         return {f"{case['case']}: {name}" for case in cases for name, each in case["invariants"].items()
-                if each["verdict"] in ("broken", "finding gone") and case["made_from"] != "grazing"}
+                if each["verdict"] in ("broken", "finding gone") and case["made_from"] not in self.OF_THE_CORE}
 
     def claims(self, core):
         """Verdicts of all claims, that of the time of a step left out."""
@@ -240,19 +255,21 @@ class Studied(CompareTest):
 
     def test_invariants_and_claims_agree_with_the_studies(self):
         self.assertEqual(self.broken("none"), set())
-        before = self.claims("none")
+        before, broken = self.claims("none"), 0
         for name, core in ALTERED.items():
             with self.subTest(name):
                 outcome = self.compare(AGREED, self.header(name, candidates.COMPARED[name]), "--json", "--flings", 1)
                 card = json.loads(outcome.out)
-                newly = {each for each in card["hard_cases"]["newly_broken"] if not each.startswith("grazing")}
+                newly = {each for each in card["hard_cases"]["newly_broken"]
+                         if re.split("[/:]", each)[0] not in self.OF_THE_CORE}
                 self.assertEqual(newly, self.broken(core))
-                self.assertGreater(len(newly), 0)
+                broken += len(newly)
                 after = self.claims(core)
                 changed = {each["claim"]: (each["verdict"]["before"], each["verdict"]["after"])
                            for each in card["claims"]["changed"] if not each["claim"].startswith("7-")}
                 self.assertEqual(changed, {claim: (before[claim], after[claim]) for claim in before
                                            if before[claim] != after[claim]})
+        self.assertGreater(broken, 0)
 
 
 class Consequence(CompareTest):
@@ -261,7 +278,7 @@ class Consequence(CompareTest):
     @unittest.skipUnless(IS_ALL, "nightly")
     def test_it_names_what_weighs_most(self):
         for name, beginning in (("not_a_number", "The sprite vanishes in "), ("friction_none", f"{FLINGS} of {FLINGS} flings"),
-                                ("bounce_softer", "A fling lands "), ("drag_by_time", "The same fling on displays of "),
+                                ("friction_wrong", "A fling lands "), ("drag_by_time", "The same fling on displays of "),
                                 ("fused", "None that can be seen: ")):
             with self.subTest(name):
                 self.assertTrue(self.card(name)["consequence"].startswith(beginning), self.card(name)["consequence"])

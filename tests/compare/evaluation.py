@@ -48,9 +48,15 @@ class Listing(replay.Sprite):
 
     def meet(self, right_px, bottom_px):
         """The walls of the listing."""
+        self.meet_in_x(right_px)
+        self.meet_in_y(bottom_px)
+
+    def meet_in_x(self, right_px):
         if self.x < 0.0 or self.x > right_px:
             self.x = 0.0 if self.x < 0.0 else right_px
             self.vx = -self.vx * 0.6
+
+    def meet_in_y(self, bottom_px):
         if self.y < 0.0:
             self.y, self.vy = 0.0, -self.vy * 0.6
         elif self.y > bottom_px:
@@ -93,7 +99,7 @@ class ImpactSolved(Listing):
             self.x, self.vx = -self.x * 0.6, -self.vx * 0.6
         elif self.x > right_px:
             self.x, self.vx = right_px - (self.x - right_px) * 0.6, -self.vx * 0.6
-        self.meet(math.inf, bottom_px)
+        self.meet_in_y(bottom_px)
 
 
 # Candidates by name: constants of the oracle, or another step.

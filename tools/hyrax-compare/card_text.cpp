@@ -100,8 +100,8 @@ std::string hard_cases_text(const Card& card) {
                                                     hard.broken.before, hard.broken.after));
   if (!hard.newly_broken.empty()) text += line("", "newly broken: " + invariants_text(hard.newly_broken));
   if (!hard.mended.empty()) text += line("", "no longer broken: " + invariants_text(hard.mended));
-  return text + line("", fmt::format("random runs with a broken one: {} -> {}",
-                                     text_of(hard.random_runs.before), text_of(hard.random_runs.after)));
+  return text + line("", fmt::format("in random runs: {} -> {}", text_of(hard.random_runs.before),
+                                     text_of(hard.random_runs.after)));
 }
 
 std::string claims_text(const Card& card) {
@@ -117,15 +117,20 @@ std::string claims_text(const Card& card) {
   return text;
 }
 
+// "fling" of "folder/fling.json".
+std::string stem(const std::string& path) {
+  const std::size_t begin = path.rfind('/') + 1;
+  return path.substr(begin, path.rfind('.') - begin);
+}
+
 std::string recordings_text(const Card& card) {
   if (!card.recordings) return line("recordings", "not measured: no scenarios in a folder named recorded");
   std::vector<std::string> moved;
   for (const MovedRecording& recording : card.recordings->moved)
-    moved.push_back(
-        fmt::format("{} {:.3g} px", recording.path.substr(recording.path.rfind('/') + 1), recording.px));
+    moved.push_back(fmt::format("{} {:.3g} px", stem(recording.path), recording.px));
   std::string text =
       line("recordings", fmt::format("{} of {} end elsewhere", moved.size(), card.recordings->recordings));
-  if (!moved.empty()) text += line("", list_text(moved));
+  if (!moved.empty()) text += line("", list_text(moved, 2));
   return text;
 }
 
@@ -134,7 +139,7 @@ std::string recordings_text(const Card& card) {
 std::string card_text(const Card& card, const CardTitle& title) {
   constexpr double kHeight_px = 1200.0;  // The paper's gravity: energy of 1 px of height, in px2/s2.
   return fmt::format(
-             "{} against {}: {} scenarios, {} random flings (seed {}); median (10 .. 90 %), before -> "
+             "{} against {}\n  {} scenarios, {} random flings (seed {}); median (10 .. 90 %), before -> "
              "after\n",
              title.candidate, title.base, card.scenarios, card.flings, card.seed) +
          bits_text(card) + contacts_text(card) + landing_text(card) +
