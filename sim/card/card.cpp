@@ -54,6 +54,7 @@ RecordingLine recordings_of(const CardRequest& request, const LibraryLine& libra
 std::vector<std::string> broken_by(const CoreFunctions& core, const std::vector<HardCase>& cases) {
   const CoreInUse in_use(core);
   std::vector<PlayedCase> played;
+  played.reserve(cases.size());
   for (const HardCase& hard_case : cases) played.push_back({hard_case, play_hard_case(hard_case)});
   std::vector<std::string> broken;
   for (const Judgement& judgement : judgements_of(played))
