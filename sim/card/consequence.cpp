@@ -76,6 +76,7 @@ std::string consequence_of(const Card& card) {
                        card.flings, far_px);
   const bool differs = !card.library.changed.empty() || card.random.classes.same_bits < card.flings;
   if (!differs) return "None: every row has the same bits.";
+  if (far_px == 0.0) return "None that can be seen: only speeds differ.";
   return fmt::format("None that can be seen: no sprite is more than {:.2g} px from where it was.", far_px);
 }
 

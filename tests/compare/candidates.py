@@ -100,6 +100,11 @@ REFUSED = {
                         ("/// A body in", "static const double kDrawn = 1e-9 * std::random_device{}();\n/// A body in"),
                         (DRAG, DRAG + "    m_vx += kDrawn * dt;\n")],
                        "flings played by two processes differ"),
+    "crashes_in_a_small_window": ([(DRAG, DRAG + "    if (screenWidth < 100) __builtin_trap();\n")],
+                                  "while it is measured: signal 04"),
+    "hangs_in_a_small_window": ([(DRAG, DRAG + "    while (screenWidth < 100) screenHeight = *const_cast<volatile int*>"
+                                        "(&screenHeight);\n")],
+                                "takes more than 20 s, while it is measured: signal 14"),
     "crashes": ([(DRAG, DRAG + "    if (m_vy > 900.0) __builtin_trap();\n")], "does not play flings to their end: signal 4"),
 }
 

@@ -26,7 +26,8 @@ SHIPPED = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
 FLINGS, SEED = 4, 3
 LIBRARY = ["flings/first-fling", "flings/corner-fling", "flings/into-the-ceiling", "clocks/hitch-in-flight",
            "clocks/jitter-uniform", "clocks/fling-144-hz", "recorded/caught-in-flight",
-           "recorded/throw-into-the-lower-left-corner", "recorded/carried-and-laid-down", "hard/window-of-no-size"]
+           "recorded/throw-into-the-lower-left-corner", "recorded/carried-and-laid-down", "hard/start-far-outside",
+           "hard/window-of-no-size"]
 # Candidates that are the same as an altered core of tests/must_fail.
 ALTERED = {"friction_wrong": "friction_stronger", "gravity_stronger": "gravity_stronger", "no_rest_rule": "rest_rule_gone",
            "drag_by_time": "drag_by_time", "position_first": "position_before_velocity", "bounce_gains": "bounce_gains"}
@@ -279,7 +280,9 @@ class Consequence(CompareTest):
     def test_it_names_what_weighs_most(self):
         for name, beginning in (("not_a_number", "The sprite vanishes in "), ("friction_none", f"{FLINGS} of {FLINGS} flings"),
                                 ("friction_wrong", "A fling lands "), ("drag_by_time", "The same fling on displays of "),
-                                ("fused", "None that can be seen: ")):
+                                ("swept_walls", "The sprite no longer settles in "),
+                                ("rest_threshold_8", "Most flings look the same; in hard/window-of-no-size.json "),
+                                ("fused", "None that can be seen: no sprite is more than ")):
             with self.subTest(name):
                 self.assertTrue(self.card(name)["consequence"].startswith(beginning), self.card(name)["consequence"])
 
@@ -301,9 +304,15 @@ class Refused(CompareTest):
         for name in candidates.REFUSED if IS_ALL else ("static_counter",):
             with self.subTest(name):
                 edits, reason = candidates.REFUSED[name]
-                outcome = self.compare(BAD_INPUT, self.header(name, edits))
+                outcome = self.compare(BAD_INPUT, self.header(name, edits), "--limit", 20)
                 self.assertRegex(outcome.err, f"^{name}.h: refused: .*({reason})")
                 self.assertEqual(outcome.out, "")
+
+    @unittest.skipUnless(IS_ALL, "nightly")
+    def test_a_base_is_refused_as_a_candidate_is(self):
+        base = self.header("static_counter", candidates.REFUSED["static_counter"][0])
+        outcome = self.compare(BAD_INPUT, self.header("same", []), base)
+        self.assertRegex(outcome.err, "^static_counter.h: refused: does not repeat")
 
     def test_a_header_that_does_not_compile_shows_the_compilers_message(self):
         header = self.header("broken", [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;")])

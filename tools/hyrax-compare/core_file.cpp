@@ -1,14 +1,17 @@
 #include "tools/hyrax-compare/core_file.h"
 
+#include <csignal>
 #include <filesystem>
 #include <iterator>
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include "compile_command.h"
 #include "sim/card/flings.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/child_process.h"
+#include "tools/files/printable.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -23,7 +26,26 @@ Failure refused(const std::string& header, const std::string& reason) {
   return {ExitCode::bad_input, header + ": refused: " + reason};
 }
 
+// What the handler prints: nothing may be allocated there.
+std::string crash_sentence;
+
+void end_as_refused(int signal) {
+  const std::size_t length = crash_sentence.size();
+  crash_sentence[length - 3] = static_cast<char>('0' + signal / 10);
+  crash_sentence[length - 2] = static_cast<char>('0' + signal % 10);
+  static_cast<void>(!write(STDERR_FILENO, crash_sentence.data(), length));
+  _exit(static_cast<int>(ExitCode::bad_input));
+}
+
 }  // namespace
+
+void refuse_on_crash(const std::string& header, unsigned limit_s) {
+  crash_sentence = printable(header) + ": refused: crashes, or takes more than " + std::to_string(limit_s) +
+                   " s, while it is measured: signal 00\n";
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGALRM})
+    std::signal(signal, end_as_refused);
+  alarm(limit_s);
+}
 
 std::string compile_core(const std::string& header, const TemporaryFolder& folder, const std::string& name) {
   static_cast<void>(read_text_file(header));

@@ -26,6 +26,11 @@ namespace hyrax {
 /// ERRORS: Failure(bad_input) "HEADER: refused: REASON".
 [[nodiscard]] const CoreFunctions& checked_core(const std::string& library, const std::string& header);
 
+/// Ends the program with exit code 2 and "HEADER: refused: ..." if it receives a signal of a crash, or has
+/// not ended after so many seconds: a core may crash or hang in states that checked_core does not reach.
+/// Called once.
+void refuse_on_crash(const std::string& header, unsigned limit_s);
+
 /// The option with which the program starts itself for checked_core: plays the core of the library, and
 /// prints a digest of its rows.
 inline constexpr char kProbeOption[] = "--probe-library";

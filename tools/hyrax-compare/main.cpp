@@ -34,6 +34,7 @@ constexpr char kHelp[] =
     "                    made from its folders `recorded` and `hard`\n"
     "  --seed N          of the random flings and runs (default 1)\n"
     "  --flings N        random flings (default 1000; 1 .. 100000)\n"
+    "  --limit S         refuse a candidate that takes longer to measure (default 300 s; 1 .. 86400)\n"
     "  --help            print this\n\n"
     "Exit codes: 0 printed, whatever differs; 2 bad usage, or a core that does not compile or is refused; 3 "
     "cannot\n"
@@ -44,6 +45,7 @@ struct Arguments {
   std::string scenarios = HYRAX_SOURCE_DIR "/scenarios";
   std::uint64_t seed = 1;
   std::int64_t flings = 1000;
+  unsigned limit_s = 300;
   bool is_json = false;
   bool is_help = false;
   std::string probed_library;
@@ -82,11 +84,13 @@ Arguments parsed(const std::vector<std::string>& words) {
       arguments.seed = number_in<std::uint64_t>(word, value(), 0, UINT64_MAX);
     else if (word == "--flings")
       arguments.flings = number_in<std::int64_t>(word, value(), 1, kFlingsMax);
+    else if (word == "--limit")
+      arguments.limit_s = number_in<unsigned>(word, value(), 1, 86'400);
     else if (word == kProbeOption)
       arguments.probed_library = value();
     else if (word.starts_with('-'))
       throw bad_usage(
-          unknown_word("option", word, {"--json", "--scenarios", "--seed", "--flings", "--help"}));
+          unknown_word("option", word, {"--json", "--scenarios", "--seed", "--flings", "--limit", "--help"}));
     else
       arguments.headers.push_back(word);
   }
@@ -135,6 +139,7 @@ ExitCode print_card(const Arguments& arguments) {
   const CoreFunctions& candidate = checked_core(candidate_library, candidate_header);
   const CardTitle title{candidate_header, base_header};
   try {
+    refuse_on_crash(candidate_header, arguments.limit_s);
     const Card card = measure_card(base, candidate, request);
     print_text(arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"
                                  : card_text(card, title));
