@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "sim/replay/kernel.h"
 
@@ -13,6 +14,7 @@ namespace hyrax {
 /// that two headers that both define `class physics`, and whatever else they define, never meet.
 struct CoreFunctions {
   const Kernel* kernel = nullptr;
+  std::string_view (*model)() = nullptr;
   State (*step)(const State& body, double dt_s, const Bounds& bounds) = nullptr;
   State (*steps)(State body, double dt_s, const Bounds& bounds, std::int64_t steps) = nullptr;
   State (*played)(const State& body, std::span<const double> frames_s, const Bounds& bounds,

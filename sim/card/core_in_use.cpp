@@ -21,8 +21,9 @@ CoreInUse::CoreInUse(const CoreFunctions& core) : before_(in_use) { in_use = &co
 CoreInUse::~CoreInUse() { in_use = before_; }
 
 // All that sim/replay/core.cpp and kernel.cpp define: the linker then takes neither of them.
-const Kernel& shipped_kernel() { return *core().kernel; }
-Constants core_constants() { return core().kernel->constants(); }
+const Kernel& core_kernel() { return *core().kernel; }
+std::string_view core_model() { return core().model(); }
+Constants core_constants() { return core().kernel->constants().value(); }
 State core_step(const State& body, double dt_s, const Bounds& bounds) {
   return core().step(body, dt_s, bounds);
 }

@@ -5,9 +5,9 @@
 
 namespace hyrax {
 
-/// While it lives, `shipped_kernel`, `core_constants` and the functions of sim/replay/core.h are those of
-/// this core: so replays, invariants and studies measure any core without knowing it. A program that links
-/// hyrax_card has no other core. Refers to the functions. Not for several threads.
+/// While it lives, `core_kernel`, `core_model`, `core_constants` and the functions of sim/replay/core.h are
+/// those of this core: so replays, invariants and studies measure any core without knowing it. A program that
+/// links hyrax_card has no other core. Refers to the functions. Not for several threads.
 class CoreInUse {
  public:
   explicit CoreInUse(const CoreFunctions& core);

@@ -6,7 +6,8 @@
 #include "sim/replay/kernel.cpp"  // NOLINT(bugprone-suspicious-include)
 
 extern "C" [[gnu::visibility("default")]] const hyrax::CoreFunctions* hyrax_core_functions() {
-  static const hyrax::CoreFunctions functions{.kernel = &hyrax::shipped_kernel(),
+  static const hyrax::CoreFunctions functions{.kernel = &hyrax::core_kernel(),
+                                              .model = hyrax::core_model,
                                               .step = hyrax::core_step,
                                               .steps = hyrax::core_steps,
                                               .played = hyrax::core_played,
