@@ -7,6 +7,7 @@
 
 #include "sim/card/core_in_use.h"
 #include "sim/replay/replay.h"
+#include "sim/replay/row_walls.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/input_playback.h"
@@ -39,21 +40,6 @@ class RowCollector final : public RowSink {
 
   CoreRun& run_;
 };
-
-std::uint8_t touched(const Row& from, const Row& row, const Bounds& bounds) {
-  unsigned contact = 0;
-  const auto touch = [&contact](Wall wall, bool does) {
-    if (does) contact |= static_cast<unsigned>(wall);
-  };
-  touch(Wall::left, row.x_px <= 0.0 || (from.vx_px_per_s < 0.0 && row.vx_px_per_s > 0.0));
-  touch(Wall::right, row.x_px >= bounds.right_px || (from.vx_px_per_s > 0.0 && row.vx_px_per_s < 0.0));
-  touch(Wall::top, row.y_px <= 0.0 || (from.vy_px_per_s < 0.0 && row.vy_px_per_s > 0.0 &&
-                                       from.y_px + from.vy_px_per_s * row.dt_s <= 0.0));
-  const bool is_on_ground = row.y_px >= bounds.bottom_px;
-  touch(Wall::ground, is_on_ground || (from.vy_px_per_s > 0.0 && row.vy_px_per_s < 0.0));
-  if (is_on_ground && row.vy_px_per_s == 0.0) contact |= kRestBit;
-  return static_cast<std::uint8_t>(contact);
-}
 
 // Rows that both runs must have so that none that differs is missed: of two that repeat, both periods.
 std::size_t common_length(const CoreRun& base, const CoreRun& candidate, std::int64_t rows_of_run) {
@@ -110,7 +96,9 @@ std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& ro
     Row& row = rows[index];
     Row from = rows[index - 1];
     inputs.apply(from);
-    row.contact = inputs.is_held() ? std::uint8_t{0} : touched(from, row, inputs.bounds());
+    row.contact = inputs.is_held()
+                      ? std::uint8_t{0}
+                      : RowWalls(inputs.bounds()).contact_of(state_of(from), row.dt_s, state_of(row));
     for (const Wall wall : kWalls) {
       if (!touches(row.contact, wall)) continue;
       if (touches(rows[index - 1].contact, wall)) {

@@ -39,12 +39,9 @@ struct CoreRun {
 /// The same by this core.
 [[nodiscard]] CoreRun play_by(const CoreFunctions& core, const Scenario& scenario);
 
-/// Sets every row's contact byte by one rule for all cores, which knows nothing of their step, and returns
-/// the contacts. A step touches a wall if the row is on its bound or past it, or if the velocity turned away
-/// from it: vx or vy against the wall in the row before (with the frame's inputs), away from it in this row.
-/// Since gravity turns a rising sprite too, at the top this counts only if a frame at the velocity before
-/// would have reached it. The rest bit is set where the ground is touched and vy is 0. `before` of a contact
-/// is the velocity of the row before, `after` that of its first row; overshoot is NaN.
+/// Sets every row's contact byte by one rule for all cores, which knows nothing of their step (RowWalls), and
+/// returns the contacts. `before` of a contact is the velocity of the row before (with the frame's inputs),
+/// `after` that of its first row; overshoot is NaN.
 std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows);
 
 /// How a scenario's run by one core differs from that by another.

@@ -31,18 +31,19 @@ class Listing(replay.Sprite):
         super().update(dt_s, right_px, bottom_px)
 
     def touched(self, dt_s, right_px, bottom_px):
-        """The card's contact rule: on a bound or past it, or turned away from it."""
-        _, y, vx, vy = self.met
+        """The card's contact rule: on a bound or past it, or turned away from it within reach."""
+        x, y, vx, vy = self.met
+        reach_x, reach_y = max(abs(vx), abs(self.vx)) * dt_s, max(abs(vy), abs(self.vy)) * dt_s
         contact = 0
-        if self.x <= 0.0 or (vx < 0.0 < self.vx):
+        if self.x <= 0.0 or (vx < 0.0 < self.vx and x <= reach_x):
             contact |= LEFT
-        if self.x >= right_px or (self.vx < 0.0 < vx):
+        elif self.x >= right_px or (self.vx < 0.0 < vx and right_px - x <= reach_x):
             contact |= RIGHT
-        if self.y <= 0.0 or (vy < 0.0 < self.vy and y + vy * dt_s <= 0.0):
+        if self.y <= 0.0 or (vy < 0.0 < self.vy and y <= reach_y):
             contact |= TOP
-        if self.y >= bottom_px or (self.vy < 0.0 < vy):
+        elif self.y >= bottom_px or (self.vy < 0.0 < vy and bottom_px - y <= reach_y):
             contact |= GROUND
-        if self.y >= bottom_px and self.vy == 0.0:
+        if contact & GROUND and self.vy == 0.0:
             contact |= REST
         return contact
 
