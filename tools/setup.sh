@@ -185,21 +185,22 @@ build() {
 # without it, as before.
 build_page() { timed "build report page" logged build "$1" page; }
 
-# build_program FOLDER [page]: builds hyrax-sim if a source file changed, and prints nothing if none did; with `page`, the
-# report page is built into it. The folder may be that of tools/test: whatever it was configured for, it can build
-# hyrax-sim.
+# build_program FOLDER [page]: builds hyrax-sim, or the program named by `program_name`, if a source file changed, and
+# prints nothing if none did; with `page`, the report page is built into it. The folder may be that of tools/test:
+# whatever it was configured for, it can build both.
 build_program() {
-  local begin=${EPOCHREALTIME/[.,]/} program=$1/bin/hyrax-sim before
+  local begin=${EPOCHREALTIME/[.,]/} name=${program_name:-hyrax-sim} before
+  local program=$1/bin/$name
   hold "$1"
   is_configured "$1" || configure "$1" CMAKE_BUILD_TYPE=Release HYRAX_TESTS=OFF ||
-    stop "CMake could not configure hyrax-sim; see the output above."
+    stop "CMake could not configure $name; see the output above."
   if [[ ${2:-} == page ]] && ! is_configured "$1" HYRAX_PAGE=ON; then
     build_page "$1" || stop "The report page could not be built; see the output above. Is the network available?"
     configure "$1" HYRAX_PAGE=ON || stop "CMake could not configure hyrax-sim; see the output above."
   fi
   before=$(time_of_change "$program")
-  build "$1" hyrax-sim || stop "hyrax-sim could not be built; see the output above."
-  [[ $(time_of_change "$program") == "$before" ]] || say_time "build hyrax-sim" "$begin" 0
+  build "$1" "$name" || stop "$name could not be built; see the output above."
+  [[ $(time_of_change "$program") == "$before" ]] || say_time "build $name" "$begin" 0
   release
 }
 

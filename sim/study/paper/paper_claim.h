@@ -44,5 +44,7 @@ struct Claim {
 [[nodiscard]] std::vector<Claim> use_claims();
 /// The conclusion's "fast". @param step_s time of a step.
 [[nodiscard]] std::vector<Claim> speed_claims(double step_s);
+/// All of these, by section.
+[[nodiscard]] std::vector<Claim> paper_claims(double step_s);
 
 }  // namespace hyrax

@@ -29,17 +29,6 @@ double step_time_s(std::int64_t (*now_ns)()) {
   return least_s;
 }
 
-// By section.
-std::vector<Claim> all_claims(double step_s) {
-  std::vector<Claim> claims;
-  for (std::vector<Claim> some : {flight_claims(), energy_claims(), wall_claims(), time_step_claims(),
-                                  order_claims(), constant_claims(), use_claims(), speed_claims(step_s)})
-    std::move(some.begin(), some.end(), std::back_inserter(claims));
-  std::stable_sort(claims.begin(), claims.end(),
-                   [](const Claim& a, const Claim& b) { return a.section() < b.section(); });
-  return claims;
-}
-
 Table claim_table(const std::vector<Claim>& claims) {
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
   return {
@@ -168,7 +157,7 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
 }
 
 StudyResult run(const StudyRequest& request) {
-  const std::vector<Claim> claims = all_claims(step_time_s(request.now_ns));
+  const std::vector<Claim> claims = paper_claims(step_time_s(request.now_ns));
   std::optional<VerdictsByClaim> expected;
   if (request.expected) expected = checked_verdicts(*request.expected, claims);
   StudyResult result{.tables = {claim_table(claims)},
@@ -180,6 +169,16 @@ StudyResult run(const StudyRequest& request) {
 }
 
 }  // namespace
+
+std::vector<Claim> paper_claims(double step_s) {
+  std::vector<Claim> claims;
+  for (std::vector<Claim> some : {flight_claims(), energy_claims(), wall_claims(), time_step_claims(),
+                                  order_claims(), constant_claims(), use_claims(), speed_claims(step_s)})
+    std::move(some.begin(), some.end(), std::back_inserter(claims));
+  std::stable_sort(claims.begin(), claims.end(),
+                   [](const Claim& a, const Claim& b) { return a.section() < b.section(); });
+  return claims;
+}
 
 Study paper_study() {
   return {

@@ -9,9 +9,9 @@
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/files/temporary_folder.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/command_line/temporary_folder.h"
 #include "tools/hyrax-sim/search/broken_rule.h"
 #include "tools/store/output_guard.h"
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "sim/compare/overlay.h"
+#include "tools/files/temporary_folder.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/command_line/temporary_folder.h"
 #include "tools/hyrax-sim/diff/diff_text.h"
 #include "tools/hyrax-sim/golden/group_text.h"
 #include "tools/hyrax-sim/report/report_page.h"

@@ -7,7 +7,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/hyrax-sim/command_line/temporary_folder.h"
+#include "tools/files/temporary_folder.h"
 
 namespace hyrax {
 namespace {

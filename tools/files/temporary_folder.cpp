@@ -1,4 +1,4 @@
-#include "tools/hyrax-sim/command_line/temporary_folder.h"
+#include "tools/files/temporary_folder.h"
 
 #include <cerrno>
 #include <cstdlib>

@@ -1,0 +1,156 @@
+// The card of a candidate core: what it would change, each line a measurement with its interval.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/card/core_functions.h"
+#include "sim/card/core_run.h"
+#include "sim/card/interval.h"
+#include "sim/study/study.h"
+
+namespace hyrax {
+
+struct CardRequest {
+  std::vector<NamedScenario> library = {};     ///< All scenarios.
+  std::vector<NamedScenario> recordings = {};  ///< Those of them that were recorded by hand.
+  std::vector<NamedScenario> hard = {};        ///< Those of them that hard cases are made from.
+  std::uint64_t seed = 1;                      ///< Of the random flings and runs.
+  std::int64_t flings = 1000;
+  NanosecondClock now_ns = {};
+};
+
+/// The candidate cannot be compared: why, a sentence without its full stop.
+struct CoreRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// How many scenarios have which class of difference.
+struct ClassCounts {
+  std::int64_t same_bits = 0;
+  std::array<std::int64_t, kDifferenceClasses.size()> of_class{};  ///< In the order of kDifferenceClasses.
+
+  void add(const RunChange& change);
+  [[nodiscard]] std::int64_t of(DifferenceClass difference) const {
+    return of_class[static_cast<std::size_t>(difference)];
+  }
+  [[nodiscard]] std::int64_t total() const;
+};
+
+/// A scenario of the library that differs.
+struct ScenarioChange {
+  std::string path;
+  RunChange change;
+};
+
+struct LibraryLine {
+  ClassCounts classes = {};
+  std::vector<ScenarioChange> changed;  ///< In the library's order.
+  std::int64_t cut = 0;                 ///< Scenarios compared in their first kCoreRunRowsMax rows only.
+};
+
+struct ContactLine {
+  std::int64_t scenarios = 0;  ///< Of the library, with other contacts.
+  std::int64_t moved = 0;
+  std::int64_t only_before = 0;
+  std::int64_t only_after = 0;
+  BeforeAfter<std::int64_t> contacts = {};  ///< In the whole library.
+};
+
+/// Random flings at 60 Hz: x, y anywhere in the window, vx -2000 .. 2000, vy -2000 .. 500 px/s, 20 s.
+struct FlingLine {
+  ClassCounts classes = {};
+  Share changed_contacts = {};
+  BeforeAfter<std::int64_t> settled = {};
+  std::optional<Band> shift_px;     ///< Of x, signed: candidate minus base, where both settle.
+  std::optional<Band> distance_px;  ///< Distance of the two places.
+  double distance_max_px = 0.0;
+};
+
+/// Where the first kDisplayFlings of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.
+struct DisplayLine {
+  std::int64_t flings = 0;
+  BeforeAfter<std::optional<Band>> spread_px = {};  ///< Of the flings that settle on every display.
+};
+
+/// Energy of flight, run minus the exact flight of the paper's laws from the same start, summed over a
+/// fling's flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
+struct EnergyLine {
+  BeforeAfter<std::optional<Band>> drift_px2_per_s2 = {};
+};
+
+/// Distance from the exact motion of the paper's laws, frames left out, after whole seconds.
+struct ExactLine {
+  double t_s = 0.0;
+  BeforeAfter<std::optional<Band>> distance_px = {};
+};
+
+/// Cost of a step in pairs of samples, base and candidate one after the other in changing order.
+struct CostLine {
+  BeforeAfter<Band> step_ns = {};
+  Band ratio = {};  ///< Candidate / base, of each pair.
+};
+
+/// Invariants of `study hard-cases`, cases of the long run left out.
+struct HardCaseLine {
+  std::int64_t cases = 0;
+  BeforeAfter<std::int64_t> broken = {};  ///< Invariants of cases.
+  std::vector<std::string> newly_broken;  ///< "CASE: INVARIANT", held by the base.
+  std::vector<std::string> mended;        ///< Broken by the base alone.
+  BeforeAfter<Share> random_runs = {};    ///< Random runs (sim/search) with a broken invariant.
+};
+
+struct ChangedClaim {
+  std::string id;
+  BeforeAfter<std::string> verdict = {};
+  BeforeAfter<double> number = {};
+  std::string unit;
+};
+
+struct ClaimLine {
+  std::int64_t claims = 0;
+  std::vector<ChangedClaim> changed;  ///< With another verdict.
+  std::int64_t other_numbers = 0;     ///< Same verdict, other measured value; timings left out.
+};
+
+/// A recording that ends elsewhere: more than half a pixel away.
+struct MovedRecording {
+  std::string path;
+  double px = 0.0;
+};
+
+struct RecordingLine {
+  std::int64_t recordings = 0;
+  std::vector<MovedRecording> moved;
+};
+
+struct Card {
+  std::uint64_t seed = 1;
+  std::int64_t flings = 0;
+  std::int64_t scenarios = 0;
+  LibraryLine library = {};
+  ContactLine contacts = {};
+  FlingLine random = {};
+  DisplayLine displays = {};
+  EnergyLine energy = {};
+  std::vector<ExactLine> exact = {};
+  CostLine cost = {};
+  std::optional<HardCaseLine> hard_cases = {};  ///< None without scenarios to make them from.
+  ClaimLine claims = {};
+  std::optional<RecordingLine> recordings = {};  ///< None without recordings.
+};
+
+/// Measures both cores. Everything but the cost is the same on every machine.
+/// REQUIRES: cores without CoreFunctions::defect.
+/// ERRORS: CoreRefused.
+[[nodiscard]] Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate,
+                                const CardRequest& request);
+
+/// The largest consequence for a user, one sentence.
+[[nodiscard]] std::string consequence_of(const Card& card);
+
+}  // namespace hyrax

@@ -1,0 +1,33 @@
+// A core as a table of functions, so that one program can hold two.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "sim/replay/kernel.h"
+
+namespace hyrax {
+
+/// What sim/replay offers of class physics: its kernel, and the functions of core.h by their names there.
+/// Each core is compiled into a library of its own that hides all its other symbols (core_library.cpp), so
+/// that two headers that both define `class physics`, and whatever else they define, never meet.
+struct CoreFunctions {
+  const Kernel* kernel = nullptr;
+  std::string_view (*model)() = nullptr;
+  State (*step)(const State& body, double dt_s, const Bounds& bounds) = nullptr;
+  State (*steps)(State body, double dt_s, const Bounds& bounds, std::int64_t steps) = nullptr;
+  State (*played)(const State& body, std::span<const double> frames_s, const Bounds& bounds,
+                  int parts) = nullptr;
+  State (*stopped)(const State& body) = nullptr;
+  State (*flight)(const State& body, double dt_s) = nullptr;
+  bool (*is_listing)() = nullptr;
+  /// Why results of this core cannot be compared, in a sentence without its full stop; null: no such reason
+  /// was found.
+  const char* (*defect)() = nullptr;
+};
+
+/// The one symbol of a core's library: `const CoreFunctions* hyrax_core_functions()`.
+inline constexpr char kCoreEntry[] = "hyrax_core_functions";
+
+}  // namespace hyrax

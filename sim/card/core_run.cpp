@@ -1,0 +1,159 @@
+#include "sim/card/core_run.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numeric>
+
+#include "sim/card/core_in_use.h"
+#include "sim/replay/replay.h"
+#include "sim/replay/row_walls.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "sim/trajectory/input_playback.h"
+
+namespace hyrax {
+namespace {
+
+// Keeps rows up to the end of the first period, if the run repeats itself.
+class RowCollector final : public RowSink {
+ public:
+  explicit RowCollector(CoreRun& run) : run_(run) {}
+
+  [[nodiscard]] Wants wants() const override { return {.rows_every = is_complete() ? 0 : 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size(); ++index) {
+      Row row = batch.row(index);
+      if (row.step != std::ssize(run_.rows) || is_complete()) continue;  // The last one.
+      row.contact = 0;
+      run_.rows.push_back(row);
+    }
+  }
+  void repeats(const Repetition& repetition) override { run_.repetition = repetition; }
+
+ private:
+  [[nodiscard]] bool is_complete() const {
+    if (std::ssize(run_.rows) >= kCoreRunRowsMax) return true;
+    return run_.repetition &&
+           std::ssize(run_.rows) > run_.repetition->from_step + run_.repetition->period_steps;
+  }
+
+  CoreRun& run_;
+};
+
+// Rows that both runs must have so that none that differs is missed: of two that repeat, both periods.
+std::size_t common_length(const CoreRun& base, const CoreRun& candidate, std::int64_t rows_of_run) {
+  std::size_t length = std::max(base.rows.size(), candidate.rows.size());
+  if (base.repetition && candidate.repetition) {
+    const std::int64_t both = std::max(base.repetition->from_step, candidate.repetition->from_step) +
+                              std::lcm(base.repetition->period_steps, candidate.repetition->period_steps) + 1;
+    length = std::max(length, static_cast<std::size_t>(std::min(both, kCoreRunRowsMax)));
+  }
+  return std::min(length, static_cast<std::size_t>(rows_of_run));
+}
+
+bool is_same_row(const Row& a, const Row& b) {
+  return same_bits(a.dt_s, b.dt_s) && same_bits(state_of(a), state_of(b));
+}
+
+}  // namespace
+
+void CoreRun::extend(std::size_t length) {
+  assert(repetition || rows.size() >= length);
+  while (rows.size() < length) {
+    Row row = rows[rows.size() - static_cast<std::size_t>(repetition->period_steps)];
+    row.step = std::ssize(rows);
+    row.t_s = rows.back().t_s + row.dt_s;
+    rows.push_back(row);
+  }
+}
+
+CoreRun play_core(const Scenario& scenario) {
+  CoreRun run;
+  RowCollector collector(run);
+  Replay replay(scenario, collector);
+  replay.play_to(std::min(replay.steps(), kCoreRunStepsMax));
+  const RunSummary summary = replay.finish();
+  run.final = summary.final;
+  run.at_rest_since_s = summary.at_rest_since_s;
+  run.is_finite = !summary.non_finite_step;
+  run.state_hash = summary.state_hash;
+  run.is_cut = !run.repetition && (summary.final.step >= std::ssize(run.rows) ||
+                                   (run.is_finite && summary.final.step < step_count(scenario)));
+  return run;
+}
+
+CoreRun play_by(const CoreFunctions& core, const Scenario& scenario) {
+  const CoreInUse in_use(core);
+  return play_core(scenario);
+}
+
+std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows) {
+  InputPlayback inputs(scenario, inputs_of(scenario, step_count(scenario)));
+  std::vector<Contact> contacts;
+  std::array<std::size_t, kWalls.size()> open{};  // Index of the wall's latest contact.
+  for (std::size_t index = 1; index < rows.size(); ++index) {
+    Row& row = rows[index];
+    Row from = rows[index - 1];
+    inputs.apply(from);
+    row.contact = inputs.is_held()
+                      ? std::uint8_t{0}
+                      : RowWalls(inputs.bounds()).contact_of(state_of(from), row.dt_s, state_of(row));
+    for (const Wall wall : kWalls) {
+      if (!touches(row.contact, wall)) continue;
+      if (touches(rows[index - 1].contact, wall)) {
+        contacts[open[wall_index(wall)]].last_step = row.step;
+        continue;
+      }
+      open[wall_index(wall)] = contacts.size();
+      contacts.push_back({.step = row.step,
+                          .last_step = row.step,
+                          .wall = wall,
+                          .t_s = row.t_s,
+                          .x_px = row.x_px,
+                          .y_px = row.y_px,
+                          .vx_before_px_per_s = from.vx_px_per_s,
+                          .vy_before_px_per_s = from.vy_px_per_s,
+                          .vx_after_px_per_s = row.vx_px_per_s,
+                          .vy_after_px_per_s = row.vy_px_per_s,
+                          .overshoot_px = std::numeric_limits<double>::quiet_NaN()});
+    }
+  }
+  return contacts;
+}
+
+RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candidate) {
+  const std::size_t length = common_length(base, candidate, step_count(scenario) + 1);
+  for (CoreRun* const run : {&base, &candidate})
+    if (run->repetition) run->extend(length);
+  RunChange change{.became_non_finite = base.is_finite && !candidate.is_finite,
+                   .no_longer_settles = base.at_rest_since_s && !candidate.at_rest_since_s};
+  const std::vector<Contact> before = set_contacts(scenario, base.rows);
+  const std::vector<Contact> after = set_contacts(scenario, candidate.rows);
+  change.contacts_before = std::ssize(before);
+  change.contacts_after = std::ssize(after);
+  change.contacts = contact_changes(before, after);
+  RunDistance distance;
+  const std::size_t rows = std::min(base.rows.size(), candidate.rows.size());
+  for (std::size_t index = 0; index < rows; ++index) {
+    const Row& from = base.rows[index];
+    Row to = candidate.rows[index];
+    to.t_s = from.t_s;  // The scenario's, not the core's.
+    distance.add(from, to);
+    if (!is_same_row(from, to)) change.has_same_bits = false;
+  }
+  if (base.is_cut || candidate.is_cut) {
+    const bool is_known = base.final.step == candidate.final.step && base.final.step == step_count(scenario);
+    if (is_known && base.state_hash != candidate.state_hash) change.has_same_bits = false;
+    change.is_cut = !is_known || !change.has_same_bits;
+  }
+  const bool has_other_length = base.rows.size() != candidate.rows.size();
+  if (has_other_length) change.has_same_bits = false;
+  if (!change.has_same_bits)
+    change.difference = has_other_length ? DifferenceClass::shape : class_of(change.contacts, distance);
+  change.largest = distance.largest();
+  change.end_shift_px = distance_px(state_of(base.final), state_of(candidate.final));
+  return change;
+}
+
+}  // namespace hyrax

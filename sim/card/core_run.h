@@ -1,0 +1,64 @@
+// A run of any core as its rows, with contacts that follow from the rows alone.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/card/core_functions.h"
+#include "sim/compare/comparison.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row.h"
+#include "sim/trajectory/row_sink.h"
+
+namespace hyrax {
+
+/// Of longer runs that do not repeat, only so many rows are kept and compared one by one; of the others the
+/// state hash says whether they are the same, up to kCoreRunStepsMax.
+inline constexpr std::int64_t kCoreRunRowsMax = 400'000;
+inline constexpr std::int64_t kCoreRunStepsMax = 20'000'000;
+
+/// Row k, for any k of the run, is rows[k], or where the run repeats itself one of its last period.
+struct CoreRun {
+  std::vector<Row>
+      rows;  ///< From row 0. Their contact byte is that of set_contacts once it was called, else 0.
+  std::optional<Repetition> repetition;
+  Row final;  ///< The last one that was played, kept or not.
+  Digest state_hash{};
+  std::optional<double> at_rest_since_s;
+  bool is_finite = true;
+  bool is_cut = false;  ///< There are rows that are neither kept nor repeat others.
+
+  /// Appends rows of the period up to a length. REQUIRES: it repeats, or has that length.
+  void extend(std::size_t length);
+};
+
+/// Plays the scenario by the core in use (core_in_use.h).
+[[nodiscard]] CoreRun play_core(const Scenario& scenario);
+/// The same by this core.
+[[nodiscard]] CoreRun play_by(const CoreFunctions& core, const Scenario& scenario);
+
+/// Sets every row's contact byte by one rule for all cores, which knows nothing of their step (RowWalls), and
+/// returns the contacts. `before` of a contact is the velocity of the row before (with the frame's inputs),
+/// `after` that of its first row; overshoot is NaN.
+std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows);
+
+/// How a scenario's run by one core differs from that by another.
+struct RunChange {
+  bool has_same_bits = true;
+  std::optional<DifferenceClass> difference = {};  ///< Where bits differ.
+  ContactChanges contacts = {};
+  std::int64_t contacts_before = 0;  ///< Of the base,
+  std::int64_t contacts_after = 0;   ///< and of the candidate.
+  std::optional<WorstDistance> largest = {};
+  double end_shift_px = 0.0;       ///< Distance of the final rows; infinite where it is not a number.
+  bool is_cut = false;             ///< Rows past kCoreRunRowsMax differ, but were not compared.
+  bool became_non_finite = false;  ///< In the candidate, not in the base.
+  bool no_longer_settles = false;  ///< It settled in the base.
+};
+
+/// Extends the runs to a common length and sets their contacts.
+[[nodiscard]] RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candidate);
+
+}  // namespace hyrax

@@ -1,0 +1,196 @@
+#include "sim/card/flings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/reference/drift_meter.h"
+#include "sim/scenario/schedule.h"
+#include "sim/scenario/split_mix64.h"
+#include "sim/study/methods/exact_fling.h"
+
+namespace hyrax {
+namespace {
+
+// The paper's desktop.
+constexpr Size kWindow{1920, 1080};
+constexpr Size kSprite{128, 128};
+constexpr std::int64_t kRate_hz = 60;
+constexpr std::int64_t kDuration_s = 20;  // Longer than any fling of the shipped core takes to settle.
+constexpr std::int64_t kExactSeconds = 5;
+
+Scenario fling_scenario(const State& start) {
+  Scenario scenario;
+  scenario.name = "fling";
+  scenario.window = kWindow;
+  scenario.sprite = kSprite;
+  scenario.start = {start.x_px, start.y_px};
+  scenario.start_velocity = {start.vx_px_per_s, start.vy_px_per_s};
+  scenario.clock.base = FixedRate{static_cast<double>(kRate_hz)};
+  scenario.length = kRate_hz * kDuration_s;
+  return scenario;
+}
+
+// Sums the energy drift of flight arcs.
+class ArcDriftSum final : public DriftSink {
+ public:
+  void arc(const ArcErrors& arc) override { sum_ += arc.energy_drift_end_px2_per_s2; }
+  [[nodiscard]] double sum() const { return sum_; }
+
+ private:
+  double sum_ = 0.0;
+};
+
+// REQUIRES: the rows have their contacts.
+double energy_drift_px2_per_s2(const Scenario& scenario, const CoreRun& run) {
+  ArcDriftSum sum;
+  DriftMeter meter(scenario, {}, sum);
+  Columns batch;
+  batch.reserve(run.rows.size());
+  for (const Row& row : run.rows) batch.append(row);
+  meter.rows(batch);
+  meter.finish();
+  return sum.sum();
+}
+
+// Samples of one core, gathered fling by fling.
+struct FlingSamples {
+  std::vector<double> drift_px2_per_s2;
+  std::array<std::vector<double>, kExactSeconds> distance_px;
+
+  void add(const Scenario& scenario, CoreRun& run) {
+    if (!run.is_finite) return;
+    drift_px2_per_s2.push_back(energy_drift_px2_per_s2(scenario, run));
+    run.extend(std::max<std::size_t>(run.rows.size(), kExactSeconds * kRate_hz + 1));
+    ExactFling exact;
+    exact.start(start_state(scenario), bounds_of(scenario.window, scenario.sprite));
+    for (std::int64_t second = 1; second <= kExactSeconds; ++second) {
+      const Row& row = run.rows[static_cast<std::size_t>(second * kRate_hz)];
+      distance_px[static_cast<std::size_t>(second - 1)].push_back(
+          hyrax::distance_px(exact.at(static_cast<double>(second)), state_of(row)));
+    }
+  }
+};
+
+bool is_same_run(const CoreRun& a, const CoreRun& b) {
+  return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
+                    [](const Row& x, const Row& y) { return same_bits(state_of(x), state_of(y)); });
+}
+
+}  // namespace
+
+State random_fling(std::uint64_t seed, std::int64_t number) {
+  const Bounds bounds = bounds_of(kWindow, kSprite);
+  const auto draw = [&](std::uint64_t which, double low, double high) {
+    return low + (high - low) * split_mix64_unit(seed, 4 * static_cast<std::uint64_t>(number) + which);
+  };
+  return {draw(0, 0.0, bounds.right_px), draw(1, 0.0, bounds.bottom_px), draw(2, -2000.0, 2000.0),
+          draw(3, -2000.0, 500.0)};
+}
+
+Digest fling_digest(const CoreFunctions& core, std::uint64_t seed, std::int64_t flings) {
+  StateHash hash;
+  for (std::int64_t number = 0; number < flings; ++number)
+    for (const Row& row : play_by(core, fling_scenario(random_fling(seed, number))).rows) hash.add(row);
+  return hash.value();
+}
+
+FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
+                          std::int64_t flings) {
+  FlingLines lines;
+  lines.random.changed_contacts.of = flings;
+  std::vector<double> shift_px, distances_px;
+  FlingSamples before, after;
+  for (std::int64_t number = 0; number < flings; ++number) {
+    const Scenario scenario = fling_scenario(random_fling(seed, number));
+    CoreRun from = play_by(base, scenario);
+    CoreRun to = play_by(candidate, scenario);
+    if (!is_same_run(to, play_by(candidate, scenario)))
+      throw CoreRefused("does not repeat: random fling " + std::to_string(number) + " of seed " +
+                        std::to_string(seed) + " played twice differs");
+    const RunChange change = compare_runs(scenario, from, to);
+    lines.random.classes.add(change);
+    if (!change.contacts.is_none()) ++lines.random.changed_contacts.count;
+    if (from.at_rest_since_s) ++lines.random.settled.before;
+    if (to.at_rest_since_s) ++lines.random.settled.after;
+    if (from.at_rest_since_s && to.at_rest_since_s) {
+      shift_px.push_back(to.final.x_px - from.final.x_px);
+      distances_px.push_back(change.end_shift_px);
+      lines.random.distance_max_px = std::max(lines.random.distance_max_px, change.end_shift_px);
+    }
+    before.add(scenario, from);
+    after.add(scenario, to);
+  }
+  lines.random.shift_px = band_of(shift_px);
+  lines.random.distance_px = band_of(distances_px);
+  lines.energy.drift_px2_per_s2 = {band_of(before.drift_px2_per_s2), band_of(after.drift_px2_per_s2)};
+  for (std::size_t second = 0; second < static_cast<std::size_t>(kExactSeconds); ++second)
+    lines.exact.push_back({static_cast<double>(second + 1),
+                           {band_of(before.distance_px[second]), band_of(after.distance_px[second])}});
+  return lines;
+}
+
+namespace {
+
+// Where a fling is after kDuration_s, if it moved less than half a pixel in the last second.
+std::optional<double> landing_x_px(const CoreFunctions& core, const State& start, double rate_hz) {
+  const Bounds bounds = bounds_of(kWindow, kSprite);
+  const auto seconds = [&](const State& from, double duration_s) {
+    return core.steps(from, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(duration_s * rate_hz));
+  };
+  const State earlier = seconds(start, static_cast<double>(kDuration_s - 1));
+  const State end = seconds(earlier, 1.0);
+  if (!(distance_px(earlier, end) <= RestAnchor::kStill_px)) return std::nullopt;
+  return end.x_px;
+}
+
+std::optional<Band> spread_over_displays(const CoreFunctions& core, std::uint64_t seed, std::int64_t flings) {
+  std::vector<double> spreads_px;
+  for (std::int64_t number = 0; number < flings; ++number) {
+    std::vector<double> landings_px;
+    for (const double rate_hz : kDisplayRates_hz)
+      if (const auto x_px = landing_x_px(core, random_fling(seed, number), rate_hz))
+        landings_px.push_back(*x_px);
+    if (landings_px.size() < kDisplayRates_hz.size()) continue;
+    const auto [least, most] = std::minmax_element(landings_px.begin(), landings_px.end());
+    spreads_px.push_back(*most - *least);
+  }
+  return band_of(spreads_px);
+}
+
+}  // namespace
+
+DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
+                             std::int64_t flings) {
+  flings = std::min(flings, kDisplayFlings);
+  return {flings, {spread_over_displays(base, seed, flings), spread_over_displays(candidate, seed, flings)}};
+}
+
+CostLine measure_cost(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
+                      const NanosecondClock& now_ns) {
+  constexpr int kPairs = 40;
+  constexpr int kFlings = 50;
+  constexpr std::int64_t kSteps = 600;  // 10 s: flight, bounces and rest.
+  const Bounds bounds = bounds_of(kWindow, kSprite);
+  volatile double used = 0.0;  // So that no step is left out.
+  const auto sample_ns = [&](const CoreFunctions& core) {
+    const std::int64_t from_ns = now_ns();
+    for (int number = 0; number < kFlings; ++number)
+      used = core.steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
+    return static_cast<double>(now_ns() - from_ns) / static_cast<double>(kFlings * kSteps);
+  };
+  std::vector<double> before_ns, after_ns, ratios;
+  sample_ns(base);
+  sample_ns(candidate);
+  for (int pair = 0; pair < kPairs; ++pair) {
+    const bool is_base_first = pair % 2 == 0;
+    const double first_ns = sample_ns(is_base_first ? base : candidate);
+    const double second_ns = sample_ns(is_base_first ? candidate : base);
+    before_ns.push_back(is_base_first ? first_ns : second_ns);
+    after_ns.push_back(is_base_first ? second_ns : first_ns);
+    ratios.push_back(after_ns.back() / before_ns.back());
+  }
+  return {{*band_of(before_ns), *band_of(after_ns)}, *band_of(ratios)};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,347 @@
+#!/usr/bin/python3
+"""hyrax-compare: each line of the card against an independent evaluation, refusals, exit codes.
+
+HYRAX_COMPARE_ALL=1 compares and refuses every candidate, and holds invariants and claims to the studies of altered
+cores; without it, a few of each. The program is built here: only the build that runs this test needs it.
+"""
+
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import unittest
+
+import candidates
+import evaluation
+import replay
+from process import run, succeed
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, ProgramTest, main
+
+BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
+COMPARE = BUILD / "bin/hyrax-compare"
+IS_ALL = os.environ.get("HYRAX_COMPARE_ALL") == "1"
+SHIPPED = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
+FLINGS, SEED = 4, 3
+LIBRARY = ["flings/first-fling", "flings/corner-fling", "flings/into-the-ceiling", "clocks/hitch-in-flight",
+           "clocks/jitter-uniform", "clocks/fling-144-hz", "recorded/caught-in-flight",
+           "recorded/throw-into-the-lower-left-corner", "recorded/carried-and-laid-down", "hard/start-far-outside",
+           "hard/window-of-no-size"]
+# Candidates that are the same as an altered core of tests/must_fail.
+ALTERED = {"friction_wrong": "friction_stronger", "gravity_stronger": "gravity_stronger", "no_rest_rule": "rest_rule_gone",
+           "drag_by_time": "drag_by_time", "position_first": "position_before_velocity", "bounce_gains": "bounce_gains"}
+
+
+def setUpModule():
+    """Builds the program."""
+    succeed("cmake", "--build", BUILD, "--target", "hyrax-compare", timeout=600)
+
+
+class CompareTest(ProgramTest):
+    """A folder with candidates and a small scenario library."""
+
+    def header(self, name, edits):
+        """A candidate's header."""
+        return self.write(f"{name}.h", candidates.header(SHIPPED, edits))
+
+    def library(self, paths=tuple(LIBRARY)):
+        """Copies scenarios of the project."""
+        for path in paths:
+            target = self.folder / "library" / f"{path}.json"
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(SOURCE / "scenarios" / f"{path}.json", target)
+
+    def compare(self, exit_code, *arguments):
+        """Runs hyrax-compare in the folder."""
+        outcome = run(COMPARE, *arguments, cwd=self.folder)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return outcome
+
+    def card(self, name, edits=None, *arguments):
+        """The card of a candidate over the small library."""
+        self.library()
+        header = self.header(name, candidates.COMPARED[name] if edits is None else edits)
+        outcome = self.compare(AGREED, header, *arguments, "--json", "--scenarios", "library", "--flings", FLINGS,
+                               "--seed", SEED)
+        self.assertEqual(outcome.err, "")
+        return json.loads(outcome.out)
+
+    def assert_band(self, measured, values, delta):
+        """A band of these values."""
+        wanted = evaluation.band(values)
+        self.assertEqual(measured is None, wanted is None)
+        if wanted is None:
+            return
+        self.assertEqual(measured["samples"], wanted["samples"])
+        for key in ("median", "p10", "p90"):
+            self.assertAlmostEqual(measured[key], wanted[key], delta=delta)
+
+
+class Evaluated(CompareTest):
+    """Candidates whose step the oracle has too."""
+
+    def test_lines_agree_with_the_oracle(self):
+        for name in evaluation.CORES if IS_ALL else ("friction_wrong",):
+            with self.subTest(name):
+                card = self.card(name)
+                self.check_library(name, card)
+                self.check_flings(name, card)
+                self.check_displays(name, card)
+                self.check_shares(card)
+                # A control: with the oracle of another core each of these fails.
+                for check in (self.check_library, self.check_flings, self.check_displays):
+                    with self.assertRaises(AssertionError, msg=check):
+                        check("bounce_softer" if name != "bounce_softer" else "friction_wrong", card)
+
+    def check_library(self, name, card):
+        """Classes, contacts, distances and recordings."""
+        changed = {each["scenario"]: each for each in card["scenarios"]["changed"]}
+        totals = {"moved": 0, "only_before": 0, "only_after": 0, "scenarios": 0}
+        classes, contacts, recordings = [], [0, 0], {}
+        for path in LIBRARY:
+            scenario = SOURCE / "scenarios" / f"{path}.json"
+            with evaluation.core("same"):
+                before = evaluation.play(replay.Scenario(replay.load(scenario)))
+            with evaluation.core(name):
+                after = evaluation.play(replay.Scenario(replay.load(scenario)))
+            wanted = evaluation.compare(before, after)
+            classes.append(wanted.kind)
+            measured = changed.get(f"{path}.json")
+            self.assertEqual(measured["class"] if measured else None, wanted.kind, path)
+            if measured:
+                for key in ("moved", "only_before", "only_after"):
+                    self.assertEqual(measured[key], getattr(wanted, key), (path, key))
+                    totals[key] += measured[key]
+                totals["scenarios"] += wanted.moved + wanted.only_before + wanted.only_after > 0
+                self.assertAlmostEqual(measured["max_px"], wanted.max_px, delta=1e-12 * (1.0 + wanted.max_px))
+                self.assertAlmostEqual(measured["end_shift_px"], wanted.end_px, delta=1e-12 * (1.0 + wanted.end_px))
+            contacts = [a + b for a, b in zip(contacts, wanted.contacts)]
+            if path.startswith("recorded/") and wanted.end_px > 0.5:
+                recordings[f"{path}.json"] = wanted.end_px
+        for kind in ("rounding", "values", "contacts", "shape"):
+            self.assertEqual(card["scenarios"][kind], classes.count(kind), kind)
+        self.assertEqual((card["scenarios"]["count"], card["scenarios"]["cut"]), (len(LIBRARY), 0))
+        for key, value in totals.items():
+            self.assertEqual(card["contacts"][key], value, key)
+        self.assertEqual(list(card["contacts"]["contacts"].values()), contacts)
+        self.assertEqual([each["scenario"] for each in card["recordings"]["moved"]], sorted(recordings))
+
+    def check_flings(self, name, card):
+        """Where flings land, their classes, energy, and the distance from the exact motion."""
+        runs = {}
+        for which, core in (("before", "same"), ("after", name)):
+            with evaluation.core(core):
+                runs[which] = [evaluation.play_fling(evaluation.fling(SEED, number)) for number in range(FLINGS)]
+        compared = [evaluation.compare(a, b) for a, b in zip(runs["before"], runs["after"])]
+        measured = card["flings"]
+        for kind in ("rounding", "values", "contacts"):
+            self.assertEqual(measured["classes"][kind], sum(each.kind == kind for each in compared), kind)
+        changed = sum(each.moved + each.only_before + each.only_after > 0 for each in compared)
+        self.assertEqual((measured["contacts_changed"]["count"], measured["contacts_changed"]["of"]), (changed, FLINGS))
+        settled = {which: [evaluation.settles(rows) for rows in runs[which]] for which in runs}
+        self.assertEqual(measured["settled"], {which: sum(settled[which]) for which in runs})
+        ends = [(a[-1], b[-1]) for a, b, c, d in zip(runs["before"], runs["after"], settled["before"], settled["after"])
+                if c and d]
+        self.assert_band(measured["shift_px"], [b[2] - a[2] for a, b in ends], 1e-9)
+        distances = [math.hypot(b[2] - a[2], b[3] - a[3]) for a, b in ends]
+        self.assert_band(measured["distance_px"], distances, 1e-9)
+        self.assertAlmostEqual(measured["distance_max_px"], max(distances, default=0.0), delta=1e-9)
+        exact = [evaluation.exact_motion(evaluation.fling(SEED, number), range(1, 6)) for number in range(FLINGS)]
+        for which, rows_of in runs.items():
+            self.assert_band(card["energy"]["drift_px2_per_s2"][which], [evaluation.drift(rows) for rows in rows_of], 1e-3)
+            for line in card["exact"]:
+                second = int(line["t_s"])
+                apart = [math.dist(exact[number][second - 1], rows[60 * second][2:4]) for number, rows in enumerate(rows_of)]
+                self.assert_band(line["distance_px"][which], apart, 1e-6)
+
+    def check_displays(self, name, card):
+        """The spread over displays."""
+        self.assertEqual(card["displays"]["flings"], FLINGS)
+        for which, core in (("before", "same"), ("after", name)):
+            with evaluation.core(core):
+                spreads = [evaluation.spread_px(evaluation.fling(SEED, number)) for number in range(FLINGS)]
+            self.assert_band(card["displays"]["spread_px"][which], [each for each in spreads if each is not None], 1e-9)
+
+    def check_shares(self, card):
+        """Wilson's bounds solve (share - p)² = z² p (1 - p) / n."""
+        share = card["flings"]["contacts_changed"]
+        for bound in (share["low95"], share["high95"]):
+            if bound not in (0.0, 1.0):
+                self.assertAlmostEqual((share["count"] / share["of"] - bound)**2,
+                                       1.959963984540054**2 * bound * (1.0 - bound) / share["of"], delta=1e-12)
+        self.assertLessEqual(share["low95"], share["count"] / share["of"])
+        self.assertGreaterEqual(share["high95"], share["count"] / share["of"])
+
+
+class Same(CompareTest):
+    """A candidate that is the shipped core."""
+
+    def test_everything_is_the_same(self):
+        names = ["same", "renamed_members"] if IS_ALL else ["same"]
+        for name in names:
+            outcome = self.compare(AGREED, self.header(name, candidates.COMPARED[name]), "--json", "--flings", 200)
+            card = json.loads(outcome.out)
+            scenarios = len(list((SOURCE / "scenarios").rglob("*.json")))
+            self.assertEqual(card["scenarios"], {"count": scenarios, "same_bits": scenarios, "rounding": 0, "values": 0,
+                                                 "contacts": 0, "shape": 0, "cut": 0, "changed": []})
+            self.assertEqual(card["flings"]["classes"]["same_bits"], 200)
+            for key in ("shift_px", "distance_px"):
+                self.assertEqual(card["flings"][key], {"samples": 200, "median": 0, "p10": 0, "p90": 0})
+            contacts = card["contacts"]
+            self.assertEqual([contacts[key] for key in ("scenarios", "moved", "only_before", "only_after")], [0, 0, 0, 0])
+            self.assertGreater(contacts["contacts"]["before"], 1000)
+            for line in (card["displays"]["spread_px"], card["energy"]["drift_px2_per_s2"],
+                         *(each["distance_px"] for each in card["exact"]), card["hard_cases"]["random_runs_broken"],
+                         contacts["contacts"], card["flings"]["settled"]):
+                self.assertEqual(line["before"], line["after"])
+            self.assertEqual(card["hard_cases"]["broken"], {"before": 0, "after": 0})
+            self.assertEqual((card["claims"]["changed"], card["claims"]["other_numbers"]), ([], 0))
+            self.assertEqual(card["recordings"]["moved"], [])
+            self.assertEqual(card["consequence"], "None: every row has the same bits.")
+            self.assertGreater(card["cost"]["step_ns"]["after"]["median"], 0.0)
+
+    def test_the_text_is_one_screen_and_has_every_line(self):
+        self.library()
+        header = self.header("friction_wrong", candidates.COMPARED["friction_wrong"])
+        text = self.compare(AGREED, header, "--scenarios", "library", "--flings", FLINGS).out
+        for line in ("bits", "contacts", "landing", "displays", "energy", "exact motion", "speed", "invariants",
+                     "paper's claims", "recordings", "consequence", "(seed 1)"):
+            self.assertIn(line, text)
+        self.assertLessEqual(len(text.splitlines()), 40)
+
+    @unittest.skipUnless(IS_ALL, "nightly")
+    def test_the_readme_shows_the_card_of_this_program(self):
+        """All but the line that depends on the machine. HYRAX_COMPARE_UPDATE=1 writes it anew."""
+        path = SOURCE / "sim/card/README.md"
+        readme = path.read_text(encoding="utf-8")
+        shown = re.search(r"```text\n(.*?)```", readme, re.DOTALL)[1]
+        text = self.compare(AGREED, self.header("drag_by_time", candidates.COMPARED["drag_by_time"])).out
+
+        if os.environ.get("HYRAX_COMPARE_UPDATE") == "1":
+            path.write_text(readme.replace(shown, text), encoding="utf-8")
+            return
+
+        def measured(card):
+            return [line for line in card.splitlines() if "ns a step" not in line]
+        self.assertEqual(measured(text), measured(shown))
+
+    @unittest.skipUnless(IS_ALL, "nightly")
+    def test_what_has_no_scenarios_is_not_measured(self):
+        self.library(["flings/first-fling"])
+        header = self.header("same", [])
+        text = self.compare(AGREED, header, "--scenarios", "library", "--flings", 1).out
+        self.assertEqual(text.count("not measured: no scenarios in a folder named"), 2)
+
+
+@unittest.skipUnless(IS_ALL, "nightly")
+class Studied(CompareTest):
+    """Invariants and claims, held to the studies of hyrax-sim linked with the altered core of the same change."""
+
+    def study(self, core, *arguments):
+        """The JSON document of a study by an altered core."""
+        outcome = run(pathlib.Path(os.environ["HYRAX_CONTROLS"]) / "control_altered", "study", *arguments, "--json",
+                      "--no-figures", "-o", self.folder / "out", cwd=SOURCE,
+                      env={**os.environ, "HYRAX_ALTERED_CORE": core})
+        return json.loads(outcome.out)
+
+    # These families and what is expected of them depend on the core that makes them: the card takes those of the base.
+    OF_THE_CORE = ("grazing", "rest", "zeno")
+
+    def broken(self, core):
+        """Names of broken invariants."""
+        cases = self.study(core, "hard-cases", "--quick")["cases"]
+        return {f"{case['case']}: {name}" for case in cases for name, each in case["invariants"].items()
+                if each["verdict"] in ("broken", "finding gone") and case["made_from"] not in self.OF_THE_CORE}
+
+    def claims(self, core):
+        """Verdicts of all claims, that of the time of a step left out."""
+        return {claim["claim"]: claim["verdict"] for claim in self.study(core, "paper")["claims"]
+                if claim["section"] != "7"}
+
+    def test_invariants_and_claims_agree_with_the_studies(self):
+        self.assertEqual(self.broken("none"), set())
+        before, broken = self.claims("none"), 0
+        for name, core in ALTERED.items():
+            with self.subTest(name):
+                outcome = self.compare(AGREED, self.header(name, candidates.COMPARED[name]), "--json", "--flings", 1)
+                card = json.loads(outcome.out)
+                newly = {each for each in card["hard_cases"]["newly_broken"]
+                         if re.split("[/:]", each)[0] not in self.OF_THE_CORE}
+                self.assertEqual(newly, self.broken(core))
+                broken += len(newly)
+                after = self.claims(core)
+                changed = {each["claim"]: (each["verdict"]["before"], each["verdict"]["after"])
+                           for each in card["claims"]["changed"] if not each["claim"].startswith("7-")}
+                self.assertEqual(changed, {claim: (before[claim], after[claim]) for claim in before
+                                           if before[claim] != after[claim]})
+        self.assertGreater(broken, 0)
+
+
+class Consequence(CompareTest):
+    """The largest consequence for a user, in one sentence."""
+
+    @unittest.skipUnless(IS_ALL, "nightly")
+    def test_it_names_what_weighs_most(self):
+        for name, beginning in (("not_a_number", "The sprite vanishes in "), ("friction_none", f"{FLINGS} of {FLINGS} flings"),
+                                ("friction_wrong", "A fling lands "), ("drag_by_time", "The same fling on displays of "),
+                                ("swept_walls", "The sprite no longer settles in "),
+                                ("rest_threshold_8", "Most flings look the same; in hard/window-of-no-size.json "),
+                                ("fused", "None that can be seen: no sprite is more than ")):
+            with self.subTest(name):
+                self.assertTrue(self.card(name)["consequence"].startswith(beginning), self.card(name)["consequence"])
+
+    @unittest.skipUnless(IS_ALL, "nightly")
+    def test_two_headers_may_define_the_same_function_differently(self):
+        base = self.header("base", candidates.HELPER_BASE)
+        shipped = self.card("helper_of_the_same_name")
+        other = self.card("helper_of_the_same_name", None, base)
+        self.assertEqual(other["flings"], shipped["flings"])
+        self.assertNotEqual(other["flings"]["shift_px"]["median"], 0)
+        same = self.card("base", candidates.HELPER_BASE)
+        self.assertEqual(same["consequence"], "None: every row has the same bits.")
+
+
+class Refused(CompareTest):
+    """Candidates whose results cannot be compared, and bad input."""
+
+    def test_hidden_defects_are_refused_with_the_reason(self):
+        for name in candidates.REFUSED if IS_ALL else ("static_counter",):
+            with self.subTest(name):
+                edits, reason = candidates.REFUSED[name]
+                outcome = self.compare(BAD_INPUT, self.header(name, edits), "--limit", 20)
+                self.assertRegex(outcome.err, f"^{name}.h: refused: .*({reason})")
+                self.assertEqual(outcome.out, "")
+
+    @unittest.skipUnless(IS_ALL, "nightly")
+    def test_a_base_is_refused_as_a_candidate_is(self):
+        base = self.header("static_counter", candidates.REFUSED["static_counter"][0])
+        outcome = self.compare(BAD_INPUT, self.header("same", []), base)
+        self.assertRegex(outcome.err, "^static_counter.h: refused: does not repeat")
+
+    def test_a_header_that_does_not_compile_shows_the_compilers_message(self):
+        header = self.header("broken", [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;")])
+        outcome = self.compare(BAD_INPUT, header, "--json")
+        self.assertIn("broken.h: does not compile (exit code 1)", outcome.err)
+        self.assertIn("error: ‘AIR_DRAGG’ was not declared", outcome.err.replace("'", "‘", 1))
+        self.assertEqual(outcome.out, "")
+
+    def test_bad_usage_and_missing_files(self):
+        for arguments, exit_code, says in (
+                ([], BAD_INPUT, "CANDIDATE.h and at most one BASE.h are allowed (found 0 files)"),
+                (["a.h", "b.h", "c.h"], BAD_INPUT, "found 3 files"),
+                (["a.h", "--jsn"], BAD_INPUT, "unknown option (found --jsn)"),
+                (["a.h", "--seed", "x"], BAD_INPUT, "--seed: must be an integer 0 .. 18446744073709551615 (found x)"),
+                (["a.h", "--flings", "0"], BAD_INPUT, "--flings: must be an integer 1 .. 100000 (found 0)"),
+                (["a.h", "--flings"], BAD_INPUT, "--flings: its value is missing"),
+                (["missing.h"], CANNOT_ACCESS, "missing.h: cannot be read"),
+                (["missing.h", "--scenarios", "nowhere"], CANNOT_ACCESS, "nowhere")):
+            with self.subTest(arguments):
+                outcome = self.compare(exit_code, *arguments)
+                self.assertIn(says, outcome.err)
+                self.assertEqual(outcome.out, "")
+        self.assertIn("Usage: hyrax-compare CANDIDATE.h [BASE.h]", self.compare(AGREED, "--help").out)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,317 @@
+"""The lines of the card once more, in Python: cores as changes of the oracle (tests/oracle/replay.py), the contact rule,
+closed forms of flight. Shares no code with the program.
+"""
+
+import contextlib
+import fractions
+import math
+import types
+
+import clock
+import replay
+
+LEFT, RIGHT, TOP, GROUND, REST = replay.LEFT, replay.RIGHT, replay.TOP, replay.GROUND, replay.REST
+G, K = 1200.0, -60.0 * math.log(0.999)  # The paper's gravity, and its drag as a rate at 60 Hz.
+SLIDE = -60.0 * math.log(0.8)
+RATES = [24, 25, 30, 48, 50, 60, 72, 75, 90, 100, 120, 144, 165, 200, 240, 360, 500, 1000]
+RIGHT_PX, BOTTOM_PX = 1920.0 - 128.0, 1080.0 - 128.0
+
+
+class Listing(replay.Sprite):
+    """The paper's step. `met` is the state that it began with."""
+
+    __slots__ = ("met",)
+
+    def update(self, dt_s, right_px, bottom_px):
+        self.met = (self.x, self.y, self.vx, self.vy)
+        self.step(dt_s, right_px, bottom_px)
+        return self.touched(dt_s, right_px, bottom_px)
+
+    def step(self, dt_s, right_px, bottom_px):
+        super().update(dt_s, right_px, bottom_px)
+
+    def touched(self, dt_s, right_px, bottom_px):
+        """The card's contact rule: on a bound or past it, or turned away from it within reach."""
+        x, y, vx, vy = self.met
+        reach_x, reach_y = max(abs(vx), abs(self.vx)) * dt_s, max(abs(vy), abs(self.vy)) * dt_s
+        contact = 0
+        if self.x <= 0.0 or (vx < 0.0 < self.vx and x <= reach_x):
+            contact |= LEFT
+        elif self.x >= right_px or (self.vx < 0.0 < vx and right_px - x <= reach_x):
+            contact |= RIGHT
+        if self.y <= 0.0 or (vy < 0.0 < self.vy and y <= reach_y):
+            contact |= TOP
+        elif self.y >= bottom_px or (self.vy < 0.0 < vy and bottom_px - y <= reach_y):
+            contact |= GROUND
+        if contact & GROUND and self.vy == 0.0:
+            contact |= REST
+        return contact
+
+    def meet(self, right_px, bottom_px):
+        """The walls of the listing."""
+        self.meet_in_x(right_px)
+        self.meet_in_y(bottom_px)
+
+    def meet_in_x(self, right_px):
+        if self.x < 0.0 or self.x > right_px:
+            self.x = 0.0 if self.x < 0.0 else right_px
+            self.vx = -self.vx * 0.6
+
+    def meet_in_y(self, bottom_px):
+        if self.y < 0.0:
+            self.y, self.vy = 0.0, -self.vy * 0.6
+        elif self.y > bottom_px:
+            self.y, self.vy, self.vx = bottom_px, -self.vy * 0.6, self.vx * 0.8
+            if abs(self.vy) < 5.0:
+                self.vy = 0.0
+
+
+class DragByTime(Listing):
+    def step(self, dt_s, right_px, bottom_px):
+        drag = math.pow(0.999, 60.0 * dt_s)
+        self.vx, self.vy = self.vx * drag, (self.vy + G * dt_s) * drag
+        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
+        self.meet(right_px, bottom_px)
+
+
+class PositionFirst(Listing):
+    def step(self, dt_s, right_px, bottom_px):
+        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
+        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
+        self.meet(right_px, bottom_px)
+
+
+class Fused(Listing):
+    def step(self, dt_s, right_px, bottom_px):
+        exact = fractions.Fraction
+        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
+        self.x = float(exact(self.vx) * exact(dt_s) + exact(self.x))
+        self.y = float(exact(self.vy) * exact(dt_s) + exact(self.y))
+        self.meet(right_px, bottom_px)
+
+
+class ImpactSolved(Listing):
+    """A frame that passes a side wall ends where the sprite is after the impact, and keeps its speed there."""
+
+    def step(self, dt_s, right_px, bottom_px):
+        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
+        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
+        if self.x < 0.0:
+            self.x, self.vx = -self.x * 0.6, -self.vx * 0.6
+        elif self.x > right_px:
+            self.x, self.vx = right_px - (self.x - right_px) * 0.6, -self.vx * 0.6
+        self.meet_in_y(bottom_px)
+
+
+# Candidates by name: constants of the oracle, or another step.
+CORES = {
+    "same": (Listing, {}),
+    "gravity_by_one_ulp": (Listing, {"GRAVITY_PX_PER_S2": 1200.0000000000002}),
+    "gravity_stronger": (Listing, {"GRAVITY_PX_PER_S2": 1250.0}),
+    "bounce_softer": (Listing, {"RESTITUTION": 0.55}),
+    "friction_wrong": (Listing, {"GROUND_FRICTION": 0.7}),
+    "friction_none": (Listing, {"GROUND_FRICTION": 1.0}),
+    "rest_threshold_8": (Listing, {"REST_THRESHOLD_PX_PER_S": 8.0}),
+    "no_rest_rule": (Listing, {"REST_THRESHOLD_PX_PER_S": 0.0}),
+    "drag_by_time": (DragByTime, {}),
+    "position_first": (PositionFirst, {}),
+    "fused": (Fused, {}),
+    "impact_solved": (ImpactSolved, {}),
+}
+
+
+@contextlib.contextmanager
+def core(name):
+    """While it lasts, the oracle plays this core."""
+    sprite, constants = CORES[name]
+    changed = {"Sprite": sprite, **constants}
+    before = {key: getattr(replay, key) for key in changed}
+    for key, value in changed.items():
+        setattr(replay, key, value)
+    try:
+        yield
+    finally:
+        for key, value in before.items():
+            setattr(replay, key, value)
+
+
+def play(scenario):
+    """All rows (t, dt, x, y, vx, vy, contact) by the core in use."""
+    return list(replay.Replay(scenario).rows())
+
+
+# --- comparison
+
+
+def contacts(rows):
+    """{wall: {(first row, last row)}}"""
+    found = {}
+    for wall in (LEFT, RIGHT, TOP, GROUND):
+        steps = [step for step, row in enumerate(rows) if row[6] & wall]
+        runs, first = [], None
+        for step in steps:
+            if first is None or step != last + 1:
+                if first is not None:
+                    runs.append((first, last))
+                first = step
+            last = step
+        if first is not None:
+            runs.append((first, last))
+        found[wall] = set(runs)
+    return found
+
+
+def is_rounding(a, b):
+    """Whether two rows differ by rounding alone."""
+    return (a[6] == b[6] and all(abs(a[n] - b[n]) <= 1e-6 for n in (2, 3)) and
+            all(abs(a[n] - b[n]) <= 1e-6 + 1e-12 * max(abs(a[n]), abs(b[n])) for n in (4, 5)))
+
+
+def compare(before, after):
+    """How two runs of a scenario differ: class (None: same bits), contacts, distances."""
+    a, b = contacts(before), contacts(after)
+    gone = {wall: len(a[wall] - b[wall]) for wall in a}
+    come = {wall: len(b[wall] - a[wall]) for wall in a}
+    moved = sum(min(gone[wall], come[wall]) for wall in a)
+    distances = [math.hypot(p[2] - q[2], p[3] - q[3]) for p, q in zip(before, after)]
+    same = all(p[:6] == q[:6] for p, q in zip(before, after))
+    has_other_walls = any((p[6] ^ q[6]) & ~REST for p, q in zip(before, after))
+    if same:
+        kind = None
+    elif sum(gone.values()) + sum(come.values()) or has_other_walls:
+        kind = "contacts"
+    else:
+        kind = "rounding" if all(map(is_rounding, before, after)) else "values"
+    return types.SimpleNamespace(
+        kind=kind, moved=moved, only_before=sum(gone.values()) - moved, only_after=sum(come.values()) - moved,
+        max_px=max(distances), end_px=distances[-1], contacts=(sum(map(len, a.values())), sum(map(len, b.values()))))
+
+
+def band(values):
+    """Median, 10 % and 90 % as the card has them; None of nothing."""
+    if not values:
+        return None
+    values = sorted(values)
+
+    def quantile(part):
+        place = part * (len(values) - 1)
+        low = int(place)
+        high = min(low + 1, len(values) - 1)
+        return values[low] + (place - low) * (values[high] - values[low])
+    return {"samples": len(values), "median": quantile(0.5), "p10": quantile(0.1), "p90": quantile(0.9)}
+
+
+# --- random flings
+
+
+def fling(seed, number):
+    """x, y, vx, vy of a random fling."""
+    return tuple(low + (high - low) * clock.unit(seed, 4 * number + which)
+                 for which, (low, high) in enumerate([(0.0, RIGHT_PX), (0.0, BOTTOM_PX), (-2000.0, 2000.0),
+                                                      (-2000.0, 500.0)]))
+
+
+def play_fling(start, rate_hz=60.0, steps=1200):
+    """Rows of a fling on the paper's desktop by the core in use."""
+    sprite, dt_s = replay.Sprite(*start), 1.0 / rate_hz
+    rows = [(0.0, 0.0, *start, 0)]
+    for step in range(1, steps + 1):
+        contact = sprite.update(dt_s, RIGHT_PX, BOTTOM_PX)
+        rows.append((step * dt_s, dt_s, sprite.x, sprite.y, sprite.vx, sprite.vy, contact))
+    return rows
+
+
+def settles(rows):
+    """Whether the last second shows no motion of more than half a pixel from the anchor."""
+    anchor = rows[0]
+    for row in rows:
+        if abs(row[2] - anchor[2]) > 0.5 or abs(row[3] - anchor[3]) > 0.5:
+            anchor = row
+    return rows[-1][0] - anchor[0] >= 1.0
+
+
+def spread_px(start):
+    """Largest minus smallest x where a fling lands on all displays; None where it does not settle on one."""
+    landings = []
+    for rate_hz in RATES:
+        rows = play_fling(start, rate_hz, int(19.0 * rate_hz) + int(rate_hz))
+        earlier, end = rows[int(19.0 * rate_hz)], rows[-1]
+        if math.hypot(end[2] - earlier[2], end[3] - earlier[3]) > 0.5:
+            return None
+        landings.append(end[2])
+    return max(landings) - min(landings)
+
+
+# --- the exact flight
+
+
+def flown(speed, acceleration, rate, t_s):
+    """(displacement, speed) after t_s of v' = acceleration - rate v."""
+    lost = -math.expm1(-rate * t_s)
+    limit = acceleration / rate
+    return limit * t_s + (speed - limit) * lost / rate, speed + (limit - speed) * lost
+
+
+def energy(vx, vy, y):
+    """Specific energy over the floor, px²/s²."""
+    return (vx * vx + vy * vy) / 2.0 + G * (BOTTOM_PX - y)
+
+
+def drift(rows):
+    """Energy of the run minus that of the exact flight from the same start, at the end of each arc of at least two
+    steps, summed."""
+    clamped = [step for step, row in enumerate(rows) if row[6]]
+    starts = [0] + clamped
+    ends = [step - 1 for step in clamped] + [len(rows) - 1]
+    total = 0.0
+    for first, last in zip(starts, ends):
+        if last - first < 2:
+            continue
+        _, _, _, y, vx, vy, _ = rows[first]
+        t_s = (last - first) / 60.0
+        dy, vy_exact = flown(vy, G, K, t_s)
+        total += energy(*rows[last][4:6], rows[last][3]) - energy(flown(vx, 0.0, K, t_s)[1], vy_exact, y + dy)
+    return total
+
+
+def exact_motion(start, times_s):
+    """Positions of the exact motion at increasing times: impacts found by scanning and bisection."""
+    x, y, vx, vy = start
+    t0_s, slides, found = 0.0, False, []
+
+    def at(t_s):
+        rate = K + (SLIDE if slides else 0.0)
+        dx, vx_now = flown(vx, 0.0, rate, t_s - t0_s)
+        if slides:
+            return x + dx, y, vx_now, 0.0
+        dy, vy_now = flown(vy, G, rate, t_s - t0_s)
+        return x + dx, y + dy, vx_now, vy_now
+
+    def outside(t_s):
+        px, py, pvx, pvy = at(t_s)
+        return ((px < 0.0 and pvx < 0.0) or (px > RIGHT_PX and pvx > 0.0) or
+                (py < 0.0 and pvy < 0.0) or (py > BOTTOM_PX and pvy > 0.0))
+    step_s = 1e-3
+    for time_s in times_s:
+        now_s = t0_s
+        while now_s < time_s:
+            next_s = min(now_s + step_s, time_s)
+            if not outside(next_s):
+                now_s = next_s
+                continue
+            low_s, high_s = now_s, next_s
+            while high_s - low_s > 1e-15 * high_s and low_s < (low_s + high_s) / 2.0 < high_s:
+                middle_s = (low_s + high_s) / 2.0
+                low_s, high_s = (low_s, middle_s) if outside(middle_s) else (middle_s, high_s)
+            x, y, vx, vy = at(high_s)
+            t0_s = now_s = high_s
+            if x < 0.0 or x > RIGHT_PX:
+                x, vx = min(max(x, 0.0), RIGHT_PX), -0.6 * vx
+            if y < 0.0:
+                y, vy = 0.0, -0.6 * vy
+            elif y > BOTTOM_PX:
+                y, vy, vx = BOTTOM_PX, -0.6 * vy, 0.8 * vx
+                if abs(vy) < 5.0:
+                    vy, slides = 0.0, True
+        found.append(at(time_s)[:2])
+    return found

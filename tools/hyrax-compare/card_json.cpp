@@ -1,0 +1,129 @@
+#include "tools/hyrax-compare/card_output.h"
+
+namespace hyrax {
+namespace {
+
+Json json_of(const Band& band) {
+  return Json::Object{
+      {"samples", band.samples}, {"median", band.median}, {"p10", band.low}, {"p90", band.high}};
+}
+Json json_of(const std::optional<Band>& band) { return band ? json_of(*band) : Json(); }
+Json json_of(const Share& share) {
+  return Json::Object{
+      {"count", share.count}, {"of", share.of}, {"low95", share.low()}, {"high95", share.high()}};
+}
+Json json_of(std::int64_t value) { return value; }
+Json json_of(double value) { return value; }
+Json json_of(const std::string& value) { return value; }
+
+template <class Value>
+Json json_of(const BeforeAfter<Value>& pair) {
+  return Json::Object{{"before", json_of(pair.before)}, {"after", json_of(pair.after)}};
+}
+
+template <class Value, class ToJson>
+Json array_of(const std::vector<Value>& values, const ToJson& to_json) {
+  Json::Array array;
+  for (const Value& value : values) array.push_back(to_json(value));
+  return array;
+}
+
+Json::Object json_of(const ClassCounts& counts) {
+  Json::Object object{{"count", counts.total()}, {"same_bits", counts.same_bits}};
+  for (const DifferenceClass difference : kDifferenceClasses)
+    object.emplace_back(name_of(difference), counts.of(difference));
+  return object;
+}
+
+Json json_of(const ScenarioChange& changed) {
+  const RunChange& change = changed.change;
+  return Json::Object{{"scenario", changed.path},
+                      {"class", change.difference ? Json(name_of(*change.difference)) : Json()},
+                      {"max_px", change.largest ? change.largest->px : 0.0},
+                      {"end_shift_px", change.end_shift_px},
+                      {"contacts_before", change.contacts_before},
+                      {"contacts_after", change.contacts_after},
+                      {"moved", std::ssize(change.contacts.moved)},
+                      {"only_before", std::ssize(change.contacts.only_a)},
+                      {"only_after", std::ssize(change.contacts.only_b)},
+                      {"became_non_finite", change.became_non_finite},
+                      {"no_longer_settles", change.no_longer_settles}};
+}
+
+Json library_json(const LibraryLine& line) {
+  Json::Object object = json_of(line.classes);
+  object.emplace_back("cut", line.cut);
+  object.emplace_back("changed",
+                      array_of(line.changed, [](const ScenarioChange& each) { return json_of(each); }));
+  return object;
+}
+
+Json contacts_json(const ContactLine& line) {
+  return Json::Object{{"scenarios", line.scenarios},
+                      {"moved", line.moved},
+                      {"only_before", line.only_before},
+                      {"only_after", line.only_after},
+                      {"contacts", json_of(line.contacts)}};
+}
+
+Json flings_json(const FlingLine& line) {
+  return Json::Object{
+      {"classes", json_of(line.classes)},         {"contacts_changed", json_of(line.changed_contacts)},
+      {"settled", json_of(line.settled)},         {"shift_px", json_of(line.shift_px)},
+      {"distance_px", json_of(line.distance_px)}, {"distance_max_px", line.distance_max_px}};
+}
+
+Json exact_json(const ExactLine& line) {
+  return Json::Object{{"t_s", line.t_s}, {"distance_px", json_of(line.distance_px)}};
+}
+
+Json hard_cases_json(const HardCaseLine& line) {
+  const auto text = [](const std::string& name) { return Json(name); };
+  return Json::Object{{"cases", line.cases},
+                      {"broken", json_of(line.broken)},
+                      {"newly_broken", array_of(line.newly_broken, text)},
+                      {"mended", array_of(line.mended, text)},
+                      {"random_runs_broken", json_of(line.random_runs)}};
+}
+
+Json claims_json(const ClaimLine& line) {
+  return Json::Object{{"claims", line.claims},
+                      {"changed", array_of(line.changed,
+                                           [](const ChangedClaim& claim) {
+                                             return Json(Json::Object{{"claim", claim.id},
+                                                                      {"verdict", json_of(claim.verdict)},
+                                                                      {"number", json_of(claim.number)},
+                                                                      {"unit", claim.unit}});
+                                           })},
+                      {"other_numbers", line.other_numbers}};
+}
+
+Json recordings_json(const RecordingLine& line) {
+  return Json::Object{{"recordings", line.recordings},
+                      {"moved", array_of(line.moved, [](const MovedRecording& moved) {
+                         return Json(Json::Object{{"scenario", moved.path}, {"px", moved.px}});
+                       })}};
+}
+
+}  // namespace
+
+Json card_json(const Card& card, const CardTitle& title) {
+  return Json::Object{
+      {"candidate", title.candidate},
+      {"base", title.base},
+      {"seed", card.seed},
+      {"scenarios", library_json(card.library)},
+      {"contacts", contacts_json(card.contacts)},
+      {"flings", flings_json(card.random)},
+      {"displays",
+       Json::Object{{"flings", card.displays.flings}, {"spread_px", json_of(card.displays.spread_px)}}},
+      {"energy", Json::Object{{"drift_px2_per_s2", json_of(card.energy.drift_px2_per_s2)}}},
+      {"exact", array_of(card.exact, exact_json)},
+      {"cost", Json::Object{{"step_ns", json_of(card.cost.step_ns)}, {"ratio", json_of(card.cost.ratio)}}},
+      {"hard_cases", card.hard_cases ? hard_cases_json(*card.hard_cases) : Json()},
+      {"claims", claims_json(card.claims)},
+      {"recordings", card.recordings ? recordings_json(*card.recordings) : Json()},
+      {"consequence", consequence_of(card)}};
+}
+
+}  // namespace hyrax
