@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/store/golden_place.h"
 
 namespace hyrax {
 namespace {
