@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace hyrax {
 namespace {
 
@@ -14,10 +16,15 @@ TEST(SummaryStateHash, IsThatOfItsLine) {
 }
 
 TEST(SummaryStateHash, IsEmptyWhereNoneIsStated) {
-  for (const std::string& line :
-       {std::string(), "state hash: ", "state hash: " + kHash.substr(1), "state hash: " + kHash + "0",
-        "state hash: " + kHash + "\r", "state hash: C" + kHash.substr(1), " state hash: " + kHash,
-        "hash: " + kHash})
+  const std::vector<std::string> lines = {"",
+                                          "state hash: ",
+                                          "state hash: " + kHash.substr(1),
+                                          "state hash: " + kHash + "0",
+                                          "state hash: " + kHash + "\r",
+                                          "state hash: C" + kHash.substr(1),
+                                          " state hash: " + kHash,
+                                          "hash: " + kHash};
+  for (const std::string& line : lines)
     EXPECT_EQ(summary_state_hash("scenario: a\n" + line + "\nend: t 10 s\n"), "") << line;
 }
 
