@@ -17,12 +17,12 @@
 namespace hyrax {
 namespace {
 
-struct Request {
+struct CheckArguments {
   std::vector<std::string> files;
   std::string golden_folder;  // Empty if none was given.
 };
 
-struct Verdict {
+struct ScenarioVerdict {
   std::string path;
   CheckStatus status;
   std::string sentence;  // Why it does not agree.
@@ -33,8 +33,8 @@ struct Verdict {
   throw Failure(ExitCode::bad_input, "hyrax-replay check: " + what + "; see `hyrax-replay --help`");
 }
 
-Request request_of(const std::vector<std::string>& arguments) {
-  Request request;
+CheckArguments parsed(const std::vector<std::string>& arguments) {
+  CheckArguments request;
   for (std::size_t index = 0; index < arguments.size(); ++index) {
     const std::string& argument = arguments[index];
     if (!argument.starts_with('-')) {
@@ -70,7 +70,7 @@ void add_sentence(std::string& sentences, const std::string& sentence) {
   if (!sentence.empty()) sentences += (sentences.empty() ? "" : "; ") + sentence;
 }
 
-void judge_into(const Scenario& scenario, const std::string& golden_folder, Verdict& verdict) {
+void judge_into(const Scenario& scenario, const std::string& golden_folder, ScenarioVerdict& verdict) {
   const auto place = golden_place(verdict.path, golden_folder);
   const bool has_golden = place && has_golden_file(*place);
   const RunSummary summary = play(scenario);
@@ -86,12 +86,12 @@ void judge_into(const Scenario& scenario, const std::string& golden_folder, Verd
   if (!verdict.sentence.empty()) verdict.status = CheckStatus::disagreed;
 }
 
-Verdict failed(const std::string& path, ExitCode exit_code, const std::string& error) {
+ScenarioVerdict failed(const std::string& path, ExitCode exit_code, const std::string& error) {
   return {path, CheckStatus::failed, error, exit_code};
 }
 
-Verdict verdict_on(const std::string& path, const std::string& golden_folder) try {
-  Verdict verdict{path, CheckStatus::agreed, "", ExitCode::agreed};
+ScenarioVerdict verdict_on(const std::string& path, const std::string& golden_folder) try {
+  ScenarioVerdict verdict{path, CheckStatus::agreed, "", ExitCode::agreed};
   judge_into(load_scenario(path), golden_folder, verdict);
   verdict.exit_code = exit_code_of(verdict.status);
   return verdict;
@@ -101,7 +101,7 @@ Verdict verdict_on(const std::string& path, const std::string& golden_folder) tr
   return failed(path, ExitCode::program_fault, path + ": internal error: " + error.what());
 }
 
-Verdict verdict_on(const UnreferencedGolden& golden) {
+ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
   if (!golden.error.empty()) return failed(golden.path, ExitCode::cannot_access, golden.error);
   return {golden.path, CheckStatus::unreferenced, kUnreferencedSentence,
           exit_code_of(CheckStatus::unreferenced)};
@@ -110,11 +110,11 @@ Verdict verdict_on(const UnreferencedGolden& golden) {
 }  // namespace
 
 ExitCode check(const std::vector<std::string>& arguments) {
-  Request request = request_of(arguments);
+  CheckArguments request = parsed(arguments);
   set_default_folders(request.files, request.golden_folder);
   std::vector<CheckStatus> statuses;
   ExitCode exit_code = ExitCode::agreed;
-  const auto report = [&](const Verdict& verdict) {
+  const auto report = [&](const ScenarioVerdict& verdict) {
     statuses.push_back(verdict.status);
     exit_code = more_serious(exit_code, verdict.exit_code);
     if (verdict.status != CheckStatus::agreed)

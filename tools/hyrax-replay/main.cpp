@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "help_text.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/replay.h"
 #include "tools/files/build_info.h"
@@ -16,23 +17,6 @@
 
 namespace hyrax {
 namespace {
-
-constexpr char kHelp[] =
-    "hyrax-replay replays scenarios and prints the hash of every row of each, or checks it.\n\n"
-    "  hyrax-replay scenarios/flings/first-fling.json\n"
-    "  hyrax-replay check\n\n"
-    "Usage: hyrax-replay SCENARIO...\n"
-    "       hyrax-replay check [--golden DIR] [SCENARIO or DIR]...\n\n"
-    "Of a folder every *.json in it is replayed.\n\n"
-    "SCENARIO... prints a line for each: HASH, two blanks, SCENARIO. If the `expect` of a scenario has a\n"
-    "`state_hash`, it must be equal.\n\n"
-    "check compares the hash of each scenario with the one in the summary of its golden file, and judges\n"
-    "its `expect`. It needs no HDF5: it does not read the .h5 file. Default: the folders `scenarios` and\n"
-    "`golden` of the current folder.\n"
-    "  --golden DIR  folder of golden files (default: the `golden` beside `scenarios`)\n\n"
-    "`--version` prints version, compiler, flags, target and instruction set.\n"
-    "Exit codes: 0 agreed or done, 1 disagreed or a state is not finite, 2 bad usage or input, 3 cannot\n"
-    "read, 4 golden file missing, 5 arithmetic is not strict IEEE-754, 70 internal error.\n";
 
 ExitCode judge_hash(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   if (summary.non_finite_step) {
@@ -82,7 +66,7 @@ void require_strict_arithmetic() {
 bool print_information(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
     if (argument != "--help" && argument != "--version") continue;
-    argument == "--help" ? print_text(kHelp) : print_version();
+    argument == "--help" ? print_text(kHelpText) : print_version();
     return true;
   }
   return false;
