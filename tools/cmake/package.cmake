@@ -38,7 +38,7 @@ licence.\n\nThe source of hyrax-sim, and the core library libhyrax_physics, whic
 install(FILES ${package_folder}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hyrax-sim)
 
 # The man page and the completion are made of the texts that the program itself prints.
-find_package(Python3 COMPONENTS Interpreter)
+find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
   install(
     CODE "
