@@ -1,11 +1,11 @@
 # shellcheck shell=bash
-# Functions shared by tools/run, tools/check, tools/test and .ci/run: packages, configuring, building. Sourced, not run.
+# Functions shared by tools/run, tools/check, tools/test, tools/package and .ci/run: packages, configuring, building. Sourced, not run.
 # All messages go to stderr, so that stdout contains only the results of the program.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
   libfmt-dev libxxhash-dev libhwy-dev nlohmann-json3-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools git python3 python3-h5py python3-xarray python3-h5netcdf
+packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools git groff-base python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash locales)
 packages_for_all=(clang libclang-rt-dev libbenchmark-dev)
 # Compilers and emulators of tests/platforms. Not g++-multilib: it conflicts with all cross compilers.
@@ -19,6 +19,10 @@ command -v npm > /dev/null || packages_for_page+=(npm) # A nodejs from elsewhere
 packages_to_browse=(chromium)
 # For tests/cli/hyrax, which run hyrax.exe under Wine and compare screenshots.
 packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot imagemagick xdotool librsvg2-bin)
+# For tools/package: dependencies and file types for the Debian package, the man page, and hyrax.exe.
+packages_to_package=(dpkg-dev file python3 g++-mingw-w64-x86-64-posix)
+# For tests/package, which install the Debian package in a bare system.
+packages_to_install=(debootstrap)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
 
 readonly exit_cannot_access=3

@@ -7,6 +7,7 @@ import re
 
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, ProgramTest, fling, main
+from replay_check import ReplayCheckCases
 
 REPLAY = os.environ["HYRAX_REPLAY"]
 DISTURBED_ARITHMETIC = os.environ["HYRAX_DISTURBED_ARITHMETIC"]
@@ -64,7 +65,21 @@ class HyraxReplay(ProgramTest):
             environment = {**os.environ, "LD_PRELOAD": DISTURBED_ARITHMETIC, "HYRAX_DISTURBED": how,
                            "ASAN_OPTIONS": "verify_asan_link_order=0"}
             self.assertEqual(self.replay(NOT_STRICT, path, says=fault, env=environment).out, "")
+            self.assertEqual(self.replay(NOT_STRICT, "check", path, says=fault, env=environment).out, "")
             self.replay(AGREED, "--help", env=environment)
+
+
+class Check(ReplayCheckCases, ProgramTest):
+    """The command check, of the build for this machine."""
+
+    def run_replay(self, *arguments):
+        return run(REPLAY, *arguments, cwd=self.folder)
+
+    def test_the_library_of_scenarios_agrees(self):
+        outcome = run(REPLAY, "check", cwd=SOURCE)
+        self.assertEqual((outcome.exit_code, outcome.err), (AGREED, ""), str(outcome))
+        count = len(list((SOURCE / "scenarios").rglob("*.json")))
+        self.assertEqual(outcome.out, f"{count} checked: {count} agreed, 0 disagreed, 0 without golden file, 0 failed\n")
 
 
 if __name__ == "__main__":

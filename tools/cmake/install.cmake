@@ -19,8 +19,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
 # core compiles two sources and needs no library but the compiler's own.
-set(hyrax_rooms physics replay compare explain reference reference_gsl search study ensemble trajectory scenario store
-                report child_process page_record no_page files fmt)
+set(hyrax_rooms physics replay compare expectations explain reference reference_gsl search study ensemble trajectory
+                scenario store golden judged_run report child_process page_record no_page files fmt)
 list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:hyrax_\\1>")
 set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
 add_custom_command(

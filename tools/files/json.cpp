@@ -1,6 +1,7 @@
 #include "tools/files/json.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -207,6 +208,8 @@ Json parse_json(std::string_view text, const std::string& source) {
   // The parser would stop at a zero byte and ignore the rest.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     fail(text, source, zero + 1, "not JSON: holds a zero byte; save it as UTF-8");
+  // What the parser says of it depends on its version.
+  if (text.empty()) fail(text, source, 1, "not JSON: unexpected end of input");
   Builder builder(text, source);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
@@ -224,11 +227,20 @@ std::string to_text(double value) {
   return std::string(text, end);
 }
 
+// By hand: versions of std::to_chars differ in how they write a subnormal number.
 std::string hex_float(double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, std::fabs(value), std::chars_format::hex);
-  const std::string text(digits, end.ptr);
-  return std::string(std::signbit(value) ? "-" : "") + (std::isfinite(value) ? "0x" : "") + text;
+  const std::string sign = std::signbit(value) ? "-" : "";
+  if (!std::isfinite(value)) return sign + (std::isnan(value) ? "nan" : "inf");
+  constexpr int kFractionBits = 52;
+  const auto bits = std::bit_cast<std::uint64_t>(std::fabs(value));
+  const auto biased = static_cast<int>(bits >> kFractionBits);
+  std::string fraction;
+  for (int shift = kFractionBits - 4; shift >= 0; shift -= 4)
+    fraction += "0123456789abcdef"[bits >> shift & 0xF];
+  fraction.erase(fraction.find_last_not_of('0') + 1);
+  const int exponent = biased > 0 ? biased - 1023 : fraction.empty() ? 0 : -1022;
+  return sign + (biased > 0 ? "0x1" : "0x0") + (fraction.empty() ? "" : "." + fraction) +
+         (exponent < 0 ? "p-" : "p+") + std::to_string(std::abs(exponent));
 }
 
 }  // namespace hyrax

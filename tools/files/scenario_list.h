@@ -12,4 +12,8 @@ namespace hyrax {
 /// or a *.json in it is a pipe or a device.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments);
 
+/// With no arguments: `scenarios` of the current folder, and its `golden` if no golden folder was given.
+/// ERRORS: Failure(bad_input) if there are no arguments and no folder `scenarios`.
+void set_default_folders(std::vector<std::string>& arguments, std::string& golden_folder);
+
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "help_text.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/replay.h"
 #include "tools/files/build_info.h"
@@ -12,21 +13,12 @@
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/unknown_word.h"
+#include "tools/hyrax-replay/check.h"
 
 namespace hyrax {
 namespace {
 
-constexpr char kHelp[] =
-    "hyrax-replay replays scenarios and prints the hash of every row of each.\n\n"
-    "  hyrax-replay scenarios/flings/first-fling.json\n\n"
-    "Usage: hyrax-replay SCENARIO...\n\n"
-    "Of a folder every *.json in it is replayed. Each line of output is HASH, two blanks, SCENARIO. If the\n"
-    "`expect` of a scenario has a `state_hash`, it must be equal. `--version` prints version, compiler,\n"
-    "flags, target and instruction set.\n"
-    "Exit codes: 0 done, 1 a hash differs or a state is not finite, 2 bad usage or input, 3 cannot read,\n"
-    "5 arithmetic is not strict IEEE-754, 70 internal error.\n";
-
-ExitCode judge(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
+ExitCode judge_hash(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   if (summary.non_finite_step) {
     print_error(path + ": the state is not finite from step " + std::to_string(*summary.non_finite_step));
     return ExitCode::disagreed;
@@ -45,7 +37,7 @@ ExitCode replay_file(const std::string& path) try {
   RowSink sink;  // Discards all rows; the hash covers them.
   const RunSummary summary = replay(scenario, sink);
   print_text(hex(summary.state_hash) + "  " + path + "\n");
-  return judge(path, scenario, summary);
+  return judge_hash(path, scenario, summary);
 } catch (const Failure& failure) {
   print_error(failure.what());
   return failure.exit_code();
@@ -65,26 +57,42 @@ void print_version() {
   print("instruction_set", info.instruction_set);
 }
 
-ExitCode run(const std::vector<std::string>& arguments) {
+void require_strict_arithmetic() {
+  if (const auto fault = arithmetic_fault())
+    throw Failure(ExitCode::not_strict_ieee, "hyrax-replay: " + std::string(*fault));
+}
+
+// Whether it was all that was asked for.
+bool print_information(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
-    if (argument == "--help" || argument == "--version") {
-      argument == "--help" ? print_text(kHelp) : print_version();
-      return ExitCode::agreed;
-    }
+    if (argument != "--help" && argument != "--version") continue;
+    argument == "--help" ? print_text(kHelpText) : print_version();
+    return true;
+  }
+  return false;
+}
+
+ExitCode print_hashes(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments)
     if (argument.starts_with('-'))
       throw Failure(ExitCode::bad_input,
                     "hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
-  }
   if (arguments.empty())
     throw Failure(
         ExitCode::bad_input,
         "hyrax-replay: SCENARIO is missing; for example `hyrax-replay scenarios/flings/first-fling.json`");
-  if (const auto fault = arithmetic_fault())
-    throw Failure(ExitCode::not_strict_ieee, "hyrax-replay: " + std::string(*fault));
+  require_strict_arithmetic();
   ExitCode exit_code = ExitCode::agreed;
   for (const std::string& path : list_scenarios(arguments))
     exit_code = more_serious(exit_code, replay_file(path));
   return exit_code;
+}
+
+ExitCode run(const std::vector<std::string>& arguments) {
+  if (print_information(arguments)) return ExitCode::agreed;
+  if (arguments.empty() || arguments.front() != "check") return print_hashes(arguments);
+  require_strict_arithmetic();
+  return check({arguments.begin() + 1, arguments.end()});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "help_text.h"
 #include "tools/files/failure.h"
 #include "tools/files/unknown_word.h"
 
@@ -87,26 +88,6 @@ Options parse_options(const std::vector<std::string>& arguments) {
   return options;
 }
 
-std::string_view help_text() {
-  return R"(hyrax: a hyrax for your desktop. Grab it, drag it, let go: it flies, bounces and settles.
-Right-click it, or its icon beside the clock: pause, throw, reset, recording, quit.
-
-hyrax [OPTION]...
-
-  --record FILE    record everything from start to end as a scenario, which hyrax-sim replays to the same
-                   bits. At most the last second is lost, however the program ends. FILE must not exist;
-                   after about five hours of motion FILE-2, FILE-3, ... continue it
-  --replay FILE    play a scenario, then end: exit code 0 if its state hash agrees, 1 if it differs
-  --exit           with --replay: no window, only the exit code
-  --log FILE       write one line of JSON per frame; FILE must not exist
-  --seconds N      end after N seconds
-  --help, --version
-
-Example: hyrax --record my-fling.json
-
-Exit codes: 0 done, 1 the hash differs, 2 bad usage or input, 3 a file or the screen cannot be used,
-5 arithmetic is not strict IEEE-754, 70 internal error.
-)";
-}
+std::string_view help_text() { return kHelpText; }
 
 }  // namespace hyrax

@@ -12,6 +12,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/files/summary_text.h"
 #include "tools/store/input_record.h"
 #include "tools/store/trajectory_format.h"
 
@@ -19,10 +20,6 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kContactsListed = 40;  // All of a run with up to this many; else half at each end.
-constexpr std::size_t kChecksumDigits = 32;
-constexpr std::string_view kStateHashKey = "state hash: ";
-constexpr std::string_view kReasonKey = "reason: ";
-constexpr std::string_view kChecksumsKey = "checksums: ";
 
 // To 6 digits; a zero has no sign.
 std::string decimal(double value) {
@@ -77,14 +74,6 @@ std::string waypoints_text(const Waypoints& waypoints) {
 std::string_view line_at(std::string_view text, std::size_t begin) {
   const std::size_t end = text.find('\n', begin);
   return text.substr(begin, end == std::string_view::npos ? end : end + 1 - begin);
-}
-
-// Of the first line that begins with the key, not counting the first line of all; empty: there is none.
-std::string value_of(const std::string& text, std::string_view key) {
-  const std::size_t line = text.find(std::string("\n").append(key));
-  if (line == std::string::npos) return "";
-  const std::size_t begin = line + 1 + key.size();
-  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::string shown(std::string_view line) {
@@ -213,20 +202,6 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
                             checksums.contents, checksums.file);
-}
-
-std::string summary_reason(const std::string& text) { return value_of(text, kReasonKey); }
-
-std::string summary_state_hash(const std::string& text) { return value_of(text, kStateHashKey); }
-
-std::optional<std::string> summary_file_checksum(const std::string& text) {
-  const std::size_t line_length = kChecksumsKey.size() + 2 * kChecksumDigits + 2;
-  if (text.size() < line_length || text.back() != '\n' ||
-      text.compare(text.size() - line_length, kChecksumsKey.size(), kChecksumsKey) != 0)
-    return std::nullopt;
-  const std::string checksum = text.substr(text.size() - 1 - kChecksumDigits, kChecksumDigits);
-  if (checksum.find_first_not_of("0123456789abcdef") != std::string::npos) return std::nullopt;
-  return checksum;
 }
 
 std::optional<std::string> summary_difference(const std::string& stored, const std::string& current) {

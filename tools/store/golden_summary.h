@@ -31,15 +31,6 @@ struct GoldenChecksums {
                                               const Waypoints& waypoints, const std::string& reason,
                                               const std::string& margin, const GoldenChecksums& checksums);
 
-/// The reason that a summary states; empty if it states none.
-[[nodiscard]] std::string summary_reason(const std::string& text);
-
-/// The state hash that a summary states; empty if it states none.
-[[nodiscard]] std::string summary_state_hash(const std::string& text);
-
-/// The checksum of the .h5 file that a summary ends with; nothing if it does not end with one.
-[[nodiscard]] std::optional<std::string> summary_file_checksum(const std::string& text);
-
 /// The first line in which a stored summary differs from the one that bless would write now, as
 /// "line 3: differs (found 'steps: 301'); expected 'steps: 300'". Nothing if none differs.
 [[nodiscard]] std::optional<std::string> summary_difference(const std::string& stored,

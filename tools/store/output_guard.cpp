@@ -8,9 +8,9 @@
 #include <sys/stat.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
-#include "tools/store/golden_place.h"
 
 namespace hyrax {
 namespace {

@@ -1,5 +1,6 @@
 // Reads the summaries of golden files: the input is the text of one.
 #include "tests/robustness/fuzz/fuzz_target.h"
+#include "tools/files/summary_text.h"
 #include "tools/store/golden_summary.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

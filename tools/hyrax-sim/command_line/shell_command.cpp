@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/store/golden_place.h"
 
 namespace hyrax {
 namespace {
@@ -20,7 +20,7 @@ bool is_plain(char c) {
 }
 
 // Escapes have three octal digits, so that a digit that follows is not part of them.
-std::string quoted(std::string_view argument) {
+std::string shell_word(std::string_view argument) {
   std::string in_quotes;
   std::string escaped;
   bool is_all_plain = !argument.empty();
@@ -46,7 +46,8 @@ std::string quoted(std::string_view argument) {
 
 std::string shell_command(const std::vector<std::string>& arguments) {
   std::string line;
-  for (const std::string& argument : arguments) line.append(line.empty() ? "" : " ").append(quoted(argument));
+  for (const std::string& argument : arguments)
+    line.append(line.empty() ? "" : " ").append(shell_word(argument));
   return line;
 }
 
@@ -67,7 +68,7 @@ std::string bless_command_for(const std::vector<std::string>& paths, const std::
   for (const std::string& path : paths) arguments.push_back(as_argument(path));
   std::string command = program_command(arguments);
   if (!by_path || !place || by_path->h5_path != place->h5_path)
-    command += " --golden " + quoted(golden_folder.empty() ? "golden" : as_argument(golden_folder));
+    command += " --golden " + shell_word(golden_folder.empty() ? "golden" : as_argument(golden_folder));
   return command + " --reason TEXT";
 }
 

@@ -3,7 +3,6 @@
 #include <functional>
 #include <iterator>
 
-#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/command_line/options.h"
@@ -28,17 +27,6 @@ struct CheckRequest {
   bool is_quick = false;  // No effect: `check` always skips work that cannot change a verdict.
   Printing printing;
 };
-
-std::vector<std::string> paths_of(CheckRequest& request) {
-  if (request.files.empty()) {
-    if (!is_folder("scenarios"))
-      throw Failure(ExitCode::bad_input,
-                    "scenarios: no such folder in the current one; name the scenarios or folders to check");
-    request.files = {"scenarios"};
-    if (request.golden_folder.empty()) request.golden_folder = "golden";
-  }
-  return list_scenarios(request.files);
-}
 
 // Those that are open have a golden file. A library that is red all over costs one child process, not one
 // each.
@@ -94,7 +82,8 @@ void annotate(const CheckReport& report, const CheckRequest& request) {
 ExitCode check(CheckRequest& request) {
   const std::vector<std::string> arguments = request.files;
   const std::string golden_folder = request.golden_folder;
-  const std::vector<std::string> paths = paths_of(request);
+  set_default_folders(request.files, request.golden_folder);
+  const std::vector<std::string> paths = list_scenarios(request.files);
   OutputGuard guard(paths, request.golden_folder);
   if (!request.junit.empty()) guard.admit("hyrax-sim check: --junit", request.junit);
   if (!request.summary.empty()) {
@@ -104,7 +93,8 @@ ExitCode check(CheckRequest& request) {
   }
   const std::int64_t jobs = request.jobs.value_or(processors());
   std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
-  std::ranges::move(find_unreferenced(request.files, request.golden_folder), std::back_inserter(verdicts));
+  std::ranges::move(unreferenced_verdicts(request.files, request.golden_folder),
+                    std::back_inserter(verdicts));
   const CheckReport report(std::move(verdicts), arguments, golden_folder);
   if (request.printing.is_json)
     print_text("{}\n", to_text(check_json(report), {.depth_indented = 2}));

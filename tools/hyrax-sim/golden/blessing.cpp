@@ -13,9 +13,10 @@
 #include "tools/files/printable.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/state_hash_text.h"
+#include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/runs/paper_model.h"
-#include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
 #include "tools/store/output_guard.h"
@@ -54,8 +55,8 @@ void require_usable(const GoldenPlace& place, const OutputGuard& guard) {
 
 void require_expected(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   std::string broken;
-  for (const Expectation& expectation : judge_run(scenario, summary))
-    if (!expectation.holds) broken += "; " + expectation_text(expectation);
+  for (const Expectation& expectation : broken_expectations(scenario, summary))
+    broken += "; " + expectation_text(expectation);
   if (summary.non_finite_step)
     broken += fmt::format("; the state is not finite from step {}", *summary.non_finite_step);
   if (!broken.empty())

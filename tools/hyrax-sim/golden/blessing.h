@@ -8,8 +8,8 @@
 
 #include "sim/compare/comparison.h"
 #include "tools/files/failure.h"
+#include "tools/files/golden_place.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
-#include "tools/store/golden_place.h"
 
 namespace hyrax {
 

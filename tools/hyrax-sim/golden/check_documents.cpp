@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "tools/files/printable.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/golden/check_report.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
-#include "tools/hyrax-sim/runs/scenario_run.h"
 
 namespace hyrax {
 namespace {

@@ -114,11 +114,9 @@ const CheckVerdict& CheckReport::verdict_on(const DifferingScenario& scenario) c
 }
 
 std::string counts_sentence(const CheckReport& report) {
-  const std::int64_t unreferenced = report.count(Status::unreferenced);
-  return fmt::format("{} checked: {} agreed, {} disagreed, {} without golden file, {} failed{}",
-                     report.scenario_count(), report.count(Status::agreed), report.count(Status::disagreed),
-                     report.count(Status::missing), report.count(Status::failed),
-                     unreferenced > 0 ? fmt::format("; {} unreferenced", unreferenced) : "");
+  std::vector<CheckStatus> statuses;
+  for (const CheckVerdict& verdict : report.verdicts()) statuses.push_back(verdict.status);
+  return counts_sentence(statuses);
 }
 
 void print_check(const CheckReport& report, const Printing& printing) {

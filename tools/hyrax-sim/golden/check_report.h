@@ -45,15 +45,12 @@ class CheckReport {
   std::string golden_folder_;
 };
 
-/// "3 checked: 2 agreed, 1 disagreed, 0 without golden file, 0 failed". One line.
+/// counts_sentence of the verdicts.
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
 /// What is wrong with one scenario, in one line without its path: the cause and how far it moves the run, the
 /// expectations that do not hold, what is missing. Empty if it agrees.
 [[nodiscard]] std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict);
-
-/// The expectations that do not hold, in one line; empty: all hold.
-[[nodiscard]] std::string broken_sentence(const CheckVerdict& verdict);
 
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
 [[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);

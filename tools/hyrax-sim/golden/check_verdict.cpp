@@ -2,35 +2,17 @@
 
 #include <chrono>
 #include <exception>
-#include <filesystem>
-#include <map>
 #include <optional>
 
-#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/hyrax-sim/golden/golden_pair.h"
+#include "tools/files/unreferenced_golden.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/runs/paper_model.h"
-#include "tools/hyrax-sim/runs/scenario_run.h"
 
 namespace hyrax {
 namespace {
 
-namespace fs = std::filesystem;
 using Status = CheckVerdict::Status;
-
-std::vector<Expectation> broken_of(const Scenario& scenario, const RunSummary& summary) {
-  std::vector<Expectation> broken;
-  for (Expectation& expectation : judge_run(scenario, summary))
-    if (!expectation.holds) broken.push_back(std::move(expectation));
-  return broken;
-}
-
-// If only one part of a golden file exists, it was changed after it was blessed; a state hash in `expect`
-// does not replace it.
-bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPlace>& place) {
-  const bool has_part = place && (is_there(place->h5_path) || is_there(place->txt_path));
-  return !has_part && scenario.expect && scenario.expect->state_hash;
-}
 
 void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
   require_measurable(verdict.path, scenario);
@@ -43,7 +25,7 @@ void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerd
   verdict.comparison = std::move(pair->comparison);
   verdict.note = std::move(pair->note);
   verdict.runs = std::move(pair->runs);
-  verdict.broken = broken_of(scenario, pair->summary);
+  verdict.broken = broken_expectations(scenario, pair->summary);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
     verdict.status = Status::missing;
   else if (!verdict.comparison.agrees || !verdict.broken.empty() || pair->summary.non_finite_step)
@@ -56,45 +38,7 @@ void fail(CheckVerdict& verdict, ExitCode exit_code, const std::string& error) {
   verdict.exit_code = exit_code;
 }
 
-struct FolderPair {
-  fs::path scenarios;
-  fs::path golden;
-};
-
-// Nothing if the folder is neither named `scenarios` nor below one.
-std::optional<FolderPair> folders_of(const std::string& argument, const std::string& golden_folder) {
-  if (!is_folder(argument)) return std::nullopt;
-  const std::string any_scenario = (fs::path(argument) / "x.json").string();
-  if (!golden_place(any_scenario, "")) return std::nullopt;
-  return FolderPair{argument, fs::path(golden_place(any_scenario, golden_folder)->h5_path).parent_path()};
-}
-
-bool is_part_of_golden_file(const fs::directory_entry& entry) {
-  const fs::path suffix = entry.path().extension();
-  return (suffix == ".h5" || suffix == ".txt") && !is_folder(entry.path().string());
-}
-
-// By their path without suffix, so that both parts count once.
-void add_unreferenced(const FolderPair& folders, std::map<std::string, CheckVerdict>& found) {
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folders.golden)) {
-    if (!is_part_of_golden_file(entry)) continue;
-    const fs::path stem = fs::path(entry.path()).replace_extension();
-    fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
-    scenario += ".json";
-    if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
-    CheckVerdict& verdict = found[stem.lexically_normal().string()];
-    verdict.path = stem.generic_string();
-    verdict.status = Status::unreferenced;
-    verdict.exit_code = ExitCode::disagreed;
-  }
-}
-
 }  // namespace
-
-std::string_view name_of(Status status) {
-  constexpr std::string_view kNames[] = {"agreed", "disagreed", "missing", "failed", "unreferenced"};
-  return kNames[static_cast<std::size_t>(status)];
-}
 
 CheckVerdict check_scenario(const std::string& path, const CheckOptions& options) {
   CheckVerdict verdict;
@@ -105,8 +49,7 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
     if (path == "-")
       throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
     judge_into(load_scenario(path), options, verdict);
-    if (verdict.status == Status::disagreed) verdict.exit_code = ExitCode::disagreed;
-    if (verdict.status == Status::missing) verdict.exit_code = ExitCode::golden_missing;
+    verdict.exit_code = exit_code_of(verdict.status);
   } catch (const Failure& failure) {
     fail(verdict, failure.exit_code(), failure.what());
   } catch (const std::exception& error) {  // Uncaught, it would terminate the program.
@@ -116,22 +59,16 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
   return verdict;
 }
 
-std::vector<CheckVerdict> find_unreferenced(const std::vector<std::string>& arguments,
-                                            const std::string& golden_folder) {
-  std::map<std::string, CheckVerdict> found;
-  for (const std::string& argument : arguments) {
-    const auto folders = folders_of(argument, golden_folder);
-    if (!folders || !is_folder(folders->golden.string())) continue;
-    try {
-      add_unreferenced(*folders, found);
-    } catch (const fs::filesystem_error& error) {
-      const std::string folder = folders->golden.generic_string();
-      found[folder].path = folder;
-      fail(found[folder], ExitCode::cannot_access, folder + ": cannot be read: " + error.code().message());
-    }
-  }
+std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& arguments,
+                                                const std::string& golden_folder) {
   std::vector<CheckVerdict> verdicts;
-  for (auto& [path, verdict] : found) verdicts.push_back(std::move(verdict));
+  for (const UnreferencedGolden& golden : find_unreferenced(arguments, golden_folder)) {
+    CheckVerdict& verdict = verdicts.emplace_back();
+    verdict.path = golden.path;
+    verdict.status = Status::unreferenced;
+    verdict.exit_code = exit_code_of(verdict.status);
+    if (!golden.error.empty()) fail(verdict, ExitCode::cannot_access, golden.error);
+  }
   return verdicts;
 }
 

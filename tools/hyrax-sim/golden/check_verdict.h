@@ -7,15 +7,15 @@
 
 #include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
+#include "tools/files/check_status.h"
 #include "tools/files/failure.h"
-
+#include "tools/files/golden_place.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
-#include "tools/store/golden_place.h"
 
 namespace hyrax {
 
 struct CheckVerdict {
-  enum class Status { agreed, disagreed, missing, failed, unreferenced };
+  using Status = CheckStatus;
   std::string path;  ///< Of the scenario as given; of an unreferenced golden file without its suffix.
   Status status = Status::agreed;
   std::optional<GoldenPlace> golden;
@@ -31,8 +31,6 @@ struct CheckVerdict {
   double seconds = 0.0;
 };
 
-[[nodiscard]] std::string_view name_of(CheckVerdict::Status status);
-
 struct CheckOptions {
   std::string golden_folder;
   bool reads_golden = true;  ///< If the summary does not decide. REQUIRES: no other threads.
@@ -41,11 +39,9 @@ struct CheckOptions {
 /// Plays a scenario and compares; never throws Failure: it becomes a verdict.
 [[nodiscard]] CheckVerdict check_scenario(const std::string& path, const CheckOptions& options);
 
-/// The golden files without a scenario, each once: for every folder among `arguments` that is named
-/// `scenarios` or below one, those in the corresponding golden folder, recursively. They are exit 1, as a
-/// disagreement: an accepted result is not checked any more. A golden folder that cannot be read becomes a
-/// failed verdict.
-[[nodiscard]] std::vector<CheckVerdict> find_unreferenced(const std::vector<std::string>& arguments,
-                                                          const std::string& golden_folder);
+/// A verdict for each golden file without a scenario, and for each golden folder that cannot be read; see
+/// find_unreferenced.
+[[nodiscard]] std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& arguments,
+                                                              const std::string& golden_folder);
 
 }  // namespace hyrax

@@ -11,13 +11,10 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/scenario_changes.h"
+#include "tools/hyrax-replay/judged_run.h"
 
 namespace hyrax {
 namespace {
-
-ReplayOptions options_for(const Scenario& scenario) {
-  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds};
-}
 
 // Keeps the rows of the first block.
 class BlockSink : public RowSink {
@@ -100,7 +97,7 @@ ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
   const std::unique_ptr<const Kernel> listing = kept.constants ? listing_kernel(*kept.constants) : nullptr;
   const Kernel& kernel = listing ? *listing : core_kernel();
   RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(kept.scenario, block, kernel); });
-  const RunSummary summary = replay(scenario, comparer, options_for(scenario));
+  const RunSummary summary = replay(scenario, comparer, judged_options(scenario));
   ComparedRun compared{comparer.finish({scenario, summary.steps, core_model(), hex(summary.state_hash),
                                         summary.final, inputs_of(scenario, summary.steps)}),
                        summary};
@@ -111,21 +108,16 @@ ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
   return compared;
 }
 
-RunSummary play(const Scenario& scenario) {
-  RowSink nothing_wanted;
-  return replay(scenario, nothing_wanted, options_for(scenario));
-}
-
 FreshRun play_for_golden(const Scenario& scenario) {
   FreshRecorder recorder(step_count(scenario));
   WaypointMeter waypoints(step_count(scenario));
-  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, options_for(scenario));
+  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, judged_options(scenario));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};
     run.replay_contacts = [scenario, last_steps = recorder.take_last_steps()](const auto& take) {
       ContactSink sink(last_steps, take);
-      static_cast<void>(replay(scenario, sink, options_for(scenario)));
+      static_cast<void>(replay(scenario, sink, judged_options(scenario)));
     };
   }
   run.scenario = scenario;

@@ -18,9 +18,6 @@ struct ComparedRun {
 };
 [[nodiscard]] ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario);
 
-/// Plays the scenario for its summary alone.
-[[nodiscard]] RunSummary play(const Scenario& scenario);
-
 /// Plays the scenario and keeps the contents of a golden file. Memory does not grow with the contacts: if
 /// they are many, the run replays them on demand.
 struct FreshRun {

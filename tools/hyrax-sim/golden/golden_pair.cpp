@@ -9,6 +9,7 @@
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
+#include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/store/golden_file.h"

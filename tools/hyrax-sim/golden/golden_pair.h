@@ -6,8 +6,8 @@
 #include <string>
 
 #include "sim/trajectory/stored_run.h"
+#include "tools/files/golden_place.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
-#include "tools/store/golden_place.h"
 
 namespace hyrax {
 

@@ -6,9 +6,10 @@
 
 #include <unistd.h>
 
+#include "tools/files/failure.h"
+#include "tools/files/golden_place.h"
 #include "tools/files/path.h"
-#include "tools/hyrax-sim/golden/check_verdict.h"
-#include "tools/store/golden_place.h"
+#include "tools/files/unreferenced_golden.h"
 
 namespace hyrax {
 namespace {
@@ -32,10 +33,10 @@ std::vector<std::string> find_prunable(const std::vector<std::string>& folders,
                                        const std::string& golden_folder) {
   for (const std::string& folder : folders) require_scenario_folder(folder);
   std::vector<std::string> files;
-  for (const CheckVerdict& verdict : find_unreferenced(folders, golden_folder)) {
-    if (verdict.status == CheckVerdict::Status::failed) throw Failure(verdict.exit_code, verdict.error);
+  for (const UnreferencedGolden& golden : find_unreferenced(folders, golden_folder)) {
+    if (!golden.error.empty()) throw Failure(ExitCode::cannot_access, golden.error);
     for (const char* const suffix : {".h5", ".txt"}) {
-      const std::string path = verdict.path + suffix;
+      const std::string path = golden.path + suffix;
       if (!is_there(path) || is_folder(path)) continue;
       const fs::path folder = fs::absolute(path).parent_path();
       if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_remove(path, errno);

@@ -7,6 +7,7 @@
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/build_info.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/diff/trajectory_diff.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/difference_text.h"

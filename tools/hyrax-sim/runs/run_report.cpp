@@ -6,6 +6,7 @@
 #include "sim/replay/core_constants.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/path.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/runs/run_rows.h"
@@ -197,24 +198,6 @@ Json run_json(const ScenarioRun& run) {
                       {"not_computed", list_json(coverage.not_computed)}};
   if (summary.non_finite_step) object.emplace_back("non_finite_step", *summary.non_finite_step);
   return object;
-}
-
-Json expectation_json(const Expectation& expectation) {
-  const Json measured = std::visit(
-      [](const auto& value) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
-          return nullptr;
-        else
-          return value;
-      },
-      expectation.measured);
-  return Json::Object{{"rule", expectation.rule}, {"holds", expectation.holds}, {"measured", measured}};
-}
-
-std::string expectation_text(const Expectation& expectation) {
-  const Json measured = *expectation_json(expectation).find("measured");
-  return expectation.rule + ": wanted " + expectation.wanted + ", measured " +
-         (measured.is_null() ? "none" : to_text(measured));
 }
 
 }  // namespace hyrax

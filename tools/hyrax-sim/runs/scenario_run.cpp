@@ -11,6 +11,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/path.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
 #include "tools/hyrax-sim/runs/run_rows.h"
 #include "tools/report/run_figure.h"
@@ -103,10 +104,6 @@ WrittenRun write_csv(const std::string& output, const Scenario& scenario, const 
 constexpr std::int64_t kRowsDrawnFirst = 50'000;
 constexpr std::size_t kContactsDrawnMax = 100;
 
-std::optional<double> value_of(const std::optional<Worst>& worst) {
-  return worst ? std::optional(worst->value) : std::nullopt;
-}
-
 }  // namespace
 
 WrittenRun write_run(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
@@ -118,21 +115,6 @@ WrittenRun write_run(const std::string& output, const Scenario& scenario, const 
   WriteOptions again = options;
   again.also.clear();
   return write_trajectory(output, scenario, run.summary.steps, again);
-}
-
-std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
-                                   std::optional<DriftSummary> measured) {
-  if (!scenario.expect) return {};
-  if (!bounds_errors(*scenario.expect)) return judge(*scenario.expect, summary);
-  if (!measured) {
-    DriftSink ignored;
-    DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored);
-    replay(scenario, meter);
-    measured = meter.finish();
-  }
-  return judge(*scenario.expect, summary,
-               RunErrors{value_of(measured->implementation_px), value_of(measured->truncation_px),
-                         value_of(measured->energy_drift_rel_max)});
 }
 
 bool ScenarioRun::is_as_expected() const {

@@ -40,11 +40,6 @@ struct WrittenRun {
 [[nodiscard]] WrittenRun write_run(const std::string& output, const Scenario& scenario,
                                    const WriteOptions& options);
 
-/// The verdicts on the scenario's `expect`.
-/// @param measured the errors against the reference; without it the run is played again where one is bounded.
-[[nodiscard]] std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
-                                                 std::optional<DriftSummary> measured = std::nullopt);
-
 class RunPicture;
 
 struct ScenarioRunOptions {
@@ -78,11 +73,6 @@ void print_run(const ScenarioRun& run, const Printing& printing);
 
 /// An entry of "runs".
 [[nodiscard]] Json run_json(const ScenarioRun& run);
-
-/// A verdict of `expect`: {"rule", "holds", "measured"}.
-[[nodiscard]] Json expectation_json(const Expectation& expectation);
-/// "at_rest_since_s: wanted 3 .. 4, measured 5.25".
-[[nodiscard]] std::string expectation_text(const Expectation& expectation);
 
 /// What a figure shows of a run, gathered as it is played: every row of the first 50,000 steps, whatever the
 /// file records, then as many as a figure can show, and the first contacts.

@@ -249,5 +249,14 @@ TEST(JsonPointer, GoesNoDeeperThanADocumentMayNest) {
   EXPECT_LT(set("{}", pointer, 9).size(), 200u);
 }
 
+TEST(HexFloat, IsWhatTheCLibraryPrints) {
+  for (const double value : {0.0, -0.0, 1.0, -0.5, 1.0 / 3.0, 952.0, 1e300, 2.2250738585072014e-308, 5e-324,
+                             -1e-323, 5.924e-321, 2.2250738585072009e-308, HUGE_VAL, -HUGE_VAL}) {
+    char printed[40];
+    std::snprintf(printed, sizeof printed, "%a", value);
+    EXPECT_EQ(hex_float(value), printed);
+  }
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/store/stored_flings.h"
+#include "tools/files/summary_text.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "sim/scenario/scenario.h"
+
 namespace hyrax {
 
 struct GoldenPlace {
@@ -26,5 +28,12 @@ struct GoldenPlace {
 /// ERRORS: Failure(bad_input) "PATH: is a pipe or a device ..." if one of them is, since reading it might
 /// never end.
 [[nodiscard]] bool has_golden_file(const GoldenPlace& place);
+
+/// Why a scenario without golden file has none: "no golden file at golden/a.h5: ...". For a terminal.
+[[nodiscard]] std::string missing_golden_sentence(const std::optional<GoldenPlace>& place);
+
+/// Whether the scenario is judged by its `expect.state_hash` instead of a golden file. Not if one part of a
+/// golden file exists: the other was removed after it was blessed.
+[[nodiscard]] bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPlace>& place);
 
 }  // namespace hyrax

@@ -1,5 +1,5 @@
 // The path of a scenario's golden file.
-#include "tools/store/golden_place.h"
+#include "tools/files/golden_place.h"
 
 #include <gtest/gtest.h>
 

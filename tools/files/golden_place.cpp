@@ -1,9 +1,10 @@
-#include "tools/store/golden_place.h"
+#include "tools/files/golden_place.h"
 
 #include <filesystem>
 
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
@@ -47,8 +48,8 @@ ScenarioPlace scenario_place(const std::string& scenario_path) {
 }
 
 GoldenPlace place_at(fs::path path) {
-  const std::string h5_path = path.replace_extension(".h5").string();
-  return {h5_path, path.replace_extension(".txt").string()};
+  const std::string h5_path = path.replace_extension(".h5").generic_string();
+  return {h5_path, path.replace_extension(".txt").generic_string()};
 }
 
 }  // namespace
@@ -75,6 +76,24 @@ bool has_golden_file(const GoldenPlace& place) {
       throw Failure(ExitCode::bad_input,
                     path + ": is a pipe or a device; a golden file must be a regular file");
   return is_there(place.h5_path) && is_there(place.txt_path);
+}
+
+std::string missing_golden_sentence(const std::optional<GoldenPlace>& place) {
+  if (!place)
+    return "no golden file: no folder `scenarios` above it; --golden DIR names the folder to look in";
+  const bool has_h5 = is_there(place->h5_path);
+  std::string sentence = "no golden file at " + printable(place->h5_path);
+  if (!has_h5 && !is_there(place->txt_path)) return sentence;
+  return sentence.append(": ")
+      .append(printable(has_h5 ? place->h5_path : place->txt_path))
+      .append(" exists, but ")
+      .append(printable(has_h5 ? place->txt_path : place->h5_path))
+      .append(" is missing");
+}
+
+bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPlace>& place) {
+  const bool has_part = place && (is_there(place->h5_path) || is_there(place->txt_path));
+  return !has_part && scenario.expect && scenario.expect->state_hash;
 }
 
 }  // namespace hyrax

@@ -1,0 +1,37 @@
+// What the text of a summary states.
+#include "tools/files/summary_text.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace hyrax {
+namespace {
+
+const std::string kHash = "c0ea1a610d86b14114d3cef7071362e5";
+
+TEST(SummaryStateHash, IsThatOfItsLine) {
+  EXPECT_EQ(summary_state_hash("scenario: a\nstate hash: " + kHash + "\nend: t 10 s\n"), kHash);
+  EXPECT_EQ(summary_state_hash("scenario: a\nstate hash: " + kHash), kHash);
+}
+
+TEST(SummaryStateHash, IsEmptyWhereNoneIsStated) {
+  const std::vector<std::string> lines = {"",
+                                          "state hash: ",
+                                          "state hash: " + kHash.substr(1),
+                                          "state hash: " + kHash + "0",
+                                          "state hash: " + kHash + "\r",
+                                          "state hash: C" + kHash.substr(1),
+                                          " state hash: " + kHash,
+                                          "hash: " + kHash};
+  for (const std::string& line : lines)
+    EXPECT_EQ(summary_state_hash("scenario: a\n" + line + "\nend: t 10 s\n"), "") << line;
+}
+
+TEST(SummaryReason, IsOneLine) {
+  EXPECT_EQ(summary_reason("scenario: a\nreason: a longer throw\nreason: b\n"), "a longer throw");
+  EXPECT_EQ(summary_reason("scenario: a\n"), "");
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,38 @@
+#include "tools/files/summary_text.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kHashDigits = 32;
+
+bool is_hash(const std::string& text) {
+  return text.size() == kHashDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// Of the first line that begins with the key, not counting the first line of all; empty: there is none.
+std::string value_of(const std::string& text, std::string_view key) {
+  const std::size_t line = text.find(std::string("\n").append(key));
+  if (line == std::string::npos) return "";
+  const std::size_t begin = line + 1 + key.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+}  // namespace
+
+std::string summary_reason(const std::string& text) { return value_of(text, kReasonKey); }
+
+std::string summary_state_hash(const std::string& text) {
+  const std::string hash = value_of(text, kStateHashKey);
+  return is_hash(hash) ? hash : "";
+}
+
+std::optional<std::string> summary_file_checksum(const std::string& text) {
+  const std::size_t line_length = kChecksumsKey.size() + 2 * kHashDigits + 2;
+  if (text.size() < line_length || text.back() != '\n' ||
+      text.compare(text.size() - line_length, kChecksumsKey.size(), kChecksumsKey) != 0)
+    return std::nullopt;
+  const std::string checksum = text.substr(text.size() - 1 - kHashDigits, kHashDigits);
+  return is_hash(checksum) ? std::optional(checksum) : std::nullopt;
+}
+
+}  // namespace hyrax

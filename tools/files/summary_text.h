@@ -1,0 +1,23 @@
+// Reads the summary of a golden file (GOLDEN.txt).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hyrax {
+
+inline constexpr std::string_view kStateHashKey = "state hash: ";
+inline constexpr std::string_view kReasonKey = "reason: ";
+inline constexpr std::string_view kChecksumsKey = "checksums: ";
+
+/// The reason that a summary states; empty if it states none.
+[[nodiscard]] std::string summary_reason(const std::string& text);
+
+/// The state hash that a summary states, 32 hex digits; empty if it states none, or something else.
+[[nodiscard]] std::string summary_state_hash(const std::string& text);
+
+/// The checksum of the .h5 file that a summary ends with; nothing if it does not end with one.
+[[nodiscard]] std::optional<std::string> summary_file_checksum(const std::string& text);
+
+}  // namespace hyrax

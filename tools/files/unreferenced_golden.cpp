@@ -1,0 +1,65 @@
+#include "tools/files/unreferenced_golden.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "tools/files/golden_place.h"
+#include "tools/files/path.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FolderPair {
+  fs::path scenarios;
+  fs::path golden;
+};
+
+// Nothing if the folder is neither named `scenarios` nor below one.
+std::optional<FolderPair> folders_of(const std::string& argument, const std::string& golden_folder) {
+  if (!is_folder(argument)) return std::nullopt;
+  const std::string any_scenario = (fs::path(argument) / "x.json").string();
+  if (!golden_place(any_scenario, "")) return std::nullopt;
+  return FolderPair{argument, fs::path(golden_place(any_scenario, golden_folder)->h5_path).parent_path()};
+}
+
+bool is_part_of_golden_file(const fs::directory_entry& entry) {
+  const fs::path suffix = entry.path().extension();
+  return (suffix == ".h5" || suffix == ".txt") && !is_folder(entry.path().string());
+}
+
+// By their path without suffix, so that both parts count once.
+void add_unreferenced(const FolderPair& folders, std::map<std::string, UnreferencedGolden>& found) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folders.golden)) {
+    if (!is_part_of_golden_file(entry)) continue;
+    const fs::path stem = fs::path(entry.path()).replace_extension();
+    fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
+    scenario += ".json";
+    if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
+    found[stem.lexically_normal().string()] = {stem.generic_string(), ""};
+  }
+}
+
+}  // namespace
+
+std::vector<UnreferencedGolden> find_unreferenced(const std::vector<std::string>& arguments,
+                                                  const std::string& golden_folder) {
+  std::map<std::string, UnreferencedGolden> found;
+  for (const std::string& argument : arguments) {
+    const auto folders = folders_of(argument, golden_folder);
+    if (!folders || !is_folder(folders->golden.string())) continue;
+    try {
+      add_unreferenced(*folders, found);
+    } catch (const fs::filesystem_error& error) {
+      const std::string folder = folders->golden.generic_string();
+      found[folder] = {folder, folder + ": cannot be read: " + error.code().message()};
+    }
+  }
+  std::vector<UnreferencedGolden> golden_files;
+  for (auto& [key, golden] : found) golden_files.push_back(std::move(golden));
+  return golden_files;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,132 @@
+#include "tools/hyrax-replay/check.h"
+
+#include <exception>
+
+#include "sim/trajectory/state_hash.h"
+#include "tools/files/check_status.h"
+#include "tools/files/golden_place.h"
+#include "tools/files/printable.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
+#include "tools/files/unknown_word.h"
+#include "tools/files/unreferenced_golden.h"
+#include "tools/hyrax-replay/judged_run.h"
+
+namespace hyrax {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  std::string golden_folder;  // Empty if none was given.
+};
+
+struct ScenarioVerdict {
+  std::string path;
+  CheckStatus status;
+  std::string sentence;  // Why it does not agree.
+  ExitCode exit_code;
+};
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Failure(ExitCode::bad_input, "hyrax-replay check: " + what + "; see `hyrax-replay --help`");
+}
+
+CheckArguments parsed(const std::vector<std::string>& arguments) {
+  CheckArguments request;
+  for (std::size_t index = 0; index < arguments.size(); ++index) {
+    const std::string& argument = arguments[index];
+    if (!argument.starts_with('-')) {
+      if (argument.empty()) refuse("SCENARIO or DIR: must not be empty");
+      request.files.push_back(argument);
+      continue;
+    }
+    if (argument != "--golden") refuse(unknown_word("option", argument, {"--golden", "--help"}));
+    if (!request.golden_folder.empty()) refuse("--golden: given twice");
+    if (index + 1 == arguments.size()) refuse("--golden: value is missing: DIR");
+    request.golden_folder = arguments[++index];
+    if (request.golden_folder.empty()) refuse("--golden: must not be empty: DIR");
+  }
+  return request;
+}
+
+// What is wrong with the summary, or differs from it; empty: it has this state hash.
+std::string difference_from(const std::string& txt_path, const std::string& state_hash) {
+  const std::string text = read_text_file(txt_path);
+  const std::string found = summary_state_hash(text);
+  const char* const damage = found.empty()                  ? "has no line `state hash: ` with 32 hex digits"
+                             : !summary_file_checksum(text) ? "does not end with its line `checksums: `"
+                                                            : nullptr;
+  if (damage != nullptr)
+    return "the golden file was changed after it was blessed: " + txt_path + ": " + damage +
+           "; restore it, or bless the scenario again";
+  if (found == state_hash) return "";
+  return txt_path + ": state hash differs (found " + found + "); the run has " + state_hash +
+         "; `hyrax-sim check` finds the cause";
+}
+
+void add_sentence(std::string& sentences, const std::string& sentence) {
+  if (!sentence.empty()) sentences += (sentences.empty() ? "" : "; ") + sentence;
+}
+
+void judge_into(const Scenario& scenario, const std::string& golden_folder, ScenarioVerdict& verdict) {
+  const auto place = golden_place(verdict.path, golden_folder);
+  const bool has_golden = place && has_golden_file(*place);
+  const RunSummary summary = play(scenario);
+  if (!has_golden && !has_state_hash_only(scenario, place)) {
+    verdict.status = CheckStatus::missing;
+    verdict.sentence = missing_golden_sentence(place) + "; `hyrax-sim bless` creates it";
+    return;
+  }
+  if (summary.non_finite_step)
+    verdict.sentence = "the state is not finite from step " + std::to_string(*summary.non_finite_step);
+  if (has_golden) add_sentence(verdict.sentence, difference_from(place->txt_path, hex(summary.state_hash)));
+  add_sentence(verdict.sentence, broken_sentence(broken_expectations(scenario, summary)));
+  if (!verdict.sentence.empty()) verdict.status = CheckStatus::disagreed;
+}
+
+ScenarioVerdict failed(const std::string& path, ExitCode exit_code, const std::string& error) {
+  return {path, CheckStatus::failed, error, exit_code};
+}
+
+ScenarioVerdict verdict_on(const std::string& path, const std::string& golden_folder) try {
+  ScenarioVerdict verdict{path, CheckStatus::agreed, "", ExitCode::agreed};
+  judge_into(load_scenario(path), golden_folder, verdict);
+  verdict.exit_code = exit_code_of(verdict.status);
+  return verdict;
+} catch (const Failure& failure) {
+  return failed(path, failure.exit_code(), failure.what());
+} catch (const std::exception& error) {
+  return failed(path, ExitCode::program_fault, path + ": internal error: " + error.what());
+}
+
+ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
+  if (!golden.error.empty()) return failed(golden.path, ExitCode::cannot_access, golden.error);
+  return {golden.path, CheckStatus::unreferenced, kUnreferencedSentence,
+          exit_code_of(CheckStatus::unreferenced)};
+}
+
+}  // namespace
+
+ExitCode check(const std::vector<std::string>& arguments) {
+  CheckArguments request = parsed(arguments);
+  set_default_folders(request.files, request.golden_folder);
+  std::vector<CheckStatus> statuses;
+  ExitCode exit_code = ExitCode::agreed;
+  const auto report = [&](const ScenarioVerdict& verdict) {
+    statuses.push_back(verdict.status);
+    exit_code = more_serious(exit_code, verdict.exit_code);
+    if (verdict.status != CheckStatus::agreed)
+      print_text(printable(verdict.path) + ": " + std::string(name_of(verdict.status)) + ": " +
+                 printable(verdict.sentence) + "\n");
+  };
+  for (const std::string& path : list_scenarios(request.files))
+    report(verdict_on(path, request.golden_folder));
+  for (const UnreferencedGolden& golden : find_unreferenced(request.files, request.golden_folder))
+    report(verdict_on(golden));
+  print_text(counts_sentence(statuses) + "\n");
+  return exit_code;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,10 @@
+// hyrax-replay without `check`: see HYRAX_REPLAY_CHECK.
+#include "tools/hyrax-replay/check.h"
+
+namespace hyrax {
+
+ExitCode check(const std::vector<std::string>&) {
+  throw Failure(ExitCode::bad_input, "hyrax-replay check: this build has no check; use hyrax-sim check");
+}
+
+}  // namespace hyrax
