@@ -8,22 +8,22 @@
 namespace hyrax {
 namespace {
 
-const std::string kHash = "c0ea1a610d86b14114d3cef7071362e5";
+const std::string kSummaryHash = "c0ea1a610d86b14114d3cef7071362e5";
 
 TEST(SummaryStateHash, IsThatOfItsLine) {
-  EXPECT_EQ(summary_state_hash("scenario: a\nstate hash: " + kHash + "\nend: t 10 s\n"), kHash);
-  EXPECT_EQ(summary_state_hash("scenario: a\nstate hash: " + kHash), kHash);
+  EXPECT_EQ(summary_state_hash("scenario: a\nstate hash: " + kSummaryHash + "\nend: t 10 s\n"), kSummaryHash);
+  EXPECT_EQ(summary_state_hash("scenario: a\nstate hash: " + kSummaryHash), kSummaryHash);
 }
 
 TEST(SummaryStateHash, IsEmptyWhereNoneIsStated) {
   const std::vector<std::string> lines = {"",
                                           "state hash: ",
-                                          "state hash: " + kHash.substr(1),
-                                          "state hash: " + kHash + "0",
-                                          "state hash: " + kHash + "\r",
-                                          "state hash: C" + kHash.substr(1),
-                                          " state hash: " + kHash,
-                                          "hash: " + kHash};
+                                          "state hash: " + kSummaryHash.substr(1),
+                                          "state hash: " + kSummaryHash + "0",
+                                          "state hash: " + kSummaryHash + "\r",
+                                          "state hash: C" + kSummaryHash.substr(1),
+                                          " state hash: " + kSummaryHash,
+                                          "hash: " + kSummaryHash};
   for (const std::string& line : lines)
     EXPECT_EQ(summary_state_hash("scenario: a\n" + line + "\nend: t 10 s\n"), "") << line;
 }
