@@ -9,7 +9,7 @@ import subprocess
 import h5py
 
 import program
-from program import AGREED, SOURCE, ProgramTest
+from program import AGREED, DISAGREED, SOURCE, ProgramTest
 
 HERE = pathlib.Path(__file__).parent
 
@@ -123,6 +123,16 @@ class ReportTest(ProgramTest):
         self.assertEqual(page["attributes"]["replay"], "agrees")
         self.assertIn("from step 0 in vx", page["values"][0])
         self.assertEqual(page["values"][1], 5)
+
+    def test_a_failed_check_has_a_page_of_the_worst_run(self):
+        path, = self.project("fling")
+        self.write(path, program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
+        self.expect(DISAGREED, "check", "--summary", "check.md")
+        self.assertIn("](<check.html>)", (self.folder / "check.md").read_text())
+        (page,) = self.open({"file": str(self.folder / "check.html"), "actions": [
+            ["evaluate", "document.querySelector('.verdicts').innerText"]]})
+        self.assertEqual(page["attributes"]["replay"], "agrees")
+        self.assertIn("from step 0 in vx", page["values"][0])
 
     def test_plays_steps_scrubs_and_opens_a_link(self):
         self.played("fling", program.fling())
