@@ -2,7 +2,10 @@
 """shrink: the smallest scenario on which a command ends the same way."""
 
 import json
+import os
 import shlex
+import signal
+import time
 
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, fling, main
 
@@ -48,6 +51,19 @@ class Shrink(ProgramTest):
         document, small = self.shrink("grep -q grab {} && sleep 600; exit 0", "--time-limit", "0.3")
         self.assertEqual(document["kept"], "the command's no end within 0.3 s")
         self.assertEqual([list(event) for event in small["events"]], [["step", "grab"]])
+
+    def test_an_interrupt_leaves_no_temporary_file(self):
+        temporary = self.folder / "temporary"
+        temporary.mkdir()
+        process = self.begin("shrink", "fling.json", "--fails", "touch {}.seen; sleep 60", "-o", "small.json",
+                             env={**os.environ, "TMPDIR": str(temporary)})
+        deadline = time.monotonic() + 30
+        while not list(temporary.glob("*/*.seen")) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertEqual(len(list(temporary.iterdir())), 1)
+        process.send(signal.SIGINT)
+        self.assertEqual(process.wait().exit_code, -signal.SIGINT)
+        self.assertEqual(list(temporary.iterdir()), [])
 
     def test_it_is_deterministic(self):
         command = "test $(wc -c < {}) -gt 400"

@@ -53,9 +53,12 @@ class CompareTest(ProgramTest):
             shutil.copy(SOURCE / "scenarios" / f"{path}.json", target)
 
     def compare(self, exit_code, *arguments):
-        """Runs hyrax-compare in the folder."""
-        outcome = run(COMPARE, *arguments, cwd=self.folder)
+        """Runs hyrax-compare in the folder; it leaves no temporary files, however it ends."""
+        temporary = self.folder / "temporary"
+        temporary.mkdir(exist_ok=True)
+        outcome = run(COMPARE, *arguments, cwd=self.folder, env={**os.environ, "TMPDIR": str(temporary)})
         self.assertEqual(outcome.exit_code, exit_code, outcome)
+        self.assertEqual(list(temporary.iterdir()), [], outcome)
         return outcome
 
     def card(self, name, edits=None, *arguments):

@@ -5,7 +5,8 @@
 
 namespace hyrax {
 
-/// A new folder in $TMPDIR or /tmp, removed with what is in it.
+/// A new folder in $TMPDIR or /tmp, removed with what is in it: by its destructor, or when SIGINT, SIGTERM or
+/// SIGHUP ends the program.
 class TemporaryFolder {
  public:
   /// ERRORS: Failure(cannot_access).
@@ -21,5 +22,8 @@ class TemporaryFolder {
  private:
   std::string path_;
 };
+
+/// Removes the folders of all that exist. For a handler of a signal that ends the program: allocates nothing.
+void remove_temporary_folders() noexcept;
 
 }  // namespace hyrax

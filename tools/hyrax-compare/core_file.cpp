@@ -34,6 +34,7 @@ void end_as_refused(int signal) {
   crash_sentence[length - 3] = static_cast<char>('0' + signal / 10);
   crash_sentence[length - 2] = static_cast<char>('0' + signal % 10);
   static_cast<void>(!write(STDERR_FILENO, crash_sentence.data(), length));
+  remove_temporary_folders();
   _exit(static_cast<int>(ExitCode::bad_input));
 }
 
