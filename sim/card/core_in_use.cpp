@@ -8,17 +8,17 @@
 namespace hyrax {
 namespace {
 
-const CoreFunctions* in_use = nullptr;
+const CoreFunctions* current = nullptr;
 
 const CoreFunctions& core() {
-  assert(in_use != nullptr);
-  return *in_use;
+  assert(current != nullptr);
+  return *current;
 }
 
 }  // namespace
 
-CoreInUse::CoreInUse(const CoreFunctions& core) : before_(in_use) { in_use = &core; }
-CoreInUse::~CoreInUse() { in_use = before_; }
+CoreInUse::CoreInUse(const CoreFunctions& core) : before_(current) { current = &core; }
+CoreInUse::~CoreInUse() { current = before_; }
 
 // All that sim/replay/core.cpp and kernel.cpp define: the linker then takes neither of them.
 const Kernel& core_kernel() { return *core().kernel; }
