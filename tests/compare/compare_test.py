@@ -326,7 +326,7 @@ class Refused(CompareTest):
         header = self.header("broken", [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;")])
         outcome = self.compare(BAD_INPUT, header, "--json")
         self.assertIn("broken.h: does not compile (exit code 1)", outcome.err)
-        self.assertIn("error: ‘AIR_DRAGG’ was not declared", outcome.err.replace("'", "‘", 1))
+        self.assertRegex(outcome.err, "error: .*AIR_DRAGG")
         self.assertEqual(outcome.out, "")
 
     def test_bad_usage_and_missing_files(self):
