@@ -44,7 +44,7 @@ class DefectSearch {
     if (const auto step = first_difference(position_first, velocity_first); step >= 0)
       return "depends on the order of its setters: setPos before setVelocity or after it differs" + at(step);
     if (const auto step = differs(rows([](Core& body) { body = made(state_of(body)); })); step >= 0)
-      return "keeps state between calls beyond x, y, vx and vy: a fling differs if its body is made anew "
+      return "keeps state between calls beyond x, y, vx and vy: a fling differs if its body is made again "
              "from "
              "these four numbers" +
              at(step);

@@ -215,7 +215,7 @@ class Same(CompareTest):
 
     @unittest.skipUnless(IS_ALL, "nightly")
     def test_the_readme_shows_the_card_of_this_program(self):
-        """All but the line that depends on the machine. HYRAX_COMPARE_UPDATE=1 writes it anew."""
+        """All but the line that depends on the machine. HYRAX_COMPARE_UPDATE=1 writes it again."""
         path = SOURCE / "sim/card/README.md"
         readme = path.read_text(encoding="utf-8")
         shown = re.search(r"```text\n(.*?)```", readme, re.DOTALL)[1]
