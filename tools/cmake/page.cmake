@@ -1,8 +1,8 @@
-# The target `page`: the report page as one file, ${hyrax_page_file}, from tools/report/page and tools/report/wasm.
+# The target `page`: the report pages, one file each, ${hyrax_page_files}, from tools/report/page and tools/report/wasm.
 # Packages come by `npm ci` into the build folder, once for each lock file.
 set(page_sources ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
 set(page_folder ${PROJECT_BINARY_DIR}/page)
-set(hyrax_page_file ${page_folder}/page.html)
+set(hyrax_page_files ${page_folder}/runs.html ${page_folder}/results.html)
 
 set(page_packages)
 foreach(name IN ITEMS package.json package-lock.json .npmrc)
@@ -34,11 +34,11 @@ add_custom_target(
 file(GLOB page_parts CONFIGURE_DEPENDS ${page_sources}/*.js ${page_sources}/*.mjs ${page_sources}/*.css
      ${page_sources}/*.html ${PROJECT_SOURCE_DIR}/tools/hyrax/sprite/hyrax.svg)
 add_custom_command(
-  OUTPUT ${hyrax_page_file}
+  OUTPUT ${hyrax_page_files}
   COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=${page_folder}/node_modules node ${page_sources}/bundle.mjs ${page_folder}
-          ${core} ${PROJECT_SOURCE_DIR}/tools/hyrax/sprite/hyrax.svg ${hyrax_page_file}
+          ${core} ${PROJECT_SOURCE_DIR}/tools/hyrax/sprite/hyrax.svg ${page_folder}
   DEPENDS ${page_folder}/packages.stamp ${core} ${page_parts}
-  COMMENT "The report page"
+  COMMENT "The report pages"
   VERBATIM)
-add_custom_target(page DEPENDS ${hyrax_page_file})
+add_custom_target(page DEPENDS ${hyrax_page_files})
 add_dependencies(page page_core)

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "sim/reference/model.h"
+#include "sim/reference/energy_causes.h"
 #include "tools/files/failure.h"
 #include "tools/report/figure_body.h"
 #include "tools/report/figure_script.h"
@@ -220,52 +220,45 @@ Figure restitution_figure(const DriftPicture& picture) {
   return figure;
 }
 
-// What the step added and took so far, by cause, as the height that this energy lifts the sprite by.
-struct Causes {
-  Series gravity{.name = "gravity once a step", .look = {.tone = Tone::blue}};
-  Series drag{.name = "drag on that path", .look = {.tone = Tone::green}};
-  Series lift{.name = "lift out of walls", .look = {.tone = Tone::vermilion}};
-  Series bounce{.name = "restitution after the wall", .look = {.tone = Tone::purple}};
-  Series sum{.name = "all four", .look = {.tone = Tone::ink, .width_px = 1.5, .dash = Dash::short_dashes}};
-
-  [[nodiscard]] std::array<Series*, 5> all() { return {&gravity, &drag, &lift, &bounce, &sum}; }
-  // Each stays as it was, up to t.
-  void hold(double t_s) {
-    for (Series* const series : all()) add(*series, t_s, 0.0);
-  }
+// The causes over time.
+class CauseSeries {
+ public:
+  [[nodiscard]] std::array<Series*, 5> all() { return {&gravity_, &drag_, &lift_, &bounce_, &sum_}; }
   void fly(const ArcErrors& arc) {
-    hold(arc.t_s - arc.duration_s);
-    add(gravity, arc.t_s, arc.energy_parts.gravity);
-    add(drag, arc.t_s, arc.energy_parts.drag);
-    add(lift, arc.t_s, 0.0);
-    add(bounce, arc.t_s, 0.0);
-    add(sum, arc.t_s, arc.energy_drift_end_px2_per_s2);
+    add(arc.t_s - arc.duration_s);
+    causes_.fly(arc);
+    add(arc.t_s);
   }
-  void meet(const ImpactErrors& contact, bool is_corner_again) {
-    hold(contact.t_s);
-    const double lifted = is_corner_again ? 0.0 : contact.energy_parts.lift;
-    const double late = contact.late_bounce_px2_per_s2.value_or(0.0);
-    add(lift, contact.t_s, lifted);
-    add(bounce, contact.t_s, late);
-    add(sum, contact.t_s, lifted + late);
+  void meet(const ImpactErrors& contact) {
+    add(contact.t_s);
+    causes_.meet(contact);
+    add(contact.t_s);
   }
 
  private:
-  static void add(Series& series, double t_s, double energy_px2_per_s2) {
-    const double before = series.y.empty() ? 0.0 : series.y.back();
-    series.x.push_back(t_s);
-    series.y.push_back(before + energy_px2_per_s2 / Model{}.gravity_px_per_s2);
+  void add(double t_s) {
+    const EnergyCauses& now = causes_.now();
+    const std::array values = {now.gravity, now.drag, now.lift, now.bounce, now.sum()};
+    for (std::size_t index = 0; index < values.size(); ++index) {
+      all()[index]->x.push_back(t_s);
+      all()[index]->y.push_back(values[index]);
+    }
   }
+
+  EnergyCauseSum causes_;
+  Series gravity_{.name = "gravity once a step", .look = {.tone = Tone::blue}};
+  Series drag_{.name = "drag on that path", .look = {.tone = Tone::green}};
+  Series lift_{.name = "lift out of walls", .look = {.tone = Tone::vermilion}};
+  Series bounce_{.name = "restitution after the wall", .look = {.tone = Tone::purple}};
+  Series sum_{.name = "all four", .look = {.tone = Tone::ink, .width_px = 1.5, .dash = Dash::short_dashes}};
 };
 
 Figure causes_figure(const DriftPicture& picture) {
-  Causes causes;
+  CauseSeries causes;
   std::size_t next = 0;
   const auto meet_before = [&](std::int64_t step) {
-    for (; next < picture.contacts.size() && picture.contacts[next].step < step; ++next) {
-      const bool is_again = next > 0 && picture.contacts[next - 1].step == picture.contacts[next].step;
-      causes.meet(picture.contacts[next], is_again);
-    }
+    for (; next < picture.contacts.size() && picture.contacts[next].step < step; ++next)
+      causes.meet(picture.contacts[next]);
   };
   for (const ArcErrors& arc : picture.arcs) {
     meet_before(arc.last_step);

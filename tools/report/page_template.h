@@ -1,12 +1,18 @@
-// The report page without its data.
+// The report pages without their data.
 #pragma once
 
 #include <string_view>
 
 namespace hyrax {
 
+/// Each page carries only what it shows.
+enum class PageKind {
+  runs,    ///< Replays trajectories: the core as WebAssembly, charts over time.
+  results  ///< Verdicts, tables and figures: of studies and sweeps.
+};
+
 /// The page with an empty place for its data; empty if this program was built without it (the CMake option
 /// HYRAX_PAGE).
-[[nodiscard]] std::string_view page_template();
+[[nodiscard]] std::string_view page_template(PageKind kind);
 
 }  // namespace hyrax

@@ -1,15 +1,24 @@
 // A study's tables in a file of the format `hyrax-study/1`.
 //
 // One group a table, one dataset a column with the attributes `units` and `long_name`; on `/` the
-// attributes `format` and `study`, and the group /provenance as trajectory files have it.
+// attributes `format`, `study` and `tables`, and the group /provenance as trajectory files have it. `tables`,
+// and `columns` of each group, give the names in order, separated by blanks.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/result/table.h"
+#include "tools/store/provenance.h"
 
 namespace hyrax {
+
+inline constexpr std::string_view kStudyFormat = "hyrax-study/1";
+
+/// The name of the table that holds, as JSON, what the report page shows besides the others: its columns
+/// `verdict` and `figures` have one row.
+inline constexpr const char* kReportTable = "report";
 
 struct StudyHead {
   std::string study;      ///< Its name, as `hyrax-sim study` knows it.
@@ -22,5 +31,20 @@ struct StudyHead {
 /// length. ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it
 /// was.
 void write_study_file(const std::string& path, const StudyHead& head, const std::vector<Table>& tables);
+
+struct StudyFile {
+  StudyHead head;
+  std::vector<Table> tables;  ///< In the order in which they were written; a bool is 0 or 1.
+  Provenance provenance;
+};
+
+/// Reads a file of any origin, first in a child process.
+/// ERRORS: Failure(cannot_access) if it cannot be read; Failure(bad_input) "PATH: ..." if it is no result
+/// file of a study, damaged, or names no tables. REQUIRES: as read_isolated.
+[[nodiscard]] StudyFile read_study_file(const std::string& path);
+
+/// The attribute `format` of an HDF5 file of any origin; empty if it has none or is none.
+/// ERRORS: Failure(cannot_access) if it cannot be read. REQUIRES: as read_isolated.
+[[nodiscard]] std::string format_of_file(const std::string& path);
 
 }  // namespace hyrax

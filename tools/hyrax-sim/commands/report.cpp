@@ -40,23 +40,27 @@ ExitCode report(const ReportArguments& arguments) {
 }  // namespace
 
 Command report_command() {
-  return {.name = "report",
-          .summary = "show trajectories on a page that replays them in the browser",
-          .example =
-              "hyrax-sim report first-fling.h5 -o first-fling.html\n"
-              "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html",
-          .is_common = false,
-          .needs_paper_model = true,
-          .declare = [](Options& options) {
-            const auto arguments = std::make_shared<ReportArguments>();
-            ReportRequest& request = arguments->request;
-            options.files(request.files, {"FILE.h5", "", "trajectory files"}, 1, -1);
-            options.text(request.against,
-                         {"--against", "GOLDEN.h5", "compare with this trajectory, and draw both"});
-            options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
-            options.printing(arguments->printing);
-            return [arguments] { return report(*arguments); };
-          }};
+  return {
+      .name = "report",
+      .summary =
+          "show trajectories, studies or sweeps on a page for the browser; trajectories are replayed there",
+      .example =
+          "hyrax-sim report first-fling.h5 -o first-fling.html\n"
+          "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
+          "  hyrax-sim report speed-error.h5 -o speed-error.html",
+      .is_common = false,
+      .needs_paper_model = true,
+      .declare = [](Options& options) {
+        const auto arguments = std::make_shared<ReportArguments>();
+        ReportRequest& request = arguments->request;
+        options.files(request.files, {"FILE.h5", "", "trajectory files; or files of studies and sweeps"}, 1,
+                      -1);
+        options.text(request.against,
+                     {"--against", "GOLDEN.h5", "compare with this trajectory, and draw both"});
+        options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
+        options.printing(arguments->printing);
+        return [arguments] { return report(*arguments); };
+      }};
 }
 
 }  // namespace hyrax

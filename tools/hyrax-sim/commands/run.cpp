@@ -13,6 +13,7 @@
 #include "tools/hyrax-sim/report/report_page.h"
 #include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
+#include "tools/report/page_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {

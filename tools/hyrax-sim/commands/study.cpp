@@ -19,6 +19,7 @@
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/studies/expected_verdicts.h"
+#include "tools/report/figure_json.h"
 #include "tools/report/figure_script.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/output_guard.h"
@@ -150,6 +151,19 @@ void make_folder(const std::string& folder) {
     throw Failure(ExitCode::cannot_access, folder + ": cannot create the folder: " + error.message());
 }
 
+// What the report page needs besides the tables, as text in the file: verdict and figures.
+Table report_table(const StudyResult& result) {
+  Json::Array figures;
+  for (const Figure& figure : result.figures) figures.push_back(figure_json(figure));
+  const auto column = [](const char* name, const char* long_name, const Json& json) {
+    return Column{.name = name, .long_name = long_name, .values = std::vector<std::string>{to_text(json)}};
+  };
+  return {.name = kReportTable,
+          .long_name = "what hyrax-sim report shows besides the tables, as JSON",
+          .columns = {column("verdict", "sentences and rules", verdict_json(result.verdict)),
+                      column("figures", "the figures as data", figures)}};
+}
+
 // A figure that cannot be drawn does not keep the verdict from being printed.
 struct WrittenStudy {
   std::vector<std::string> paths;
@@ -159,7 +173,9 @@ struct WrittenStudy {
 WrittenStudy write_result(const Study& study, const StudyResult& result, const std::string& stem,
                           bool has_figures) {
   WrittenStudy written{.paths = {stem + ".h5", stem + ".csv"}, .failed_figure = {}};
-  write_study_file(written.paths[0], {study.name, study.summary}, result.tables);
+  std::vector<Table> tables = result.tables;
+  tables.push_back(report_table(result));
+  write_study_file(written.paths[0], {study.name, study.summary}, tables);
   write_text_file(written.paths[1], csv_text(result.tables.front()));
   if (!has_figures) return written;
   try {

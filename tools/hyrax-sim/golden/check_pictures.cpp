@@ -61,7 +61,8 @@ void write_page(const CheckReport& report, const DifferingScenario& scenario, co
   write_report({.files = {run},
                 .against = report.verdict_on(scenario).golden->h5_path,
                 .output = path,
-                .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)})});
+                .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)}),
+                .cause = verdict_sentence(report, report.verdict_on(scenario))});
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ std::vector<GroupPicture> write_pictures(const CheckReport& report, const std::s
     try {
       draw(*scenario, svg_path(path, group));
       picture.svg = file_name_of(svg_path(path, group));
-      if (group > 0 || page_template().empty()) continue;
+      if (group > 0 || page_template(PageKind::runs).empty()) continue;
       write_page(report, *scenario, html_path(path));
       picture.html = file_name_of(html_path(path));
     } catch (const Failure& failure) {

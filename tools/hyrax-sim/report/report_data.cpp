@@ -229,6 +229,7 @@ Json report_data(const ReportRequest& request) {
     const TrajectoryFile file = TrajectoryFile::open(path);
     require_paper_run(file, "report");
     Json run = run_data(file);
+    run.get<Json::Object>()->emplace_back("cause", request.cause);
     if (against)
       run.get<Json::Object>()->emplace_back(
           "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));

@@ -1,46 +1,33 @@
 #include "tools/hyrax-sim/report/report_page.h"
 
-#include <cassert>
-
 #include "tools/files/failure.h"
-#include "tools/files/text_file.h"
-#include "tools/report/page_template.h"
+#include "tools/report/page_file.h"
+#include "tools/report/result_page.h"
 
 namespace hyrax {
 namespace {
 
-constexpr std::string_view kDataPlace = "{\"hyrax\":\"report data\"}";
-
-// Inside a script element nothing but `<` can end it or begin a comment.
-std::string script_text(const Json& data) {
-  std::string text;
-  for (const char c : to_text(data)) {
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
+void write_results(const ReportRequest& request) {
+  if (!request.against.empty())
+    throw Failure(ExitCode::bad_input, "hyrax-sim report: --against: allowed for trajectories only (found " +
+                                           request.files.front() + ")");
+  Json::Array results;
+  for (const std::string& path : request.files) {
+    if (!holds_results(path))
+      throw Failure(ExitCode::bad_input, path + ": is not a file of a study or a sweep, as " +
+                                             request.files.front() +
+                                             " is; a page shows either trajectories or these");
+    results.push_back(result_of_file(path));
   }
-  return text;
+  write_result_page(request.output, request.command, std::move(results));
 }
 
 }  // namespace
 
-void require_page() {
-  if (page_template().empty())
-    throw Failure(
-        ExitCode::cannot_access,
-        "hyrax-sim: this program was built without the report page; to build it: tools/run SCENARIO "
-        "--report FILE.html, or cmake with -DHYRAX_PAGE=ON");
-}
-
 void write_report(const ReportRequest& request) {
+  if (holds_results(request.files.front())) return write_results(request);
   const Json data = report_data(request);  // First: a bad input is reported by any build.
-  require_page();
-  std::string page(page_template());
-  const std::size_t place = page.find(kDataPlace);
-  assert(place != std::string::npos);
-  page.replace(place, kDataPlace.size(), script_text(data));
-  write_text_file(request.output, page);
+  write_page_file(request.output, PageKind::runs, data);
 }
 
 }  // namespace hyrax

@@ -16,17 +16,23 @@ struct ReportRequest {
   std::string against;             ///< The trajectory that they are compared with; empty: none.
   std::string output;              ///< FILE.html.
   std::string command;             ///< What made it, for the page.
+  std::string cause = {};          ///< What is known of why it differs, a sentence; empty: nothing.
 };
 
 /// What the page is told: the runs, their verdicts, and what of their rows it must replay bit for bit.
 /// ERRORS: as TrajectoryFile::open's.
 [[nodiscard]] Json report_data(const ReportRequest& request);
 
-/// Throws Failure(cannot_access) if this program was built without the page, and says how to build it.
-void require_page();
+/// Whether the file is a study's or a sweep's. ERRORS: Failure(cannot_access) if it cannot be read.
+[[nodiscard]] bool holds_results(const std::string& path);
 
-/// Writes the page.
-/// ERRORS: as require_page's and report_data's; Failure(cannot_access) if `output` cannot be written.
+/// A study's or a sweep's file as the page of results reads it.
+/// ERRORS: as read_study_file's and EnsembleReader's.
+[[nodiscard]] Json result_of_file(const std::string& path);
+
+/// Writes the page of trajectories, or of studies and sweeps if the first file is one.
+/// ERRORS: as report_data's, result_of_file's and write_page_file's; Failure(bad_input) if files of both
+/// kinds are given, or studies are to be compared.
 void write_report(const ReportRequest& request);
 
 }  // namespace hyrax

@@ -1,4 +1,5 @@
-// node bundle.mjs PACKAGES_FOLDER CORE.wasm HYRAX.svg PAGE.html: everything as one file, without data.
+// node bundle.mjs PACKAGES_FOLDER CORE.wasm HYRAX.svg FOLDER: the pages as one file each, without data. Each carries
+// only what it shows.
 import { readFile, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
@@ -6,7 +7,7 @@ import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const [packages, coreFile, spriteFile, pageFile] = argv.slice(2);
+const [packages, coreFile, spriteFile, folder] = argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const esbuild = createRequire(join(packages, 'package.json'))('esbuild');
 
@@ -22,30 +23,39 @@ async function bundled(name) {
     nodePaths: [join(packages, 'node_modules')],
     legalComments: 'none',
   });
-  return { text: result.outputFiles[0].text, inputs: Object.keys(result.metafile.inputs) };
+  const [output] = Object.values(result.metafile.outputs);
+  const used = Object.entries(output.inputs).filter(([, { bytesInOutput }]) => bytesInOutput > 0);
+  return { text: result.outputFiles[0].text, inputs: used.map(([path]) => path) };
 }
 
 // The licences of the packages that are in the page, which ask to be kept with every copy.
 async function notices(inputs) {
-  const names = new Set(inputs.flatMap(path => path.match(/node_modules\/([^/]+)\//)?.[1] ?? []));
-  const texts = [...names].map(async name => {
+  const names = new Set(inputs.flatMap(path => path.match(/.*node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[1] ?? []));
+  const texts = [...names].sort().map(async name => {
     const text = await readFile(join(packages, 'node_modules', name, 'LICENSE'), 'utf8');
     return `${name}\n\n${text.trim()}`;
   });
   return (await Promise.all(texts)).join('\n\n');
 }
 
-const script = await bundled('main.js');
-const style = await bundled('page.css');
-const parts = {
-  STYLE: style.text,
-  SCRIPT: script.text.replaceAll('</script', '<\\/script'),
-  NOTICES: (await notices([...script.inputs, ...style.inputs])).replaceAll('&', '&amp;').replaceAll('<', '&lt;'),
+const spriteText = (await readFile(spriteFile, 'utf8')).replace(/<!--.*?-->/gs, '').replace(/\n\s+/g, '\n');
+const shared = {
   CORE: gzipSync(await readFile(coreFile), { level: 9 }).toString('base64'),
-  SPRITE: Buffer.from((await readFile(spriteFile, 'utf8')).replace(/<!--.*?-->/gs, '').replace(/\n\s+/g, '\n')).toString('base64'),
+  SPRITE: Buffer.from(spriteText).toString('base64'),
 };
-const page = (await readFile(join(here, 'page.html'), 'utf8')).replace(/\{\{([A-Z]+)\}\}/g, (place, name) => {
-  if (!(name in parts)) throw new Error(`unknown place ${place}`);
-  return parts[name];
-});
-await writeFile(pageFile, page);
+
+for (const name of ['runs', 'results']) {
+  const script = await bundled(`${name}.js`);
+  const style = await bundled(`${name}.css`);
+  const parts = {
+    ...shared,
+    STYLE: style.text,
+    SCRIPT: script.text.replaceAll('</script', '<\\/script'),
+    NOTICES: (await notices([...script.inputs, ...style.inputs])).replaceAll('&', '&amp;').replaceAll('<', '&lt;'),
+  };
+  const page = (await readFile(join(here, `${name}.html`), 'utf8')).replace(/\{\{([A-Z]+)\}\}/g, (place, part) => {
+    if (!(part in parts)) throw new Error(`unknown place ${place}`);
+    return parts[part];
+  });
+  await writeFile(join(folder, `${name}.html`), page);
+}

@@ -26,7 +26,18 @@ function spread(rows, steps, values, isShown = () => true) {
   return list;
 }
 
-// What the charts show: title, unit, series. A series is {name, color, values, digits, dash}.
+// Points between which the line goes straight on.
+function joined(rows, steps, values) {
+  const list = new Array(rows.step.length).fill(undefined);
+  for (let i = 0; i < steps.length; ++i) {
+    const row = firstAtLeast(rows.step, steps[i]);
+    if (row < list.length && rows.step[row] === steps[i]) list[row] = values[i];
+  }
+  return list;
+}
+
+// What the charts show: title, unit, series. A series is {name, color, values, digits, dash, points, steps}; of
+// one with points, and of a chart that is joined, only some rows have a value.
 function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
   const overlay = (name, values) => (other ? [{ name, color: 'vermilion', dash: true, values: spread(rows, other.rows.step, values) }] : []);
@@ -46,9 +57,21 @@ function chartsOf(result, sizes) {
       { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
   ];
   if (errors?.step.length)
-    charts.splice(3, 0, { id: 'errors', title: 'Errors against the reference', unit: 'px', isLog: true, series: [
-      errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] });
+    charts.splice(3, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
+      errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] },
+    ...driftCharts(result));
   return charts;
+}
+
+function driftCharts({ rows, causes, contactErrors: contacts }) {
+  const cause = (name, tint, key) => ({ name, color: tint, dash: key === 'sum', values: joined(rows, causes.step, causes[key]) });
+  const charts = [{ id: 'drift', title: 'Energy drift by cause', unit: 'px of height', decimals: 2, isJoined: true, series: [
+    cause('gravity', 'blue', 'gravity'), cause('drag', 'green', 'drag'), cause('lift', 'vermilion', 'lift'), cause('late bounce', 'purple', 'bounce'), cause('all', 'ink', 'sum')] }];
+  if (contacts.step.length === 0) return charts;
+  const point = (name, tint, key, scale) => ({ name, color: tint, points: true, values: spread(rows, contacts.step, contacts[key].map(value => value * scale), Number.isFinite) });
+  return [...charts,
+    { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, isAtContacts: true, range: aroundZero, series: [point('late by', 'vermilion', 'time', 1000)] },
+    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, isAtContacts: true, range: padded, series: [point('speed after / before', 'purple', 'restitution', 1)] }];
 }
 
 const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');
@@ -69,6 +92,8 @@ function logAxis() {
   };
 }
 
+const aroundZero = (_, low, high) => [Math.min(0, 1.2 * (low ?? 0)), Math.max(0, 1.2 * (high ?? 0)) || 1];
+const padded = (_, low, high) => (low === null || low === undefined ? [0, 1] : [low - 0.15 * (high - low || 0.1), high + 0.15 * (high - low || 0.1)]);
 const fromZero = (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.15 * high : 1];
 
 const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : value.toLocaleString('en').replace('-', '−'));
@@ -95,7 +120,7 @@ export class Charts {
     const legend = chart.series.map(series => make('span', { class: 'key' }, make('i', { class: `swatch ${series.dash ? 'dashed' : ''} tint-${series.color}` }),
       `${series.name} `, make('output', {}, '')));
     const figure = make('figure', { class: 'chart', id: `chart-${chart.id}` },
-      make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, `, ${chart.unit}`)), make('span', { class: 'keys' }, ...legend),
+      make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, chart.unit ? `, ${chart.unit}` : '')), make('span', { class: 'keys' }, ...legend),
         make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart) }, 'CSV')));
     this.place.append(figure);
     const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(series => series.values)], figure);
@@ -123,9 +148,9 @@ export class Charts {
         { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${value} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
       ],
-      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: false,
-        dash: series.dash ? [5, 4] : undefined, points: { show: false },
-        paths: series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
+      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: chart.isJoined === true,
+        dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
+        paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
       hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)] },
     };
   }
@@ -185,10 +210,17 @@ export class Charts {
       place(playhead, t);
       if (marker) place(marker, this.result.rows.t[firstAtLeast(this.result.rows.step, this.result.divergence)] ?? NaN);
       chart.series.forEach((series, i) => {
-        const value = series.values[index];
+        const value = this.#valueAt(chart, series, index);
         outputs[i].textContent = value === null || Number.isNaN(value) ? '–' : chart.decimals === undefined ? rounded(value, 4) : fixed(value, chart.decimals);
       });
     }
+  }
+
+  // Of a chart of contacts and causes, the last one up to the moment.
+  #valueAt(chart, series, index) {
+    if (!chart.isJoined && !chart.isAtContacts) return series.values[index];
+    while (index > 0 && (series.values[index] ?? null) === null) --index;
+    return series.values[index] ?? null;
   }
 
   fit() {
@@ -201,9 +233,9 @@ export class Charts {
 
   #saveCsv(chart) {
     const { rows, run } = this.result;
-    const lines = [['step', 't_s', ...chart.series.map(series => `${series.name} (${chart.unit})`)].map(head => `"${head.replaceAll('"', '""')}"`).join(',')];
+    const lines = [['step', 't_s', ...chart.series.map(series => chart.unit ? `${series.name} (${chart.unit})` : series.name)].map(head => `"${head.replaceAll('"', '""')}"`).join(',')];
     for (let i = 0; i < rows.step.length; ++i)
-      lines.push([rows.step[i], exact(rows.t[i]), ...chart.series.map(({ values }) => (values[i] === null || Number.isNaN(values[i]) ? '' : exact(values[i])))].join(','));
+      lines.push([rows.step[i], exact(rows.t[i]), ...chart.series.map(({ values }) => ((values[i] ?? null) === null || Number.isNaN(values[i]) ? '' : exact(values[i])))].join(','));
     save(`${run.name}-${chart.id}.csv`, 'text/csv', `${lines.join('\n')}\n`);
   }
 }

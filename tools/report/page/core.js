@@ -62,6 +62,14 @@ export class Core {
   errors() {
     return this.#columns(this.calls.error_column, ['step', 'implementation', 'truncation', 'model', 'energy', 'drift']);
   }
+  /** Of the contacts that end an arc. */
+  contactErrors() {
+    return this.#columns(this.calls.contact_error_column, ['step', 'wall', 'time', 'overshoot', 'restitution', 'jump']);
+  }
+  /** Energy so far by cause, px of height, at the ends of arcs and at contacts. */
+  causes() {
+    return this.#columns(this.calls.cause_column, ['step', 'gravity', 'drag', 'lift', 'bounce', 'sum']);
+  }
 
   // The playground.
   liveStart({ x, y, vx, vy, window, sprite }) {

@@ -8,24 +8,31 @@ const wallNames = { 1: 'left', 2: 'right', 4: 'top', 8: 'ground' };
 const entry = (term, ...texts) => [make('dt', {}, term), ...texts.map(text => make('dd', {}, text))];
 const code = text => make('code', {}, text);
 
-function contactRow(contacts, i, seek) {
+// The errors of each contact that ends an arc, by step and wall.
+const errorsOf = list => new Map(Array.from(list?.step ?? [], (step, i) => [`${step} ${list.wall[i]}`, i]));
+
+function contactRow({ contacts, contactErrors }, errors, i, seek) {
   const step = make('button', { type: 'button', class: 'link', onclick: () => seek(contacts.step[i]) }, String(contacts.step[i]));
   const last = contacts.lastStep[i] > contacts.step[i] ? `to ${contacts.lastStep[i]}` : '';
   const wall = contacts.wall[i];
   const isInX = wall < 4;
   const before = isInX ? contacts.vxBefore[i] : contacts.vyBefore[i];
   const after = isInX ? contacts.vxAfter[i] : contacts.vyAfter[i];
+  const error = errors.get(`${contacts.step[i]} ${wall}`);
+  const measured = error === undefined ? [null, null] : [1000 * contactErrors.time[error], contactErrors.restitution[error]];
   return make('tr', {}, make('td', {}, step, ' ', make('span', { class: 'quiet' }, last)),
     make('td', {}, make('span', { class: `wall wall-${wallNames[wall]}` }), wallNames[wall]),
-    ...[contacts.t[i], before, after, contacts.overshoot[i]].map(value => make('td', { class: 'number' }, rounded(value))));
+    ...[contacts.t[i], before, after, contacts.overshoot[i], ...measured].map(value => make('td', { class: 'number' }, rounded(value))));
 }
 
-function showContacts({ contacts, check }, seek) {
+function showContacts(result, seek) {
+  const { contacts, check } = result;
   const place = element('contacts');
   if (!contacts || contacts.step.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, 'None.'));
-  const heads = ['Step', 'Wall', 't, s', 'Speed before, px/s', 'after', 'Overshoot, px'];
+  const heads = ['Step', 'Wall', 't, s', 'Before, px/s', 'After, px/s', 'Overshoot, px', 'Late by, ms', 'Restitution'];
+  const errors = errorsOf(result.contactErrors);
   const shown = Math.min(shownMax, contacts.step.length);
-  const rows = Array.from({ length: shown }, (_, i) => contactRow(contacts, i, seek));
+  const rows = Array.from({ length: shown }, (_, i) => contactRow(result, errors, i, seek));
   place.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(head => make('th', { scope: 'col' }, head)))),
     make('tbody', {}, ...rows)));
   if (check.contacts > shown) place.append(make('p', { class: 'quiet' }, `The first ${shown} of ${check.contacts.toLocaleString('en')}.`));

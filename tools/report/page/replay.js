@@ -31,7 +31,7 @@ export async function replay(core, run, progress) {
   const check = core.finish();
   const isSame = check.firstDifference === null && check.isComplete && check.steps === run.steps && check.stateHash === run.state_hash;
   return { run, file, check, milliseconds: performance.now() - begin, outcome: isSame ? 'agrees' : 'differs',
-    rows: core.rows(), contacts: core.contacts(), errors: core.errors() };
+    rows: core.rows(), contacts: core.contacts(), errors: core.errors(), contactErrors: core.contactErrors(), causes: core.causes() };
 }
 
 /** The window and sprite in force at each row: [{step, window, sprite}], by step. */

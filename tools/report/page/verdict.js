@@ -53,6 +53,16 @@ function restTile({ final, at_rest_since_s: since }) {
   return since === null ? tile('Ends', 'not settled', place) : tile('Comes to rest', `after ${rounded(since, 4)} s`, place);
 }
 
+// The largest cause first; of two with the same sign or not, as they add up.
+function driftTile({ errors, causes }) {
+  const worst = errors.energy_drift_rel;
+  if (!worst) return tile('Energy drift', '–', 'no flight arc');
+  const at = causes ? causes.step.length - 1 : -1;
+  const parts = at < 0 ? [] : [['gravity', causes.gravity[at]], ['drag', causes.drag[at]], ['lift', causes.lift[at]], ['late bounce', causes.bounce[at]]]
+    .filter(([, value]) => Math.abs(value) >= 0.005).sort(([, a], [, b]) => Math.abs(b) - Math.abs(a)).map(([name, value]) => `${name} ${value > 0 ? '+' : ''}${rounded(value, 3)} px`);
+  return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, parts.length ? `largest of an arc; in all ${parts.join(', ')} of height` : 'largest of a flight arc');
+}
+
 export function showVerdict(result) {
   const { run } = result;
   const { errors } = run;
@@ -63,7 +73,8 @@ export function showVerdict(result) {
     errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
     errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
     errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
-    errorTile('Energy drift', errors.energy_drift_rel && { ...errors.energy_drift_rel, value: 100 * errors.energy_drift_rel.value }, ' %', 'largest of a flight arc'),
+    driftTile({ errors, causes: result.causes }),
   ];
-  element('verdict').replaceChildren(make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
+  const cause = run.cause ? [make('p', { class: 'cause' }, run.cause)] : [];
+  element('verdict').replaceChildren(...cause, make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
 }

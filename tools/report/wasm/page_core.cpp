@@ -142,13 +142,33 @@ HYRAX_EXPORT(contact_column) void contact_column(std::int32_t column) {
 }
 /// step, implementation, truncation, model error, energy of the matched ODE, energy drift.
 HYRAX_EXPORT(error_column) void error_column(std::int32_t column) {
-  const std::vector<RowErrors>& rows = page().run->errors().rows();
+  const std::vector<RowErrors>& rows = page().run->drift().rows();
   constexpr std::array kNumbers = {&RowErrors::implementation_px, &RowErrors::truncation_px,
                                    &RowErrors::model_px, &RowErrors::energy_px2_per_s2,
                                    &RowErrors::energy_drift_px2_per_s2};
   if (column == 0) return output_each(rows, [](const RowErrors& row) { return row.step; });
   output_each(rows, [member = kNumbers.at(static_cast<std::size_t>(column - 1))](const RowErrors& row) {
     return row.*member;
+  });
+}
+
+/// step, wall, time error in s, overshoot in px, effective restitution, relative jump of energy; NaN: none.
+HYRAX_EXPORT(contact_error_column) void contact_error_column(std::int32_t column) {
+  const std::vector<ImpactErrors>& contacts = page().run->drift().contacts();
+  output_each(contacts, [column](const ImpactErrors& c) {
+    const std::array numbers = {static_cast<double>(c.step),     static_cast<double>(c.wall),
+                                or_nan(c.time_error_s),          c.overshoot_px,
+                                or_nan(c.effective_restitution), c.energy_jump_rel};
+    return numbers.at(static_cast<std::size_t>(column));
+  });
+}
+/// step, and the causes of energy drift up to it: gravity, drag, lift, bounce, their sum, in px of height.
+HYRAX_EXPORT(cause_column) void cause_column(std::int32_t column) {
+  output_each(page().run->drift().causes(), [column](const ShownDrift::CausePoint& point) {
+    const EnergyCauses& c = point.causes;
+    const std::array numbers = {
+        static_cast<double>(point.step), c.gravity, c.drag, c.lift, c.bounce, c.sum()};
+    return numbers.at(static_cast<std::size_t>(column));
   });
 }
 

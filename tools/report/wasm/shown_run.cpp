@@ -66,7 +66,7 @@ std::vector<RowSink*> ShownRun::sinks() {
   std::vector<RowSink*> sinks = {&shown_, &check_};
   const std::int64_t steps = step_count(scenario_);
   if (steps <= kStepsMeasuredMax)
-    sinks.push_back(&meter_.emplace(scenario_, inputs_of(scenario_, steps), errors_));
+    sinks.push_back(&meter_.emplace(scenario_, inputs_of(scenario_, steps), drift_));
   return sinks;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/reference/drift_meter.h"
+#include "sim/reference/energy_causes.h"
 #include "sim/replay/replay.h"
 
 namespace hyrax {
@@ -66,15 +67,37 @@ class EvidenceCheck final : public RowSink {
   std::optional<std::int64_t> block_;
 };
 
-/// The three errors and the energy of every row of an arc.
-class RowErrorList final : public DriftSink {
+/// What the reference says of the run: errors and energy of every row of an arc, the errors of contacts, and
+/// the causes of energy drift at the ends of arcs and at contacts, in order of steps.
+class ShownDrift final : public DriftSink {
  public:
+  struct CausePoint {
+    std::int64_t step = 0;
+    EnergyCauses causes;
+  };
+
   [[nodiscard]] bool wants_rows() const override { return true; }
   void row(const RowErrors& row) override { rows_.push_back(row); }
+  void arc(const ArcErrors& arc) override {
+    causes_.push_back({arc.first_step, sum_.now()});
+    sum_.fly(arc);
+    causes_.push_back({arc.last_step, sum_.now()});
+  }
+  void contact(const ImpactErrors& contact) override {
+    contacts_.push_back(contact);
+    sum_.meet(contact);
+    causes_.push_back({contact.step, sum_.now()});
+  }
+
   [[nodiscard]] const std::vector<RowErrors>& rows() const { return rows_; }
+  [[nodiscard]] const std::vector<ImpactErrors>& contacts() const { return contacts_; }
+  [[nodiscard]] const std::vector<CausePoint>& causes() const { return causes_; }
 
  private:
+  EnergyCauseSum sum_;
   std::vector<RowErrors> rows_;
+  std::vector<ImpactErrors> contacts_;
+  std::vector<CausePoint> causes_;
 };
 
 class ShownRun {
@@ -91,7 +114,7 @@ class ShownRun {
 
   [[nodiscard]] const ShownRows& shown() const { return shown_; }
   [[nodiscard]] const EvidenceCheck& check() const { return check_; }
-  [[nodiscard]] const RowErrorList& errors() const { return errors_; }
+  [[nodiscard]] const ShownDrift& drift() const { return drift_; }
   /// REQUIRES: finish() was called.
   [[nodiscard]] const RunSummary& summary() const { return summary_; }
 
@@ -101,7 +124,7 @@ class ShownRun {
   Scenario scenario_;
   ShownRows shown_;
   EvidenceCheck check_;
-  RowErrorList errors_;
+  ShownDrift drift_;
   std::optional<DriftMeter> meter_;
   Replay replay_;
   RunSummary summary_;

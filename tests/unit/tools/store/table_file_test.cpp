@@ -20,13 +20,13 @@ std::vector<Table> some_tables() {
           {"empty", "none", {{"text", "", "nothing", std::vector<std::string>{}}}}};
 }
 
-class StudyFile : public testing::Test {
+class StudyTables : public testing::Test {
  protected:
   const TempFolder folder_;
   const std::string path_ = folder_.at("study.h5");
 };
 
-TEST_F(StudyFile, HoldsAGroupATableAndADatasetAColumn) {
+TEST_F(StudyTables, HoldsAGroupATableAndADatasetAColumn) {
   write_study_file(path_, kHead, some_tables());
   const h5::Handle file = h5::open_file(path_);
   EXPECT_EQ(h5::read_text_attribute(file, "format"), "hyrax-study/1");
@@ -41,7 +41,7 @@ TEST_F(StudyFile, HoldsAGroupATableAndADatasetAColumn) {
   EXPECT_TRUE(h5::read_text_attribute(provenance, "compiler"));
 }
 
-TEST_F(StudyFile, HasEqualBytesForEqualContentAndOthersForOther) {
+TEST_F(StudyTables, HasEqualBytesForEqualContentAndOthersForOther) {
   write_study_file(path_, kHead, some_tables());
   write_study_file(folder_.at("again.h5"), kHead, some_tables());
   EXPECT_EQ(bytes_of(path_), bytes_of(folder_.at("again.h5")));
@@ -51,7 +51,37 @@ TEST_F(StudyFile, HasEqualBytesForEqualContentAndOthersForOther) {
   EXPECT_NE(bytes_of(path_), bytes_of(folder_.at("other.h5")));
 }
 
-TEST_F(StudyFile, IsCompleteOrMissing) {
+TEST_F(StudyTables, AreReadBackInTheirOrder) {
+  write_study_file(path_, kHead, some_tables());
+  const StudyFile study = read_study_file(path_);
+  EXPECT_EQ(format_of_file(path_), kStudyFormat);
+  EXPECT_EQ(study.head.study, kHead.study);
+  ASSERT_EQ(study.tables.size(), 2u);
+  EXPECT_EQ(study.tables[0].name, "first");
+  ASSERT_EQ(study.tables[0].columns.size(), 3u);
+  for (std::size_t column = 0; column < 3; ++column) {
+    const Column& written = some_tables()[0].columns[column];
+    EXPECT_EQ(study.tables[0].columns[column].name, written.name);
+    EXPECT_EQ(study.tables[0].columns[column].unit, written.unit);
+    EXPECT_EQ(study.tables[0].columns[column].values.index(), written.values.index());
+  }
+  EXPECT_EQ(std::get<std::vector<std::string>>(study.tables[0].columns[2].values)[1], "the paper's");
+  EXPECT_EQ(row_count(study.tables[1]), 0u);
+}
+
+TEST_F(StudyTables, OfAFileOfAnotherKindAreRefused) {
+  h5::write_attribute(h5::create_file(path_, 1), "format", "hyrax-trajectory/1");
+  EXPECT_THROW(static_cast<void>(read_study_file(path_)), Failure);
+  EXPECT_THROW(static_cast<void>(format_of_file(folder_.at("none.h5"))), Failure);
+}
+
+TEST_F(StudyTables, WithAColumnThatIsMissingAreRefused) {
+  write_study_file(path_, kHead, some_tables());
+  ASSERT_GE(H5Ldelete(h5::open_file_to_write(path_), "first/rows", H5P_DEFAULT), 0);
+  EXPECT_THROW(static_cast<void>(read_study_file(path_)), Failure);
+}
+
+TEST_F(StudyTables, IsCompleteOrMissing) {
   EXPECT_THROW(write_study_file(folder_.at("none/study.h5"), kHead, some_tables()), Failure);
   EXPECT_TRUE(folder_.names().empty());
 }

@@ -1,0 +1,158 @@
+#include "sim/ensemble/member_numbers.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace hyrax {
+namespace {
+
+constexpr std::int64_t kSamplesMax = 20'000;
+constexpr std::int64_t kPointsMax = 1'000;
+constexpr std::size_t kResultsAgainstInputsMax = 3;
+constexpr std::size_t kInputsShownMax = 8;
+constexpr int kBins = 40;
+
+bool is_prime(std::int64_t number) {
+  for (std::int64_t divisor = 2; divisor * divisor <= number; ++divisor)
+    if (number % divisor == 0) return false;
+  return true;
+}
+
+std::string sampled_note(std::int64_t members, std::int64_t stride) {
+  return stride == 1 ? "all " + std::to_string(members) + " members"
+                     : "1 of every " + std::to_string(stride) + " of " + std::to_string(members) + " members";
+}
+
+Plot histogram(const MemberNumbers& numbers) {
+  const double low = numbers.smallest(), high = numbers.largest();
+  // Whole numbers of a small range have a bin each.
+  const bool is_counted = numbers.is_whole() && high - low < kBins;
+  const int bins = is_counted ? static_cast<int>(high - low) + 1 : kBins;
+  const double from = is_counted ? low - 0.5 : low;
+  const double width = is_counted ? 1.0 : std::max(high - low, 1e-300) / bins;
+  std::vector<double> counts(static_cast<std::size_t>(bins));
+  double known = 0.0;
+  for (const double value : numbers.sample()) {
+    if (!std::isfinite(value)) continue;
+    const double place = std::floor((value - from) / width);
+    counts[static_cast<std::size_t>(std::clamp(place, 0.0, bins - 1.0))] += 1.0;
+    ++known;
+  }
+  Series series{.name = numbers.name(), .look = {.form = Form::band, .tone = Tone::blue}};
+  for (int bin = 0; bin < bins; ++bin)
+    for (const int side : {0, 1}) {
+      series.x.push_back(from + (bin + side) * width);
+      series.y.push_back(100.0 * counts[static_cast<std::size_t>(bin)] / std::max(known, 1.0));
+      series.y_low.push_back(0.0);
+    }
+  Axis axis{.label = numbers.label()};
+  constexpr int kTicksMax = 12;
+  for (int bin = 0; is_counted && bins <= kTicksMax && bin < bins; ++bin)
+    axis.ticks.push_back({low + bin, std::to_string(static_cast<std::int64_t>(low) + bin)});
+  return {.x = std::move(axis),
+          .y = {.label = "members, %", .low = 0.0},
+          .series = {std::move(series)},
+          .when_empty = "no member has this number"};
+}
+
+Plot against(const MemberNumbers& input, const MemberNumbers& result, std::int64_t stride) {
+  Series series{.name = result.name(),
+                .look = {.form = Form::points, .tone = Tone::blue, .marker_size = 0.35}};
+  for (std::size_t at = 0; at < input.sample().size(); at += static_cast<std::size_t>(stride)) {
+    if (!std::isfinite(result.sample()[at])) continue;
+    series.x.push_back(input.sample()[at]);
+    series.y.push_back(result.sample()[at]);
+  }
+  return {.x = {.label = input.label()},
+          .y = {.label = result.label()},
+          .series = {std::move(series)},
+          .when_empty = "no member has this number"};
+}
+
+std::vector<const MemberNumbers*> chosen(const std::vector<MemberNumbers>& numbers, bool inputs) {
+  std::vector<const MemberNumbers*> list;
+  for (const MemberNumbers& each : numbers)
+    if (each.is_input() == inputs && (inputs || std::isfinite(each.smallest()))) list.push_back(&each);
+  return list;
+}
+
+}  // namespace
+
+std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max) {
+  assert(members >= 0 && samples_max > 0);
+  std::int64_t stride = (members + samples_max - 1) / samples_max;
+  while (stride > 1 && !is_prime(stride)) ++stride;
+  return std::max<std::int64_t>(stride, 1);
+}
+
+MemberNumbers::MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_input,
+                             std::int64_t members)
+    : name_(std::move(name)),
+      unit_(std::move(unit)),
+      long_name_(std::move(long_name)),
+      is_input_(is_input),
+      stride_(sample_stride(members, kSamplesMax)) {}
+
+void MemberNumbers::add(double value) {
+  if (count_++ % stride_ == 0) sample_.push_back(value);
+  if (std::isnan(value)) return;
+  ++known_;
+  smallest_ = known_ == 1 ? value : std::min(smallest_, value);
+  largest_ = known_ == 1 ? value : std::max(largest_, value);
+  is_whole_ = is_whole_ && value == std::floor(value);
+  mean_ += (value - mean_) / static_cast<double>(known_);
+}
+
+double MemberNumbers::smallest() const { return known_ == 0 ? kNotGiven : smallest_; }
+double MemberNumbers::largest() const { return known_ == 0 ? kNotGiven : largest_; }
+double MemberNumbers::mean() const { return known_ == 0 ? kNotGiven : mean_; }
+
+std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, std::int64_t members) {
+  const auto results = chosen(numbers, false);
+  const auto inputs = chosen(numbers, true);
+  std::vector<Figure> figures;
+  constexpr std::size_t kPlotsOfARow = 3;
+  for (std::size_t first = 0; first < results.size(); first += kPlotsOfARow) {
+    std::vector<Plot> plots;
+    for (std::size_t at = first; at < std::min(first + kPlotsOfARow, results.size()); ++at)
+      plots.push_back(histogram(*results[at]));
+    figures.push_back({.suffix = "-distribution-" + std::to_string(first / kPlotsOfARow + 1),
+                       .title = first == 0 ? "How the members end" : "How the members end, continued",
+                       .subtitle = "Share of the members with a number in each interval",
+                       .note = sampled_note(members, sample_stride(members, kSamplesMax)),
+                       .note_tone = Tone::quiet,
+                       .body = std::move(plots)});
+  }
+  const auto samples = static_cast<std::int64_t>(results.empty() ? 0 : results.front()->sample().size());
+  const std::int64_t stride = sample_stride(samples, kPointsMax);
+  for (std::size_t at = 0; at < std::min(inputs.size(), kInputsShownMax) && !results.empty(); ++at) {
+    std::vector<Plot> plots;
+    for (std::size_t result = 0; result < std::min(results.size(), kResultsAgainstInputsMax); ++result)
+      plots.push_back(against(*inputs[at], *results[result], stride));
+    figures.push_back({.suffix = "-input-" + std::to_string(at + 1),
+                       .title = "Against " + inputs[at]->name(),
+                       .subtitle = "A point is a member",
+                       .note = sampled_note(members, stride * sample_stride(members, kSamplesMax)),
+                       .note_tone = Tone::quiet,
+                       .body = std::move(plots)});
+  }
+  return figures;
+}
+
+Table member_table(const std::vector<MemberNumbers>& numbers) {
+  const auto texts = [&](const char* name, const char* what, auto get) {
+    return column_of<std::string>(name, "", what, numbers, get);
+  };
+  return {.name = "members",
+          .long_name = "range of each number over the members",
+          .columns = {
+              texts("number", "its name", &MemberNumbers::name), texts("unit", "", &MemberNumbers::unit),
+              column_of<double>("smallest", "", "", numbers, &MemberNumbers::smallest, 6),
+              column_of<double>("mean", "", "", numbers, &MemberNumbers::mean, 6),
+              column_of<double>("largest", "", "", numbers, &MemberNumbers::largest, 6),
+              column_of<std::int64_t>("missing", "", "members without it", numbers, &MemberNumbers::missing),
+              texts("meaning", "", &MemberNumbers::long_name)}};
+}
+
+}  // namespace hyrax

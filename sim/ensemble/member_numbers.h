@@ -1,0 +1,66 @@
+// What the members of a sweep have in common: range and mean of each number, a sample of it, and pictures.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/result/figure.h"
+#include "sim/result/table.h"
+
+namespace hyrax {
+
+/// The member whose number, and every multiple of it, is in a sample of at most `samples_max` of `members`: a
+/// prime, so that the sample meets every value of a grid. REQUIRES: members >= 0, samples_max > 0.
+[[nodiscard]] std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max);
+
+/// One number of every member.
+class MemberNumbers {
+ public:
+  /// @param name as "x" or "contacts.left"; unit as "px", empty if there is none.
+  MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_input,
+                std::int64_t members);
+
+  /// The next member's; NaN: it has none.
+  void add(double value);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& unit() const { return unit_; }
+  [[nodiscard]] const std::string& long_name() const { return long_name_; }
+  /// "x, px".
+  [[nodiscard]] std::string label() const {
+    return unit_.empty() || unit_ == "1" ? name_ : name_ + ", " + unit_;
+  }
+  [[nodiscard]] bool is_input() const { return is_input_; }
+  [[nodiscard]] bool is_whole() const { return is_whole_; }
+  [[nodiscard]] std::int64_t missing() const { return count_ - known_; }
+  /// NaN if no member has one.
+  [[nodiscard]] double smallest() const;
+  [[nodiscard]] double largest() const;
+  [[nodiscard]] double mean() const;
+  /// Every K-th member's number, from member 0.
+  [[nodiscard]] const std::vector<double>& sample() const { return sample_; }
+
+ private:
+  std::string name_;
+  std::string unit_;
+  std::string long_name_;
+  bool is_input_;
+  std::int64_t stride_;
+  std::int64_t count_ = 0;
+  std::int64_t known_ = 0;
+  bool is_whole_ = true;
+  double smallest_ = 0.0;
+  double largest_ = 0.0;
+  double mean_ = 0.0;
+  std::vector<double> sample_;
+};
+
+/// How each result is distributed, and each result against each input: figures of the samples.
+[[nodiscard]] std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers,
+                                                 std::int64_t members);
+
+/// Smallest, mean, largest and missing values, one row a number.
+[[nodiscard]] Table member_table(const std::vector<MemberNumbers>& numbers);
+
+}  // namespace hyrax

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim/ensemble/member_numbers.h"
+#include "tools/files/failure.h"
+#include "tools/hyrax-sim/report/report_page.h"
+#include "tools/report/result_page.h"
+#include "tools/store/ensemble_file.h"
+#include "tools/store/table_file.h"
+
+namespace hyrax {
+namespace {
+
+using Origin = std::vector<std::pair<std::string, std::string>>;
+
+void add_provenance(Origin& origin, const Provenance& provenance) {
+  for (const ProvenanceField& field : kProvenanceFields)
+    if (const auto& value = provenance.*field.value) origin.emplace_back(field.name, *value);
+}
+
+void set_member(Json& object, std::string_view key, Json value) {
+  for (auto& [name, member] : *object.get<Json::Object>())
+    if (name == key) member = std::move(value);
+}
+
+Json study_result(const std::string& path) {
+  StudyFile study = read_study_file(path);
+  ShownResult result{.title = study.head.study, .subtitle = study.head.long_name, .origin = {{"file", path}}};
+  add_provenance(result.origin, study.provenance);
+  const auto report = std::find_if(study.tables.begin(), study.tables.end(),
+                                   [](const Table& table) { return table.name == kReportTable; });
+  std::vector<std::pair<std::string, Json>> parts;
+  if (report != study.tables.end()) {
+    for (const Column& column : report->columns) {
+      const auto* const texts = std::get_if<std::vector<std::string>>(&column.values);
+      const std::string place = path + ": " + report->name + "/" + column.name;
+      if (texts == nullptr || texts->size() != 1)
+        throw Failure(ExitCode::bad_input, place + ": must be one text");
+      parts.emplace_back(column.name, parse_json(texts->front(), place));
+    }
+    study.tables.erase(report);
+  }
+  result.tables = std::move(study.tables);
+  Json json = result_json(result);
+  const auto broken_of = [](const Json& verdict) {
+    const Json* const broken = verdict.find("broken");
+    return broken == nullptr ? nullptr : broken->get<Json::Array>();
+  };
+  for (const auto& [key, value] : parts)
+    if (key == "verdict" && broken_of(value) != nullptr && broken_of(value)->empty())
+      set_member(json, "judgement", "all rules hold");
+  for (auto& [key, value] : parts) set_member(json, key, std::move(value));
+  return json;
+}
+
+double number_at(ColumnType type, const std::byte* from) {
+  const auto as = [from]<class Value>(Value value) {
+    std::memcpy(&value, from, sizeof value);
+    return static_cast<double>(value);
+  };
+  if (type == ColumnType::real) return as(double{});
+  return type == ColumnType::seed ? as(std::uint64_t{}) : as(std::int64_t{});
+}
+
+// All numbers of a column: one, or of contacts one a wall.
+void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, std::size_t index) {
+  const EnsembleColumn& column = reader.columns()[index];
+  if (column.type == ColumnType::byte) return;
+  const std::size_t first = all.size();
+  for (std::size_t part = 0; part < column.width; ++part)
+    all.emplace_back(column.width == 1 ? column.name : column.name + "." + std::string(kWallNames.at(part)),
+                     column.unit, column.long_name, column.group == "inputs", reader.rows());
+  constexpr std::int64_t kRowsAtOnce = 1 << 16;
+  std::vector<std::byte> bytes;
+  for (std::int64_t row = 0; row < reader.rows(); row += kRowsAtOnce) {
+    const std::int64_t count = std::min(kRowsAtOnce, reader.rows() - row);
+    bytes.resize(static_cast<std::size_t>(count) * column.row_bytes());
+    reader.read(index, row, count, bytes.data());
+    for (std::size_t value = 0; value < static_cast<std::size_t>(count) * column.width; ++value)
+      all[first + value % column.width].add(number_at(column.type, bytes.data() + 8 * value));
+  }
+}
+
+Json sweep_result(const std::string& path) {
+  const EnsembleReader reader(path);
+  const Sweep& sweep = reader.sweep();
+  std::vector<MemberNumbers> numbers;
+  for (std::size_t index = 0; index < reader.columns().size(); ++index) add_numbers(numbers, reader, index);
+  std::string varied;
+  for (const VariedKey& key : sweep.vary) varied += (varied.empty() ? "" : ", ") + key.pointer;
+  ShownResult result{.title = sweep.base.name,
+                     .subtitle = fmt::format("{} flings that differ in {}", sweep.members, varied),
+                     .tables = {member_table(numbers)},
+                     .figures = member_figures(numbers, reader.rows()),
+                     .origin = {{"file", path}, {"seed of the draws", std::to_string(sweep.seed)}}};
+  if (reader.head().is_part)
+    result.verdict.text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.",
+                                                 reader.head().part.index, reader.head().part.count,
+                                                 reader.rows()));
+  for (const MemberNumbers& each : numbers)
+    if (each.name() == "at_rest_since")
+      result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.",
+                                                   reader.rows() - each.missing(), reader.rows()));
+  result.origin.emplace_back("sweep", reader.head().sweep_text);
+  return result_json(result);
+}
+
+}  // namespace
+
+bool holds_results(const std::string& path) {
+  const std::string format = format_of_file(path);
+  return format == kStudyFormat || format == kEnsembleFormat;
+}
+
+Json result_of_file(const std::string& path) {
+  return format_of_file(path) == kStudyFormat ? study_result(path) : sweep_result(path);
+}
+
+}  // namespace hyrax

@@ -1,0 +1,75 @@
+// The page of results: verdicts, figures and tables of studies, sweeps and comparisons.
+import { element, make, report, root, save } from './data.js';
+import { csvOf, showFigure } from './figures.js';
+import { count } from './numbers.js';
+import { csvOfTable, tableOf } from './tables.js';
+
+const slug = text => text.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '') || 'result';
+const linkButton = (text, label, onclick) => make('button', { type: 'button', class: 'link', 'aria-label': label, onclick }, text);
+
+// A part that cannot be shown, as of a file that something else wrote, does not keep the rest from being shown.
+function shown(what, show) {
+  try {
+    return show();
+  } catch (error) {
+    console.warn(error);
+    return make('p', { class: 'empty' }, `${what} cannot be shown: its data is not as hyrax-sim writes it.`);
+  }
+}
+
+function verdictOf({ judgement: given, verdict: { broken, text } }) {
+  if (!given && broken.length === 0 && text.length === 0) return [];
+  const judgement = broken.length ? `${count(broken.length, 'rule')} ${broken.length === 1 ? 'does' : 'do'} not hold` : given;
+  return [make('section', { class: `verdict ${broken.length ? 'bad' : given ? 'good' : ''}`, 'aria-label': 'Verdict' },
+    ...(judgement ? [make('p', { class: 'judgement' }, judgement)] : []), ...(broken.length ? [make('ul', {}, ...broken.map(each => make('li', {}, each)))] : []),
+    make('div', { class: 'findings' }, ...text.map(part => (typeof part === 'string' ? make('pre', { class: part.length < 60 && !part.trim().endsWith('.') ? 'before' : null }, part.trim()) : tableOf(part)))))];
+}
+
+function figureOf(figure, name, index) {
+  const place = make('div', { class: 'body' });
+  const heading = make('h3', { id: `${name}-heading` }, figure.title);
+  const stem = `${name}${figure.suffix}`;
+  const table = make('details', { class: 'data' }, make('summary', {}, 'Data as a table'));
+  table.addEventListener('toggle', () => table.children.length === 1 && table.append(tableOf(csvOf(figure))), { once: true });
+  const made = make('figure', { class: 'figure', id: name, 'aria-labelledby': `${name}-heading` },
+    make('div', { class: 'head' }, make('div', {}, heading, make('p', { class: 'quiet' }, figure.subtitle)),
+      make('p', { class: `note tone-${figure.note_tone} quiet` }, figure.note)),
+    place, ...figure.remarks.map(remark => make('p', { class: 'remarks' }, remark)),
+    make('div', { class: 'actions' },
+      linkButton('Save as CSV', `Save the data of ${figure.title} as CSV`, () => save(`${stem}.csv`, 'text/csv', csvOfTable(csvOf(figure)))), table));
+  place.append(shown('This figure', () => showFigure(figure, `figure-${index}`)));
+  return made;
+}
+
+function tablesOf(tables, name) {
+  if (tables.length === 0) return [];
+  return [make('section', { 'aria-label': 'Tables' }, make('h2', {}, 'Tables'), ...tables.map(table =>
+    make('details', { class: 'data' }, make('summary', {}, `${table.name}: ${table.long_name}, ${count(table.row_count, 'row')}`),
+      shown('This table', () => tableOf(table)), linkButton('Save as CSV', `Save the table ${table.name} as CSV`,
+        () => save(`${name}-${table.name}.csv`, 'text/csv', csvOfTable(table))))))];
+}
+
+function originOf(origin) {
+  const entries = [['command', report.command], ['report', report.program], ...Object.entries(origin)];
+  return make('section', { class: 'origin' }, make('h2', {}, 'How it was made'),
+    make('dl', {}, ...entries.flatMap(([name, value]) => [make('dt', {}, name.replaceAll('_', ' ')),
+      make('dd', {}, name === 'command' || name === 'sweep' ? make('code', {}, value) : String(value))])));
+}
+
+function resultOf(result, at, isOnly) {
+  const name = isOnly ? slug(result.title) : `${slug(result.title)}-${at + 1}`;
+  return make('article', { class: 'result', id: name, 'aria-label': result.title },
+    make('header', {}, make(at === 0 ? 'h1' : 'h2', {}, result.title), make('p', { class: 'quiet' }, result.subtitle)),
+    ...(result.figures.length > 2 ? [make('nav', { class: 'contents', 'aria-label': `Figures of ${result.title}` },
+      ...result.figures.map((figure, i) => make('a', { href: `#${name}-figure-${i + 1}` }, figure.title)))] : []),
+    ...[shown('The verdict', () => verdictOf(result))].flat(),
+    ...(result.figures.length ? [make('h2', { class: 'unseen' }, 'Figures')] : []),
+    ...result.figures.map((figure, i) => shown('This figure', () => figureOf(figure, `${name}-figure-${i + 1}`, i))),
+    ...tablesOf(result.tables, name),
+    originOf(result.origin));
+}
+
+document.title = `${report.results.map(each => each.title).join(', ')} · hyrax-sim report`;
+element('results').append(...report.results.map((result, at) => resultOf(result, at, report.results.length === 1)));
+root.dataset.replay = 'none';
+root.dataset.ready = '';

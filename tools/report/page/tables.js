@@ -1,0 +1,41 @@
+// A table {name, long_name, row_count, columns: [{name, unit, digits, values}]} on the page and as CSV.
+import { make } from './data.js';
+import { exact, rounded } from './numbers.js';
+
+const rowsShown = 500;
+
+const isText = column => column.values.some(value => typeof value === 'string') || column.values.length === 0;
+
+function cellText(value, digits) {
+  if (value === null) return '–';
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  return typeof value === 'number' ? rounded(value, digits ?? 6) : value;
+}
+
+export function tableOf(table) {
+  const { columns } = table;
+  const rows = Math.min(rowsShown, columns[0]?.values.length ?? 0);
+  const kinds = columns.map(column => (isText(column) ? 'text' : 'number'));
+  const head = make('tr', {}, ...columns.map((column, i) => make('th', { scope: 'col', class: kinds[i], title: column.long_name || null },
+    column.name.replaceAll('_', ' '), column.unit && column.unit !== '1' ? make('span', { class: 'unit' }, column.unit) : '')));
+  const lines = Array.from({ length: rows }, (_, row) => make('tr', {}, ...columns.map((column, i) =>
+    make('td', { class: kinds[i] }, cellText(column.values[row], column.digits)))));
+  const place = make('div', { class: 'table', tabindex: '0', role: 'region', 'aria-label': table.long_name || table.name },
+    make('table', {}, make('thead', {}, head), make('tbody', {}, ...lines)));
+  if (rows >= table.row_count) return place;
+  return make('div', {}, place, make('p', { class: 'quiet' }, `The first ${rows.toLocaleString('en')} of ${table.row_count.toLocaleString('en')} rows; the file has all.`));
+}
+
+// A text that a spreadsheet would take for a formula begins with an apostrophe.
+function csvField(value) {
+  if (value === null || value === undefined) return '';
+  if (typeof value !== 'string') return typeof value === 'number' ? exact(value) : String(value);
+  const text = /^[=+@\t\r]|^-[^\d.∞I]/.test(value) ? `'${value}` : value;
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+export function csvOfTable({ columns }) {
+  const heads = columns.map(({ name, unit }) => csvField(unit && unit !== '1' ? `${name} (${unit})` : name));
+  const lines = (columns[0]?.values ?? []).map((_, row) => columns.map(column => csvField(column.values[row])).join(','));
+  return `${[heads.join(','), ...lines].join('\n')}\n`;
+}

@@ -1,0 +1,35 @@
+// A page of results: verdicts, tables and figures, of whatever found them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/result/figure.h"
+#include "sim/result/table.h"
+#include "sim/result/verdict.h"
+#include "tools/files/json.h"
+
+namespace hyrax {
+
+/// One result, as a study, a sweep or a comparison hands it on.
+struct ShownResult {
+  std::string title = {};
+  std::string subtitle = {};       ///< What it is, in a sentence.
+  std::string judgement = {};      ///< In a few words, as "all rules hold"; empty: what is broken is counted.
+  Verdict verdict = {};            ///< Nothing broken: the judgement is shown as good.
+  std::vector<Table> tables = {};  ///< REQUIRES: no column of tables.
+  std::vector<Figure> figures = {};
+  std::vector<std::pair<std::string, std::string>> origin = {};  ///< How it was made: names and values.
+};
+
+/// A result as the page reads it.
+[[nodiscard]] Json result_json(const ShownResult& result);
+
+/// Writes one HTML file with these results, each as of result_json. It needs no network and no other file;
+/// every text in it stays text.
+/// @param command what made the page.
+/// ERRORS: Failure(cannot_access) if this program was built without the page, or `path` cannot be written.
+void write_result_page(const std::string& path, const std::string& command, Json::Array results);
+
+}  // namespace hyrax
