@@ -1,19 +1,23 @@
 // node drive.mjs PACKAGES_FOLDER: opens pages in one Chromium, one after another. Reads lists of tasks from standard
 // input and prints the list of their results, each list as JSON in one line.
 //
-// A task is {file, hash, bypass_csp, actions}; an action is ["evaluate", expression], ["click", selector],
+// A task is {file, hash, bypass_csp, scheme, size, actions}; an action is ["evaluate", expression], ["click", selector],
 // ["press", key], ["mouse", [[x, y]...]] (a drag along points given as fractions of the replay canvas),
-// ["download", selector, path] or ["wait", expression]. A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
+// ["drag", selector, [[x, y]...]] (the same in another element), ["download", selector, path], ["wait", expression],
+// ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
+import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { argv, stdin } from 'node:process';
 import { createInterface } from 'node:readline';
 
-const { chromium } = createRequire(join(argv[2], 'package.json'))('playwright-core');
+const require = createRequire(join(argv[2], 'package.json'));
+const { chromium } = require('playwright-core');
+const axeSource = await readFile(require.resolve('axe-core/axe.min.js'), 'utf8');
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium' });
 
-async function drag(page, points) {
-  const box = await page.locator('#replay').boundingBox();
+async function drag(page, selector, points) {
+  const box = await page.locator(selector).first().boundingBox();
   const place = ([x, y]) => [box.x + x * box.width, box.y + y * box.height];
   await page.mouse.move(...place(points[0]));
   await page.mouse.down();
@@ -34,11 +38,29 @@ async function waitFor(page, expression) {
   return true;
 }
 
+async function faults(page) {
+  await page.evaluate(axeSource);
+  const { violations } = await page.evaluate(() => axe.run());
+  return violations.flatMap(({ id, nodes }) => nodes.map(node => `${id}: ${node.target.join(' ')}: ${node.failureSummary}`));
+}
+
+async function focused(page, count) {
+  const names = [];
+  for (let i = 0; i < count; ++i) {
+    await page.keyboard.press('Tab');
+    names.push(await page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim()));
+  }
+  return names;
+}
+
 const actions = {
+  axe: faults,
+  drag,
+  tab: focused,
   evaluate: (page, expression) => page.evaluate(expression),
   click: (page, selector) => page.click(selector),
   press: (page, key) => page.keyboard.press(key),
-  mouse: drag,
+  mouse: (page, points) => drag(page, '#replay', points),
   wait: waitFor,
   download: async (page, selector, path) => {
     const [file] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
@@ -49,7 +71,8 @@ const actions = {
 
 async function perform(task) {
   const seen = { errors: [], requests: [], values: [] };
-  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width: 1280, height: 900 } });
+  const [width, height] = task.size ?? [1280, 900];
+  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width, height }, colorScheme: task.scheme ?? 'light' });
   const page = await context.newPage();
   page.on('pageerror', error => seen.errors.push(String(error)));
   page.on('console', message => message.type() === 'error' && seen.errors.push(message.text()));

@@ -1,17 +1,15 @@
 """The report page in Chromium: it replays what hyrax-sim played, bit for bit, and shows where a file differs."""
 
 import json
-import os
 import pathlib
 import shutil
-import subprocess
 
 import h5py
 
+import browser
 import program
-from program import AGREED, DISAGREED, SOURCE, ProgramTest
-
-HERE = pathlib.Path(__file__).parent
+from browser import HOSTILE
+from program import AGREED, DISAGREED, SOURCE
 
 # Fixed, jittered and recorded clocks, inputs, resizes, hard cases.
 SCENARIOS = ["flings/first-fling", "flings/sprite-grows-and-shrinks", "flings/grab-and-throw", "flings/signed-zeros",
@@ -20,48 +18,13 @@ SCENARIOS = ["flings/first-fling", "flings/sprite-grows-and-shrinks", "flings/gr
              "recorded/shaken-and-dropped", "edges/times-after-steps", "edges/no-frame", "hard/any-jitter",
              "hard/window-of-no-size", "hard/sprite-far-larger-than-window", "hard/trace-of-extremes"]
 
-HOSTILE = "<script>alert(1)</script><img src=x onerror=alert(2)> </script><!-- \u2028 &amp; \"'"
-
-
 def number(name):
     """The value of a readout, as JavaScript."""
     return f"Number(document.querySelector('[data-name={name}]').textContent.replace('−', '-'))"
 
 
-class ReportTest(ProgramTest):
+class ReportTest(browser.BrowserTest):
     """Reports of runs, opened in a browser."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = subprocess.Popen(["node", HERE / "drive.mjs", os.environ["HYRAX_PAGE_PACKAGES"]], text=True,
-                                       stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.communicate(timeout=30)
-
-    def open(self, *tasks):
-        """Performs the tasks of drive.mjs; fails if one of them does."""
-        print(json.dumps(tasks), file=self.browser.stdin, flush=True)
-        results = json.loads(self.browser.stdout.readline())
-        for task, result in zip(tasks, results):
-            self.assertNotIn("failed", result, task["file"])
-        return results
-
-    def report(self, name, *options):
-        """Writes the report of a trajectory in the folder; returns a task that opens it."""
-        outcome = self.expect(AGREED, "report", f"{name}.h5", *options, "-o", f"{name}.html", "--json")
-        self.assertEqual(outcome.json, {"output": f"{name}.html"})
-        return {"file": str(self.folder / f"{name}.html")}
-
-    def played(self, name, document):
-        """Runs a scenario; returns its state hash."""
-        path = self.write(f"{name}.json", document)
-        return self.hash_of(path, f"{name}.h5")
-
-    def hash_of(self, scenario, output):
-        """Runs a scenario file; returns its state hash."""
-        return self.expect(AGREED, "run", scenario, "-o", output, "--json").json["runs"][0]["state_hash"]
 
     def test_replays_the_bits_of_every_kind_of_scenario_without_errors_or_requests(self):
         tasks, hashes = [], []
@@ -171,6 +134,74 @@ class ReportTest(ProgramTest):
             ["evaluate", "document.querySelectorAll('body img').length"]]})
         self.assertEqual(page["values"], [HOSTILE, 0])
         self.assertEqual((page["errors"], page["requests"]), ([], []))
+
+    def test_drift_by_cause_and_errors_of_contacts_are_those_of_drift(self):
+        self.played("fling", program.fling())
+        drift = self.expect(AGREED, "drift", "fling.h5", "--json").json["runs"][0]
+        csv = {name: self.folder / f"{name}.csv" for name in ("drift", "contact-time", "contact-restitution")}
+        (page,) = self.open({**self.report("fling"), "actions": [
+            *(["download", f"#chart-{name} button", str(path)] for name, path in csv.items()),
+            ["evaluate", "document.getElementById('verdict').innerText"]]})
+        rows = {name: [line.split(",") for line in path.read_text(encoding="utf-8").splitlines()]
+                for name, path in csv.items()}
+        self.assertEqual(rows["drift"][0][2], '"gravity (px of height)"')
+        last = [row for row in rows["drift"][1:] if row[2]][-1]
+        for column, cause in ((2, "gravity"), (3, "drag")):
+            total = sum(arc["energy_parts"][cause] for arc in drift["arcs"]) / 1200
+            self.assertAlmostEqual(float(last[column]), total, delta=1e-6)
+        for name, key, scale in (("contact-time", "time_error_s", 1000), ("contact-restitution", "effective_restitution", 1)):
+            shown = {int(row[0]): float(row[2]) for row in rows[name][1:] if row[2]}
+            expected = {each["step"]: each[key] * scale for each in drift["contacts"] if each[key] is not None}
+            self.assertEqual(shown.keys(), expected.keys())
+            for step, value in expected.items():
+                self.assertAlmostEqual(shown[step], value, delta=1e-9)
+        self.assertIn("gravity", page["values"][-1])
+
+    def test_a_million_rows(self):
+        self.played("long", program.fling(name="long", steps=1_000_000, clock={
+            "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.2, "seed": 3}}))
+        frames = """(async () => {
+            const times = [], slider = document.getElementById('time');
+            for (let i = 0; i < 120; ++i) {
+              slider.value = Math.round(slider.max * i / 119);
+              const begin = performance.now();
+              slider.dispatchEvent(new Event('input'));
+              await new Promise(requestAnimationFrame);
+              times.push(performance.now() - begin);
+            }
+            times.sort((a, b) => a - b);
+            return [times[60], times[114]];
+          })()"""
+        (page,) = self.open({**self.report("long"), "actions": [
+            ["wait", "performance.getEntriesByName('ready').length > 0"],
+            ["evaluate", "performance.getEntriesByName('first-contentful-paint')[0].startTime"],
+            ["evaluate", "performance.getEntriesByName('ready')[0].startTime"], ["evaluate", frames]]})
+        _, first, ready, (median, late) = page["values"]
+        print(f"1,000,001 rows: first paint {first:.0f} ms, all drawn {ready:.0f} ms, scrub: median {median:.1f} ms, 95 % {late:.1f} ms")
+        self.assertEqual(page["attributes"]["replay"], "agrees")
+        self.assertLess(ready, 20_000)
+        self.assertLess(median, 500)
+
+    def test_accessibility_rules_hold_and_fail_on_a_control(self):
+        self.played("golden", program.fling())
+        self.played("fling", program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
+        task = self.report("fling", "--against", "golden.h5")
+        self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
+        looks = [{"scheme": scheme, "size": size} for scheme in ("light", "dark") for size in ((1280, 900), (390, 844))]
+        tasks = [{**page, **look, "actions": [["axe"]]} for page in (task, self.report("rest")) for look in looks]
+        control = {**task, "actions": [["evaluate", "document.getElementById('play').removeAttribute('aria-label')"],
+                                       ["evaluate", "document.getElementById('play').removeAttribute('title')"],
+                                       ["evaluate", "document.getElementById('title').style.color = '#ccc'"], ["axe"]]}
+        *pages, broken = self.open(*tasks, control)
+        for page in pages:
+            self.assertEqual((page["values"][0], page["errors"]), ([], []))
+        self.assertEqual({fault.split(":")[0] for fault in broken["values"][-1]}, {"button-name", "color-contrast"})
+
+    def test_tab_goes_through_the_controls_in_order(self):
+        self.played("fling", program.fling())
+        (page,) = self.open({**self.report("fling"), "actions": [["tab", 9]]})
+        self.assertEqual(page["values"][0], ["mode-replay", "mode-fling", "replay", "first", "back", "play", "forward",
+                                             "speed", "time"])
 
     def test_saves_a_chart_as_csv(self):
         self.played("fling", program.fling())

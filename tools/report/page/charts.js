@@ -4,6 +4,7 @@ import { element, firstAtLeast, lastAtMost, make, save } from './data.js';
 import { exact, fixed, rounded } from './numbers.js';
 import { color } from './painter.js';
 import { sizesAt } from './replay.js';
+import { tableOf } from './tables.js';
 
 const gravityOf = run => run.constants[0];
 
@@ -36,8 +37,8 @@ function joined(rows, steps, values) {
   return list;
 }
 
-// What the charts show: title, unit, series. A series is {name, color, values, digits, dash, points, steps}; of
-// one with points, and of a chart that is joined, only some rows have a value.
+// What the charts show: title, unit, series. A series is {name, color, values, dash, points, steps}; of one
+// with `known` only these rows have a value.
 function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
   const overlay = (name, values) => (other ? [{ name, color: 'vermilion', dash: true, values: spread(rows, other.rows.step, values) }] : []);
@@ -64,14 +65,17 @@ function chartsOf(result, sizes) {
 }
 
 function driftCharts({ rows, causes, contactErrors: contacts }) {
-  const cause = (name, tint, key) => ({ name, color: tint, dash: key === 'sum', values: joined(rows, causes.step, causes[key]) });
+  const cause = (name, tint, key) => ({ name, color: tint, dash: key === 'sum', values: joined(rows, causes.step, causes[key]), known: { steps: causes.step, values: causes[key] } });
   const charts = [{ id: 'drift', title: 'Energy drift by cause', unit: 'px of height', decimals: 2, isJoined: true, series: [
     cause('gravity', 'blue', 'gravity'), cause('drag', 'green', 'drag'), cause('lift', 'vermilion', 'lift'), cause('late bounce', 'purple', 'bounce'), cause('all', 'ink', 'sum')] }];
   if (contacts.step.length === 0) return charts;
-  const point = (name, tint, key, scale) => ({ name, color: tint, points: true, values: spread(rows, contacts.step, contacts[key].map(value => value * scale), Number.isFinite) });
+  const point = (name, tint, key, scale) => {
+    const values = contacts[key].map(value => value * scale);
+    return { name, color: tint, points: true, values: spread(rows, contacts.step, values, Number.isFinite), known: { steps: contacts.step, values } };
+  };
   return [...charts,
-    { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, isAtContacts: true, range: aroundZero, series: [point('late by', 'vermilion', 'time', 1000)] },
-    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, isAtContacts: true, range: padded, series: [point('speed after / before', 'purple', 'restitution', 1)] }];
+    { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, range: aroundZero, series: [point('late by', 'vermilion', 'time', 1000)] },
+    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / before', 'purple', 'restitution', 1)] }];
 }
 
 const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');
@@ -98,6 +102,22 @@ const fromZero = (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.15 * hig
 
 const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : value.toLocaleString('en').replace('-', '−'));
 
+// Smallest and largest value that is known.
+function rangeOf({ values }) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) {
+    if (value === null || value === undefined) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low > high ? [null, null] : [low, high];
+}
+
+function rangeText(series, unit) {
+  const [low, high] = rangeOf(series);
+  return low === null ? 'no value' : `${rounded(low)} to ${rounded(high)} ${unit}`.trim();
+}
+
 export class Charts {
   #plots = [];
   #isZooming = false;
@@ -106,29 +126,33 @@ export class Charts {
     this.result = result;
     this.moment = moment;
     this.seek = seek;
-    this.place = element('charts');
-    this.place.replaceChildren();
     const charts = chartsOf(result, sizes);
-    this.#plots = charts.map((chart, i) => this.#draw(chart, i === charts.length - 1));
+    const isBeside = chart => ['position', 'velocity', 'energy', 'errors'].includes(chart.id);
+    for (const id of ['charts', 'more-charts']) element(id).replaceChildren();
+    this.#plots = charts.map((chart, i) => this.#draw(chart, element(isBeside(chart) ? 'charts' : 'more-charts'),
+      !isBeside(chart) || !isBeside(charts[i + 1])));
+    this.#showTable(charts);
     this.zoomToMotion();
     this.show();
     moment.listen(() => this.show());
   }
 
-  #draw(chart, isLast) {
+  #draw(chart, place, isLast) {
     const { rows } = this.result;
     const legend = chart.series.map(series => make('span', { class: 'key' }, make('i', { class: `swatch ${series.dash ? 'dashed' : ''} tint-${series.color}` }),
       `${series.name} `, make('output', {}, '')));
     const figure = make('figure', { class: 'chart', id: `chart-${chart.id}` },
       make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, chart.unit ? `, ${chart.unit}` : '')), make('span', { class: 'keys' }, ...legend),
         make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart) }, 'CSV')));
-    this.place.append(figure);
+    place.append(figure);
     const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(series => series.values)], figure);
     const playhead = make('div', { class: 'playhead' });
     plot.over.append(playhead);
     const { divergence } = this.result;
     const marker = divergence === undefined || divergence === null ? null : make('div', { class: 'divergence', title: `first difference at step ${divergence}` });
     if (marker) plot.over.append(marker);
+    plot.root.setAttribute('role', 'img');
+    plot.root.setAttribute('aria-label', `${chart.title} over time. ${chart.series.map(series => `${series.name}: ${rangeText(series, chart.unit)}`).join('; ')}.`);
     this.#listen(plot);
     return { plot, chart, playhead, marker, outputs: legend.map(key => key.querySelector('output')), figure };
   }
@@ -210,17 +234,27 @@ export class Charts {
       place(playhead, t);
       if (marker) place(marker, this.result.rows.t[firstAtLeast(this.result.rows.step, this.result.divergence)] ?? NaN);
       chart.series.forEach((series, i) => {
-        const value = this.#valueAt(chart, series, index);
+        const value = this.#valueAt(series, index);
         outputs[i].textContent = value === null || Number.isNaN(value) ? '–' : chart.decimals === undefined ? rounded(value, 4) : fixed(value, chart.decimals);
       });
     }
   }
 
-  // Of a chart of contacts and causes, the last one up to the moment.
-  #valueAt(chart, series, index) {
-    if (!chart.isJoined && !chart.isAtContacts) return series.values[index];
-    while (index > 0 && (series.values[index] ?? null) === null) --index;
-    return series.values[index] ?? null;
+  // Of contacts and causes, the last one up to the moment.
+  #valueAt({ values, known }, index) {
+    if (!known) return values[index];
+    return known.values[lastAtMost(known.steps, this.result.rows.step[index])] ?? null;
+  }
+
+  // What the pictures say, as numbers.
+  #showTable(charts) {
+    const series = charts.flatMap(chart => chart.series.map(each => ({ chart, each, range: rangeOf(each) })));
+    const column = (name, get) => ({ name, values: series.map(get) });
+    const table = element('charts-table');
+    table.replaceChildren(table.firstElementChild, tableOf({ name: 'charts', long_name: 'The charts as a table', row_count: series.length, columns: [
+      column('chart', ({ chart }) => chart.title), column('series', ({ each }) => each.name), column('unit', ({ chart }) => chart.unit),
+      column('smallest', ({ range }) => range[0]), column('largest', ({ range }) => range[1]),
+      column('at the end', ({ each }) => this.#valueAt(each, this.result.rows.step.length - 1) ?? null)] }));
   }
 
   fit() {

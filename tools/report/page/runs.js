@@ -63,7 +63,8 @@ class View {
     this.charts.followsMouse = () => !this.player.isPlaying && root.dataset.mode !== 'fling';
     this.moment.listen(() => this.#follow());
     const every = result.check?.every ?? 1;
-    element('charts-note').textContent = every > 1 ? `Drawn from every ${every.toLocaleString('en')}th row; the comparison covers all.` : '';
+    const decimated = every > 1 ? `Drawn from one row of every ${every.toLocaleString('en')}; the comparison covers all. ` : '';
+    element('charts-note').textContent = result.rows.step.length > 5_000 ? `${decimated}Of many rows to a pixel, the smallest and the largest value are drawn.` : decimated;
     element('stage-note').textContent = result.other ? `Dashed: the ${result.other.label} file.` : '';
     this.setMode('replay');
     this.openLink() || this.paint();
@@ -168,6 +169,7 @@ async function main() {
   if (worstResult.outcome === 'differs' && check.firstDifference !== null) root.dataset.firstDifference = check.firstDifference;
   root.dataset.replay = worstResult.outcome;
   root.dataset.ready = '';
+  requestAnimationFrame(() => setTimeout(() => performance.mark('ready'))); // Painted.
 }
 
 main();

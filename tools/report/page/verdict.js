@@ -53,14 +53,15 @@ function restTile({ final, at_rest_since_s: since }) {
   return since === null ? tile('Ends', 'not settled', place) : tile('Comes to rest', `after ${rounded(since, 4)} s`, place);
 }
 
-// The largest cause first; of two with the same sign or not, as they add up.
+// The largest cause first; small ones are in the chart.
 function driftTile({ errors, causes }) {
   const worst = errors.energy_drift_rel;
   if (!worst) return tile('Energy drift', '–', 'no flight arc');
   const at = causes ? causes.step.length - 1 : -1;
   const parts = at < 0 ? [] : [['gravity', causes.gravity[at]], ['drag', causes.drag[at]], ['lift', causes.lift[at]], ['late bounce', causes.bounce[at]]]
-    .filter(([, value]) => Math.abs(value) >= 0.005).sort(([, a], [, b]) => Math.abs(b) - Math.abs(a)).map(([name, value]) => `${name} ${value > 0 ? '+' : ''}${rounded(value, 3)} px`);
-  return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, parts.length ? `largest of an arc; in all ${parts.join(', ')} of height` : 'largest of a flight arc');
+    .sort(([, a], [, b]) => Math.abs(b) - Math.abs(a)).filter(([, value], _, [[, most]]) => Math.abs(value) > 0.01 * Math.abs(most));
+  const sums = parts.map(([name, value]) => `${name} ${value > 0 ? '+' : ''}${rounded(value, 3)}`).join(', ');
+  return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, sums ? `largest of an arc; in all ${sums} px of height` : 'largest of a flight arc');
 }
 
 export function showVerdict(result) {

@@ -1,0 +1,136 @@
+"""Pages of studies and sweeps in Chromium: every figure is drawn, data can be saved, text stays text."""
+
+import json
+import pathlib
+
+import h5py
+import numpy
+
+import browser
+import program
+from program import AGREED, BAD_INPUT, SOURCE
+
+HOSTILE = browser.HOSTILE
+FIGURES = "document.querySelectorAll('figure').length"
+DRAWN = "document.querySelectorAll('.plot svg[role=img], .grid table, .listing table').length"
+BROKEN = "document.body.innerText.includes('cannot be shown')"
+
+
+class ResultsTest(browser.BrowserTest):
+    """Reports of studies and sweeps, opened in a browser."""
+
+    def study(self, name, *arguments):
+        """Runs a study; returns a task that opens its report."""
+        self.expect(AGREED, "study", name, *arguments, "--quick", "--no-figures")
+        return self.report(name)
+
+    def set_figures(self, name, text):
+        """Replaces the text of all figures in a study's file."""
+        with h5py.File(self.folder / f"{name}.h5", "r+") as file:
+            del file["report/figures"]
+            file["report/figures"] = numpy.array([text.encode()])
+
+    def figures(self, name):
+        """All figures of a study's file."""
+        with h5py.File(self.folder / f"{name}.h5") as file:
+            return json.loads(file["report/figures"][0])
+
+    def sweep(self, **changed):
+        """Plays a sweep."""
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(**changed), "members": 300, "seed": 1,
+                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]},
+                                           "/clock/rate_hz": {"choice": [60, 120]}}})
+        self.expect(AGREED, "sweep", "sweep.json")
+
+    def test_draws_every_figure_without_errors_or_requests(self):
+        flings = str(SOURCE / "scenarios/flings")
+        tasks = [self.study("speed-error"), self.study("rest"), self.study("frame-rate"), self.study("paper"),
+                 self.study("needs", flings), self.study("hard-cases", str(SOURCE / "scenarios/hard"))]
+        self.sweep()
+        tasks.append(self.report("sweep"))
+        actions = [["evaluate", FIGURES], ["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", BROKEN],
+                   ["evaluate", "document.documentElement.scrollWidth <= innerWidth"],
+                   ["evaluate", "[...document.querySelectorAll('.plot svg')].some(svg => svg.outerHTML.includes('NaN'))"]]
+        for size in ((1280, 900), (390, 844)):
+            for task, page in zip(tasks, self.open(*({**task, "size": size, "actions": actions} for task in tasks))):
+                figures, _, is_broken, fits, has_nan = page["values"]
+                self.assertGreater(figures, 0, task["file"])
+                self.assertEqual((is_broken, fits, has_nan), (False, True, False), task["file"])
+                self.assertEqual((page["errors"], page["requests"]), ([], []), task["file"])
+
+    def test_carries_only_what_it_shows(self):
+        results = pathlib.Path(self.study("rest")["file"]).read_text(encoding="utf-8")
+        self.played("fling", program.fling())
+        runs = pathlib.Path(self.report("fling")["file"]).read_text(encoding="utf-8")
+        for text, is_of_runs in (("@observablehq/plot\n", False), ("uplot\n", True), ('id="core"', True)):
+            self.assertEqual((text in runs, text in results), (is_of_runs, not is_of_runs), text)
+        self.assertLess(max(len(runs), len(results)), 1_000_000)
+
+    def test_zooms_by_dragging_and_shows_all_again(self):
+        ticks = "[...document.querySelectorAll('.plot svg')][0].textContent.split('display rate')[0]"
+        (page,) = self.open({**self.study("rest"), "actions": [
+            ["wait", f"{DRAWN} > 0"], ["evaluate", ticks], ["drag", ".plot", [[0.3, 0.3], [0.4, 0.5], [0.5, 0.7]]],
+            ["wait", "document.querySelector('.unzoom')"], ["evaluate", ticks], ["click", ".unzoom"], ["evaluate", ticks]]})
+        values = page["values"]
+        self.assertNotEqual(values[1], values[4])
+        self.assertEqual(values[1], values[6])
+        self.assertEqual(page["errors"], [])
+
+    def test_saves_a_figure_and_a_table_as_csv(self):
+        figure, table = self.folder / "figure.csv", self.folder / "table.csv"
+        self.open({**self.study("rest"), "actions": [
+            ["download", "figure .actions button", str(figure)],
+            ["click", "main section details summary"], ["download", "main section details > button", str(table)]]})
+        lines = figure.read_text(encoding="utf-8").splitlines()
+        series = self.figures("rest")[0]["body"]["plots"][0]["series"]
+        self.assertEqual(len(lines), 1 + sum(len(each["x"]) for each in series))
+        self.assertEqual(lines[1].split(",")[-3:-1], [str(each).removesuffix(".0") for each in (series[0]["x"][0], series[0]["y"][0])])
+        with h5py.File(self.folder / "rest.h5") as file:
+            self.assertEqual(len(table.read_text(encoding="utf-8").splitlines()), 1 + len(file["final_states/rate"]))
+
+    def test_hostile_text_stays_text(self):
+        self.sweep(description=HOSTILE)
+        (self.folder / "sweep.h5").rename(self.folder / "<img src=x onerror=alert(3)>.h5")
+        self.expect(AGREED, "report", "<img src=x onerror=alert(3)>.h5", "-o", "sweep.html")
+        task = self.study("rest")
+        figures = self.figures("rest")
+        for figure in figures:
+            figure.update(title=HOSTILE, subtitle=HOSTILE, note=HOSTILE, remarks=[HOSTILE], note_tone=HOSTILE)
+            figure["legend"][0]["text"] = HOSTILE
+            figure["body"]["plots"][0]["x"]["label"] = HOSTILE
+            figure["body"]["plots"][0]["series"][0].update(name=HOSTILE)
+            figure["body"]["plots"][0]["texts"] = [{"x": 100, "y": 1, "text": HOSTILE, "tone": "ink"}]
+        self.set_figures("rest", json.dumps(figures))
+        with h5py.File(self.folder / "rest.h5", "r+") as file:
+            file.attrs["study"] = HOSTILE
+        self.report("rest")
+        looks = [["evaluate", "document.querySelectorAll('main img, main script').length"],
+                 ["evaluate", "document.querySelector('h1').textContent"]]
+        pages = self.open({"file": str(self.folder / "sweep.html"), "bypass_csp": True, "actions": looks},
+                                          {**task, "bypass_csp": True, "actions": looks})
+        self.assertEqual(pages[1]["values"][1], HOSTILE)
+        for page in pages:
+            self.assertEqual(page["values"][0], 0)
+            self.assertEqual((page["errors"], page["requests"]), ([], []))
+
+    def test_a_figure_that_is_none_leaves_the_rest(self):
+        task = self.study("rest")
+        figures = self.figures("rest")
+        figures[0]["body"] = {"plots": [{"x": 3}]}
+        self.set_figures("rest", json.dumps(figures))
+        self.report("rest")
+        (page,) = self.open({**task, "actions": [["evaluate", BROKEN], ["evaluate", DRAWN]]})
+        self.assertEqual((page["values"], page["errors"]), ([True, len(figures) - 1], []))
+        self.set_figures("rest", "[1,")
+        self.expect(BAD_INPUT, "report", "rest.h5", "-o", "a.html", says="rest.h5: report/figures")
+
+    def test_runs_and_studies_are_not_on_one_page(self):
+        self.played("fling", program.fling())
+        self.study("rest")
+        self.expect(BAD_INPUT, "report", "rest.h5", "fling.h5", "-o", "a.html", says="either trajectories or these")
+        self.expect(BAD_INPUT, "report", "fling.h5", "rest.h5", "-o", "a.html", says="rest.h5")
+        self.expect(BAD_INPUT, "report", "rest.h5", "--against", "fling.h5", "-o", "a.html", says="--against")
+
+
+if __name__ == "__main__":
+    program.main()
