@@ -176,7 +176,7 @@ function drawPlot(plot, place, view, label) {
     ...plot.marks.filter(mark => finite(mark.at)).flatMap(mark => [
       (mark.is_vertical ? Plot.ruleX : Plot.ruleY)([mark.at], { stroke: tone(mark.tone), strokeDasharray: '4 3', strokeWidth: 1.2, strokeOpacity: 0.75 }),
       ...(mark.text ? [Plot.text([mark], { [mark.is_vertical ? 'x' : 'y']: 'at', frameAnchor: mark.is_vertical ? 'top' : 'right', text: 'text', fill: tone(mark.tone),
-        dy: mark.is_vertical ? -8 : -8, textAnchor: mark.is_vertical ? 'middle' : 'end', stroke: 'var(--card)', strokeWidth: 4 })] : [])]),
+        dy: -5, lineAnchor: 'bottom', textAnchor: mark.is_vertical ? 'middle' : 'end', stroke: 'var(--card)', strokeWidth: 4 })] : [])]),
     ...(topDots ? [Plot.dot(plot.top_dots, { x: 'x', frameAnchor: 'top', dy: -8, r: 3, fill: dot => tone(dot.tone) })] : []),
     ...(plot.texts.length ? [Plot.text(plot.texts.filter(each => finite(each.x) && finite(each.y) && (!plot.x.is_logarithmic || each.x > 0) && (!plot.y.is_logarithmic || each.y > 0)),
       { x: 'x', y: 'y', text: 'text', fill: each => tone(each.tone), stroke: 'var(--card)', strokeWidth: 4, className: 'beside' })].map(mark => Object.assign(mark, { ariaLabel: 'beside' })) : []),

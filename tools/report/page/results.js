@@ -36,7 +36,7 @@ function figureOf(figure, name, index) {
       make('p', { class: `note tone-${figure.note_tone} quiet` }, figure.note)),
     place, ...figure.remarks.map(remark => make('p', { class: 'remarks' }, remark)),
     make('div', { class: 'actions' },
-      linkButton('Save as CSV', `Save the data of ${figure.title} as CSV`, () => save(`${stem}.csv`, 'text/csv', csvOfTable(csvOf(figure)))), table));
+      linkButton('Save as CSV', `Save as CSV: ${figure.title}`, () => save(`${stem}.csv`, 'text/csv', csvOfTable(csvOf(figure)))), table));
   place.append(shown('This figure', () => showFigure(figure, `figure-${index}`)));
   return made;
 }
@@ -45,7 +45,7 @@ function tablesOf(tables, name) {
   if (tables.length === 0) return [];
   return [make('section', { 'aria-label': 'Tables' }, make('h2', {}, 'Tables'), ...tables.map(table =>
     make('details', { class: 'data' }, make('summary', {}, `${table.name}: ${table.long_name}, ${count(table.row_count, 'row')}`),
-      shown('This table', () => tableOf(table)), linkButton('Save as CSV', `Save the table ${table.name} as CSV`,
+      shown('This table', () => tableOf(table)), linkButton('Save as CSV', `Save as CSV: table ${table.name}`,
         () => save(`${name}-${table.name}.csv`, 'text/csv', csvOfTable(table))))))];
 }
 

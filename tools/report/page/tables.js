@@ -16,7 +16,7 @@ export function tableOf(table) {
   const { columns } = table;
   const rows = Math.min(rowsShown, columns[0]?.values.length ?? 0);
   const kinds = columns.map(column => (!isText(column) ? 'number' : column.values.every(value => String(value).length <= 36) ? 'text short' : 'text'));
-  const head = make('tr', {}, ...columns.map((column, i) => make('th', { scope: 'col', class: kinds[i], title: column.long_name || null },
+  const head = make('tr', {}, ...columns.map((column, i) => make(column.name ? 'th' : 'td', { scope: column.name ? 'col' : null, class: kinds[i], title: column.long_name || null },
     column.name.replaceAll('_', ' '), column.unit && column.unit !== '1' ? make('span', { class: 'unit' }, column.unit) : '')));
   const lines = Array.from({ length: rows }, (_, row) => make('tr', {}, ...columns.map((column, i) =>
     make('td', { class: kinds[i] }, cellText(column.values[row], column.digits)))));

@@ -61,7 +61,7 @@ function driftTile({ errors, causes }) {
   const parts = at < 0 ? [] : [['gravity', causes.gravity[at]], ['drag', causes.drag[at]], ['lift', causes.lift[at]], ['late bounce', causes.bounce[at]]]
     .sort(([, a], [, b]) => Math.abs(b) - Math.abs(a)).filter(([, value], _, [[, most]]) => Math.abs(value) > 0.01 * Math.abs(most));
   const sums = parts.map(([name, value]) => `${name} ${value > 0 ? '+' : ''}${rounded(value, 3)}`).join(', ');
-  return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, sums ? `largest of an arc; in all ${sums} px of height` : 'largest of a flight arc');
+  return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, sums ? `largest of an arc; in all ${sums} px` : 'largest of a flight arc');
 }
 
 export function showVerdict(result) {

@@ -60,7 +60,7 @@ TEST_F(StudyTables, AreReadBackInTheirOrder) {
   EXPECT_EQ(study.tables[0].name, "first");
   ASSERT_EQ(study.tables[0].columns.size(), 3u);
   for (std::size_t column = 0; column < 3; ++column) {
-    const Column& written = some_tables()[0].columns[column];
+    const Column written = some_tables()[0].columns[column];
     EXPECT_EQ(study.tables[0].columns[column].name, written.name);
     EXPECT_EQ(study.tables[0].columns[column].unit, written.unit);
     EXPECT_EQ(study.tables[0].columns[column].values.index(), written.values.index());

@@ -1,0 +1,65 @@
+// What the members of a sweep have in common, and its pictures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/ensemble/member_numbers.h"
+
+namespace hyrax {
+namespace {
+
+MemberNumbers numbers_of(const std::vector<double>& values, bool is_input = false) {
+  MemberNumbers numbers("x", "px", "left edge", is_input, static_cast<std::int64_t>(values.size()));
+  for (const double value : values) numbers.add(value);
+  return numbers;
+}
+
+TEST(MemberNumbers, HaveRangeAndMeanOfThoseThatAreKnown) {
+  const MemberNumbers numbers = numbers_of({3.0, std::nan(""), -1.0, 4.0});
+  EXPECT_EQ(numbers.smallest(), -1.0);
+  EXPECT_EQ(numbers.largest(), 4.0);
+  EXPECT_DOUBLE_EQ(numbers.mean(), 2.0);
+  EXPECT_EQ(numbers.missing(), 1);
+  EXPECT_TRUE(numbers.is_whole());
+  EXPECT_FALSE(numbers_of({0.5}).is_whole());
+}
+
+TEST(MemberNumbers, OfNoMemberAreNotGiven) {
+  EXPECT_TRUE(std::isnan(numbers_of({std::nan("")}).smallest()));
+  EXPECT_TRUE(std::isnan(numbers_of({}).mean()));
+}
+
+TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
+  constexpr std::int64_t kMembers = 1'000'000, kGrid = 50;
+  MemberNumbers numbers("x", "px", "", true, kMembers);
+  for (std::int64_t member = 0; member < kMembers; ++member) numbers.add(static_cast<double>(member % kGrid));
+  EXPECT_LE(numbers.sample().size(), 20'000u);
+  std::vector<int> met(kGrid);
+  for (const double value : numbers.sample()) ++met[static_cast<std::size_t>(value)];
+  EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
+  EXPECT_EQ(sample_stride(kMembers, 20'000), 53);
+  EXPECT_EQ(sample_stride(20'000, 20'000), 1);
+}
+
+TEST(MemberFigures, ShareAllMembersAmongTheIntervals) {
+  std::vector<MemberNumbers> numbers;
+  numbers.push_back(numbers_of({0.0, 1.0, 1.0, 2.0}));
+  numbers.push_back(numbers_of({5.0, 6.0, 7.0, 8.0}, true));
+  const std::vector<Figure> figures = member_figures(numbers, 4);
+  ASSERT_EQ(figures.size(), 2u);
+  const Series& shares = std::get<std::vector<Plot>>(figures[0].body)[0].series[0];
+  EXPECT_EQ(shares.y, (std::vector<double>{25, 25, 50, 50, 25, 25}));
+  EXPECT_EQ(shares.x.front(), -0.5);
+  const Series& points = std::get<std::vector<Plot>>(figures[1].body)[0].series[0];
+  EXPECT_EQ(points.x, (std::vector<double>{5, 6, 7, 8}));
+  EXPECT_EQ(points.y, (std::vector<double>{0, 1, 1, 2}));
+}
+
+TEST(MemberTable, HasARowForEachNumber) {
+  const Table table = member_table({numbers_of({1.0, 2.0}), numbers_of({3.0}, true)});
+  EXPECT_EQ(row_count(table), 2u);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,62 @@
+// Figures, tables and verdicts as the report page reads them.
+#include <gtest/gtest.h>
+
+#include "tools/report/figure_json.h"
+
+namespace hyrax {
+namespace {
+
+std::string compact(const Json& json) {
+  std::string text = to_text(json);
+  std::erase(text, ' ');
+  return text;
+}
+
+TEST(FigureJson, NamesTonesAndFormsAndLeavesMissingNumbersOut) {
+  Plot plot{.x = {.label = "dt, s", .is_logarithmic = true}};
+  plot.series = {{.name = "a",
+                  .look = {.form = Form::bars, .tone = Tone::sky_blue},
+                  .x = {1.5, kNotGiven},
+                  .y = {0.0, 2.0}}};
+  plot.marks = {{.at = 3.0, .text = "mark", .tone = Tone::none}};
+  const std::string text = compact(figure_json({.title = "T", .body = std::vector{plot}}));
+  for (const char* const part :
+       {R"("title":"T")", R"("form":"bars","tone":"sky_blue")", R"("x":[1.5,null])", R"("low":null)",
+        R"("is_logarithmic":true)", R"("text":"mark","tone":"none")"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+}
+
+TEST(FigureJson, HoldsGridsAndLists) {
+  const Grid grid{.rows = {"r"},
+                  .columns = {{"c", Tone::ink}},
+                  .cells = {{.tone = Tone::good, .text = "1", .right = 0.5}}};
+  EXPECT_NE(compact(figure_json({.body = grid})).find(R"("tone":"good","text":"1","left":0,"right":0.5)"),
+            std::string::npos)
+      << compact(figure_json({.body = grid}));
+  const Listing listing{.columns = {{.title = "t"}}, .rows = {{{.text = "x", .fill = Tone::bad}}}};
+  EXPECT_NE(compact(figure_json({.body = listing})).find(R"("text":"x","detail":"","fill":"bad")"),
+            std::string::npos);
+}
+
+TEST(TableJson, HasTheFirstRowsAndCountsAll) {
+  const Table table{
+      .name = "t",
+      .columns = {{.name = "n", .values = std::vector<std::int64_t>{1, (std::int64_t{1} << 53) + 1, 3}},
+                  {.name = "x", .values = std::vector<double>{0.5, kNotGiven, 1.0}}}};
+  const std::string text = compact(table_json(table, 2));
+  EXPECT_NE(text.find(R"("row_count":3)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("values":[1,"9007199254740993"])"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("values":[0.5,null])"), std::string::npos) << text;
+}
+
+TEST(VerdictJson, KeepsSentencesAndTablesInOrder) {
+  const Verdict verdict{.text = {"first", Table{.name = "t"}, "last"}, .broken = {"a rule"}};
+  const Json json = verdict_json(verdict);
+  const auto& text = *json.find("text")->get<Json::Array>();
+  ASSERT_EQ(text.size(), 3u);
+  EXPECT_NE(text[1].find("row_count"), nullptr);
+  EXPECT_EQ(*text[2].get<std::string>(), "last");
+}
+
+}  // namespace
+}  // namespace hyrax
