@@ -77,10 +77,22 @@ struct DisplayLine {
   BeforeAfter<std::optional<Band>> spread_px = {};  ///< Of the flings that settle on every display.
 };
 
-/// Energy of flight, run minus the exact flight of the paper's laws from the same start, summed over a
-/// fling's flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
+/// What the walls did to the energy of a fling until it settled: over each step that touched one, the row
+/// minus the exact flight of the paper's laws from the row before, px^2/s^2. It follows from rows alone,
+/// whatever the core does inside its step.
+struct WallEnergy {
+  double lift = 0.0;      ///< Height: back to the wall.
+  double bounce = 0.0;    ///< Speed across the walls that were touched.
+  double friction = 0.0;  ///< Speed along them.
+};
+
+/// Energy of a fling by cause, px^2/s^2. In flight: the run minus the exact flight of the paper's laws from
+/// the same start, summed over its flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
 struct EnergyLine {
   BeforeAfter<std::optional<Band>> drift_px2_per_s2 = {};
+  BeforeAfter<std::optional<Band>> lift_px2_per_s2 = {};
+  BeforeAfter<std::optional<Band>> bounce_px2_per_s2 = {};
+  BeforeAfter<std::optional<Band>> friction_px2_per_s2 = {};
 };
 
 /// Distance from the exact motion of the paper's laws, frames left out, after whole seconds.

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "sim/reference/drift_meter.h"
+#include "sim/reference/flight.h"
+#include "sim/reference/model.h"
 #include "sim/scenario/schedule.h"
 #include "sim/scenario/split_mix64.h"
 #include "sim/study/methods/exact_fling.h"
@@ -53,14 +55,43 @@ double energy_drift_px2_per_s2(const Scenario& scenario, const CoreRun& run) {
   return sum.sum();
 }
 
+double half_square_difference(double a, double b) { return 0.5 * (a - b) * (a + b); }
+
+// REQUIRES: the rows have their contacts; no inputs.
+WallEnergy wall_energy(const CoreRun& run) {
+  const Model model;
+  const double rate_per_s = -std::log(model.air_drag) * model.model_rate_hz;
+  WallEnergy sum;
+  for (std::size_t index = 1; index < run.rows.size(); ++index) {
+    const Row& row = run.rows[index];
+    if (run.at_rest_since_s && row.t_s > *run.at_rest_since_s) break;
+    if (row.contact == 0) continue;
+    const Row& from = run.rows[index - 1];
+    const AxisMotion x = fly(from.vx_px_per_s, 0.0, rate_per_s, row.dt_s);
+    const AxisMotion y = fly(from.vy_px_per_s, model.gravity_px_per_s2, rate_per_s, row.dt_s);
+    const double gain_x = half_square_difference(row.vx_px_per_s, x.speed_px_per_s);
+    const double gain_y = half_square_difference(row.vy_px_per_s, y.speed_px_per_s);
+    (touches(row.contact, Wall::left) || touches(row.contact, Wall::right) ? sum.bounce : sum.friction) +=
+        gain_x;
+    (touches(row.contact, Wall::top) || touches(row.contact, Wall::ground) ? sum.bounce : sum.friction) +=
+        gain_y;
+    sum.lift += model.gravity_px_per_s2 * (y.displacement_px - (row.y_px - from.y_px));
+  }
+  return sum;
+}
+
 // Samples of one core, gathered fling by fling.
 struct FlingSamples {
-  std::vector<double> drift_px2_per_s2;
+  std::vector<double> drift_px2_per_s2, lift_px2_per_s2, bounce_px2_per_s2, friction_px2_per_s2;
   std::array<std::vector<double>, kExactSeconds> distance_px;
 
   void add(const Scenario& scenario, CoreRun& run) {
     if (!run.is_finite) return;
     drift_px2_per_s2.push_back(energy_drift_px2_per_s2(scenario, run));
+    const WallEnergy walls = wall_energy(run);
+    lift_px2_per_s2.push_back(walls.lift);
+    bounce_px2_per_s2.push_back(walls.bounce);
+    friction_px2_per_s2.push_back(walls.friction);
     run.extend(std::max<std::size_t>(run.rows.size(), kExactSeconds * kRate_hz + 1));
     ExactFling exact;
     exact.start(start_state(scenario), bounds_of(scenario.window, scenario.sprite));
@@ -123,7 +154,11 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
   }
   lines.random.shift_px = band_of(shift_px);
   lines.random.distance_px = band_of(distances_px);
-  lines.energy.drift_px2_per_s2 = {band_of(before.drift_px2_per_s2), band_of(after.drift_px2_per_s2)};
+  const auto bands = [&](const auto samples) {
+    return BeforeAfter{band_of(before.*samples), band_of(after.*samples)};
+  };
+  lines.energy = {bands(&FlingSamples::drift_px2_per_s2), bands(&FlingSamples::lift_px2_per_s2),
+                  bands(&FlingSamples::bounce_px2_per_s2), bands(&FlingSamples::friction_px2_per_s2)};
   for (std::size_t second = 0; second < static_cast<std::size_t>(kExactSeconds); ++second)
     lines.exact.push_back({static_cast<double>(second + 1),
                            {band_of(before.distance_px[second]), band_of(after.distance_px[second])}});

@@ -153,6 +153,8 @@ class Evaluated(CompareTest):
         exact = [evaluation.exact_motion(evaluation.fling(SEED, number), range(1, 6)) for number in range(FLINGS)]
         for which, rows_of in runs.items():
             self.assert_band(card["energy"]["drift_px2_per_s2"][which], [evaluation.drift(rows) for rows in rows_of], 1e-3)
+            for cause, values in zip(("lift", "bounce", "friction"), zip(*map(evaluation.at_walls, rows_of))):
+                self.assert_band(card["energy"][f"{cause}_px2_per_s2"][which], list(values), 1e-3)
             for line in card["exact"]:
                 second = int(line["t_s"])
                 apart = [math.dist(exact[number][second - 1], rows[60 * second][2:4]) for number, rows in enumerate(rows_of)]
@@ -194,7 +196,7 @@ class Same(CompareTest):
             contacts = card["contacts"]
             self.assertEqual([contacts[key] for key in ("scenarios", "moved", "only_before", "only_after")], [0, 0, 0, 0])
             self.assertGreater(contacts["contacts"]["before"], 1000)
-            for line in (card["displays"]["spread_px"], card["energy"]["drift_px2_per_s2"],
+            for line in (card["displays"]["spread_px"], *card["energy"].values(),
                          *(each["distance_px"] for each in card["exact"]), card["hard_cases"]["random_runs_broken"],
                          contacts["contacts"], card["flings"]["settled"]):
                 self.assertEqual(line["before"], line["after"])

@@ -221,13 +221,18 @@ def play_fling(start, rate_hz=60.0, steps=1200):
     return rows
 
 
-def settles(rows):
-    """Whether the last second shows no motion of more than half a pixel from the anchor."""
+def settles_at(rows):
+    """Since when the sprite has not been more than half a pixel from its anchor; None: it settled less than a second
+    before the end."""
     anchor = rows[0]
     for row in rows:
         if abs(row[2] - anchor[2]) > 0.5 or abs(row[3] - anchor[3]) > 0.5:
             anchor = row
-    return rows[-1][0] - anchor[0] >= 1.0
+    return anchor[0] if rows[-1][0] - anchor[0] >= 1.0 else None
+
+
+def settles(rows):
+    return settles_at(rows) is not None
 
 
 def spread_px(start):
@@ -272,6 +277,27 @@ def drift(rows):
         dy, vy_exact = flown(vy, G, K, t_s)
         total += energy(*rows[last][4:6], rows[last][3]) - energy(flown(vx, 0.0, K, t_s)[1], vy_exact, y + dy)
     return total
+
+
+def at_walls(rows):
+    """(lift, bounce, friction): energy of rows that touch a wall minus that of the exact flight from the row before,
+    until the fling settles."""
+    lift = bounce = friction = 0.0
+    end_s = settles_at(rows)
+    for (_, _, _, y0, vx0, vy0, _), (t_s, dt_s, _, y, vx, vy, contact) in zip(rows, rows[1:]):
+        if end_s is not None and t_s > end_s:
+            break
+        if not contact:
+            continue
+        _, vx_exact = flown(vx0, 0.0, K, dt_s)
+        dy_exact, vy_exact = flown(vy0, G, K, dt_s)
+        lift += G * (y0 + dy_exact - y)
+        for gain, walls in ((vx**2 - vx_exact**2, LEFT | RIGHT), (vy**2 - vy_exact**2, TOP | GROUND)):
+            if contact & walls:
+                bounce += gain / 2.0
+            else:
+                friction += gain / 2.0
+    return lift, bounce, friction
 
 
 def exact_motion(start, times_s):

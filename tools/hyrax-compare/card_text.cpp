@@ -76,6 +76,15 @@ std::string landing_text(const Card& card) {
   return text;
 }
 
+// As height.
+std::string energy_text(const EnergyLine& energy) {
+  constexpr double kHeight_px = 1200.0;  // The paper's gravity: energy of 1 px of height, in px2/s2.
+  return line("energy", "as height, in flight: " + text_of(energy.drift_px2_per_s2, "px", kHeight_px)) +
+         line("", "at walls, by lift: " + text_of(energy.lift_px2_per_s2, "px", kHeight_px)) +
+         line("", "by bounces: " + text_of(energy.bounce_px2_per_s2, "px", kHeight_px)) +
+         line("", "by friction: " + text_of(energy.friction_px2_per_s2, "px", kHeight_px));
+}
+
 std::string exact_text(const Card& card) {
   std::string text;
   for (const ExactLine& exact : card.exact)
@@ -137,7 +146,6 @@ std::string recordings_text(const Card& card) {
 }  // namespace
 
 std::string card_text(const Card& card, const CardTitle& title) {
-  constexpr double kHeight_px = 1200.0;  // The paper's gravity: energy of 1 px of height, in px2/s2.
   return fmt::format(
              "{} against {}\n  {} scenarios, {} random flings (seed {}); median (10 .. 90 %), before -> "
              "after\n",
@@ -145,9 +153,7 @@ std::string card_text(const Card& card, const CardTitle& title) {
          bits_text(card) + contacts_text(card) + landing_text(card) +
          line("displays", fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} flings",
                                       text_of(card.displays.spread_px, "px"), card.displays.flings)) +
-         line("energy", "drift in flight, total, as height: " +
-                            text_of(card.energy.drift_px2_per_s2, "px", kHeight_px)) +
-         exact_text(card) +
+         energy_text(card.energy) + exact_text(card) +
          line("speed", fmt::format("{} -> {} ns a step; ratio {:.3f} ({:.3f} .. {:.3f}), {} pairs",
                                    text_of(card.cost.step_ns.before), text_of(card.cost.step_ns.after),
                                    card.cost.ratio.median, card.cost.ratio.low, card.cost.ratio.high,

@@ -1,7 +1,6 @@
 // hyrax-compare: what a candidate core would change.
 #include <charconv>
 #include <chrono>
-#include <exception>
 #include <filesystem>
 #include <future>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/failure.h"
+#include "tools/files/main_program.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -171,20 +171,5 @@ ExitCode run(const std::vector<std::string>& words) {
 }  // namespace hyrax
 
 int main(int argument_count, char** arguments) {
-  using namespace hyrax;
-  ExitCode exit_code = ExitCode::program_fault;
-  try {
-    exit_code =
-        run(std::vector<std::string>(arguments + (argument_count > 0 ? 1 : 0), arguments + argument_count));
-  } catch (const Failure& failure) {
-    print_error(failure.what());
-    exit_code = failure.exit_code();
-  } catch (const std::exception& error) {
-    print_error(std::string("hyrax-compare: internal error: ") + error.what());
-  }
-  if (!is_all_printed()) {
-    print_error("hyrax-compare: standard output cannot be written");
-    exit_code = more_serious(exit_code, ExitCode::cannot_access);
-  }
-  return static_cast<int>(exit_code);
+  return hyrax::run_program("hyrax-compare", argument_count, arguments, hyrax::run);
 }

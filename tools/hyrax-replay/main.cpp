@@ -1,6 +1,5 @@
 // hyrax-replay: the state hash of scenarios, without HDF5 and GSL, so that it builds for every target.
 #include <algorithm>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "sim/replay/replay.h"
 #include "tools/files/build_info.h"
 #include "tools/files/failure.h"
+#include "tools/files/main_program.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -99,20 +99,5 @@ ExitCode run(const std::vector<std::string>& arguments) {
 }  // namespace hyrax
 
 int main(int argument_count, char** arguments) {
-  using namespace hyrax;
-  ExitCode exit_code = ExitCode::program_fault;
-  try {
-    exit_code =
-        run(std::vector<std::string>(arguments + (argument_count > 0 ? 1 : 0), arguments + argument_count));
-  } catch (const Failure& failure) {
-    print_error(failure.what());
-    exit_code = failure.exit_code();
-  } catch (const std::exception& error) {
-    print_error(std::string("hyrax-replay: internal error: ") + error.what());
-  }
-  if (!is_all_printed()) {
-    print_error("hyrax-replay: standard output cannot be written");
-    exit_code = more_serious(exit_code, ExitCode::cannot_access);
-  }
-  return static_cast<int>(exit_code);
+  return hyrax::run_program("hyrax-replay", argument_count, arguments, hyrax::run);
 }

@@ -1,5 +1,4 @@
 #include <csignal>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "sim/replay/core_constants.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/build_info.h"
+#include "tools/files/main_program.h"
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/print.h"
@@ -139,24 +139,13 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // If a parent process left it ignored, the exit status of a child process would be lost.
   std::signal(SIGCHLD, SIG_DFL);
-  ExitCode exit_code = ExitCode::program_fault;
-  try {
+  return run_program("hyrax-sim", argc, argv, [&](const std::vector<std::string>& arguments) {
     if (argc > 0 && !is_paper_model(core_model())) set_program(argv[0]);
-    exit_code = run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
-  } catch (const Failure& failure) {
-    print_error(failure.what());
-    exit_code = failure.exit_code();
-  } catch (const std::filesystem::filesystem_error& error) {
-    print_error(error.path1().string() + ": cannot be accessed: " + error.code().message());
-    exit_code = ExitCode::cannot_access;
-  } catch (const std::bad_alloc&) {
-    print_error("hyrax-sim: out of memory");
-  } catch (const std::exception& error) {
-    print_error(std::string("hyrax-sim: internal error: ") + error.what());
-  }
-  if (!is_all_printed()) {
-    print_error("hyrax-sim: standard output cannot be written");
-    exit_code = more_serious(exit_code, ExitCode::cannot_access);
-  }
-  return static_cast<int>(exit_code);
+    try {
+      return run_command_line(arguments);
+    } catch (const std::filesystem::filesystem_error& error) {
+      throw Failure(ExitCode::cannot_access,
+                    error.path1().string() + ": cannot be accessed: " + error.code().message());
+    }
+  });
 }
