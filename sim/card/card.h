@@ -69,12 +69,14 @@ struct FlingLine {
   std::optional<Band> shift_px;     ///< Of x, signed: candidate minus base, where both settle.
   std::optional<Band> distance_px;  ///< Distance of the two places.
   double distance_max_px = 0.0;
+  std::vector<double> distances_px;  ///< All of them, in ascending order.
 };
 
 /// Where the first kDisplayFlings of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.
 struct DisplayLine {
   std::int64_t flings = 0;
-  BeforeAfter<std::optional<Band>> spread_px = {};  ///< Of the flings that settle on every display.
+  BeforeAfter<std::optional<Band>> spread_px = {};   ///< Of the flings that settle on every display.
+  BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them, in ascending order.
 };
 
 /// What the walls did to the energy of a fling until it settled: over each step that touched one, the row

@@ -103,6 +103,11 @@ struct FlingSamples {
   }
 };
 
+std::vector<double> sorted(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
 bool is_same_run(const CoreRun& a, const CoreRun& b) {
   return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
                     [](const Row& x, const Row& y) { return same_bits(state_of(x), state_of(y)); });
@@ -154,6 +159,7 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
   }
   lines.random.shift_px = band_of(shift_px);
   lines.random.distance_px = band_of(distances_px);
+  lines.random.distances_px = sorted(std::move(distances_px));
   const auto bands = [&](const auto samples) {
     return BeforeAfter{band_of(before.*samples), band_of(after.*samples)};
   };
@@ -179,7 +185,8 @@ std::optional<double> landing_x_px(const CoreFunctions& core, const State& start
   return end.x_px;
 }
 
-std::optional<Band> spread_over_displays(const CoreFunctions& core, std::uint64_t seed, std::int64_t flings) {
+std::vector<double> spreads_over_displays(const CoreFunctions& core, std::uint64_t seed,
+                                          std::int64_t flings) {
   std::vector<double> spreads_px;
   for (std::int64_t number = 0; number < flings; ++number) {
     std::vector<double> landings_px;
@@ -190,15 +197,18 @@ std::optional<Band> spread_over_displays(const CoreFunctions& core, std::uint64_
     const auto [least, most] = std::minmax_element(landings_px.begin(), landings_px.end());
     spreads_px.push_back(*most - *least);
   }
-  return band_of(spreads_px);
+  return sorted(std::move(spreads_px));
 }
 
 }  // namespace
 
 DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
                              std::int64_t flings) {
-  flings = std::min(flings, kDisplayFlings);
-  return {flings, {spread_over_displays(base, seed, flings), spread_over_displays(candidate, seed, flings)}};
+  DisplayLine line{.flings = std::min(flings, kDisplayFlings)};
+  line.spreads_px = {spreads_over_displays(base, seed, line.flings),
+                     spreads_over_displays(candidate, seed, line.flings)};
+  line.spread_px = {band_of(line.spreads_px.before), band_of(line.spreads_px.after)};
+  return line;
 }
 
 CostLine measure_cost(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,

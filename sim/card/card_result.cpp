@@ -1,0 +1,183 @@
+#include "sim/card/card_result.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace hyrax {
+namespace {
+
+constexpr Tone kBefore = Tone::quiet;
+constexpr Tone kAfter = Tone::vermilion;
+constexpr double kHeight_px2_per_s2 = 1200.0;  // Energy of 1 px of height by the paper's gravity.
+
+std::vector<LegendEntry> both_cores(Form form) {
+  return {{"base", {.form = form, .tone = kBefore}}, {"candidate", {.form = form, .tone = kAfter}}};
+}
+
+Table scenario_table(const std::vector<ScenarioChange>& changed) {
+  const auto number = [](const auto& name, const auto& long_name, const auto& records, const auto member) {
+    return column_of<std::int64_t>(name, "1", long_name, records,
+                                   [member](const ScenarioChange& each) { return each.change.*member; });
+  };
+  return {
+      "scenarios",
+      "scenarios that differ",
+      {column_of<std::string>("scenario", "", "its file", changed, &ScenarioChange::path),
+       column_of<std::string>("class", "", "class of difference", changed,
+                              [](const ScenarioChange& each) { return name_of(*each.change.difference); }),
+       column_of<double>(
+           "largest", "px", "largest distance of two rows of the same step", changed,
+           [](const ScenarioChange& each) { return each.change.largest ? each.change.largest->px : 0.0; }),
+       column_of<double>("end", "px", "distance of the last rows", changed,
+                         [](const ScenarioChange& each) { return each.change.end_shift_px; }),
+       number("contacts_before", "contacts of the base", changed, &RunChange::contacts_before),
+       number("contacts_after", "contacts of the candidate", changed, &RunChange::contacts_after)}};
+}
+
+Table invariant_table(const HardCaseLine& hard) {
+  struct Change {
+    std::string name;
+    std::string change;
+  };
+  std::vector<Change> changes;
+  for (const std::string& name : hard.newly_broken) changes.push_back({name, "newly broken"});
+  for (const std::string& name : hard.mended) changes.push_back({name, "no longer broken"});
+  return {"invariants",
+          "invariants of hard cases that differ",
+          {column_of<std::string>("invariant", "", "case and invariant", changes, &Change::name),
+           column_of<std::string>("change", "", "what changed", changes, &Change::change)}};
+}
+
+Table claim_table(const std::vector<ChangedClaim>& claims) {
+  return {"claims",
+          "claims of the paper with another verdict",
+          {column_of<std::string>("claim", "", "section and name", claims, &ChangedClaim::id),
+           column_of<std::string>("before", "", "verdict on the base", claims,
+                                  [](const ChangedClaim& claim) { return claim.verdict.before; }),
+           column_of<std::string>("after", "", "verdict on the candidate", claims,
+                                  [](const ChangedClaim& claim) { return claim.verdict.after; }),
+           column_of<double>("measured_before", "", "measured on the base", claims,
+                             [](const ChangedClaim& claim) { return claim.number.before; }),
+           column_of<double>("measured_after", "", "measured on the candidate", claims,
+                             [](const ChangedClaim& claim) { return claim.number.after; }),
+           column_of<std::string>("unit", "", "of what is measured", claims, &ChangedClaim::unit)}};
+}
+
+Table recording_table(const std::vector<MovedRecording>& moved) {
+  return {"recordings",
+          "recordings that end elsewhere",
+          {column_of<std::string>("recording", "", "its file", moved, &MovedRecording::path),
+           column_of<double>("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
+}
+
+// The share of a sample up to each of its values. REQUIRES: ascending order.
+Series shares_up_to(const std::string& name, const std::vector<double>& values, Tone tone) {
+  Series series{.name = name, .look = {.tone = tone}};
+  for (std::size_t index = 0; index < values.size(); ++index) {
+    series.x.push_back(values[index]);
+    series.y.push_back(100.0 * static_cast<double>(index + 1) / static_cast<double>(values.size()));
+  }
+  return series;
+}
+
+Figure landing_figure(const Card& card) {
+  Plot plot{.x = {.label = "distance of the two landing places, px", .low = 0.0},
+            .y = {.label = "flings up to this distance, %", .low = 0.0, .high = 100.0},
+            .series = {shares_up_to("flings", card.random.distances_px, kAfter)},
+            .when_empty = "no fling settles with both cores"};
+  return {.suffix = "-landing",
+          .title = "Where flings land",
+          .subtitle = fmt::format("The same {} random flings with both cores at 60 Hz", card.flings),
+          .body = std::vector{std::move(plot)}};
+}
+
+Figure display_figure(const DisplayLine& line) {
+  Plot plot{.x = {.label = "spread of a fling's landing places, px", .low = 0.0},
+            .y = {.label = "flings up to this spread, %", .low = 0.0, .high = 100.0},
+            .series = {shares_up_to("base", line.spreads_px.before, kBefore),
+                       shares_up_to("candidate", line.spreads_px.after, kAfter)},
+            .when_empty = "no fling settles on every display"};
+  return {.suffix = "-displays",
+          .title = "The same fling on many displays",
+          .subtitle =
+              fmt::format("Largest minus smallest x where it lands at 24 to 1000 Hz, {} flings", line.flings),
+          .body = std::vector{std::move(plot)},
+          .legend = both_cores(Form::line)};
+}
+
+Figure exact_figure(const std::vector<ExactLine>& lines) {
+  Plot plot{.x = {.label = "time since the throw, s"},
+            .y = {.label = "distance from the exact motion, px", .low = 0.0}};
+  for (const auto& [name, core, tone] :
+       {std::tuple{"base", &BeforeAfter<std::optional<Band>>::before, kBefore},
+        std::tuple{"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter}}) {
+    Series middle{.name = std::string(name) + ", eight of ten flings",
+                  .look = {.form = Form::band, .tone = tone == kBefore ? Tone::shade : Tone::bad}};
+    Series median{.name = std::string(name) + ", median",
+                  .look = {.form = Form::line_and_points, .tone = tone}};
+    for (const ExactLine& line : lines) {
+      const std::optional<Band>& band = line.distance_px.*core;
+      if (!band) continue;
+      for (Series* const series : {&middle, &median}) series->x.push_back(line.t_s);
+      middle.y_low.push_back(band->low);
+      middle.y.push_back(band->high);
+      median.y.push_back(band->median);
+    }
+    plot.series.insert(plot.series.begin(), std::move(middle));
+    plot.series.push_back(std::move(median));
+  }
+  return {.suffix = "-exact",
+          .title = "Distance from the exact motion",
+          .subtitle = "Median and middle 80 % of the flings, 60 rows a second",
+          .body = std::vector{std::move(plot)},
+          .legend = both_cores(Form::line_and_points)};
+}
+
+Figure energy_figure(const EnergyLine& energy) {
+  Plot plot{.x = {.label = "energy, as px of height"},
+            .y = {.categories = {"in flight, against the exact flight", "at walls, by lift", "by bounces",
+                                 "by friction"}},
+            .marks = {{.at = 0.0, .tone = Tone::hairline}}};
+  const std::array causes = {&energy.drift_px2_per_s2, &energy.lift_px2_per_s2, &energy.bounce_px2_per_s2,
+                             &energy.friction_px2_per_s2};
+  for (const auto& [name, core, tone, shift] :
+       {std::tuple{"base", &BeforeAfter<std::optional<Band>>::before, kBefore, -0.12},
+        std::tuple{"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter, 0.12}}) {
+    Series series{.name = name, .look = {.form = Form::points, .tone = tone, .marker_size = 0.9}};
+    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
+      const std::optional<Band>& band = causes[cause]->*core;
+      if (!band) continue;
+      series.x.push_back(band->median / kHeight_px2_per_s2);
+      series.y.push_back(static_cast<double>(cause) + shift);
+      series.x_low.push_back(band->low / kHeight_px2_per_s2);
+      series.x_high.push_back(band->high / kHeight_px2_per_s2);
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return {.suffix = "-energy",
+          .title = "Energy by cause",
+          .subtitle = "Of a fling until it settles: median and middle 80 % of the flings",
+          .body = std::vector{std::move(plot)},
+          .legend = both_cores(Form::points)};
+}
+
+}  // namespace
+
+std::vector<Table> card_tables(const Card& card) {
+  std::vector<Table> tables = {scenario_table(card.library.changed)};
+  if (card.hard_cases) tables.push_back(invariant_table(*card.hard_cases));
+  tables.push_back(claim_table(card.claims.changed));
+  if (card.recordings) tables.push_back(recording_table(card.recordings->moved));
+  std::erase_if(tables, [](const Table& table) { return row_count(table) == 0; });
+  return tables;
+}
+
+std::vector<Figure> card_figures(const Card& card) {
+  return {landing_figure(card), display_figure(card.displays), exact_figure(card.exact),
+          energy_figure(card.energy)};
+}
+
+}  // namespace hyrax
