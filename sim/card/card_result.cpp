@@ -18,8 +18,9 @@ std::vector<LegendEntry> both_cores(Form form) {
 }
 
 Table scenario_table(const std::vector<ScenarioChange>& changed) {
-  const auto number = [](const auto& name, const auto& long_name, const auto& records, const auto member) {
-    return column_of<std::int64_t>(name, "1", long_name, records,
+  const auto number = [&changed](const std::string& name, const std::string& long_name,
+                                 std::int64_t RunChange::*member) {
+    return column_of<std::int64_t>(name, "1", long_name, changed,
                                    [member](const ScenarioChange& each) { return each.change.*member; });
   };
   return {
@@ -33,8 +34,8 @@ Table scenario_table(const std::vector<ScenarioChange>& changed) {
            [](const ScenarioChange& each) { return each.change.largest ? each.change.largest->px : 0.0; }),
        column_of<double>("end", "px", "distance of the last rows", changed,
                          [](const ScenarioChange& each) { return each.change.end_shift_px; }),
-       number("contacts_before", "contacts of the base", changed, &RunChange::contacts_before),
-       number("contacts_after", "contacts of the candidate", changed, &RunChange::contacts_after)}};
+       number("contacts_before", "contacts of the base", &RunChange::contacts_before),
+       number("contacts_after", "contacts of the candidate", &RunChange::contacts_after)}};
 }
 
 Table invariant_table(const HardCaseLine& hard) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/card/card.h"
 #include "tools/files/json.h"
@@ -14,6 +15,16 @@ struct CardTitle {
   std::string base;
 };
 
+/// A line of the card; without a name it continues the one before.
+struct CardLine {
+  std::string name;
+  std::string text;
+};
+using CardText = std::vector<CardLine>;
+
+/// What was compared: how many scenarios and flings, and what the numbers of a line are.
+[[nodiscard]] std::string compared_text(const Card& card);
+[[nodiscard]] CardText card_lines(const Card& card);
 [[nodiscard]] std::string card_text(const Card& card, const CardTitle& title);
 [[nodiscard]] Json card_json(const Card& card, const CardTitle& title);
 

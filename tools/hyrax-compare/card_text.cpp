@@ -35,10 +35,6 @@ std::string text_of(const ClassCounts& counts) {
   return text;
 }
 
-std::string line(std::string_view name, const std::string& text) {
-  return fmt::format("  {:<15} {}\n", name, text);
-}
-
 // The first few, and how many there are more.
 std::string list_text(const std::vector<std::string>& names, std::size_t most = 3) {
   std::string text;
@@ -48,49 +44,54 @@ std::string list_text(const std::vector<std::string>& names, std::size_t most = 
   return text;
 }
 
-std::string bits_text(const Card& card) {
-  std::string text = line("bits", "scenarios: " + text_of(card.library.classes)) +
-                     line("", "random flings: " + text_of(card.random.classes));
+void add_bits(const Card& card, CardText& text) {
+  text.push_back({"bits", "scenarios: " + text_of(card.library.classes)});
+  text.push_back({"", "random flings: " + text_of(card.random.classes)});
   if (card.library.cut > 0)
-    text +=
-        line("", fmt::format("compared in their first {} rows only: {}", kCoreRunRowsMax, card.library.cut));
-  return text;
+    text.push_back(
+        {"", fmt::format("compared in their first {} rows only: {}", kCoreRunRowsMax, card.library.cut)});
 }
 
-std::string contacts_text(const Card& card) {
+void add_contacts(const Card& card, CardText& text) {
   const ContactLine& contacts = card.contacts;
-  return line("contacts",
-              fmt::format("changed in {} of {} scenarios: {} moved, {} only before, {} only after ({} -> {})",
-                          contacts.scenarios, card.scenarios, contacts.moved, contacts.only_before,
-                          contacts.only_after, contacts.contacts.before, contacts.contacts.after)) +
-         line("", "changed in random flings: " + text_of(card.random.changed_contacts));
+  text.push_back(
+      {"contacts",
+       fmt::format("changed in {} of {} scenarios: {} moved, {} only before, {} only after ({} -> {})",
+                   contacts.scenarios, card.scenarios, contacts.moved, contacts.only_before,
+                   contacts.only_after, contacts.contacts.before, contacts.contacts.after)});
+  text.push_back({"", "changed in random flings: " + text_of(card.random.changed_contacts)});
 }
 
-std::string landing_text(const Card& card) {
+void add_landing(const Card& card, CardText& text) {
   const FlingLine& flings = card.random;
-  std::string text = line(
-      "landing", fmt::format("shift in x {} px, distance {} px, largest {:.3g} px", text_of(flings.shift_px),
-                             text_of(flings.distance_px), flings.distance_max_px));
-  text += line("", fmt::format("of {} random flings at 60 Hz settle: {} -> {}", card.flings,
-                               flings.settled.before, flings.settled.after));
-  return text;
+  text.push_back(
+      {"landing", fmt::format("shift in x {} px, distance {} px, largest {:.3g} px", text_of(flings.shift_px),
+                              text_of(flings.distance_px), flings.distance_max_px)});
+  text.push_back({"", fmt::format("of {} random flings at 60 Hz settle: {} -> {}", card.flings,
+                                  flings.settled.before, flings.settled.after)});
+  text.push_back({"displays", fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} flings",
+                                          text_of(card.displays.spread_px, "px"), card.displays.flings)});
 }
 
-// As height.
-std::string energy_text(const EnergyLine& energy) {
+void add_energy(const EnergyLine& energy, CardText& text) {
   constexpr double kHeight_px = 1200.0;  // The paper's gravity: energy of 1 px of height, in px2/s2.
-  return line("energy", "as height, in flight: " + text_of(energy.drift_px2_per_s2, "px", kHeight_px)) +
-         line("", "at walls, by lift: " + text_of(energy.lift_px2_per_s2, "px", kHeight_px)) +
-         line("", "by bounces: " + text_of(energy.bounce_px2_per_s2, "px", kHeight_px)) +
-         line("", "by friction: " + text_of(energy.friction_px2_per_s2, "px", kHeight_px));
+  text.push_back({"energy", "as height, in flight: " + text_of(energy.drift_px2_per_s2, "px", kHeight_px)});
+  text.push_back({"", "at walls, by lift: " + text_of(energy.lift_px2_per_s2, "px", kHeight_px)});
+  text.push_back({"", "by bounces: " + text_of(energy.bounce_px2_per_s2, "px", kHeight_px)});
+  text.push_back({"", "by friction: " + text_of(energy.friction_px2_per_s2, "px", kHeight_px)});
 }
 
-std::string exact_text(const Card& card) {
-  std::string text;
-  for (const ExactLine& exact : card.exact)
-    text += line(text.empty() ? "exact motion" : "",
-                 fmt::format("after {:.0f} s at 60 Hz: {}", exact.t_s, text_of(exact.distance_px, "px")));
-  return text;
+void add_exact(const std::vector<ExactLine>& lines, CardText& text) {
+  for (const ExactLine& exact : lines)
+    text.push_back({&exact == &lines.front() ? "exact motion" : "",
+                    fmt::format("after {:.0f} s at 60 Hz: {}", exact.t_s, text_of(exact.distance_px, "px"))});
+}
+
+void add_speed(const CostLine& cost, CardText& text) {
+  text.push_back(
+      {"speed", fmt::format("{} -> {} ns a step; ratio {:.3f} ({:.3f} .. {:.3f}), {} pairs",
+                            text_of(cost.step_ns.before), text_of(cost.step_ns.after), cost.ratio.median,
+                            cost.ratio.low, cost.ratio.high, cost.ratio.samples)});
 }
 
 // "velocity 9, position 3" of "CASE: INVARIANT".
@@ -102,28 +103,30 @@ std::string invariants_text(const std::vector<std::string>& broken) {
   return list_text(parts, parts.size());
 }
 
-std::string hard_cases_text(const Card& card) {
-  if (!card.hard_cases) return line("invariants", "not measured: no scenarios in a folder named hard");
+void add_hard_cases(const Card& card, CardText& text) {
+  if (!card.hard_cases) {
+    text.push_back({"invariants", "not measured: no scenarios in a folder named hard"});
+    return;
+  }
   const HardCaseLine& hard = *card.hard_cases;
-  std::string text = line("invariants", fmt::format("broken in {} hard cases: {} -> {}", hard.cases,
-                                                    hard.broken.before, hard.broken.after));
-  if (!hard.newly_broken.empty()) text += line("", "newly broken: " + invariants_text(hard.newly_broken));
-  if (!hard.mended.empty()) text += line("", "no longer broken: " + invariants_text(hard.mended));
-  return text + line("", fmt::format("in random runs: {} -> {}", text_of(hard.random_runs.before),
-                                     text_of(hard.random_runs.after)));
+  text.push_back({"invariants", fmt::format("broken in {} hard cases: {} -> {}", hard.cases,
+                                            hard.broken.before, hard.broken.after)});
+  if (!hard.newly_broken.empty()) text.push_back({"", "newly broken: " + invariants_text(hard.newly_broken)});
+  if (!hard.mended.empty()) text.push_back({"", "no longer broken: " + invariants_text(hard.mended)});
+  text.push_back({"", fmt::format("in random runs: {} -> {}", text_of(hard.random_runs.before),
+                                  text_of(hard.random_runs.after))});
 }
 
-std::string claims_text(const Card& card) {
-  const ClaimLine& claims = card.claims;
-  std::vector<std::string> changed;
-  for (const ChangedClaim& claim : claims.changed)
-    changed.push_back(fmt::format("{} {} -> {}", claim.id, claim.verdict.before, claim.verdict.after));
-  std::string text = line("paper's claims", fmt::format("{} of {} change, {} more with another number",
-                                                        changed.size(), claims.claims, claims.other_numbers));
-  for (std::size_t index = 0; index < std::min<std::size_t>(changed.size(), 4); ++index)
-    text += line("", changed[index]);
-  if (changed.size() > 4) text += line("", fmt::format("and {} more", changed.size() - 4));
-  return text;
+void add_claims(const Card& card, CardText& text) {
+  constexpr std::size_t kShown = 4;
+  const std::vector<ChangedClaim>& changed = card.claims.changed;
+  text.push_back(
+      {"paper's claims", fmt::format("{} of {} change, {} more with another number", changed.size(),
+                                     card.claims.claims, card.claims.other_numbers)});
+  for (std::size_t index = 0; index < std::min(changed.size(), kShown); ++index)
+    text.push_back({"", fmt::format("{} {} -> {}", changed[index].id, changed[index].verdict.before,
+                                    changed[index].verdict.after)});
+  if (changed.size() > kShown) text.push_back({"", fmt::format("and {} more", changed.size() - kShown)});
 }
 
 // "fling" of "folder/fling.json".
@@ -132,34 +135,45 @@ std::string stem(const std::string& path) {
   return path.substr(begin, path.rfind('.') - begin);
 }
 
-std::string recordings_text(const Card& card) {
-  if (!card.recordings) return line("recordings", "not measured: no scenarios in a folder named recorded");
+void add_recordings(const Card& card, CardText& text) {
+  if (!card.recordings) {
+    text.push_back({"recordings", "not measured: no scenarios in a folder named recorded"});
+    return;
+  }
   std::vector<std::string> moved;
   for (const MovedRecording& recording : card.recordings->moved)
     moved.push_back(fmt::format("{} {:.3g} px", stem(recording.path), recording.px));
-  std::string text =
-      line("recordings", fmt::format("{} of {} end elsewhere", moved.size(), card.recordings->recordings));
-  if (!moved.empty()) text += line("", list_text(moved, 2));
-  return text;
+  text.push_back(
+      {"recordings", fmt::format("{} of {} end elsewhere", moved.size(), card.recordings->recordings)});
+  if (!moved.empty()) text.push_back({"", list_text(moved, 2)});
 }
 
 }  // namespace
 
+std::string compared_text(const Card& card) {
+  return fmt::format("{} scenarios, {} random flings (seed {}); median (10 .. 90 %), before -> after",
+                     card.scenarios, card.flings, card.seed);
+}
+
+CardText card_lines(const Card& card) {
+  CardText text;
+  add_bits(card, text);
+  add_contacts(card, text);
+  add_landing(card, text);
+  add_energy(card.energy, text);
+  add_exact(card.exact, text);
+  add_speed(card.cost, text);
+  add_hard_cases(card, text);
+  add_claims(card, text);
+  add_recordings(card, text);
+  text.push_back({"consequence", consequence_of(card)});
+  return text;
+}
+
 std::string card_text(const Card& card, const CardTitle& title) {
-  return fmt::format(
-             "{} against {}\n  {} scenarios, {} random flings (seed {}); median (10 .. 90 %), before -> "
-             "after\n",
-             title.candidate, title.base, card.scenarios, card.flings, card.seed) +
-         bits_text(card) + contacts_text(card) + landing_text(card) +
-         line("displays", fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} flings",
-                                      text_of(card.displays.spread_px, "px"), card.displays.flings)) +
-         energy_text(card.energy) + exact_text(card) +
-         line("speed", fmt::format("{} -> {} ns a step; ratio {:.3f} ({:.3f} .. {:.3f}), {} pairs",
-                                   text_of(card.cost.step_ns.before), text_of(card.cost.step_ns.after),
-                                   card.cost.ratio.median, card.cost.ratio.low, card.cost.ratio.high,
-                                   card.cost.ratio.samples)) +
-         hard_cases_text(card) + claims_text(card) + recordings_text(card) +
-         line("consequence", consequence_of(card));
+  std::string text = fmt::format("{} against {}\n  {}\n", title.candidate, title.base, compared_text(card));
+  for (const CardLine& line : card_lines(card)) text += fmt::format("  {:<15} {}\n", line.name, line.text);
+  return text;
 }
 
 }  // namespace hyrax
