@@ -3,7 +3,7 @@
 #include "sim/card/core_defect.h"
 #include "sim/card/core_functions.h"
 #include "sim/replay/core.cpp"  // NOLINT(bugprone-suspicious-include): one unit, as one command compiles it.
-#include "sim/replay/kernel.cpp"  // NOLINT(bugprone-suspicious-include)
+#include "sim/replay/kernel.cpp"  // NOLINT(bugprone-suspicious-include): as above.
 
 extern "C" [[gnu::visibility("default")]] const hyrax::CoreFunctions* hyrax_core_functions() {
   static const hyrax::CoreFunctions functions{.kernel = &hyrax::core_kernel(),

@@ -1,0 +1,65 @@
+#include "sim/card/card_result.h"
+
+#include <gtest/gtest.h>
+
+namespace hyrax {
+namespace {
+
+const Plot& plot_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body).front(); }
+
+TEST(CardResult, OfSameBitsHasNoTables) {
+  Card card;
+  card.hard_cases = HardCaseLine{};
+  card.recordings = RecordingLine{};
+  EXPECT_TRUE(card_tables(card).empty());
+  for (const Figure& figure : card_figures(card))
+    for (const Series& series : plot_of(figure).series) EXPECT_TRUE(series.x.empty()) << figure.title;
+}
+
+TEST(CardResult, HasATableForEachKindOfDifference) {
+  Card card;
+  card.library.changed = {{"a.json",
+                           {.has_same_bits = false,
+                            .difference = DifferenceClass::contacts,
+                            .contacts_before = 3,
+                            .contacts_after = 2,
+                            .end_shift_px = 5.0}}};
+  card.hard_cases = HardCaseLine{.newly_broken = {"case: speed"}, .mended = {"case: energy"}};
+  card.claims.changed = {{"2.1-gravity", {"holds", "does not hold"}, {1200.0, 1250.0}, "px/s2"}};
+  card.recordings = RecordingLine{.recordings = 1, .moved = {{"r.json", 2.0}}};
+  const std::vector<Table> tables = card_tables(card);
+  ASSERT_EQ(tables.size(), 4u);
+  EXPECT_EQ(row_count(tables[0]), 1u);
+  EXPECT_EQ(std::get<std::vector<std::string>>(tables[0].columns[1].values).front(), "contacts");
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(tables[0].columns[4].values).front(), 3);
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(tables[0].columns[5].values).front(), 2);
+  EXPECT_EQ(std::get<std::vector<std::string>>(tables[1].columns[1].values),
+            (std::vector<std::string>{"newly broken", "no longer broken"}));
+  EXPECT_EQ(tables[2].name, "claims");
+  EXPECT_EQ(std::get<std::vector<double>>(tables[3].columns[1].values).front(), 2.0);
+}
+
+TEST(CardResult, DrawsBothCores) {
+  Card card;
+  card.random.distances_px = {1.0, 2.0, 3.0, 4.0};
+  card.displays.spreads_px = {{5.0, 6.0}, {7.0}};
+  card.exact = {{1.0, {Band{4, 2.0, 1.0, 3.0}, Band{4, 20.0, 10.0, 30.0}}}};
+  card.energy.lift_px2_per_s2 = {Band{4, 1200.0, 0.0, 2400.0}, Band{4, 12000.0, 0.0, 24000.0}};
+  const std::vector<Figure> figures = card_figures(card);
+  ASSERT_EQ(figures.size(), 4u);
+  EXPECT_EQ(plot_of(figures[0]).series[0].y, (std::vector{25.0, 50.0, 75.0, 100.0}));
+  EXPECT_EQ(plot_of(figures[1]).series[0].x, (std::vector{5.0, 6.0}));
+  EXPECT_EQ(plot_of(figures[1]).series[1].x, (std::vector{7.0}));
+  const std::vector<Series>& exact = plot_of(figures[2]).series;
+  ASSERT_EQ(exact.size(), 4u);  // Bands behind medians.
+  EXPECT_EQ(exact[0].look.form, Form::band);
+  EXPECT_EQ(exact[1].look.form, Form::band);
+  EXPECT_EQ(exact[2].y, (std::vector{2.0}));
+  EXPECT_EQ(exact[3].y, (std::vector{20.0}));
+  const Series& after = plot_of(figures[3]).series[1];
+  EXPECT_EQ(after.x, (std::vector{10.0}));  // px of height
+  EXPECT_EQ(after.x_high, (std::vector{20.0}));
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,92 @@
+#include "sim/card/core_defect.h"
+
+#include <gtest/gtest.h>
+
+namespace hyrax {
+namespace {
+
+// A ball without walls, from which each defect differs in one place.
+class Ball {
+ public:
+  Ball() = default;
+  Ball(double x, double y, double vx, double vy) : x_(x), y_(y), vx_(vx), vy_(vy) {}
+  void update(double dt, int, int, int, int) {
+    x_ += vx_ * dt;
+    y_ += vy_ * dt;
+  }
+  [[nodiscard]] double x() const { return x_; }
+  [[nodiscard]] double y() const { return y_; }
+  [[nodiscard]] double vx() const { return vx_; }
+  [[nodiscard]] double vy() const { return vy_; }
+  void setPos(double x, double y) { x_ = x, y_ = y; }
+  void setVelocity(double vx, double vy) { vx_ = vx, vy_ = vy; }
+  void resetVelocity() { vx_ = vy_ = 0.0; }
+
+ protected:
+  double x_ = 0.0, y_ = 0.0, vx_ = 0.0, vy_ = 0.0;
+};
+
+struct CountsCalls : Ball {
+  using Ball::Ball;
+  void update(double dt, int w, int h, int sw, int sh) {
+    static int calls = 0;
+    if (++calls % 4096 == 0) vx_ += 1.0;
+    Ball::update(dt, w, h, sw, sh);
+  }
+};
+
+struct SharesItsSpeed : Ball {
+  SharesItsSpeed() = default;
+  SharesItsSpeed(double x, double y, double vx, double vy) : Ball(x, y, vx, vy) { speed = vx; }
+  void update(double dt, int w, int h, int sw, int sh) {
+    vx_ = speed *= 0.999;
+    Ball::update(dt, w, h, sw, sh);
+  }
+  static inline double speed = 0.0;
+};
+
+struct GetterMoves : Ball {
+  using Ball::Ball;
+  [[nodiscard]] double vy() const {
+    const_cast<GetterMoves*>(this)->vy_ +=
+        1e-9;  // NOLINT(cppcoreguidelines-pro-type-const-cast): the defect.
+    return Ball::vy();
+  }
+};
+
+struct PositionScalesSpeed : Ball {
+  using Ball::Ball;
+  void setPos(double x, double y) {
+    Ball::setPos(x, y);
+    vx_ *= 0.5;
+  }
+};
+
+struct CountsSteps : Ball {
+  using Ball::Ball;
+  void update(double dt, int w, int h, int sw, int sh) {
+    if (++steps_ == 1000) vx_ = -vx_;
+    Ball::update(dt, w, h, sw, sh);
+  }
+  int steps_ = 0;
+};
+
+struct HasRoom : Ball {
+  using Ball::Ball;
+  double unused_ = 0.0;
+};
+
+TEST(CoreDefect, IsNoneWhereFourNumbersAreTheState) { EXPECT_EQ(defect_of<Ball>(), nullptr); }
+
+TEST(CoreDefect, NamesEachKind) {
+  EXPECT_TRUE(std::string(defect_of<CountsCalls>()).starts_with("does not repeat"));
+  EXPECT_TRUE(std::string(defect_of<SharesItsSpeed>()).starts_with("shares state between bodies"));
+  EXPECT_TRUE(std::string(defect_of<GetterMoves>()).starts_with("is changed by its getters"));
+  EXPECT_TRUE(
+      std::string(defect_of<PositionScalesSpeed>()).starts_with("depends on the order of its setters"));
+  EXPECT_TRUE(std::string(defect_of<CountsSteps>()).starts_with("keeps state between calls"));
+  EXPECT_TRUE(std::string(defect_of<HasRoom>()).starts_with("can keep state between calls"));
+}
+
+}  // namespace
+}  // namespace hyrax
