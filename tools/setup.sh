@@ -23,6 +23,8 @@ packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot im
 packages_to_package=(dpkg-dev file python3 g++-mingw-w64-x86-64-posix)
 # For tests/package, which install the Debian package in a bare system.
 packages_to_install=(debootstrap)
+# For the tests of sweeps on clusters: a Slurm cluster of one node, and Open MPI's launcher.
+packages_for_clusters=(slurmctld slurmd slurm-client munge openmpi-bin)
 packages_for_ci=(clang-format clang-tidy shellcheck git)
 
 readonly exit_cannot_access=3
