@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "tests/benchmarks/figure.h"
 #include "tests/benchmarks/stopwatch.h"
 #include "tools/files/scenario_reader.h"
@@ -100,6 +102,42 @@ Figure memory_figure(const std::string& program, const std::string& scenario_pat
   return {"memory of 1e9 steps with record.every 1e6", megabytes, megabytes, megabytes, 100.0, false, "MB"};
 }
 
+// A sweep of throws that keeps their ends.
+std::vector<std::string> sweep_command(const std::string& program, const Workplace& workplace,
+                                       const std::string& scenario_path, std::int64_t members,
+                                       const std::string& threads) {
+  const std::string path = (workplace.folder / "sweep.json").string();
+  write_text_file(path, fmt::format(R"({{"format": "hyrax-sweep/1", "base": "{}", "members": {}, "seed": 1,
+    "vary": {{"/start/vx_px_per_s": {{"uniform": [-2000, 2000]}}}}, "keep": ["final"]}})",
+                                    fs::absolute(scenario_path).string(), members));
+  return {program,     "sweep", path,     "-o", (workplace.folder / "sweep.h5").string(),
+          "--threads", threads, "--quiet"};
+}
+
+Figure thread_figure(const std::string& program, const std::string& scenario_path) {
+  const Workplace workplace;
+  const auto play = [&](const std::string& threads) {
+    run(sweep_command(program, workplace, scenario_path, 1'000'000, threads));
+  };
+  const auto timings = time_side_by_side({[&] { play("1"); }, [&] { play("2"); }}, 9);
+  return {"sweep of 1e6 members, two threads, times faster than one",
+          timings[0].median() / timings[1].median(),
+          timings[0].quantile(0.25) / timings[1].quantile(0.75),
+          timings[0].quantile(0.75) / timings[1].quantile(0.25),
+          1.9,
+          true,
+          ""};
+}
+
+std::vector<Figure> large_sweep_figures(const std::string& program, const std::string& scenario_path) {
+  const Workplace workplace;
+  double megabytes = 0.0;
+  const auto timings = time_side_by_side(
+      {[&] { megabytes = run(sweep_command(program, workplace, scenario_path, 10'000'000, "2")); }}, 1);
+  return {of("sweep of 1e7 members of 10 s, two threads, with its file", timings[0], 1.0, 30.0, "s"),
+          {"memory of a sweep of 1e7 members", megabytes, megabytes, megabytes, 200.0, false, "MB"}};
+}
+
 }  // namespace
 
 std::vector<Figure> program_figures(const std::string& program, const std::string& scenarios) {
@@ -109,6 +147,8 @@ std::vector<Figure> program_figures(const std::string& program, const std::strin
   figures.push_back(start_figure());
   figures.push_back(library_figure(program, scenarios));
   figures.push_back(memory_figure(program, first));
+  figures.push_back(thread_figure(program, first));
+  for (Figure& figure : large_sweep_figures(program, first)) figures.push_back(std::move(figure));
   return figures;
 }
 
