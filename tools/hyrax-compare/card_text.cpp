@@ -166,13 +166,14 @@ CardText card_lines(const Card& card) {
   add_hard_cases(card, text);
   add_claims(card, text);
   add_recordings(card, text);
-  text.push_back({"consequence", consequence_of(card)});
   return text;
 }
 
 std::string card_text(const Card& card, const CardTitle& title) {
   std::string text = fmt::format("{} against {}\n  {}\n", title.candidate, title.base, compared_text(card));
-  for (const CardLine& line : card_lines(card)) text += fmt::format("  {:<15} {}\n", line.name, line.text);
+  CardText lines = card_lines(card);
+  lines.push_back({"consequence", consequence_of(card)});
+  for (const CardLine& line : lines) text += fmt::format("  {:<15} {}\n", line.name, line.text);
   return text;
 }
 

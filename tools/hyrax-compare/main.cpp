@@ -17,6 +17,8 @@
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-compare/card_output.h"
 #include "tools/hyrax-compare/core_file.h"
+#include "tools/report/page_file.h"
+#include "tools/store/output_guard.h"
 
 namespace hyrax {
 namespace {
@@ -29,6 +31,8 @@ constexpr char kHelp[] =
     "none\n"
     "is given. They are compiled with the compiler and the flags of this build.\n\n"
     "  --json            print JSON\n"
+    "  --report FILE.html\n"
+    "                    also write the card as a page, with its figures and what differs one by one\n"
     "  --scenarios DIR   the scenario library (default: scenarios of the project); recordings and hard cases "
     "are\n"
     "                    made from its folders `recorded` and `hard`\n"
@@ -46,6 +50,8 @@ struct Arguments {
   std::uint64_t seed = 1;
   std::int64_t flings = 1000;
   unsigned limit_s = 300;
+  std::string report;   ///< The page to write; empty: none.
+  std::string command;  ///< As it was called.
   bool is_json = false;
   bool is_help = false;
   std::string probed_library;
@@ -68,6 +74,7 @@ Number number_in(const std::string& option, const std::string& text, Number low,
 Arguments parsed(const std::vector<std::string>& words) {
   constexpr std::int64_t kFlingsMax = 100'000;
   Arguments arguments;
+  arguments.command = fmt::format("hyrax-compare {}", fmt::join(words, " "));
   for (std::size_t index = 0; index < words.size(); ++index) {
     const std::string& word = words[index];
     const auto value = [&]() -> const std::string& {
@@ -78,6 +85,8 @@ Arguments parsed(const std::vector<std::string>& words) {
       arguments.is_help = true;
     else if (word == "--json")
       arguments.is_json = true;
+    else if (word == "--report")
+      arguments.report = value();
     else if (word == "--scenarios")
       arguments.scenarios = value();
     else if (word == "--seed")
@@ -89,8 +98,8 @@ Arguments parsed(const std::vector<std::string>& words) {
     else if (word == kProbeOption)
       arguments.probed_library = value();
     else if (word.starts_with('-'))
-      throw bad_usage(
-          unknown_word("option", word, {"--json", "--scenarios", "--seed", "--flings", "--limit", "--help"}));
+      throw bad_usage(unknown_word(
+          "option", word, {"--json", "--report", "--scenarios", "--seed", "--flings", "--limit", "--help"}));
     else
       arguments.headers.push_back(word);
   }
@@ -121,6 +130,10 @@ ExitCode print_card(const Arguments& arguments) {
   const std::string& candidate_header = arguments.headers.front();
   const bool has_base = arguments.headers.size() > 1;
   const std::string base_header = has_base ? arguments.headers.back() : "sim/physics/physics.h";
+  if (!arguments.report.empty()) {
+    require_page();
+    OutputGuard(arguments.headers).admit("hyrax-compare: --report", arguments.report, {".html"});
+  }
   const CardRequest request = [&arguments] {
     CardRequest read{.library = read_scenarios(arguments.scenarios),
                      .seed = arguments.seed,
@@ -143,6 +156,7 @@ ExitCode print_card(const Arguments& arguments) {
     const Card card = measure_card(base, candidate, request);
     print_text(arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"
                                  : card_text(card, title));
+    if (!arguments.report.empty()) write_card_page(arguments.report, arguments.command, card, title);
   } catch (const CoreRefused& reason) {
     throw Failure(ExitCode::bad_input, candidate_header + ": refused: " + reason.what());
   }

@@ -26,10 +26,10 @@ std::string script_text(const Json& data) {
 
 void require_page() {
   if (page_template(PageKind::runs).empty())
-    throw Failure(
-        ExitCode::cannot_access,
-        "hyrax-sim: this program was built without the report page; to build it: tools/run SCENARIO "
-        "--report FILE.html, or cmake with -DHYRAX_PAGE=ON");
+    throw Failure(ExitCode::cannot_access,
+                  "the report page is not part of this program; to build it in: tools/run SCENARIO --report "
+                  "FILE.html, or "
+                  "cmake with -DHYRAX_PAGE=ON");
 }
 
 void write_page_file(const std::string& path, PageKind kind, const Json& data) {

@@ -1,0 +1,59 @@
+"""The card of a candidate core as a page in Chromium."""
+
+import os
+import pathlib
+import shutil
+
+import browser
+import program
+from process import run, succeed
+from program import AGREED, BAD_INPUT, SOURCE
+
+BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
+NAME = "<img src=x onerror=alert(2)>.h"
+
+
+class CardTest(browser.BrowserTest):
+    """hyrax-compare --report."""
+
+    @classmethod
+    def setUpClass(cls):
+        succeed("cmake", "--build", BUILD, "--target", "hyrax-compare", timeout=600)
+        super().setUpClass()
+
+    def setUp(self):
+        super().setUp()
+        for name in ("flings/first-fling", "recorded/caught-in-flight", "hard/window-of-no-size"):
+            target = self.folder / "library" / f"{name}.json"
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(SOURCE / "scenarios" / f"{name}.json", target)
+        shipped = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
+        self.write(NAME, shipped.replace("GROUND_FRICTION = 0.8;", "GROUND_FRICTION = 0.7;"))
+
+    def compare(self, exit_code, *arguments):
+        """Runs hyrax-compare on the candidate."""
+        outcome = run(BUILD / "bin/hyrax-compare", NAME, "--scenarios", "library", "--flings", "20", *arguments, cwd=self.folder)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return outcome
+
+    def test_shows_every_line_and_figure(self):
+        text = self.compare(AGREED, "--report", "card.html").out
+        (page,) = self.open({"file": str(self.folder / "card.html"), "actions": [
+            ["wait", "document.querySelectorAll('.plot svg[role=img]').length >= 4"], ["evaluate", "document.body.innerText"],
+            ["evaluate", "document.querySelectorAll('figure').length"]]})
+        _, shown, figures = page["values"]
+        self.assertEqual((page["errors"], page["requests"], figures), ([], [], 4))
+        for line in text.splitlines()[2:]:
+            self.assertIn(line[18:], shown)
+        self.assertIn(NAME, shown)
+
+    def test_never_writes_over_what_it_reads(self):
+        before = (self.folder / NAME).read_text(encoding="utf-8")
+        for page in (NAME, "library/flings/first-fling.json", "card.txt"):
+            self.compare(BAD_INPUT, "--report", page)
+        self.assertEqual((self.folder / NAME).read_text(encoding="utf-8"), before)
+        self.assertFalse((self.folder / "card.txt").exists())
+
+
+if __name__ == "__main__":
+    program.main()
