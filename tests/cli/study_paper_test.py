@@ -35,13 +35,23 @@ class Paper(ProgramTest):
             self.assertIn(claim["verdict"], VERDICTS)
             self.assertGreater(len(claim["measured"]), 10)
             self.assertGreater(len(claim["sentence"]), 10)
+            self.assertTrue(claim["expected"], claim)
             if claim["verdict"] == "holds when":
                 self.assertTrue(claim["remark"].startswith("when "), claim)
+
+    def test_what_is_measured_from_many_starts_has_a_range(self):
+        claims = {claim["claim"]: claim for claim in self.study(AGREED, "--json").json["claims"]}
+        for name in ("2.3-oscillators", "2.4-first-order", "4.1-energy-drift", "4.1-missed"):
+            claim = claims[name]
+            self.assertLessEqual(claim["number_low"], claim["number"], name)
+            self.assertLess(claim["number_low"], claim["number_high"], name)
+            self.assertLessEqual(claim["number"], claim["number_high"], name)
+        self.assertIsNone(claims["1-axes"]["number_low"])
 
     def test_numbers_that_are_known_from_elsewhere(self):
         numbers = {claim["claim"]: claim["number"] for claim in self.study(AGREED, "--json").json["claims"]}
         for claim, number, off in (("2.2-terminal", 0.999 * 1200 / 60 / 0.001, 1e-6), ("2.2-stokes", 8, 1e-9),
-                                   ("2.4-first-order", 1, 0.1), ("3.2.2-infinite-bounce", 0.999 * 1200 * 0.6 / 5, 0.01),
+                                   ("2.4-first-order", 1, 0.1), ("4.1-energy-drift", 12, 0.01), ("3.2.2-infinite-bounce", 0.999 * 1200 * 0.6 / 5, 0.01),
                                    ("5-energy-retention", 0.36, 1e-12), ("6.1-frame-rate", 1701.3 - 1122.5, 0.1)):
             self.assertAlmostEqual(numbers[claim], number, delta=off * max(1, number), msg=claim)
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,15 +24,28 @@ struct Claim {
   std::string id;        ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
   std::string sentence;  ///< Of the paper, shortened.
   std::string measured;  ///< What was measured, and how.
-  double number = 0.0;
-  std::string unit;
+  std::string expected;  ///< The number if the sentence holds: "1.2e+03", "< 1e-9".
+  double number = 0.0;   ///< Of many measurements the median.
+  std::string unit = "1";
   ClaimVerdict verdict = ClaimVerdict::not_measured;
-  std::string remark;  ///< Of `holds when`: the condition. Else what the number means, if that is not plain.
+  std::string remark =
+      {};  ///< Of `holds when`: the condition. Else what the number means, if that is not plain.
+  std::optional<std::array<double, 2>> range = {};  ///< Of many: 10 and 90 %; of a share: its 95 % interval.
   bool is_exact = false;  ///< The number is compared bit for bit: it is printed with all its digits.
 
   /// "2.3" of "2.3-energy".
   [[nodiscard]] std::string section() const { return id.substr(0, id.find('-')); }
 };
+
+/// Random starts of claims that are measured over a hundred of them.
+struct ClaimStarts {
+  std::uint64_t seed = 7;
+  double fastest_px_per_s = 2000.0;  ///< Of each component of the velocity.
+  double slowest_hz = 15.0;          ///< Frame rate, which is doubled four times.
+};
+/// The paper's sentences whose verdict must not depend on a start: oscillators (2.3), order (2.4), energy
+/// drift and missed collisions (4.1).
+[[nodiscard]] std::vector<Claim> accuracy_claims(const ClaimStarts& starts = {});
 
 /// The paper's sentences on flight (sections 1 to 2.3), energy (2.3, 2.4), walls (3, 5), time steps
 /// (3.2.2, 4.1, 4.2), the order of operations (4.3, 6), constants (5) and use (6).

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -29,6 +30,13 @@ double step_time_s(std::int64_t (*now_ns)()) {
   return least_s;
 }
 
+// An end of the range, NaN of a single measurement.
+auto range_end(std::size_t end) {
+  return [end](const Claim& claim) {
+    return claim.range ? (*claim.range)[end] : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
 Table claim_table(const std::vector<Claim>& claims) {
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
   return {
@@ -38,7 +46,11 @@ Table claim_table(const std::vector<Claim>& claims) {
        column_of<std::string>("section", "", "section of the paper", claims, &Claim::section),
        column_of<std::string>("sentence", "", "sentence of the paper, shortened", claims, &Claim::sentence),
        column_of<std::string>("measured", "", "what was measured", claims, &Claim::measured),
-       column_of<double>("number", "", "the measured value", claims, &Claim::number),
+       column_of<std::string>("expected", "", "the number, in its unit, if the sentence holds", claims,
+                              &Claim::expected),
+       column_of<double>("number", "", "the measured value; of many the median", claims, &Claim::number),
+       column_of<double>("number_low", "", "low end of the range of many values", claims, range_end(0)),
+       column_of<double>("number_high", "", "high end of the range of many values", claims, range_end(1)),
        column_of<std::string>("number_unit", "", "unit of the number", claims, &Claim::unit),
        column_of<std::string>("verdict", "", "holds, holds when, does not hold, or not measured", claims,
                               verdict),
@@ -103,12 +115,17 @@ Verdict verdict_of(const std::vector<Claim>& claims) {
       fmt::format("paper: {} claims measured: {} hold, {} hold on a condition, {} do not hold", claims.size(),
                   counts[0], counts[1], counts[2]);
   if (counts[3] > 0) sentence += fmt::format(", {} could not be measured", counts[3]);
-  const auto number = [](const Claim& claim) { return number_text(claim, claim.is_exact); };
+  const auto number = [](const Claim& claim) {
+    const std::string text = number_text(claim, claim.is_exact);
+    if (!claim.range) return text;
+    return fmt::format("{} ({:.4g} .. {:.4g})", text, claim.range->front(), claim.range->back());
+  };
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
   return {{std::move(sentence), Table{"claims",
                                       "",
                                       {column_of<std::string>("claim", "", "", claims, &Claim::id),
                                        column_of<std::string>("verdict", "", "", claims, verdict),
+                                       column_of<std::string>("expected", "", "", claims, &Claim::expected),
                                        column_of<std::string>("measured", "", "", claims, number),
                                        column_of<std::string>("remark", "", "", claims, &Claim::remark)}}},
           {}};
@@ -172,8 +189,9 @@ StudyResult run(const StudyRequest& request) {
 
 std::vector<Claim> paper_claims(double step_s) {
   std::vector<Claim> claims;
-  for (std::vector<Claim> some : {flight_claims(), energy_claims(), wall_claims(), time_step_claims(),
-                                  order_claims(), constant_claims(), use_claims(), speed_claims(step_s)})
+  for (std::vector<Claim> some :
+       {flight_claims(), energy_claims(), accuracy_claims(), wall_claims(), time_step_claims(),
+        order_claims(), constant_claims(), use_claims(), speed_claims(step_s)})
     std::move(some.begin(), some.end(), std::back_inserter(claims));
   std::stable_sort(claims.begin(), claims.end(),
                    [](const Claim& a, const Claim& b) { return a.section() < b.section(); });

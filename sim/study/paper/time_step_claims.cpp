@@ -50,6 +50,7 @@ Claim infinite_bounce() {
   Claim claim{"3.2.2-infinite-bounce",
               "the rest threshold eliminates the infinite bounce phenomenon",
               "frame rate above which drops from twelve heights end at zero speed",
+              "20",
               0.0,
               "Hz",
               ClaimVerdict::does_not_hold,
@@ -68,52 +69,6 @@ Claim infinite_bounce() {
                       ? "vy can stay nonzero, but the position stands still"
                       : "some drops keep bouncing";
   return claim;
-}
-
-// Ground contacts of a drop.
-std::int64_t bounces(double dt_s) {
-  State body{900.0, 0.0, 0.0, 0.0};
-  std::int64_t count = 0;
-  bool was_down = false;
-  for (int step = 0; step < static_cast<int>(6.0 / dt_s); ++step) {
-    body = core_step(body, dt_s, kDesktop);
-    const bool is_down = body.y_px == kDesktop.bottom_px;
-    count += is_down && !was_down ? 1 : 0;
-    was_down = is_down;
-  }
-  return count;
-}
-
-Claim missed_collisions() {
-  const std::int64_t fine = bounces(kSixtieth_s / 4), coarse = bounces(0.25);
-  return {"4.1-missed",
-          "large dt can cause missed collisions",
-          "bounces of a drop seen in frames of a quarter of a second",
-          static_cast<double>(coarse),
-          "1",
-          holds_if(coarse < fine),
-          "at 240 Hz there are " + std::to_string(fine)};
-}
-
-// Relative loss of energy in a second of flight.
-double energy_lost(double dt_s) {
-  const double gravity = core_constants().gravity_px_per_s2;
-  State body{0.0, 0.0, 0.0, -900.0};
-  const double first = 900.0 * 900.0 / 2;
-  const long frames = std::lround(1.0 / dt_s);
-  for (long frame = 0; frame < frames; ++frame) body = core_flight(body, dt_s);
-  return 1.0 - (body.vy_px_per_s * body.vy_px_per_s / 2 - gravity * body.y_px) / first;
-}
-
-Claim energy_drift() {
-  const double at_60_hz = energy_lost(kSixtieth_s), at_5_hz = energy_lost(0.2);
-  return {"4.1-energy-drift",
-          "large dt can cause energy drift",
-          "part of the energy lost in a flight of a second in frames of 0.2 s",
-          at_5_hz,
-          "1",
-          holds_if(std::fabs(at_5_hz) > std::fabs(at_60_hz)),
-          "at 60 Hz " + digits(at_60_hz)};
 }
 
 // Stable: of every throw, the speed is at most that of the start plus what a step of gravity adds (the fixed
@@ -149,6 +104,7 @@ Claim stable_step() {
   return {"4.1-stable-dt",
           "for stable simulation dt should not exceed about 0.02 s",
           "largest dt tried, of 0.001 to 1e6 s, up to which throws stay bounded and in the window",
+          "0.02 .. 0.05",
           largest_s,
           "s",
           holds_if(ends_near),
@@ -193,6 +149,7 @@ Claim tunnelling() {
   return {"4.2-tunnel",
           "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
           "throws that came out of the window, of those that crossed both in a frame, above 2000 px/s",
+          "> 0",
           static_cast<double>(fast.outside),
           "1",
           verdict_of(fast, fast.outside > 0),
@@ -206,6 +163,7 @@ Claim rare_tunnelling() {
   return {"4.2-rare",
           "below 2000 px/s tunnelling is rare",
           "part of such throws below 2000 px/s that came out",
+          "< 0.01",
           part,
           "1",
           verdict_of(slow, part < 0.01),
@@ -215,8 +173,7 @@ Claim rare_tunnelling() {
 }  // namespace
 
 std::vector<Claim> time_step_claims() {
-  return {infinite_bounce(), energy_drift(), missed_collisions(),
-          stable_step(),     tunnelling(),   rare_tunnelling()};
+  return {infinite_bounce(), stable_step(), tunnelling(), rare_tunnelling()};
 }
 
 }  // namespace hyrax

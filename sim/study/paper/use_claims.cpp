@@ -9,14 +9,11 @@ namespace hyrax {
 namespace {
 
 Claim constant(const char* id, const char* sentence, double core, double paper, const char* unit) {
-  return {id,
-          sentence,
-          "the core's value",
-          core,
-          unit,
-          holds_if(core == paper),
-          core == paper ? "" : fmt::format("the paper has {}", paper),
-          true};
+  Claim claim{id,   sentence, "the core's value",     fmt::format("{}", paper),
+              core, unit,     holds_if(core == paper)};
+  if (core != paper) claim.remark = fmt::format("the paper has {}", paper);
+  claim.is_exact = true;
+  return claim;
 }
 
 // Where one fling settles at displays of 24 to 240 Hz.
@@ -30,6 +27,7 @@ Claim frame_rate() {
   return {"6.1-frame-rate",
           "real elapsed time ensures that the simulation remains approximately frame-rate independent",
           "spread of the resting places of one fling, 24 to 240 Hz",
+          "<= " + digits(kApproximately * kDesktop.right_px),
           spread_px,
           "px",
           holds_if(spread_px <= kApproximately * kDesktop.right_px),
@@ -51,6 +49,7 @@ Claim sizes() {
       "6.1-sizes",
       "the sizes of screen and sprite allow the engine to compute collision boundaries correctly",
       "largest jump in a step of a slow sprite that is 48 px higher than its window",
+      "<= 30",
       jump_px,
       "px",
       jump_px <= 30.0 ? ClaimVerdict::holds : ClaimVerdict::holds_when,
@@ -66,6 +65,7 @@ Claim stopping() {
   return {"6.1-reset",
           "resetVelocity sets both velocity components to zero, stopping all motion",
           "way that a sprite stopped in the air goes in the second after",
+          "0",
           moved_px,
           "px",
           !is_stopped       ? ClaimVerdict::does_not_hold
@@ -87,6 +87,7 @@ Claim drawing() {
   return {"6.2-drawing",
           "draw the sprite at left = x - w/2, top = y - h/2",
           "leftmost edge of a sprite of 128 px drawn so",
+          ">= 0",
           least_px,
           "px",
           holds_if(least_px >= 0.0),
@@ -115,7 +116,7 @@ std::vector<Claim> speed_claims(double step_s) {
   constexpr double kFast = 1e-3;  // A thousandth of a frame: nobody notices it.
   const double share = step_s / kSixtieth_s;
   return {{"7-fast", "Using C++ makes it fast",
-           "time of a step, as a part of a frame of a sixtieth of a second", share, "1",
+           "time of a step, as a part of a frame of a sixtieth of a second", "< " + digits(kFast), share, "1",
            holds_if(share < kFast), ""}};
 }
 

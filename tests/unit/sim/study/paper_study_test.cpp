@@ -14,6 +14,22 @@ TEST(SpeedClaim, HoldsOnlyForAFastStep) {
   EXPECT_EQ(speed_claims(1e-4).front().verdict, ClaimVerdict::does_not_hold);
 }
 
+// The measures must not depend on a start: neither the seed, nor how fast throws are, nor the frame rates.
+TEST(AccuracyClaims, KeepTheirVerdictsWhateverTheStarts) {
+  const std::vector<Claim> expected = accuracy_claims();
+  for (const std::uint64_t seed : {1u, 2u, 3u})
+    for (const double fastest_px_per_s : {500.0, 1500.0, 3000.0})
+      for (const double slowest_hz : {8.0, 15.0, 40.0}) {
+        const std::vector<Claim> claims =
+            accuracy_claims({.seed = seed, .fastest_px_per_s = fastest_px_per_s, .slowest_hz = slowest_hz});
+        ASSERT_EQ(claims.size(), expected.size());
+        for (std::size_t index = 0; index < claims.size(); ++index)
+          EXPECT_EQ(claims[index].verdict, expected[index].verdict)
+              << claims[index].id << ": " << claims[index].number << ", seed " << seed << ", "
+              << fastest_px_per_s << " px/s, " << slowest_hz << " Hz";
+      }
+}
+
 // A step takes 1 ns.
 std::int64_t fake_now_ns() {
   static std::int64_t now_ns = 0;

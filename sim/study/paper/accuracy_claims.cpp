@@ -1,0 +1,295 @@
+// Sections 2.3, 2.4 and 4.1: oscillators, order, energy drift and missed collisions, each over many starts.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/motion/step.h"
+#include "sim/reference/arc_solution.h"
+#include "sim/replay/core_constants.h"
+#include "sim/result/share.h"
+#include "sim/study/methods/cost.h"
+#include "sim/study/methods/exact_fling.h"
+#include "sim/study/paper/claim_probe.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::uint64_t kStarts = 100;
+
+double median(const std::vector<double>& values) { return quantile(values, 0.5); }
+
+// Sets number and range: the median, 10 and 90 %.
+void set_number(const std::vector<double>& values, Claim& claim) {
+  claim.number = median(values);
+  claim.range = {quantile(values, 0.1), quantile(values, 0.9)};
+}
+
+// Nothing where the exact motion has no closed form.
+std::optional<Model> model_of_core() {
+  const Constants core = core_constants();
+  const bool is_solved = core.gravity_px_per_s2 > 0.0 && core.air_drag >= 0.5 && core.air_drag <= 1.0;
+  if (!is_solved) return std::nullopt;
+  return Model{.gravity_px_per_s2 = core.gravity_px_per_s2,
+               .air_drag = core.air_drag,
+               .restitution = core.restitution,
+               .ground_friction = core.ground_friction,
+               .rest_threshold_px_per_s = core.rest_threshold_px_per_s};
+}
+constexpr char kNotSolved[] = "the exact motion is solved for gravity above 0 and a drag factor of 0.5 to 1";
+
+struct Swing {
+  double y = 0.0;
+  double v = 0.0;
+};
+
+// A step of v' = -w^2 y by a step that knows gravity alone: in units of length in which gravity is as strong
+// as the spring is here, 1 = scale px, it does the same, since each of its operations is homogeneous.
+template <class Fly>
+void swing_on(Swing& swing, double stiffness_per_s2, const Fly& fly) {
+  constexpr double kLeast = 1e-6;
+  const double y = std::copysign(std::max(std::fabs(swing.y), kLeast), swing.y);
+  const double scale = core_constants().gravity_px_per_s2 / (-stiffness_per_s2 * y);
+  const State moved = fly(State{0.0, 0.0, 0.0, swing.v * scale});
+  swing = {swing.y + moved.y_px / scale, moved.vy_px_per_s / scale};
+}
+
+// Largest amplitude of the last hundred of 500 steps over that of the first hundred, without what drag takes.
+template <class Fly>
+double growth(double angle_rad, double phase_rad, const Fly& fly) {
+  constexpr int kSteps = 500, kWindow = 100;
+  const double w_per_s = angle_rad / kSixtieth_s;
+  Swing swing{std::cos(phase_rad), w_per_s * std::sin(phase_rad)};
+  double early = 0.0, late = 0.0;
+  for (int step = 0; step < kSteps; ++step) {
+    swing_on(swing, w_per_s * w_per_s, fly);
+    const double amplitude = std::hypot(swing.y, swing.v / w_per_s);
+    if (step < kWindow) early = std::max(early, amplitude);
+    if (step >= kSteps - kWindow) late = std::max(late, amplitude);
+  }
+  return late / early / std::pow(core_constants().air_drag, 0.5 * (kSteps - kWindow));
+}
+
+// The spring pulls where the core's step has gravity, and the position moves as the core moves it. Along the
+// step's map areas grow by the determinant: drag alone for symplectic Euler, drag + (w dt)^2 for explicit.
+Claim oscillators(const ClaimStarts& starts) {
+  constexpr double kBounded = 1.1;
+  const ListingStep listing(core_constants(), AllParts{}, Bounds{});
+  const auto by_core = [](const State& body) { return core_flight(body, kSixtieth_s); };
+  const auto by_explicit = [&listing](State body) {
+    listing.move(body, kSixtieth_s);
+    listing.pull(body, kSixtieth_s);
+    listing.drag(body);
+    return body;
+  };
+  Claim claim{"2.3-oscillators", "more stable than the explicit Euler method for oscillatory systems",
+              "growth of a spring's amplitude in 400 of the core's steps beside drag, 100 springs of 0.05 .. "
+              "1.5 rad a step",
+              "< 1.1, by explicit Euler more"};
+  if (!(core_constants().gravity_px_per_s2 > 0.0) || core_flight({}, kSixtieth_s).vy_px_per_s == 0.0) {
+    claim.remark = "the spring pulls in the place of gravity, and this core has none";
+    return claim;
+  }
+  std::vector<double> core, explicit_euler;
+  bool is_less = true;
+  for (std::uint64_t start = 0; start < kStarts; ++start) {
+    const double angle_rad = random_between(starts.seed, 2 * start, 0.05, 1.5);
+    const double phase_rad = random_between(starts.seed, 2 * start + 1, 0.0, 6.283);
+    core.push_back(growth(angle_rad, phase_rad, by_core));
+    explicit_euler.push_back(growth(angle_rad, phase_rad, by_explicit));
+    is_less = is_less && core.back() < explicit_euler.back();
+  }
+  set_number(core, claim);
+  claim.verdict = holds_if(is_less && *std::max_element(core.begin(), core.end()) < kBounded);
+  claim.remark = fmt::format("by explicit Euler {:.3g} .. {:.3g}", quantile(explicit_euler, 0.1),
+                             quantile(explicit_euler, 0.9));
+  return claim;
+}
+
+// A flight, far from all walls, and the exact ones that it is measured against.
+struct Flown {
+  State run;                // Displacement and velocity.
+  Flight ode;               // Drag is the frames' own.
+  double fixed_y_px = 0.0;  // Drag is that of 60 Hz.
+};
+Flown fly_both(ArcSolution& exact, const Velocity& velocity, double dt_s, std::int64_t frames) {
+  constexpr double kFar_px = 1e6;
+  exact.start(velocity, true);
+  for (std::int64_t frame = 0; frame < frames; ++frame) exact.advance(dt_s);
+  State run = core_steps({kFar_px, kFar_px, velocity.vx_px_per_s, velocity.vy_px_per_s}, dt_s, kOpen, frames);
+  run.x_px -= kFar_px;
+  run.y_px -= kFar_px;
+  return {run, exact.matched(), exact.model().y_px};
+}
+
+// The last number of a start is free.
+constexpr std::uint64_t kNumbersOfAStart = 5;
+Velocity random_velocity(const ClaimStarts& starts, std::uint64_t start) {
+  const auto speed = [&](std::uint64_t which) {
+    return random_between(starts.seed, kNumbersOfAStart * start + which, -starts.fastest_px_per_s,
+                          starts.fastest_px_per_s);
+  };
+  return {speed(0), speed(1)};
+}
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// Root mean square errors in y, at the end of flights from all starts.
+struct FlightErrors {
+  double matched_px = 0.0;  // Against the ODE of the frames' own drag.
+  double fixed_px = 0.0;    // Against that of 60 Hz.
+};
+FlightErrors flight_errors(ArcSolution& exact, const ClaimStarts& starts, double rate_hz) {
+  std::vector<double> matched_px, fixed_px;
+  for (std::uint64_t start = 0; start < kStarts; ++start) {
+    const double about_s = random_between(starts.seed, kNumbersOfAStart * start + 2, 0.25, 1.0);
+    const double flight_s = std::round(about_s * starts.slowest_hz) / starts.slowest_hz;
+    const Flown flown =
+        fly_both(exact, random_velocity(starts, start), 1.0 / rate_hz, std::lround(flight_s * rate_hz));
+    matched_px.push_back(flown.run.y_px - flown.ode.dy_px);
+    fixed_px.push_back(flown.run.y_px - flown.fixed_y_px);
+  }
+  return {root_mean_square(matched_px), root_mean_square(fixed_px)};
+}
+
+// A single flight's error can pass through 0 as dt changes (its sign depends on the start), and its order
+// with it; the root mean square over the starts cannot.
+Claim first_order(const ClaimStarts& starts) {
+  constexpr int kDoublings = 4;
+  constexpr double kTolerance = 0.2;
+  Claim claim{
+      "2.4-first-order", "the method is only first-order accurate in time",
+      fmt::format("order of the error of 100 flights (root mean square), {:g} to {:g} Hz, against the ODE "
+                  "of the frames' own drag",
+                  starts.slowest_hz, starts.slowest_hz * (1 << kDoublings)),
+      "0.8 .. 1.2"};
+  const std::optional<Model> model = model_of_core();
+  if (!model) {
+    claim.remark = kNotSolved;
+    return claim;
+  }
+  ArcSolution exact(*model);
+  std::vector<double> orders;
+  double error_px = flight_errors(exact, starts, starts.slowest_hz).matched_px;
+  for (int doubling = 1; doubling <= kDoublings; ++doubling) {
+    const double before_px = error_px;
+    error_px = flight_errors(exact, starts, starts.slowest_hz * (1 << doubling)).matched_px;
+    orders.push_back(std::log2(before_px / error_px));
+  }
+  set_number(orders, claim);
+  const double at_60_hz = flight_errors(exact, starts, 60.0).fixed_px,
+               at_960_hz = flight_errors(exact, starts, 960.0).fixed_px;
+  const bool is_first = std::fabs(claim.number - 1.0) < kTolerance;
+  claim.verdict = !is_first              ? ClaimVerdict::does_not_hold
+                  : at_960_hz < at_60_hz ? ClaimVerdict::holds
+                                         : ClaimVerdict::holds_when;
+  if (claim.verdict == ClaimVerdict::holds_when)
+    claim.remark = "when drag is taken to act once a frame; against a fixed drag rate the error grows from " +
+                   digits(at_60_hz) + " px at 60 Hz to " + digits(at_960_hz) + " at 960";
+  return claim;
+}
+
+// Energy of the run minus that of the ODE, at the end.
+double energy_drift_px2_per_s2(const Flown& flown) {
+  const auto kinetic = [](double run, double ode) { return (run - ode) * (run + ode) / 2; };
+  return kinetic(flown.run.vx_px_per_s, flown.ode.vx_px_per_s) +
+         kinetic(flown.run.vy_px_per_s, flown.ode.vy_px_per_s) -
+         core_constants().gravity_px_per_s2 * (flown.run.y_px - flown.ode.dy_px);
+}
+
+// Gravity's discretisation alone takes G eta a second, which grows as dt does: 12 times from 1/60 to 0.2 s.
+Claim energy_drift(const ClaimStarts& starts) {
+  constexpr double kLongFrame_s = 0.2, kShare = 0.5;
+  Claim claim{"4.1-energy-drift", "large dt can cause energy drift",
+              "energy drift of a second of flight (run - ODE) in frames of 0.2 s, over that at 60 Hz, 100 "
+              "flights",
+              "> 6, half of 0.2 s * 60 Hz"};
+  const std::optional<Model> model = model_of_core();
+  if (!model) {
+    claim.remark = kNotSolved;
+    return claim;
+  }
+  ArcSolution exact(*model);
+  std::vector<double> ratios, at_60_hz, in_long_frames;
+  for (std::uint64_t start = 0; start < kStarts; ++start) {
+    const Velocity velocity = random_velocity(starts, start);
+    at_60_hz.push_back(energy_drift_px2_per_s2(fly_both(exact, velocity, kSixtieth_s, 60)));
+    in_long_frames.push_back(energy_drift_px2_per_s2(fly_both(exact, velocity, kLongFrame_s, 5)));
+    ratios.push_back(std::fabs(in_long_frames.back() / at_60_hz.back()));
+  }
+  set_number(ratios, claim);
+  claim.verdict = holds_if(claim.range->front() > kShare * kLongFrame_s / kSixtieth_s);
+  claim.remark =
+      fmt::format("from {:.4g} to {:.4g} px2/s2 a second", median(at_60_hz), median(in_long_frames));
+  return claim;
+}
+
+// Impacts that an exact motion has within the frames of throws of 3 s, each begun from the run's own state,
+// and those beyond the one in x and the one in y that a step can show: it looks at the walls once.
+Share missed_impacts(const Model& model, const ClaimStarts& starts, double dt_s) {
+  constexpr double kDuration_s = 3.0;
+  ExactFling exact{FixedLaws(model)};
+  Share missed;
+  for (std::uint64_t start = 0; start < kStarts; ++start) {
+    const std::uint64_t first = kNumbersOfAStart * start + 3;
+    const Velocity velocity = random_velocity(starts, start);
+    State body{random_between(starts.seed, first, 0.0, kDesktop.right_px),
+               random_between(starts.seed, first + 1, 0.0, kDesktop.bottom_px), velocity.vx_px_per_s,
+               velocity.vy_px_per_s};
+    for (long frame = std::lround(kDuration_s / dt_s); frame > 0 && is_finite(body); --frame) {
+      exact.start(body, kDesktop, false, dt_s);
+      (void)exact.at(dt_s);
+      body = core_step(body, dt_s, kDesktop);
+      const std::vector<ExactImpact>& impacts = exact.impacts();
+      const std::int64_t at_sides = std::count_if(
+          impacts.begin(), impacts.end(),
+          [](const ExactImpact& impact) { return impact.wall == Wall::left || impact.wall == Wall::right; });
+      const auto not_shown = [](std::int64_t count, double position_px, double far_px) {
+        return std::max<std::int64_t>(0, count - (position_px == 0.0 || position_px == far_px ? 1 : 0));
+      };
+      missed.of += std::ssize(impacts);
+      missed.count += not_shown(at_sides, body.x_px, kDesktop.right_px) +
+                      not_shown(std::ssize(impacts) - at_sides, body.y_px, kDesktop.bottom_px);
+    }
+  }
+  return missed;
+}
+
+Claim missed_collisions(const ClaimStarts& starts) {
+  constexpr double kLongFrame_s = 0.25;
+  Claim claim{"4.1-missed", "large dt can cause missed collisions",
+              "part of the impacts of exact motion that steps of 0.25 s do not show, 100 throws of 3 s",
+              "> that at 60 Hz, by 95 % intervals"};
+  const std::optional<Model> model = model_of_core();
+  const bool comes_to_rest = model && model->restitution >= 0.0 && model->restitution < 1.0 &&
+                             model->rest_threshold_px_per_s > 0.0 && model->ground_friction > 0.0;
+  if (!comes_to_rest) {
+    claim.remark = "exact motion has a number of impacts if restitution is below 1 and there is a rest rule";
+    return claim;
+  }
+  const auto part = [](const Share& share) {
+    return share.of == 0 ? 0.0 : static_cast<double>(share.count) / static_cast<double>(share.of);
+  };
+  const Share missed = missed_impacts(*model, starts, kLongFrame_s),
+              at_60_hz = missed_impacts(*model, starts, kSixtieth_s);
+  claim.number = part(missed);
+  claim.range = {missed.low(), missed.high()};
+  claim.verdict = missed.of == 0 || at_60_hz.of == 0 ? ClaimVerdict::not_measured
+                                                     : holds_if(missed.low() > at_60_hz.high());
+  claim.remark = fmt::format("of {} impacts; at 60 Hz {} of {}", missed.of, at_60_hz.count, at_60_hz.of);
+  return claim;
+}
+
+}  // namespace
+
+std::vector<Claim> accuracy_claims(const ClaimStarts& starts) {
+  return {oscillators(starts), first_order(starts), energy_drift(starts), missed_collisions(starts)};
+}
+
+}  // namespace hyrax
