@@ -16,10 +16,9 @@ namespace {
 // any double. It is dropped, so that a long rest does not crawl through subnormal numbers.
 constexpr double kGone = 1e-200;
 
-double scaled(double value, double factor) {
-  const double result = value * factor;
-  return std::fabs(result) < kGone ? 0.0 : result;
-}
+double or_gone(double value) { return std::fabs(value) < kGone ? 0.0 : value; }
+
+double scaled(double value, double factor) { return or_gone(value * factor); }
 
 // Of a bound, a whole number.
 double half_ulp(double bound_px) {
@@ -71,7 +70,7 @@ MarginMeter::Unclamped MarginMeter::fly(Axis& axis, double position_px, double s
   axis.speed.by_speed *= model_.air_drag;
   axis.position.by_position += dt_s * axis.speed.by_position;
   axis.position.by_speed += dt_s * axis.speed.by_speed;
-  const double speed = scaled(speed_px_per_s + acceleration_px_per_s2 * dt_s, model_.air_drag);
+  const double speed = scaled(or_gone(speed_px_per_s) + acceleration_px_per_s2 * dt_s, model_.air_drag);
   return {position_px, speed * dt_s, speed};
 }
 

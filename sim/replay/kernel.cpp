@@ -1,4 +1,5 @@
 #include "sim/physics/physics.h"
+#include "sim/replay/core.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/kernel_of.h"
 #include "sim/trajectory/physics_model.h"
@@ -19,6 +20,7 @@ struct ShippedCores {
             .ground_friction = physics::GROUND_FRICTION,
             .rest_threshold_px_per_s = physics::REST_THRESHOLD};
   }
+  [[nodiscard]] bool is_listing() const { return core_is_listing(); }
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -10,6 +11,7 @@
 #include "sim/motion/step.h"
 #include "sim/replay/kernel.h"
 #include "sim/replay/row_walls.h"
+#include "sim/replay/stuck_speed.h"
 #include "sim/scenario/apply.h"
 
 namespace hyrax {
@@ -32,7 +34,9 @@ template <class Cores>
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
 /// have another step than the listing's to tell the walls by: `listing(const Bounds&)`, with `fly` and
 /// `meet_walls_in_x`. Without `constants` the core is not the paper's model, and the rows alone tell
-/// (sim/replay/row_walls.h): then `before` is the velocity before the step, and `overshoot` is NaN.
+/// (sim/replay/row_walls.h): then `before` is the velocity before the step, and `overshoot` is NaN. With
+/// `bool is_listing()`, which says whether the step is the listing's bit for bit, a stuck vx is not computed
+/// (sim/replay/stuck_speed.h).
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
@@ -50,7 +54,10 @@ class KernelOf final : public Kernel {
     log.moved_offset = -1;
     const std::size_t rows_before = rows.size();
     std::byte* const row = rows.extend(static_cast<std::size_t>(stretch.frames));
-    body = state_of(play_any(stretch, cores_.make(body), rest, row, log));
+    if (skips_vx(stretch, body))
+      play_without_vx(stretch, body, rest, row, log);
+    else
+      body = state_of(play_any(stretch, cores_.make(body), rest, row, log));
     rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
   }
 
@@ -81,6 +88,28 @@ class KernelOf final : public Kernel {
 
   static State state_of(const Core& core) { return {core.x(), core.y(), core.vx(), core.vy()}; }
   static State state_of(const Row& row) { return hyrax::state_of(row); }
+
+  // Frames of one dt repeat themselves instead (Replay::Player), which looks at all of the state.
+  [[nodiscard]] bool skips_vx(const Stretch& stretch, const State& body) const {
+    if constexpr (requires { cores_.is_listing(); })
+      return !stretch.is_dt_fixed && has_stuck_vx(stretch, body, cores_.constants()) && cores_.is_listing();
+    else
+      return false;
+  }
+
+  // REQUIRES: skips_vx. Its vx is put back into what was logged.
+  void play_without_vx(const Stretch& stretch, State& body, RestAnchor& rest, std::byte* row,
+                       StretchLog& log) const {
+    const double vx = body.vx_px_per_s;
+    body.vx_px_per_s = std::copysign(0.0, vx);
+    body = state_of(play_any(stretch, cores_.make(body), rest, row, log));
+    body.vx_px_per_s = vx;
+    for (std::int64_t frame = 0; frame < log.frames; ++frame)
+      set_packed_vx(row + frame * kPackedRowBytes, vx);
+    for (ContactChange& change : log.changes)
+      if (change.begins) change.contact.vx_before_px_per_s = change.contact.vx_after_px_per_s = vx;
+    log.had_friction = log.rows_with(bit(Wall::ground)) > 0;
+  }
 
   // Contact byte of the step that ended in `after`. A clamp corrects the position, so it shows in the
   // difference to the flight without walls. Branches serve better than selects here: bounces come seldom,

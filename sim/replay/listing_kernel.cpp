@@ -22,6 +22,7 @@ struct ListingCores {
 
   [[nodiscard]] Core make(const State& state) const { return {step, state}; }
   [[nodiscard]] Constants constants() const { return step.constants; }
+  [[nodiscard]] bool is_listing() const { return true; }
 };
 
 }  // namespace

@@ -47,6 +47,9 @@ inline void pack_row(std::byte* at, double dt_s, double x_px, double y_px, doubl
   at[40] = std::byte{contact};
 }
 
+/// Sets vx of a packed row.
+inline void set_packed_vx(std::byte* at, double vx_px_per_s) { store_little_endian(at + 24, vx_px_per_s); }
+
 inline void pack_row(std::byte* at, const Row& row) {
   pack_row(at, row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
 }

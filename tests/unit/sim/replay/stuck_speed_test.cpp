@@ -1,0 +1,163 @@
+// A stuck vx is not computed, and nothing shows it: bits, contacts and summary are those of class physics
+// called for every frame.
+#include "sim/replay/stuck_speed.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/physics/physics.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/kernel_of.h"
+#include "sim/replay/replay.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kUnit = std::numeric_limits<double>::denorm_min();
+
+// Class physics; counts updates with a subnormal vx.
+struct CountingPhysics : physics {
+  using physics::physics;
+  void update(double dt_s, int window_width, int window_height, int width, int height) {
+    if (std::fpclassify(vx()) == FP_SUBNORMAL) ++subnormal_updates;
+    physics::update(dt_s, window_width, window_height, width, height);
+  }
+  static inline std::int64_t subnormal_updates = 0;
+};
+
+struct EveryStepCores {
+  using Core = CountingPhysics;
+  [[nodiscard]] Core make(const State& state) const {
+    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
+  }
+  [[nodiscard]] Constants constants() const { return core_constants(); }
+};
+struct SkippingCores : EveryStepCores {
+  [[nodiscard]] bool is_listing() const { return true; }
+};
+
+// Not the listing: vx, however small, moves y.
+struct TiltedPhysics : CountingPhysics {
+  using CountingPhysics::CountingPhysics;
+  void update(double dt_s, int window_width, int window_height, int width, int height) {
+    setPos(x(), y() - (vx() > 0.0 ? 1.0 : 0.0));
+    physics::update(dt_s, window_width, window_height, width, height);
+  }
+};
+template <bool kIsListing>
+struct TiltedCores {
+  using Core = TiltedPhysics;
+  [[nodiscard]] Core make(const State& state) const {
+    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
+  }
+  [[nodiscard]] Constants constants() const { return core_constants(); }
+  [[nodiscard]] bool is_listing() const { return kIsListing; }
+};
+
+struct Played {
+  Played(const Scenario& scenario, const Kernel& kernel) {
+    CountingPhysics::subnormal_updates = 0;
+    summary = text_of(replay(scenario, trace, {.checks_bounds = true, .kernel = &kernel}));
+    subnormal_updates = CountingPhysics::subnormal_updates;
+  }
+  TraceSink trace;
+  std::string summary;
+  std::int64_t subnormal_updates = 0;
+};
+
+testing::AssertionResult same_played(const Played& a, const Played& b) {
+  if (a.summary != b.summary) return testing::AssertionFailure() << a.summary << "\nis not\n" << b.summary;
+  return same_trace(a.trace, b.trace);
+}
+
+Scenario jittered(double rate_hz, std::int64_t steps, Jitter jitter) {
+  Scenario scenario = fling_at(rate_hz, steps);
+  scenario.clock.jitter = jitter;
+  return scenario;
+}
+
+// Starts in which a speed is stuck, or nearly: on, beside and far from the bounds, on the floor and above it,
+// in frames that are short and so long that a unit of vx moves a sprite at 0.
+std::vector<Scenario> edge_cases() {
+  std::vector<Scenario> scenarios;
+  for (const double rate_hz : {0.5, 3.9, 60.0, 1000.0})
+    for (const double units : {1.0, 2.0, 3.0, 4.0, 500.0, 501.0, 1e6})
+      for (const double sign : {-1.0, 1.0})
+        for (const double x_px : {0.0, -0.0, kUnit, 4.0 * kUnit, 1e-300, 700.0, 1792.0, 1793.0, -1.0})
+          for (const double y_px : {952.0, 940.0}) {
+            Scenario scenario = jittered(rate_hz, 40, {Jitter::Kind::uniform, 0.9, 3});
+            scenario.start = {x_px, y_px};
+            scenario.start_velocity = {sign * units * kUnit, 0.0};
+            scenarios.push_back(scenario);
+          }
+  return scenarios;
+}
+
+TEST(StuckSpeed, EdgeCasesHaveTheBitsOfEveryStep) {
+  const KernelOf<EveryStepCores> every_step;
+  const KernelOf<SkippingCores> skipping;
+  std::int64_t skipped = 0;
+  for (const Scenario& scenario : edge_cases()) {
+    const Played slow(scenario, every_step), fast(scenario, skipping);
+    EXPECT_TRUE(same_played(fast, slow)) << scenario.start_velocity.vx_px_per_s << " " << scenario.start.x_px;
+    EXPECT_TRUE(same_played(Played(scenario, core_kernel()), slow));
+    skipped += slow.subnormal_updates > 0 && fast.subnormal_updates == 0 ? 1 : 0;
+  }
+  EXPECT_GT(skipped, 50);
+}
+
+TEST(StuckSpeed, IsLeftOutOnceARunHasIt) {
+  for (const Jitter jitter : {Jitter{Jitter::Kind::uniform, 0.2, 1}, Jitter{Jitter::Kind::normal, 0.003, 2},
+                              Jitter{Jitter::Kind::missed_frames, 0.1, 3}}) {
+    Scenario scenario = jittered(60.0, 30'000, jitter);
+    const auto at = [](std::int64_t frame, Action action) { return Event{frame, action}; };
+    scenario.events = {at(12'000, Resize{Size{1000, 700}, {}}), at(14'000, Grab{}),
+                       at(14'100, Release{{0.0, -300.0}}), at(14'500, Fling{{-3.0, -500.0}}),
+                       at(20'000, Hitch{1e9})};
+    const Played slow(scenario, KernelOf<EveryStepCores>()), fast(scenario, KernelOf<SkippingCores>());
+    EXPECT_TRUE(same_played(fast, slow));
+    EXPECT_TRUE(same_played(Played(scenario, core_kernel()), slow));
+    EXPECT_GT(slow.subnormal_updates, 15'000);
+    EXPECT_LT(fast.subnormal_updates, 10'000);
+  }
+}
+
+// The control: where a core is said to be the listing and is not, the bits differ.
+TEST(StuckSpeed, IsComputedForACoreThatIsNotTheListing) {
+  Scenario scenario = jittered(60.0, 40, {Jitter::Kind::uniform, 0.2, 1});
+  scenario.start = {700.0, 952.0};
+  scenario.start_velocity = {2.0 * kUnit, 0.0};
+  const Played computed(scenario, KernelOf<TiltedCores<false>>());
+  EXPECT_FALSE(same_played(Played(scenario, KernelOf<TiltedCores<true>>()), computed));
+  EXPECT_FALSE(same_played(Played(scenario, KernelOf<EveryStepCores>()), computed));
+}
+
+bool is_stuck(double vx_px_per_s, double x_px, std::vector<double> dt_s, const Constants& constants) {
+  const Stretch stretch{.window = kDesktop,
+                        .sprite = kHyrax,
+                        .dt_s = dt_s.data(),
+                        .is_dt_fixed = false,
+                        .frames = std::ssize(dt_s)};
+  return has_stuck_vx(stretch, {x_px, 952.0, vx_px_per_s, 0.0}, constants);
+}
+
+// Each condition alone.
+TEST(StuckSpeed, NeedsEachOfItsConditions) {
+  const Constants core = core_constants();
+  EXPECT_TRUE(is_stuck(2.0 * kUnit, 700.0, {0.01, 0.02}, core));
+  EXPECT_TRUE(is_stuck(-kUnit, 0.0, {0.01, 0.02}, core));
+  EXPECT_FALSE(is_stuck(0.0, 700.0, {0.01, 0.02}, core)) << "costs nothing";
+  EXPECT_FALSE(is_stuck(3.0 * kUnit, 700.0, {0.01, 0.02}, core)) << "the ground takes of it";
+  EXPECT_FALSE(is_stuck(501.0 * kUnit, 700.0, {0.01, 0.02}, core)) << "drag takes of it";
+  EXPECT_FALSE(is_stuck(2.0 * kUnit, 0.0, {0.01, 1.0}, core)) << "the long frame moves it";
+  EXPECT_FALSE(is_stuck(2.0 * kUnit, -0.0, {0.01}, core)) << "the zero's sign changes";
+  EXPECT_FALSE(is_stuck(2.0 * kUnit, 1793.0, {0.01}, core)) << "a wall turns it";
+  EXPECT_FALSE(is_stuck(1e-300, 700.0, {0.01}, core));
+  Constants rough = core;
+  rough.ground_friction = 0.5;
+  EXPECT_FALSE(is_stuck(kUnit, 700.0, {0.01}, rough));
+}
+
+}  // namespace
+}  // namespace hyrax
