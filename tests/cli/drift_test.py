@@ -194,11 +194,18 @@ class Table(DriftTest):
         self.assertRegex(last, r"this machine \S+ ns/step, trunc\. \S+ px, drift \S+ %/s; "
                                r"half dt: \S+ ns, \S+ px, \S+ %/s")
 
+    def test_it_says_how_likely_a_pixel_of_the_start_changes_contacts(self):
+        self.assertIn("within ±1 px of the start, no contact changes", self.table_of(flight(60, 300)))
+        near = {"x_px": 1791.5, "y_px": 300, "vx_px_per_s": 0, "vy_px_per_s": 0}
+        self.assertRegex(self.table_of(fling(start=near, steps=1)),
+                         r"within ±1 px of the start, contacts change for \S+ % of starts "
+                         r"\(\S+ \.\. \S+ %; 200 starts, seed 1\)")
+
     def test_long_lists_are_cut(self):
         events = [{"step": step, "fling": {"vx_px_per_s": 10, "vy_px_per_s": -100}} for step in range(5, 300, 5)]
         table = self.table_of(flight(60, 300, events=events))
         self.assertIn("  ... 40 more; --verbose lists them", table)
-        self.assertLess(len(table.splitlines()), 36)
+        self.assertLess(len(table.splitlines()), 37)
 
     def test_it_says_what_was_left_out(self):
         table = self.table_of(flight(60), "--reference", "closed")

@@ -56,9 +56,24 @@ class Detail(ProgramTest):
             self.expect(BAD_INPUT, *arguments, "-q", says="bad.json: line 1, column")
 
     def test_a_document_is_the_same(self):
-        for arguments in (("run", self.path), ("diff", "fling.h5", "fling.h5"), ("validate", self.path), ("info",)):
+        for arguments in (("diff", "fling.h5", "fling.h5"), ("validate", self.path), ("info",)):
             normal, quiet, verbose = self.printed(*arguments, "--json")
             self.assertEqual((quiet, verbose), (normal, normal), arguments)
+
+    def test_a_verbose_document_of_run_has_the_margin_too(self):
+        normal, quiet, verbose = map(json.loads, self.printed("run", self.path, "--json"))
+        margin = verbose["runs"][0].pop("margin")
+        self.assertEqual((quiet, verbose), (normal, normal))
+        drift = self.expect(AGREED, "drift", self.path, "--json").json["runs"][0]["margin"]
+        self.assertEqual(margin, drift)
+        self.assertEqual(set(margin["contact_change"]), {
+            "within_px", "chance", "low", "high", "drawn_part", "starts", "changed", "steps", "seed"})
+
+    def test_run_prints_how_it_depends_on_its_start(self):
+        normal, _, verbose = self.printed("run", self.path)
+        for part in ("  any start within ±", "  within ±1 px of the start, ", "  end moves by "):
+            self.assertIn(part, verbose)
+            self.assertNotIn(part, normal)
 
 
 class Colour(ProgramTest):

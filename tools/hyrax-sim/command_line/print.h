@@ -15,7 +15,7 @@ namespace hyrax {
 struct Printing {
   enum class Detail { verdict, normal, all };
   Detail detail = Detail::normal;
-  bool is_json = false;  ///< One JSON document; `detail` changes nothing in it.
+  bool is_json = false;  ///< One JSON document; of `detail` only `all` adds to it, in `run`.
 
   [[nodiscard]] bool is_quiet() const { return detail == Detail::verdict; }
   [[nodiscard]] bool is_verbose() const { return detail == Detail::all; }

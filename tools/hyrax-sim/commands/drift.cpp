@@ -68,6 +68,7 @@ void measure_one(const DriftRequest& request, const std::optional<GslOptions>& g
   const DriftRun& run = measured.run;
   measured.step_ns = step_ns(run.scenario);
   measured.half_dt = measure_half_dt(run.scenario);
+  measured.contact_chance = contact_chance_of(run.scenario, run.margin);
   outcomes.add(drift_exit_code(run.summary));
   report(request, input.path, measured, outcomes);
   if (request.figures.empty()) return;

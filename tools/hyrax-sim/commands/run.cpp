@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sim/replay/core_constants.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -108,7 +110,10 @@ std::optional<StoredDrift> stored_drift(const RunRequest& request) {
 
 void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
   DriftReport drift;
-  if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
+  if (run.drift)
+    drift = {.run = *run.drift,
+             .has_rows_stored = request.stores_rows,
+             .contact_chance = contact_chance_of(run.scenario, run.drift->margin)};
   if (!request.printing.is_json) {
     print_run(run, request.printing);
     if (run.drift) print_drift(drift, request.printing);
@@ -148,12 +153,14 @@ void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift,
   require_measurable(candidate.path, *candidate.scenario);
   std::optional<RunPicture> picture;
   if (!request.figure.empty()) picture.emplace(*candidate.scenario);
-  const ScenarioRun run = run_scenario(candidate.path, *candidate.scenario, candidate.output,
-                                       {.golden_folder = request.golden_folder,
-                                        .skips_repetition = !request.computes_all,
-                                        .compares = request.overrides.empty(),
-                                        .drift = drift,
-                                        .picture = picture ? &*picture : nullptr});
+  const ScenarioRun run =
+      run_scenario(candidate.path, *candidate.scenario, candidate.output,
+                   {.golden_folder = request.golden_folder,
+                    .skips_repetition = !request.computes_all,
+                    .compares = request.overrides.empty(),
+                    .drift = drift,
+                    .measures_start = request.printing.is_verbose() && !drift && is_paper_model(core_model()),
+                    .picture = picture ? &*picture : nullptr});
   if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
   if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
   report(request, run, outcomes);
@@ -225,7 +232,9 @@ Command run_command() {
         options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
         declare_reference(options, request->reference);
         options.flag(request->computes_all, {"--no-skip", "", "compute also the steps that repeat exactly"});
-        options.printing(request->printing, "print also clamped steps and the period of a repeating state");
+        options.printing(request->printing,
+                         "print also clamped steps, the period of a repeating state, and how the run depends "
+                         "on its start");
         return [request] { return run(*request); };
       }};
 }

@@ -93,7 +93,16 @@ Json sensitivity_json(const Sensitivity& sensitivity) {
                  [](const auto& row) { return Json(Json::Array(row.begin(), row.end())); });
 }
 
-Json margin_json(const Margin& margin) {
+Json half_dt_json(const HalfDtOutcome& outcome) {
+  if (!outcome.half) return nullptr;
+  return Json::Object{{"steps", outcome.half->steps},
+                      {"step_ns", outcome.half->step_ns},
+                      {"worst", worst_json(outcome.half->summary, &Worst::value)}};
+}
+
+}  // namespace
+
+Json margin_json(const Margin& margin, const std::optional<ContactChance>& chance) {
   Json::Object object{{"half_width", or_null(margin.half_width)}};
   if (margin.nearest)
     object.emplace_back(
@@ -105,17 +114,18 @@ Json margin_json(const Margin& margin) {
     object.emplace_back("nearest_decision", nullptr);
   object.emplace_back("sensitivity", sensitivity_json(margin.sensitivity));
   object.emplace_back("sensitivity_norm", margin.sensitivity_norm);
+  if (chance)
+    object.emplace_back("contact_change", Json::Object{{"within_px", chance->within_px},
+                                                       {"chance", chance->chance()},
+                                                       {"low", chance->low()},
+                                                       {"high", chance->high()},
+                                                       {"drawn_part", chance->drawn_part},
+                                                       {"starts", chance->changed.of},
+                                                       {"changed", chance->changed.count},
+                                                       {"steps", chance->steps},
+                                                       {"seed", chance->seed}});
   return object;
 }
-
-Json half_dt_json(const HalfDtOutcome& outcome) {
-  if (!outcome.half) return nullptr;
-  return Json::Object{{"steps", outcome.half->steps},
-                      {"step_ns", outcome.half->step_ns},
-                      {"worst", worst_json(outcome.half->summary, &Worst::value)}};
-}
-
-}  // namespace
 
 Json::Object drift_json(const DriftReport& report) {
   const DriftSummary& summary = report.run.summary;
@@ -130,7 +140,7 @@ Json::Object drift_json(const DriftReport& report) {
       {"arcs_measured", summary.arcs},
       {"contacts_measured", summary.contacts},
       {"effective_restitution", restitution_json(summary.effective_restitution)},
-      {"margin", margin_json(report.run.margin)},
+      {"margin", margin_json(report.run.margin, report.contact_chance)},
       {"steps_astray", summary.steps_astray},
       {"reference_faults", summary.reference_faults},
       {"first_reference_fault", summary.reference_faults > 0 ? Json(summary.first_reference_fault) : Json()},

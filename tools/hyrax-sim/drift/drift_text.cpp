@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "sim/reference/model.h"
 #include "tools/hyrax-sim/command_line/print.h"
@@ -126,19 +127,6 @@ std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
   return text;
 }
 
-// Of the end to the start, as long as no contact changes.
-std::string sensitivity_text(const Sensitivity& sensitivity) {
-  constexpr std::string_view kNames[] = {"x", "y", "vx", "vy"};
-  std::string text = fmt::format("  {:<12} {:>10} {:>10} {:>10} {:>10}   of the start, by 1 px or 1 px/s\n",
-                                 "end moves by", kNames[0], kNames[1], kNames[2], kNames[3]);
-  for (std::size_t row = 0; row < sensitivity.size(); ++row) {
-    const auto& [x, y, vx, vy] = sensitivity[row];
-    text += fmt::format("  {:>12} {:>10} {:>10} {:>10} {:>10}\n", kNames[row], number(x), number(y),
-                        number(vx), number(vy));
-  }
-  return text;
-}
-
 void print_faults(const DriftSummary& summary) {
   if (summary.non_finite_step)
     print_text("  {}   from row {}; not measured from there on\n", VerdictWord{"NOT FINITE", false},
@@ -222,6 +210,33 @@ std::string rounded_down(double value) {
 
 }  // namespace
 
+// Of the end to the start, as long as no contact changes.
+std::string sensitivity_text(const Sensitivity& sensitivity) {
+  constexpr std::string_view kNames[] = {"x", "y", "vx", "vy"};
+  std::string text = fmt::format("  {:<12} {:>10} {:>10} {:>10} {:>10}   of the start, by 1 px or 1 px/s\n",
+                                 "end moves by", kNames[0], kNames[1], kNames[2], kNames[3]);
+  for (std::size_t row = 0; row < sensitivity.size(); ++row) {
+    const auto& [x, y, vx, vy] = sensitivity[row];
+    text += fmt::format("  {:>12} {:>10} {:>10} {:>10} {:>10}\n", kNames[row], number(x), number(y),
+                        number(vx), number(vy));
+  }
+  return text;
+}
+
+ContactChance contact_chance_of(const Scenario& scenario, const Margin& margin) {
+  // Where no decision depends on the start, no start changes a contact.
+  return contact_chance(scenario, margin.half_width.value_or(std::numeric_limits<double>::infinity()));
+}
+
+std::string contact_chance_text(const ContactChance& chance) {
+  const std::string within = fmt::format("within ±{:g} px of the start, ", chance.within_px);
+  if (chance.changed.of == 0) return within + "no contact changes";
+  return within +
+         fmt::format("contacts change for {:.2g} % of starts ({:.2g} .. {:.2g} %; {} starts, seed {})",
+                     100.0 * chance.chance(), 100.0 * chance.low(), 100.0 * chance.high(), chance.changed.of,
+                     chance.seed);
+}
+
 bool is_knife_edge(const Margin& margin) {
   constexpr double kKnifeEdge = 1e-9;
   return margin.half_width && *margin.half_width < kKnifeEdge;
@@ -261,6 +276,7 @@ void print_drift(const DriftReport& report, const Printing& printing) {
   print_text("{}{}", arcs_text(run, lines_max), contacts_text(run, lines_max));
   print_faults(run.summary);
   print_text("  {}\n", margin_text(run.margin));
+  if (report.contact_chance) print_text("  {}\n", contact_chance_text(*report.contact_chance));
   if (printing.is_verbose()) print_text("{}", sensitivity_text(run.margin.sensitivity));
   if (is_knife_edge(run.margin)) print_text("  KNIFE EDGE   rounding alone can change a contact\n");
   print_text("{}", reference_text(run.gsl));

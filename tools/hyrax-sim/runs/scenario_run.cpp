@@ -132,6 +132,9 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   std::vector<RowSink*> also;
   if (options.picture != nullptr) also.push_back(options.picture);
   if (measures) also.push_back(&meter);
+  std::optional<MarginMeter> margin;
+  if (options.measures_start)
+    also.push_back(&margin.emplace(scenario, inputs_of(scenario, step_count(scenario))));
   ScenarioRun run;
   static_cast<WrittenRun&>(run) =
       write_run(output, scenario,
@@ -141,6 +144,7 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   run.path = path;
   run.scenario = scenario;
   run.output = output;
+  if (margin) run.start = {margin->margin(), contact_chance_of(scenario, margin->margin())};
   if (measures)
     run.expectations = judge_run(scenario, run.summary, meter.finish());
   else if (run.drift)

@@ -47,6 +47,7 @@ struct ScenarioRunOptions {
   bool skips_repetition = true;
   bool compares = true;  ///< With the golden file, if there is one.
   std::optional<StoredDrift> drift;
+  bool measures_start = false;    ///< How the run depends on its start.
   RunPicture* picture = nullptr;  ///< Gets what it draws.
 };
 
@@ -55,6 +56,7 @@ struct ScenarioRun : WrittenRun {
   Scenario scenario;
   std::string output;
   std::vector<Expectation> expectations;
+  std::optional<StartDependence> start;  ///< If it was measured.
   std::string golden_path;               ///< Empty if no golden file was looked for.
   std::string golden_folder;             ///< As given; empty if it was not.
   std::string not_compared;              ///< Why no golden file was looked for; else empty.

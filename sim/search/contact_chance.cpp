@@ -1,0 +1,87 @@
+#include "sim/search/contact_chance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "sim/replay/replay.h"
+#include "sim/scenario/schedule.h"
+#include "sim/search/draws.h"
+#include "sim/trajectory/row_sink.h"
+
+namespace hyrax {
+namespace {
+
+struct ContactSteps {
+  Wall wall;
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  bool operator==(const ContactSteps&) const = default;
+};
+
+class ContactList final : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
+  void contact_began(const Contact& contact) override {
+    contacts_.push_back({contact.wall, contact.step, contact.last_step});
+  }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    contacts_[static_cast<std::size_t>(index)].last = last_step;
+  }
+  [[nodiscard]] std::vector<ContactSteps> take() { return std::move(contacts_); }
+
+ private:
+  std::vector<ContactSteps> contacts_;
+};
+
+std::vector<ContactSteps> contacts_of(const Scenario& scenario, std::int64_t steps) {
+  ContactList list;
+  Replay run(scenario, {&list});
+  run.play_to(steps);
+  static_cast<void>(run.finish());
+  return list.take();
+}
+
+// A point of the square of half-width `outer` without that of half-width `inner`, each as likely: the
+// distance by the larger coordinate first, since its square grows as the area does, then a point of that
+// square's rim.
+Position between_squares(double inner, double outer, Draws& draws) {
+  const double width = std::sqrt(draws.between(inner * inner, outer * outer));
+  const double along = draws.between(-width, width);
+  switch (draws.below(4)) {
+    case 0:
+      return {width, along};
+    case 1:
+      return {-width, along};
+    case 2:
+      return {along, width};
+    default:
+      return {along, -width};
+  }
+}
+
+}  // namespace
+
+ContactChance contact_chance(const Scenario& scenario, double margin_px, std::uint64_t seed,
+                             std::int64_t starts) {
+  constexpr std::int64_t kStepsCompared = 20'000;
+  ContactChance chance;
+  chance.seed = seed;
+  chance.steps = std::min(step_count(scenario), kStepsCompared);
+  const double kept = std::min(1.0, margin_px / chance.within_px);
+  chance.drawn_part = 1.0 - kept * kept;
+  if (kept >= 1.0) return chance;
+  Scenario moved = scenario;
+  const std::vector<ContactSteps> contacts = contacts_of(moved, chance.steps);
+  Draws draws(seed);
+  for (std::int64_t start = 0; start < starts; ++start) {
+    const Position by = between_squares(margin_px, chance.within_px, draws);
+    moved.start = {scenario.start.x_px + by.x_px, scenario.start.y_px + by.y_px};
+    chance.changed.count += contacts_of(moved, chance.steps) == contacts ? 0 : 1;
+    ++chance.changed.of;
+  }
+  return chance;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,108 @@
+// The chance that contacts change: where it is known exactly, and against plain sampling by another
+// generator.
+#include "sim/search/contact_chance.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "sim/replay/replay.h"
+
+namespace hyrax {
+namespace {
+
+Scenario falling(double x_px, double y_px, const Velocity& velocity, std::int64_t steps) {
+  Scenario scenario;
+  scenario.window = {1000, 600};
+  scenario.sprite = {100, 100};
+  scenario.start = {x_px, y_px};
+  scenario.start_velocity = velocity;
+  scenario.clock.base = FixedRate{60.0};
+  scenario.length = steps;
+  return scenario;
+}
+
+// One step, vx = 0: the right wall at 900 px acts if the start moves right by more than half a px, so a
+// quarter of the square does; and nothing else depends on the start.
+Scenario half_a_pixel_from_the_wall() { return falling(899.5, 300.0, {}, 1); }
+
+TEST(ContactChance, HoldsTheExactChanceAsOftenAsItSays) {
+  constexpr double kExact = 0.25;
+  for (const double margin_px : {0.0, 0.5}) {
+    int holds = 0, half_as_wide_holds = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      const ContactChance chance = contact_chance(half_a_pixel_from_the_wall(), margin_px, seed);
+      EXPECT_EQ(chance.changed.of, 200);
+      holds += chance.low() <= kExact && kExact <= chance.high() ? 1 : 0;
+      // The control: an interval of half the width holds it in about two thirds.
+      const auto halved = [&](double end) { return 0.5 * (end + chance.chance()); };
+      half_as_wide_holds += halved(chance.low()) <= kExact && kExact <= halved(chance.high()) ? 1 : 0;
+    }
+    EXPECT_GE(holds, 180) << "of 200, margin " << margin_px;
+    EXPECT_LT(half_as_wide_holds, 160) << "of 200, margin " << margin_px;
+  }
+}
+
+TEST(ContactChance, OfStartsBeyondTheMarginIsMorePrecise) {
+  const ContactChance whole = contact_chance(half_a_pixel_from_the_wall(), 0.0);
+  const ContactChance beyond = contact_chance(half_a_pixel_from_the_wall(), 0.5);
+  EXPECT_EQ(whole.drawn_part, 1.0);
+  EXPECT_EQ(beyond.drawn_part, 0.75);
+  EXPECT_LT(beyond.high() - beyond.low(), whole.high() - whole.low());
+}
+
+TEST(ContactChance, IsZeroWithinTheMarginWithoutAnyStart) {
+  const ContactChance chance = contact_chance(half_a_pixel_from_the_wall(), 1.0);
+  EXPECT_EQ(chance.changed.of, 0);
+  EXPECT_EQ(chance.chance(), 0.0);
+  EXPECT_EQ(chance.high(), 0.0);
+}
+
+TEST(ContactChance, OfNoChangedStartHasAnIntervalAboveZero) {
+  const ContactChance chance = contact_chance(falling(500.0, 100.0, {}, 10), 0.0);
+  EXPECT_EQ(chance.changed.count, 0);
+  EXPECT_EQ(chance.low(), 0.0);
+  EXPECT_GT(chance.high(), 0.01);
+  EXPECT_LT(chance.high(), 0.03);
+}
+
+TEST(ContactChance, IsThatOfPlainSampling) {
+  struct Walls final : RowSink {
+    [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+    void rows(const Columns& batch) override {
+      contacts.insert(contacts.end(), batch.contact.begin(), batch.contact.end());
+    }
+    std::vector<std::uint8_t> contacts;
+  };
+  const auto contacts_of = [](const Scenario& scenario) {
+    Walls walls;
+    (void)replay(scenario, walls);
+    for (std::uint8_t& contact : walls.contacts) contact &= static_cast<std::uint8_t>(~kRestBit);
+    return walls.contacts;
+  };
+  const Scenario scenario = falling(300.0, 120.0, {2400.0, -700.0}, 400);
+  const auto contacts = contacts_of(scenario);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<> offset(-1.0, 1.0);
+  Share changed;
+  for (; changed.of < 2000; ++changed.of) {
+    Scenario moved = scenario;
+    moved.start = {scenario.start.x_px + offset(random), scenario.start.y_px + offset(random)};
+    changed.count += contacts_of(moved) == contacts ? 0 : 1;
+  }
+  const ContactChance chance = contact_chance(scenario, 0.0, 3, 2000);
+  EXPECT_GT(chance.chance(), 0.05);
+  EXPECT_LT(chance.chance(), 0.95);
+  EXPECT_LE(chance.low(), changed.high());
+  EXPECT_GE(chance.high(), changed.low());
+}
+
+TEST(ContactChance, RepeatsWithItsSeed) {
+  const Scenario scenario = half_a_pixel_from_the_wall();
+  EXPECT_EQ(contact_chance(scenario, 0.0, 9).changed.count, contact_chance(scenario, 0.0, 9).changed.count);
+  EXPECT_NE(contact_chance(scenario, 0.0, 9).changed.count, contact_chance(scenario, 0.0, 10).changed.count);
+}
+
+}  // namespace
+}  // namespace hyrax
