@@ -7,6 +7,7 @@
   ONE(hard_cases)          \
   ONE(frame_rate)          \
   ONE(rest)                \
+  ONE(subnormals)          \
   ONE(paper)
 
 namespace hyrax {
