@@ -3,11 +3,14 @@
 
 import csv
 import json
+import sys
 
 import h5py
 
+from process import succeed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, main
 
+ORACLE = SOURCE / "tests/oracle"
 EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
 VERDICTS = {"holds", "holds when", "does not hold", "not measured"}
 SECTIONS = {"1", "2.1", "2.2", "2.3", "2.4", "3", "3.1", "3.2.1", "3.2.2", "4.1", "4.2", "4.3", "5", "6", "6.1", "6.2", "7"}
@@ -47,6 +50,18 @@ class Paper(ProgramTest):
             self.assertLess(claim["number_low"], claim["number_high"], name)
             self.assertLessEqual(claim["number"], claim["number_high"], name)
         self.assertIsNone(claims["1-axes"]["number_low"])
+
+    def test_numbers_are_those_of_60_digits(self):
+        """By tests/oracle/claims.py, which still gives what is checked in."""
+        known = json.loads((ORACLE / "claims.json").read_text(encoding="utf-8"))
+        again = json.loads(succeed(sys.executable, "-B", ORACLE / "claims.py").out)
+        claims = {claim["claim"]: claim for claim in self.study(AGREED, "--json").json["claims"]}
+        low, high = known.pop("explicit")
+        self.assertEqual(claims["2.3-oscillators"]["remark"], f"by explicit Euler {low:.3g} .. {high:.3g}")
+        for name, numbers in known.items():
+            for key, number in numbers.items():
+                self.assertAlmostEqual(again[name][key], number, delta=1e-13 * number)
+                self.assertAlmostEqual(claims[name][key], number, delta=1e-9 * number, msg=f"{name} {key}")
 
     def test_numbers_that_are_known_from_elsewhere(self):
         numbers = {claim["claim"]: claim["number"] for claim in self.study(AGREED, "--json").json["claims"]}
