@@ -104,8 +104,8 @@ class KernelOf final : public Kernel {
     body.vx_px_per_s = std::copysign(0.0, vx);
     body = state_of(play_any(stretch, cores_.make(body), rest, row, log));
     body.vx_px_per_s = vx;
-    for (std::int64_t frame = 0; frame < log.frames; ++frame)
-      set_packed_vx(row + frame * kPackedRowBytes, vx);
+    const std::byte* const end = row + static_cast<std::size_t>(log.frames) * kPackedRowBytes;
+    for (; row != end; row += kPackedRowBytes) set_packed_vx(row, vx);
     for (ContactChange& change : log.changes)
       if (change.begins) change.contact.vx_before_px_per_s = change.contact.vx_after_px_per_s = vx;
     log.had_friction = log.rows_with(bit(Wall::ground)) > 0;

@@ -110,10 +110,9 @@ std::optional<StoredDrift> stored_drift(const RunRequest& request) {
 
 void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
   DriftReport drift;
-  if (run.drift)
-    drift = {.run = *run.drift,
-             .has_rows_stored = request.stores_rows,
-             .contact_chance = contact_chance_of(run.scenario, run.drift->margin)};
+  if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
+  if (run.drift && request.printing.is_verbose())
+    drift.contact_chance = contact_chance_of(run.scenario, run.drift->margin);
   if (!request.printing.is_json) {
     print_run(run, request.printing);
     if (run.drift) print_drift(drift, request.printing);
