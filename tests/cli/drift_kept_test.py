@@ -108,7 +108,7 @@ class Run(DriftTest):
 
     def test_its_document_holds_what_drift_measures_by_the_closed_form(self):
         self.write("fling.json", fling())
-        run = self.expect(AGREED, "run", "fling.json", "--drift", "--json").json["runs"][0]
+        run = self.expect(AGREED, "run", "fling.json", "--drift", "--json", "-v").json["runs"][0]
         self.assertEqual(self.errors(run["drift"]), self.errors(self.drift("fling.json", "--reference", "closed")[0]))
         self.assertNotIn("reference and energy (hyrax-sim drift)", run["not_computed"])
 
