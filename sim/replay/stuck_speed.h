@@ -10,8 +10,8 @@
 namespace hyrax {
 
 /// Left alone on the ground, vx shrinks until rounding gives back what drag and friction take: it stays at
-/// 1e-323 px/s (two units of the last place), and arithmetic with such numbers costs a processor 1.5 to 75
-/// times as much.
+/// 1e-323 px/s (two units of the last place), and arithmetic with such numbers costs some processors up
+/// to 75 times as much.
 ///
 /// Whether no frame of the stretch changes the bits of vx or x by the listing's step, whatever y does: drag
 /// keeps vx, with the ground's friction and without; the longest frame does not move x, so no shorter one
