@@ -1,8 +1,13 @@
 #include "sim/ensemble/member_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace hyrax {
 namespace {
@@ -70,11 +75,93 @@ Plot against(const MemberNumbers& input, const MemberNumbers& result, std::int64
           .when_empty = "no member has this number"};
 }
 
-std::vector<const MemberNumbers*> chosen(const std::vector<MemberNumbers>& numbers, bool inputs) {
+std::vector<const MemberNumbers*> results_of(const std::vector<MemberNumbers>& numbers) {
   std::vector<const MemberNumbers*> list;
   for (const MemberNumbers& each : numbers)
-    if (each.is_input() == inputs && (inputs || std::isfinite(each.smallest()))) list.push_back(&each);
+    if (each.role() == MemberRole::result && std::isfinite(each.smallest())) list.push_back(&each);
   return list;
+}
+
+std::vector<const MemberNumbers*> inputs_of(const std::vector<MemberNumbers>& numbers) {
+  std::vector<const MemberNumbers*> list;
+  for (const MemberNumbers& each : numbers)
+    if (each.role() != MemberRole::result) list.push_back(&each);
+  return list;
+}
+
+// The values that are finite, in ascending order.
+std::vector<double> sorted(const std::vector<double>& values) {
+  std::vector<double> known;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(known),
+               [](double value) { return std::isfinite(value); });
+  std::sort(known.begin(), known.end());
+  return known;
+}
+
+// Linear between neighbours; not given of none. REQUIRES: ascending order.
+double quantile_of(const std::vector<double>& values, double part) {
+  if (values.empty()) return kNotGiven;
+  const double place = part * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (place - std::floor(place)) * (values[high] - values[low]);
+}
+
+std::string short_text(double value) {
+  constexpr int kDigits = 4;
+  std::array<char, 32> text{};
+  return {
+      text.data(),
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits).ptr};
+}
+
+// A result's median in each field of two grids, in five colours of as many fields each.
+Figure map_figure(const MemberNumbers& across, const MemberNumbers& up, const MemberNumbers& result) {
+  constexpr std::array kTones = {Tone::blue, Tone::sky_blue, Tone::green, Tone::orange, Tone::vermilion};
+  std::map<std::pair<double, double>, std::vector<double>> fields;
+  for (std::size_t at = 0; at < result.sample().size(); ++at)
+    if (std::isfinite(result.sample()[at]))
+      fields[{across.sample()[at], up.sample()[at]}].push_back(result.sample()[at]);
+  std::vector<double> medians;
+  for (auto& [place, values] : fields) medians.push_back(quantile_of(sorted(values), 0.5));
+  const std::vector<double> ordered = sorted(medians);
+  Plot plot{
+      .x = {.label = across.label()}, .y = {.label = up.label()}, .when_empty = "no member has this number"};
+  Figure figure{.suffix = "-map-" + result.name(),
+                .title = result.name() + " over two grids",
+                .subtitle = "Median of the members of a field; each colour has a fifth of the fields"};
+  double low = quantile_of(ordered, 0.0);
+  for (std::size_t each = 0; each < kTones.size(); ++each) {
+    const double high = quantile_of(ordered, static_cast<double>(each + 1) / kTones.size());
+    Series series{.name = short_text(low) + " .. " + short_text(high),
+                  .look = {.form = Form::points, .tone = kTones[each], .marker = Marker::square}};
+    std::size_t field = 0;
+    for (const auto& [place, values] : fields) {
+      const double median = medians[field++];
+      if (median > high || (median <= low && each > 0)) continue;
+      series.x.push_back(place.first);
+      series.y.push_back(place.second);
+    }
+    if (!series.x.empty()) {
+      figure.legend.push_back({series.name, series.look});
+      plot.series.push_back(std::move(series));
+    }
+    low = high;
+  }
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
+
+std::vector<Figure> map_figures(const std::vector<const MemberNumbers*>& inputs,
+                                const std::vector<const MemberNumbers*>& results) {
+  std::vector<const MemberNumbers*> grids;
+  std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(grids),
+               [](const MemberNumbers* each) { return each->role() == MemberRole::grid; });
+  std::vector<Figure> figures;
+  if (grids.size() != 2) return figures;
+  for (std::size_t at = 0; at < std::min(results.size(), kResultsAgainstInputsMax); ++at)
+    figures.push_back(map_figure(*grids[0], *grids[1], *results[at]));
+  return figures;
 }
 
 }  // namespace
@@ -86,12 +173,12 @@ std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max) {
   return std::max<std::int64_t>(stride, 1);
 }
 
-MemberNumbers::MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_input,
+MemberNumbers::MemberNumbers(std::string name, std::string unit, std::string long_name, MemberRole role,
                              std::int64_t members)
     : name_(std::move(name)),
       unit_(std::move(unit)),
       long_name_(std::move(long_name)),
-      is_input_(is_input),
+      role_(role),
       stride_(sample_stride(members, kSamplesMax)) {}
 
 void MemberNumbers::add(double value) {
@@ -108,9 +195,11 @@ double MemberNumbers::smallest() const { return known_ == 0 ? kNotGiven : smalle
 double MemberNumbers::largest() const { return known_ == 0 ? kNotGiven : largest_; }
 double MemberNumbers::mean() const { return known_ == 0 ? kNotGiven : mean_; }
 
+double MemberNumbers::quantile(double part) const { return quantile_of(sorted(sample_), part); }
+
 std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, std::int64_t members) {
-  const auto results = chosen(numbers, false);
-  const auto inputs = chosen(numbers, true);
+  const auto results = results_of(numbers);
+  const auto inputs = inputs_of(numbers);
   std::vector<Figure> figures;
   constexpr std::size_t kPlotsOfARow = 3;
   for (std::size_t first = 0; first < results.size(); first += kPlotsOfARow) {
@@ -137,6 +226,7 @@ std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, st
                        .note_tone = Tone::quiet,
                        .body = std::move(plots)});
   }
+  for (Figure& map : map_figures(inputs, results)) figures.push_back(std::move(map));
   return figures;
 }
 
@@ -144,11 +234,17 @@ Table member_table(const std::vector<MemberNumbers>& numbers) {
   const auto texts = [&](const char* name, const char* what, auto get) {
     return column_of<std::string>(name, "", what, numbers, get);
   };
+  const auto quantiles = [&](const char* name, double part) {
+    return column_of<double>(
+        name, "", "quantile of the sample", numbers,
+        [part](const MemberNumbers& each) { return each.quantile(part); }, 6);
+  };
   return {.name = "members",
           .long_name = "range of each number over the members",
           .columns = {
               texts("number", "its name", &MemberNumbers::name), texts("unit", "", &MemberNumbers::unit),
               column_of<double>("smallest", "", "", numbers, &MemberNumbers::smallest, 6),
+              quantiles("p10", 0.1), quantiles("median", 0.5), quantiles("p90", 0.9),
               column_of<double>("mean", "", "", numbers, &MemberNumbers::mean, 6),
               column_of<double>("largest", "", "", numbers, &MemberNumbers::largest, 6),
               column_of<std::int64_t>("missing", "", "members without it", numbers, &MemberNumbers::missing),

@@ -14,11 +14,13 @@ namespace hyrax {
 /// prime, so that the sample meets every value of a grid. REQUIRES: members >= 0, samples_max > 0.
 [[nodiscard]] std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max);
 
+enum class MemberRole : std::uint8_t { result, input, grid };  ///< A grid is an input, too.
+
 /// One number of every member.
 class MemberNumbers {
  public:
   /// @param name as "x" or "contacts.left"; unit as "px", empty if there is none.
-  MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_input,
+  MemberNumbers(std::string name, std::string unit, std::string long_name, MemberRole role,
                 std::int64_t members);
 
   /// The next member's; NaN: it has none.
@@ -31,13 +33,15 @@ class MemberNumbers {
   [[nodiscard]] std::string label() const {
     return unit_.empty() || unit_ == "1" ? name_ : name_ + ", " + unit_;
   }
-  [[nodiscard]] bool is_input() const { return is_input_; }
+  [[nodiscard]] MemberRole role() const { return role_; }
   [[nodiscard]] bool is_whole() const { return is_whole_; }
   [[nodiscard]] std::int64_t missing() const { return count_ - known_; }
   /// NaN if no member has one.
   [[nodiscard]] double smallest() const;
   [[nodiscard]] double largest() const;
   [[nodiscard]] double mean() const;
+  /// Of the sample's values, linear between neighbours.
+  [[nodiscard]] double quantile(double part) const;
   /// Every K-th member's number, from member 0.
   [[nodiscard]] const std::vector<double>& sample() const { return sample_; }
 
@@ -45,7 +49,7 @@ class MemberNumbers {
   std::string name_;
   std::string unit_;
   std::string long_name_;
-  bool is_input_;
+  MemberRole role_;
   std::int64_t stride_;
   std::int64_t count_ = 0;
   std::int64_t known_ = 0;
@@ -56,11 +60,12 @@ class MemberNumbers {
   std::vector<double> sample_;
 };
 
-/// How each result is distributed, and each result against each input: figures of the samples.
+/// How each result is distributed, each result against each input, and where two inputs are grids each result
+/// as a map over both: figures of the samples.
 [[nodiscard]] std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers,
                                                  std::int64_t members);
 
-/// Smallest, mean, largest and missing values, one row a number.
+/// Smallest, quantiles of the sample, mean, largest and missing values, one row a number.
 [[nodiscard]] Table member_table(const std::vector<MemberNumbers>& numbers);
 
 }  // namespace hyrax

@@ -64,14 +64,24 @@ double number_at(ColumnType type, const std::byte* from) {
   return type == ColumnType::seed ? as(std::uint64_t{}) : as(std::int64_t{});
 }
 
+// The columns of inputs are the last ones, in the order of the varied keys.
+MemberRole role_of(const EnsembleReader& reader, std::size_t index) {
+  const std::vector<VariedKey>& vary = reader.sweep().vary;
+  const std::size_t results = reader.columns().size() - vary.size();
+  if (index < results) return MemberRole::result;
+  return std::holds_alternative<GridAxis>(vary[index - results].variation) ? MemberRole::grid
+                                                                           : MemberRole::input;
+}
+
 // All numbers of a column: one, or of contacts one a wall.
 void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, std::size_t index) {
   const EnsembleColumn& column = reader.columns()[index];
   if (column.type == ColumnType::byte) return;
+  const MemberRole role = role_of(reader, index);
   const std::size_t first = all.size();
   for (std::size_t part = 0; part < column.width; ++part)
     all.emplace_back(column.width == 1 ? column.name : column.name + "." + std::string(kWallNames.at(part)),
-                     column.unit, column.long_name, column.group == "inputs", reader.rows());
+                     column.unit, column.long_name, role, reader.rows());
   constexpr std::int64_t kRowsAtOnce = 1 << 16;
   std::vector<std::byte> bytes;
   for (std::int64_t row = 0; row < reader.rows(); row += kRowsAtOnce) {

@@ -9,8 +9,8 @@
 namespace hyrax {
 namespace {
 
-MemberNumbers numbers_of(const std::vector<double>& values, bool is_input = false) {
-  MemberNumbers numbers("x", "px", "left edge", is_input, static_cast<std::int64_t>(values.size()));
+MemberNumbers numbers_of(const std::vector<double>& values, MemberRole role = MemberRole::result) {
+  MemberNumbers numbers("x", "px", "left edge", role, static_cast<std::int64_t>(values.size()));
   for (const double value : values) numbers.add(value);
   return numbers;
 }
@@ -32,7 +32,7 @@ TEST(MemberNumbers, OfNoMemberAreNotGiven) {
 
 TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   constexpr std::int64_t kMembers = 1'000'000, kGrid = 50;
-  MemberNumbers numbers("x", "px", "", true, kMembers);
+  MemberNumbers numbers("x", "px", "", MemberRole::grid, kMembers);
   for (std::int64_t member = 0; member < kMembers; ++member) numbers.add(static_cast<double>(member % kGrid));
   EXPECT_LE(numbers.sample().size(), 20'000u);
   std::vector<int> met(kGrid);
@@ -45,7 +45,7 @@ TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
 TEST(MemberFigures, ShareAllMembersAmongTheIntervals) {
   std::vector<MemberNumbers> numbers;
   numbers.push_back(numbers_of({0.0, 1.0, 1.0, 2.0}));
-  numbers.push_back(numbers_of({5.0, 6.0, 7.0, 8.0}, true));
+  numbers.push_back(numbers_of({5.0, 6.0, 7.0, 8.0}, MemberRole::input));
   const std::vector<Figure> figures = member_figures(numbers, 4);
   ASSERT_EQ(figures.size(), 2u);
   const Series& shares = std::get<std::vector<Plot>>(figures[0].body)[0].series[0];
@@ -56,8 +56,40 @@ TEST(MemberFigures, ShareAllMembersAmongTheIntervals) {
   EXPECT_EQ(points.y, (std::vector<double>{0, 1, 1, 2}));
 }
 
+TEST(MemberNumbers, HaveQuantilesOfThoseThatAreKnown) {
+  const MemberNumbers numbers = numbers_of({4.0, std::nan(""), 0.0, 2.0, 1.0, 3.0});
+  EXPECT_DOUBLE_EQ(numbers.quantile(0.5), 2.0);
+  EXPECT_DOUBLE_EQ(numbers.quantile(0.1), 0.4);
+  EXPECT_TRUE(std::isnan(numbers_of({}).quantile(0.5)));
+}
+
+// Two grids of 5 x 2 fields, two members each; the median of a field is the number of the field and a half.
+TEST(MemberFigures, MapEachResultOverTwoGrids) {
+  std::vector<double> across, up, result;
+  for (int member = 0; member < 20; ++member) {
+    const int field = member / 2;
+    across.push_back(field % 5);
+    up.push_back(field / 5);
+    result.push_back(field + member % 2);
+  }
+  const std::vector<MemberNumbers> numbers = {numbers_of(across, MemberRole::grid),
+                                              numbers_of(up, MemberRole::grid), numbers_of(result)};
+  const std::vector<Figure> figures = member_figures(numbers, 20);
+  const Figure& map = figures.back();
+  EXPECT_EQ(map.suffix, "-map-x");
+  const Plot& plot = std::get<std::vector<Plot>>(map.body)[0];
+  ASSERT_EQ(plot.series.size(), 5u);
+  EXPECT_EQ(plot.series[0].x, (std::vector<double>{0, 1}));
+  EXPECT_EQ(plot.series[0].y, (std::vector<double>{0, 0}));
+  EXPECT_EQ(plot.series[4].x, (std::vector<double>{3, 4}));
+  EXPECT_EQ(plot.series[4].y, (std::vector<double>{1, 1}));
+  std::size_t fields = 0;
+  for (const Series& series : plot.series) fields += series.x.size();
+  EXPECT_EQ(fields, 10u);
+}
+
 TEST(MemberTable, HasARowForEachNumber) {
-  const Table table = member_table({numbers_of({1.0, 2.0}), numbers_of({3.0}, true)});
+  const Table table = member_table({numbers_of({1.0, 2.0}), numbers_of({3.0}, MemberRole::input)});
   EXPECT_EQ(row_count(table), 2u);
 }
 
