@@ -16,7 +16,7 @@ namespace hyrax {
 struct ShownResult {
   std::string title = {};
   std::string subtitle = {};       ///< What it is, in a sentence.
-  std::string judgement = {};      ///< In a few words, as "all rules hold"; empty: what is broken is counted.
+  std::string judgement = {};      ///< In a few words, as "no rule is broken"; empty: what is broken is counted.
   Verdict verdict = {};            ///< Nothing broken: the judgement is shown as good.
   std::vector<Table> tables = {};  ///< REQUIRES: no column of tables.
   std::vector<Figure> figures = {};
