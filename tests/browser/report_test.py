@@ -81,11 +81,15 @@ class ReportTest(browser.BrowserTest):
         self.played("fling", program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
         task = {**self.report("fling", "--against", "golden.h5"), "actions": [
             ["evaluate", "document.querySelector('.verdicts').innerText"],
-            ["evaluate", "document.querySelectorAll('.divergence').length"]]}
+            ["evaluate", "document.querySelectorAll('.divergence').length"],
+            ["evaluate", "document.querySelectorAll('figure').length"],
+            ["download", "#chart-distance button", str(self.folder / "distance.csv")]]}
         (page,) = self.open(task)
         self.assertEqual(page["attributes"]["replay"], "agrees")
         self.assertIn("from step 0 in vx", page["values"][0])
-        self.assertEqual(page["values"][1], 5)
+        self.assertEqual(page["values"][1], page["values"][2])
+        rows = (self.folder / "distance.csv").read_text(encoding="utf-8").splitlines()
+        self.assertAlmostEqual(float(rows[2].split(",")[2]), 1 / 60, delta=1e-3)
 
     def test_a_failed_check_has_a_page_of_the_worst_run(self):
         path, = self.project("fling")
@@ -93,9 +97,11 @@ class ReportTest(browser.BrowserTest):
         self.expect(DISAGREED, "check", "--summary", "check.md")
         self.assertIn("](<check.html>)", (self.folder / "check.md").read_text())
         (page,) = self.open({"file": str(self.folder / "check.html"), "actions": [
-            ["evaluate", "document.querySelector('.verdicts').innerText"]]})
+            ["evaluate", "document.querySelector('.verdicts').innerText"],
+            ["evaluate", "document.querySelector('.cause').textContent"]]})
         self.assertEqual(page["attributes"]["replay"], "agrees")
         self.assertIn("from step 0 in vx", page["values"][0])
+        self.assertIn(page["values"][1], self.expect(DISAGREED, "check").out.replace("\n  ", " "))
 
     def test_plays_steps_scrubs_and_opens_a_link(self):
         self.played("fling", program.fling())
@@ -109,6 +115,16 @@ class ReportTest(browser.BrowserTest):
         values = page["values"]
         self.assertEqual([values[at] for at in (0, 2, 4, 6, 8, 10)], ["120", "121", "111", "76", "300", "40"])
         self.assertEqual(page["errors"], [])
+
+    def test_lists_inputs_and_goes_to_them(self):
+        self.hash_of(str(SOURCE / "scenarios/flings/grab-and-throw.json"), "fling.h5")
+        (page,) = self.open({**self.report("fling"), "actions": [
+            ["evaluate", "document.getElementById('inputs-list').innerText"], ["click", "#inputs-list button"],
+            ["evaluate", "document.querySelector('[data-name=row]').textContent"]]})
+        text = page["values"][0]
+        for kind in ("grab", "place", "release", "resize"):
+            self.assertIn(kind, text)
+        self.assertTrue(text.startswith(f"step {page['values'][2]} "), text)
 
     def test_what_is_flung_by_mouse_replays_to_the_same_hash(self):
         self.played("fling", program.fling())
@@ -187,7 +203,7 @@ class ReportTest(browser.BrowserTest):
         self.played("fling", program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
         task = self.report("fling", "--against", "golden.h5")
         self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
-        looks = [{"scheme": scheme, "size": size} for scheme in ("light", "dark") for size in ((1280, 900), (390, 844))]
+        looks = [{"scheme": "light"}, {"scheme": "dark", "size": (390, 844)}, {"scheme": "dark"}]
         tasks = [{**page, **look, "actions": [["axe"]]} for page in (task, self.report("rest")) for look in looks]
         control = {**task, "actions": [["evaluate", "document.getElementById('play').removeAttribute('aria-label')"],
                                        ["evaluate", "document.getElementById('play').removeAttribute('title')"],

@@ -45,6 +45,17 @@ class ReportTest(ProgramTest):
         self.expect(BAD_INPUT, "report", "fling.h5", "--against", "text.h5", "-o", "a.html", says="text.h5: is not")
         self.expect(CANNOT_ACCESS, "report", "none.h5", "-o", "a.html", says="none.h5: cannot be read")
 
+    def test_reads_studies_and_sweeps_and_refuses_damaged_ones(self):
+        self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 3, "seed": 1,
+                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}})
+        self.expect(AGREED, "sweep", "sweep.json")
+        for name in ("rest.h5", "sweep.h5"):
+            self.expect(CANNOT_ACCESS, "report", name, "-o", "a.html", says="HYRAX_PAGE")
+            whole = (self.folder / name).read_bytes()
+            (self.folder / name).write_bytes(whole[:len(whole) // 2])
+            self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
+
     def test_replaces_neither_input_nor_golden_file_nor_scenario(self):
         shutil.copy(self.folder / "fling.h5", self.folder / "page.html")
         (self.folder / "link.html").symlink_to("page.html")

@@ -15,9 +15,9 @@ namespace hyrax {
 /// One result, as a study, a sweep or a comparison hands it on.
 struct ShownResult {
   std::string title = {};
-  std::string subtitle = {};       ///< What it is, in a sentence.
-  std::string judgement = {};      ///< In a few words, as "all rules hold"; empty: what is broken is counted.
-  Verdict verdict = {};            ///< Nothing broken: the judgement is shown as good.
+  std::string subtitle = {};   ///< What it is, in a sentence.
+  std::string judgement = {};  ///< In a few words, as "no rule is broken"; empty: what is broken is counted.
+  Verdict verdict = {};        ///< Nothing broken: the judgement is shown as good.
   std::vector<Table> tables = {};  ///< REQUIRES: no column of tables.
   std::vector<Figure> figures = {};
   std::vector<std::pair<std::string, std::string>> origin = {};  ///< How it was made: names and values.

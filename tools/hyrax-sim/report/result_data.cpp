@@ -50,7 +50,7 @@ Json study_result(const std::string& path) {
   };
   for (const auto& [key, value] : parts)
     if (key == "verdict" && broken_of(value) != nullptr && broken_of(value)->empty())
-      set_member(json, "judgement", "all rules hold");
+      set_member(json, "judgement", "no rule of the study is broken");
   for (auto& [key, value] : parts) set_member(json, key, std::move(value));
   return json;
 }

@@ -50,7 +50,8 @@ function chartsOf(result, sizes) {
       { name: 'x', color: 'blue', values: rows.x }, { name: 'y', color: 'orange', values: rows.y },
       ...overlay(`x, ${label}`, other?.rows.x), ...overlay(`y, ${label}`, other?.rows.y)] },
     { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
-      { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy }] },
+      { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy },
+      ...overlay(`vx, ${label}`, other?.rows.vx), ...overlay(`vy, ${label}`, other?.rows.vy)] },
     { id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
       { name: 'run', color: 'green', values: energyOf(result, sizes) },
       ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] },
@@ -60,8 +61,18 @@ function chartsOf(result, sizes) {
   if (errors?.step.length)
     charts.splice(3, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
       errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] },
-    ...driftCharts(result));
+    ...distanceChart(result), ...driftCharts(result));
+  else charts.splice(3, 0, ...distanceChart(result));
   return charts;
+}
+
+// How far apart two runs are.
+function distanceChart({ rows, other }) {
+  if (!other) return [];
+  const at = new Map(Array.from(rows.step, (step, i) => [step, i]));
+  const distances = Array.from(other.rows.step, (step, i) => (at.has(step) ? Math.hypot(other.rows.x[i] - rows.x[at.get(step)], other.rows.y[i] - rows.y[at.get(step)]) : 0));
+  return [{ id: 'distance', title: `Distance from the ${other.label} file`, unit: 'px', isLog: true, series: [
+    { name: 'distance', color: 'vermilion', values: spread(rows, other.rows.step, distances, value => value > 0) }] }];
 }
 
 function driftCharts({ rows, causes, contactErrors: contacts }) {

@@ -38,6 +38,16 @@ function showContacts(result, seek) {
   if (check.contacts > shown) place.append(make('p', { class: 'quiet' }, `The first ${shown} of ${check.contacts.toLocaleString('en')}.`));
 }
 
+// What the hand or the script did; a hand's way is one line.
+function showInputs({ run: { inputs } }, seek) {
+  const lines = inputs.filter(({ kind, frame }, i) => kind !== 'place' || inputs[i - 1]?.kind !== 'place' || inputs[i - 1].frame < frame - 1);
+  element('inputs').hidden = lines.length === 0;
+  const what = input => [input.kind, ...(input.window ? [`window ${input.window.join(' × ')} px`] : []), ...(input.sprite ? [`sprite ${input.sprite.join(' × ')} px`] : [])].join(', ');
+  element('inputs-list').replaceChildren(...lines.slice(0, shownMax).map(input => make('li', {},
+    make('button', { type: 'button', class: 'link', onclick: () => seek(input.frame) }, `step ${input.frame}`), ` ${what(input)}`)),
+  ...(lines.length > shownMax ? [make('li', { class: 'quiet' }, `The first ${shownMax} of ${lines.length.toLocaleString('en')}.`)] : []));
+}
+
 function showCoverage(run) {
   const list = names => (names.length ? names.join(', ') : 'nothing');
   element('coverage').replaceChildren(
@@ -67,6 +77,7 @@ function showOrigin({ run, check }) {
 
 export function showDetails(result, seek) {
   showContacts(result, seek);
+  showInputs(result, seek);
   showCoverage(result.run);
   showOrigin(result);
 }

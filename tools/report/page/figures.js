@@ -59,6 +59,23 @@ function ticksOf(axis, [low, high], pixels) {
   return finite(axis.zero_at) ? [axis.zero_at, ...list] : list;
 }
 
+// Where a value is on an axis of that length, in px.
+function pixelAt(axis, [low, high], pixels, value) {
+  const [from, to, at] = axis.is_logarithmic ? [low, high, value].map(Math.log) : [low, high, value];
+  return (pixels * (at - from)) / (to - from || 1);
+}
+
+// Those of the texts {at, text} beside one another that have room.
+function withRoom(texts, axis, domain, pixels) {
+  let end = -Infinity;
+  const places = texts.map(each => ({ each, half: each.text.length * 3.6 + 3, middle: pixelAt(axis, domain, pixels, each.at) }));
+  return places.sort((a, b) => a.middle - b.middle).filter(({ half, middle }) => {
+    if (middle - half < end) return false;
+    end = middle + half;
+    return true;
+  }).map(({ each }) => each);
+}
+
 const scaleOf = (axis, domain, isY) => ({ type: axis.is_logarithmic ? 'log' : 'linear', domain, clamp: false, label: null,
   reverse: axis.is_reversed !== (isY && axis.categories.length > 0) });
 
@@ -161,21 +178,24 @@ function drawPlot(plot, place, view, label) {
   const labels = plot.y.categories.map(text => text.length * 6.6);
   const marginLeft = Math.min(width * 0.42, Math.max(52, 18 + Math.max(0, ...labels)));
   const isCategorical = plot.y.categories.length > 0;
-  let height = isCategorical ? 74 + plot.y.categories.length * 26 : Math.min(420, Math.max(260, width * 0.52));
+  let height = isCategorical ? 74 + plot.y.categories.length * 26 : view.isBeside ? 310 : Math.min(420, Math.max(260, width * 0.52));
   if (plot.has_equal_scales) height = Math.min(600, Math.max(160, 70 + ((width - marginLeft - 16) * Math.abs(all.y[1] - all.y[0])) / (Math.abs(all.x[1] - all.x[0]) || 1)));
+  const xTicks = ticksOf(plot.x, domain.x, width - marginLeft);
+  const shownTicks = xTicks && new Set(withRoom(xTicks.map(at => ({ at, text: axisText(plot.x, at) })), plot.x, domain.x, width - marginLeft - 16).map(({ at }) => at));
+  const isMarked = new Set(withRoom(plot.marks.filter(mark => mark.is_vertical && mark.text && finite(mark.at)), plot.x, domain.x, width - marginLeft - 16));
   const topDots = plot.top_dots.length > 0;
   const points = plot.series.flatMap(series => pointsOf(series, plot)).filter(point => finite(point.y));
   const marginTop = 32 + (topDots ? 10 : 0) + (plot.marks.some(mark => mark.is_vertical && mark.text) ? 12 : 0);
   const marks = [
     ...(plot.spans.length ? [Plot.rect(plot.spans, { x1: '0', x2: '1', y1: () => domain.y[0], y2: () => domain.y[1], fill: 'var(--rule)', fillOpacity: 0.5, clip: true })] : []),
-    Plot.gridX({ ticks: ticksOf(plot.x, domain.x, width - marginLeft), stroke: 'var(--rule)', strokeOpacity: 1 }),
+    Plot.gridX({ ticks: xTicks, stroke: 'var(--rule)', strokeOpacity: 1 }),
     ...(isCategorical ? [] : [Plot.gridY({ ticks: ticksOf(plot.y, domain.y, height - 76), stroke: 'var(--rule)', strokeOpacity: 1 })]),
-    Plot.axisX({ ticks: ticksOf(plot.x, domain.x, width - marginLeft), tickFormat: value => axisText(plot.x, value), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.x.label || null, labelArrow: 'none', labelAnchor: 'right' }),
-    Plot.axisY({ ticks: ticksOf(plot.y, domain.y, height - 76), tickFormat: value => axisText(plot.y, value), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.y.label || null, labelArrow: 'none', labelAnchor: 'top' }),
+    Plot.axisX({ ticks: xTicks, text: value => (shownTicks && !shownTicks.has(value) ? '' : axisText(plot.x, value)), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.x.label || null, labelArrow: 'none', labelAnchor: 'right' }),
+    Plot.axisY({ ticks: ticksOf(plot.y, domain.y, height - 76), text: value => axisText(plot.y, value), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.y.label || null, labelArrow: 'none', labelAnchor: 'top' }),
     ...plot.series.flatMap(series => marksOfSeries(series, plot, domain)).map(mark => Object.assign(mark, { clip: view.zoom ? 'frame' : mark.clip })),
     ...plot.marks.filter(mark => finite(mark.at)).flatMap(mark => [
       (mark.is_vertical ? Plot.ruleX : Plot.ruleY)([mark.at], { stroke: tone(mark.tone), strokeDasharray: '4 3', strokeWidth: 1.2, strokeOpacity: 0.75 }),
-      ...(mark.text ? [Plot.text([mark], { [mark.is_vertical ? 'x' : 'y']: 'at', frameAnchor: mark.is_vertical ? 'top' : 'right', text: 'text', fill: tone(mark.tone),
+      ...(mark.text && (!mark.is_vertical || isMarked.has(mark)) ? [Plot.text([mark], { [mark.is_vertical ? 'x' : 'y']: 'at', frameAnchor: mark.is_vertical ? 'top' : 'right', text: 'text', fill: tone(mark.tone),
         dy: -5, lineAnchor: 'bottom', textAnchor: mark.is_vertical ? 'middle' : 'end', stroke: 'var(--card)', strokeWidth: 4 })] : [])]),
     ...(topDots ? [Plot.dot(plot.top_dots, { x: 'x', frameAnchor: 'top', dy: -8, r: 3, fill: dot => tone(dot.tone) })] : []),
     ...(plot.texts.length ? [Plot.text(plot.texts.filter(each => finite(each.x) && finite(each.y) && (!plot.x.is_logarithmic || each.x > 0) && (!plot.y.is_logarithmic || each.y > 0)),
@@ -200,7 +220,7 @@ function plotOf(plot, figure, number, count) {
     return place;
   }
   const label = `${figure.title}. ${figure.subtitle}. ${plot.y.label || 'y'} against ${plot.x.label || 'x'}${count > 1 ? `, ${number + 1} of ${count}` : ''}. Its data is below as a table.`;
-  const view = { zoom: null, svg: null, width: 0, seen: 0, reset: () => ((view.zoom = null), draw()) };
+  const view = { isBeside: count > 1, zoom: null, svg: null, width: 0, seen: 0, reset: () => ((view.zoom = null), draw()) };
   const draw = () => drawPlot(plot, place, view, label);
   listen(place, view, draw);
   new ResizeObserver(() => {

@@ -1,5 +1,5 @@
 // Draws the window to scale: the path, contacts, the hyrax.
-import { bytes, element } from './data.js';
+import { bytes, element, firstAtLeast } from './data.js';
 import { sizesAt } from './replay.js';
 
 const poses = ['fly', 'stand', 'held'];
@@ -26,7 +26,7 @@ export class Painter {
     this.#images = Object.fromEntries(poses.map(pose => [pose, poseImage(svg, pose, onchange)]));
   }
 
-  /** What to draw: window and sprite sizes in force, rows, contacts, another run's rows. */
+  /** What to draw: window and sprite sizes in force, rows, contacts, inputs, another run's rows. */
   setScene(scene) {
     this.scene = scene;
     const widest = Math.max(...scene.sizes.map(size => size.window[0]), 1);
@@ -98,6 +98,29 @@ export class Painter {
     context.lineWidth = 1.5 * ratio;
     this.#path(context, scene.rows, scene.rows.step.length);
     if (scene.contacts) this.#paintContacts(context, scene.contacts);
+    this.#paintInputs(context, scene);
+  }
+
+  // A ring where the hand or the script met the sprite, with its name; where a hand led it, dots.
+  #paintInputs(context, { inputs, rows, sizes }) {
+    const { scale, ratio } = this;
+    const named = [];
+    context.font = `${11 * ratio}px system-ui, sans-serif`;
+    context.strokeStyle = context.fillStyle = color('ink');
+    context.lineWidth = 1.5 * ratio;
+    for (const { frame, kind } of inputs.slice(0, 500)) {
+      const row = firstAtLeast(rows.step, kind === 'place' ? frame + 1 : frame);
+      const { sprite } = sizesAt(sizes, frame);
+      const [x, y] = [(rows.x[row] + sprite[0] / 2) * scale, (rows.y[row] + sprite[1] / 2) * scale];
+      if (!Number.isFinite(x + y)) continue;
+      context.beginPath();
+      context.arc(x, y, (kind === 'place' ? 1.5 : 4) * ratio, 0, 2 * Math.PI);
+      if (kind === 'place') context.fill();
+      else context.stroke();
+      if (kind === 'place' || named.some(([atX, atY]) => Math.abs(atX - x) < 60 * ratio && Math.abs(atY - y) < 16 * ratio)) continue;
+      context.fillText(kind, x + 8 * ratio, y - 6 * ratio);
+      named.push([x, y]);
+    }
   }
 
   // A stroke along the wall, as long as the sprite's side.

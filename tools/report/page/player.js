@@ -6,9 +6,10 @@ export class Player {
   #frame = 0;
   #keys = new AbortController();
 
-  constructor(moment, contacts, resetZoom) {
+  constructor(moment, contacts, inputs, resetZoom) {
     this.moment = moment;
     this.contacts = contacts;
+    this.inputs = inputs;
     this.resetZoom = resetZoom;
     const slider = element('time');
     slider.max = moment.length - 1;
@@ -102,7 +103,7 @@ export class Player {
     action();
   }
 
-  /** A tick for each contact, below the slider. */
+  /** A tick for each contact, in the colour of its wall, and a short one for each input, below the slider. */
   paintTicks() {
     const canvas = element('ticks');
     const ratio = devicePixelRatio || 1;
@@ -111,10 +112,15 @@ export class Player {
     canvas.height = Math.round(canvas.clientHeight * ratio);
     const context = canvas.getContext('2d');
     const last = this.moment.rows.step[this.moment.length - 1] || 1;
+    const tick = (step, height) => {
+      const at = inset + ((canvas.clientWidth - 2 * inset) * step) / last;
+      context.fillRect(Math.round(at * ratio), 0, Math.max(1, Math.round(1.5 * ratio)), canvas.height * height);
+    };
+    context.fillStyle = color('ink');
+    for (const { frame } of this.inputs) tick(frame, 0.5);
     for (let i = 0; i < (this.contacts?.step.length ?? 0); ++i) {
       context.fillStyle = color(wallColors[this.contacts.wall[i]]);
-      const at = inset + ((canvas.clientWidth - 2 * inset) * this.contacts.step[i]) / last;
-      context.fillRect(Math.round(at * ratio), 0, Math.max(1, Math.round(1.5 * ratio)), canvas.height);
+      tick(this.contacts.step[i], 1);
     }
   }
 }

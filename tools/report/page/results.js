@@ -19,10 +19,11 @@ function shown(what, show) {
 
 function verdictOf({ judgement: given, verdict: { broken, text } }) {
   if (!given && broken.length === 0 && text.length === 0) return [];
+  const tables = text.filter(part => typeof part !== 'string');
   const judgement = broken.length ? `${count(broken.length, 'rule')} ${broken.length === 1 ? 'does' : 'do'} not hold` : given;
   return [make('section', { class: `verdict ${broken.length ? 'bad' : given ? 'good' : ''}`, 'aria-label': 'Verdict' },
     ...(judgement ? [make('p', { class: 'judgement' }, judgement)] : []), ...(broken.length ? [make('ul', {}, ...broken.map(each => make('li', {}, each)))] : []),
-    make('div', { class: 'findings' }, ...text.map(part => (typeof part === 'string' ? make('pre', { class: part.length < 60 && !part.trim().endsWith('.') ? 'before' : null }, part.trim()) : tableOf(part)))))];
+    make('div', { class: tables.length > 1 && tables.every(table => table.row_count <= 20) ? 'findings columns-2' : 'findings' }, ...text.map(part => (typeof part === 'string' ? make('pre', { class: part.length < 60 && !part.trim().endsWith('.') ? 'before' : null }, part.trim()) : tableOf(part)))))];
 }
 
 function figureOf(figure, name, index) {

@@ -57,9 +57,9 @@ class View {
     showHead(run);
     showVerdict(result);
     showDetails(result, step => this.player.seekStep(step));
-    painter.setScene({ sizes: this.sizes, rows: result.rows, contacts: result.contacts, other: result.other?.rows });
+    painter.setScene({ sizes: this.sizes, rows: result.rows, contacts: result.contacts, inputs: run.inputs, other: result.other?.rows });
     this.charts = new Charts(result, this.sizes, this.moment, index => this.player.seek(index));
-    this.player = new Player(this.moment, result.contacts, () => this.charts.zoom(null));
+    this.player = new Player(this.moment, result.contacts, run.inputs, () => this.charts.zoom(null));
     this.charts.followsMouse = () => !this.player.isPlaying && root.dataset.mode !== 'fling';
     this.moment.listen(() => this.#follow());
     const every = result.check?.every ?? 1;
