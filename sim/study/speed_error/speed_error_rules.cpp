@@ -42,6 +42,13 @@ class Rules {
         require("the error of an exact method is within rounding, px", name_of(point),
                 point.errors.position_px, 0.0, rounding_px(point.errors));
     }
+    for (const MethodBands& bands : study_.bands) {
+      const auto* const exact = std::get_if<Exact>(&study_.methods[bands.method].accuracy);
+      if (exact != nullptr && exact->meets_walls_exactly)
+        require("flings in which the error of an exact method is more than rounding",
+                fmt::format("{}, {:.0f} Hz", name_of(bands.problem, bands.method), bands.rate_hz),
+                static_cast<double>(bands.beyond_rounding), 0.0, 0.0);
+    }
   }
   void paper_does_not_converge() {
     const auto at_60 = std::find_if(study_.paper.begin(), study_.paper.end(),
@@ -68,7 +75,7 @@ class Rules {
     }
     if (dt_s.size() >= 2)
       require("the truncation against the matched ODE is of first order", name_of(0, 0),
-              fitted_order(dt_s, errors), 1.0 - kOrderApart, 1.0 + kOrderApart);
+              fitted_power(dt_s, errors).order, 1.0 - kOrderApart, 1.0 + kOrderApart);
   }
   void rk8pd_keeps_its_tolerance() {
     for (const WorkPoint& point : study_.points) {
@@ -96,7 +103,7 @@ class Rules {
     require("an order is fitted over three rates or more", name_of(problem, method),
             is_fitted ? static_cast<double>(fit->points) : 0.0, 3.0, kInfinity);
     if (is_fitted)
-      require("the fitted order is the analytic one", name_of(problem, method), fit->order,
+      require("the fitted order is the analytic one", name_of(problem, method), fit->fit.order,
               analytic - kOrderApart, analytic + kOrderApart);
   }
   [[nodiscard]] std::string name_of(std::size_t problem, std::size_t method) const {

@@ -1,4 +1,4 @@
-#include "sim/card/interval.h"
+#include "sim/result/interval.h"
 
 #include <gtest/gtest.h>
 
