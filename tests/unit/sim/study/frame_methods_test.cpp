@@ -31,9 +31,8 @@ MethodErrors errors_of(const std::string& method, const Problem& problem, double
 
 // Order from two rates that differ by a factor of two.
 double order_of(const std::string& method, const Problem& problem, double rate_hz) {
-  return fitted_power({1.0 / rate_hz, 0.5 / rate_hz},
-                      {errors_of(method, problem, rate_hz).position_px,
-                       errors_of(method, problem, 2.0 * rate_hz).position_px})
+  return fitted_power({1.0 / rate_hz, 0.5 / rate_hz}, {errors_of(method, problem, rate_hz).position_px,
+                                                       errors_of(method, problem, 2.0 * rate_hz).position_px})
       .order;
 }
 
