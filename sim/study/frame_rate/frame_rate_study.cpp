@@ -198,6 +198,36 @@ Figure landing_figure(const FrameRateStudy& study) {
   return figure;
 }
 
+// Over all flings, not the drawn one alone.
+Figure shift_figure(const FrameRateStudy& study) {
+  Plot plot{.x = display_rate_axis(20, 1100),
+            .y = {.label = "distance from where it settles at 60 Hz, px", .low = 0}};
+  constexpr std::array<Tone, kFrameRateMethods.size()> kBandTones = {Tone::bad, Tone::shade};
+  Figure figure{
+      .suffix = "-flings",
+      .title = "Many flings, many displays",
+      .subtitle = fmt::format("{} flings (seed {}), every frame the same; line: median, band: 10 to 90 %",
+                              study.steadier_by_time[0].of, kFlingSeed)};
+  for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method) {
+    Series band{.name = fmt::format("{}, 10 to 90 %", kMethodTexts[method]),
+                .look = {.form = Form::band, .tone = kBandTones[method]}};
+    Series median{.name = std::string(kMethodTexts[method]), .look = {.tone = kMethodTones[method]}};
+    for (const DisplayShift& shift : study.shifts) {
+      if (shift.method != method || shift.clock != DisplayClock::steady) continue;
+      for (Series* const series : {&band, &median}) series->x.push_back(shift.rate_hz);
+      band.y.push_back(shift.shift_px.high);
+      band.y_low.push_back(shift.shift_px.low);
+      median.y.push_back(shift.shift_px.median);
+    }
+    figure.legend.push_back({median.name, median.look});
+    figure.legend.push_back({band.name, band.look});
+    plot.series.insert(plot.series.begin() + static_cast<std::ptrdiff_t>(method), std::move(band));
+    plot.series.push_back(std::move(median));
+  }
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
+
 Figure fan_figure(const FrameRateStudy& study, std::size_t method) {
   constexpr std::array<Tone, 6> kRateTones = {Tone::vermilion, Tone::orange,   Tone::blue,
                                               Tone::purple,    Tone::sky_blue, Tone::green};
@@ -271,7 +301,7 @@ StudyResult run(const StudyRequest& request) {
                                           120);
   return {.tables = {landing_table(study.landings), score_table("independence", study.scores),
                      path_table(study.paths), shift_table(study.shifts)},
-          .figures = {landing_figure(study), fan_figure(study, 0), fan_figure(study, 1)},
+          .figures = {landing_figure(study), shift_figure(study), fan_figure(study, 0), fan_figure(study, 1)},
           .verdict = verdict_of(study),
           .summary = summary_of(study)};
 }

@@ -47,7 +47,7 @@ struct RateEnds {
   double rate_hz = 0.0;
   double gain_px_per_s = 0.0;  ///< Speed that one step of gravity adds, after drag.
   std::array<std::int64_t, kFinalStateNames.size()> flings{};  ///< By FinalState.
-  std::int64_t unforeseen = 0;    ///< Flings in a final state that the boundaries do not allow.
+  std::int64_t unforeseen = 0;         ///< Flings in a final state that the boundaries do not allow.
   std::optional<Band> settles_s = {};  ///< Since when they have settled; none if no fling has.
 
   [[nodiscard]] std::int64_t count(FinalState state) const { return flings[static_cast<std::size_t>(state)]; }

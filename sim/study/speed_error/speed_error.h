@@ -106,9 +106,9 @@ struct SpeedErrorOptions {
                                            const SpeedErrorOptions& options, const NanosecondClock& now_ns);
 
 /// The rules that do not hold, each a sentence with method, problem and rate. Never about a time:
-/// 0. Every method plays every problem to its end, with finite errors.
+/// 0. Every method plays every problem to its end, with finite errors; an adaptive one may give up instead.
 /// 1. In free flight every convergent method's order can be fitted over three rates or more, and is the
-///    analytic one, +- kOrderApart.
+///    analytic one, +- kOrderApart; beyond the first problem only where its error is rounding at fewer.
 /// 2. The exact methods' errors are rounding, at every rate, and of those that meet walls exactly in flings,
 /// too, in each of those that the bands are over.
 /// 3. The paper's step does not converge: its error at the highest rate is above that at 60 Hz.

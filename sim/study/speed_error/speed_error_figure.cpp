@@ -216,7 +216,10 @@ Figure speed_error_figure(const SpeedError& study, std::size_t problem, const st
 }
 
 std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem) {
-  Plot plot{.x = {.label = "largest distance from the exact fling, px", .is_logarithmic = true}};
+  constexpr double kRounding_px = 0.1;  // All below is drawn as 0.
+  Plot plot{.x = {.label = "largest distance from the exact fling, px",
+                  .is_logarithmic = true,
+                  .zero_at = kRounding_px}};
   Series series{.name = "median", .look = {.form = Form::points, .tone = Tone::blue, .marker_size = 1.0}};
   Share flings;
   for (const MethodBands& bands : study.bands) {
@@ -231,13 +234,16 @@ std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem)
     if (bands.method != 0)
       plot.texts.push_back(
           {bands.position_px.high, y, fmt::format("ends nearer in {} of {}", flings.count, flings.of)});
+    constexpr double kRoomForText = 30.0;
+    plot.x.high =
+        std::max(std::isnan(plot.x.high) ? 0.0 : plot.x.high, kRoomForText * bands.position_px.high);
   }
   if (series.x.empty()) return std::nullopt;
   Figure figure{
       .suffix = "-" + study.problems[problem].name + "-starts",
       .title = fmt::format("{} flings at 60 Hz: like {}", flings.of, study.problems[problem].label),
       .subtitle = fmt::format("Starts within {:g} px, speeds within {:g} %, seed {}; dot: median, bar: 10 "
-                              "to 90 %; nearer than the paper's step",
+                              "to 90 %; nearer: than by the paper's step",
                               kBandStart_px, 100.0 * kBandSpeed_rel, kBandSeed)};
   plot.series.push_back(std::move(series));
   figure.body = std::vector{std::move(plot)};

@@ -18,6 +18,8 @@ class Rules {
   void errors_are_finite() {
     for (const WorkPoint& point : study_.points) {
       if (point.errors.is_failed) {
+        if (study_.methods[point.method].is_adaptive())
+          continue;  // No step was small enough: a gap in its line.
         broken_.push_back(fmt::format("the method cannot play the problem to its end ({})", name_of(point)));
         continue;
       }
@@ -95,7 +97,15 @@ class Rules {
       broken_.push_back(
           fmt::format("{} ({}): must be {:.6g} .. {:.6g} (found {:.6g})", rule, where, low, high, value));
   }
+  // Of an accurate method few rates may be left.
+  [[nodiscard]] std::ptrdiff_t rates_beyond_rounding(std::size_t problem, std::size_t method) const {
+    return std::count_if(study_.points.begin(), study_.points.end(), [&](const WorkPoint& point) {
+      return point.problem == problem && point.method == method &&
+             point.errors.position_px > rounding_px(point.errors);
+    });
+  }
   void order_is(int analytic, std::size_t problem, std::size_t method) {
+    if (problem > 0 && rates_beyond_rounding(problem, method) < 3) return;
     const auto fit = std::find_if(study_.orders.begin(), study_.orders.end(), [&](const OrderFit& each) {
       return each.problem == problem && each.method == method;
     });

@@ -96,6 +96,34 @@ TEST(SpeedErrorRules, FindAMethodThatFails) {
       std::vector<std::string>{"the method cannot play the problem to its end (paper, long-arc, 30 Hz)"});
 }
 
+TEST(SpeedErrorRules, AllowAnAdaptiveMethodToGiveUp) {
+  SpeedError study = some_study();
+  study.methods.push_back({.name = "gsl-rk1imp-1e-14", .family = "GSL rk1imp", .accuracy = Adaptive{1e-14}});
+  study.points.push_back({0, study.methods.size() - 1, 60.0, {.is_failed = true}});
+  EXPECT_EQ(broken_rules(study), std::vector<std::string>{});
+}
+
+// The order of a method that is accurate to rounding at all rates but two cannot be fitted.
+TEST(SpeedErrorRules, WantNoOrderOfRounding) {
+  SpeedError study = some_study();
+  study.problems.insert(study.problems.begin(), study.problems.front());
+  study.paper.clear();
+  for (WorkPoint& point : study.points) ++point.problem;
+  for (OrderFit& fit : study.orders) ++fit.problem;
+  for (MethodBands& bands : study.bands) ++bands.problem;
+  std::erase_if(study.orders, [](const OrderFit& fit) { return fit.method == 3 && fit.problem == 1; });
+  const auto missing_orders_of_euler = [&study] {
+    const std::vector<std::string> broken = broken_rules(study);
+    return std::count_if(broken.begin(), broken.end(), [](const std::string& rule) {
+      return rule.find("three rates or more (euler, long-arc)") != rule.npos;
+    });
+  };
+  EXPECT_EQ(missing_orders_of_euler(), 2) << "of both problems";
+  for (WorkPoint& point : study.points)
+    if (point.method == 3 && point.problem == 1 && point.rate_hz > 30.0) point.errors.position_px = 0.0;
+  EXPECT_EQ(missing_orders_of_euler(), 1) << "of the first alone";
+}
+
 TEST(SpeedErrorRules, FindAnErrorThatIsNoNumber) {
   for (double MethodErrors::*const error :
        {&MethodErrors::position_px, &MethodErrors::velocity_px_per_s, &MethodErrors::end_px})
