@@ -202,7 +202,7 @@ Figure landing_figure(const FrameRateStudy& study) {
 Figure shift_figure(const FrameRateStudy& study) {
   Plot plot{.x = display_rate_axis(20, 1100),
             .y = {.label = "distance from where it settles at 60 Hz, px", .low = 0}};
-  constexpr std::array<Tone, kFrameRateMethods.size()> kBandTones = {Tone::bad, Tone::shade};
+  constexpr std::array<Tone, kFrameRateMethods.size()> kBandTones = {Tone::bad, Tone::sky_blue};
   Figure figure{
       .suffix = "-flings",
       .title = "Many flings, many displays",

@@ -41,6 +41,8 @@ std::string cost_text(const Cost& cost) {
 }
 
 std::string band_text(const Band& band) {
+  constexpr double kRounding_px = 1e-6;
+  if (band.high < kRounding_px) return "rounding";
   return fmt::format("{:.3g} ({:.3g} .. {:.3g})", band.median, band.low, band.high);
 }
 
