@@ -226,4 +226,11 @@ FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_
   return study;
 }
 
+std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method, DisplayClock clock) {
+  std::vector<Landing> chosen;
+  for (const Landing& landing : study.landings)
+    if (landing.method == method && landing.clock == clock && landing.fling == 0) chosen.push_back(landing);
+  return chosen;
+}
+
 }  // namespace hyrax

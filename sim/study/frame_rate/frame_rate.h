@@ -19,6 +19,12 @@ inline constexpr std::array<std::string_view, 3> kDisplayClockNames = {"steady",
 
 inline constexpr std::array<std::string_view, 2> kFrameRateMethods = {"paper", "normalised-drag"};
 
+/// For readers.
+inline constexpr std::array<std::string_view, 3> kClockTexts = {
+    "every frame the same", "frames jittered by 2 ms (normal)", "one frame in twenty missed"};
+inline constexpr std::array<std::string_view, 2> kMethodTexts = {"the paper's step",
+                                                                 "drag and friction by time"};
+
 /// The end of one fling.
 struct Landing {
   std::size_t method = 0;  ///< In kFrameRateMethods.
@@ -79,6 +85,10 @@ struct FrameRateStudy {
 };
 /// @param flings random ones, beside the one that is drawn. REQUIRES: at least one rate and one fling.
 [[nodiscard]] FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings);
+
+/// The drawn fling's landings by one method under one clock.
+[[nodiscard]] std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method,
+                                                  DisplayClock clock);
 
 /// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
 inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};

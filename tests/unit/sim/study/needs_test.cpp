@@ -195,8 +195,6 @@ TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
 }
 
-// A step without gravity, part 0, takes as long as all; without drag it sometimes takes less; without the
-// left wall it always does.
 TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
   PartNeed none, noise, saving;
   none.saved_ns_per_step = median_of({-1.0, 0.0, 1.0});
