@@ -34,6 +34,7 @@ Problem moved(Problem problem, std::uint64_t number, Offsets& offsets) {
 std::vector<MethodErrors> errors_of(const std::vector<Problem>& problems, const MethodKind& method,
                                     double rate_hz) {
   std::vector<MethodErrors> errors;
+  errors.reserve(problems.size());
   for (const Problem& problem : problems)
     errors.push_back(measure_errors(problem, method, stage_frames_s(problem, rate_hz), rate_hz));
   return errors;

@@ -227,10 +227,10 @@ TEST(NeedsStudy, WithoutAScenarioItIsRefused) { EXPECT_THROW(studied({}), Reques
 SceneNeeds some_scene() {
   SceneNeeds scene;
   scene.scenario = "some-fling";
-  scene.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed, 0.0},
-                 {"drag", Part::drag, {false, 0.5, 0.5, 1, 1}, Need::below, 0.0},
-                 {"top", Part::top_wall, {}, Need::not_exercised, 0.0},
-                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed, 0.0}};
+  scene.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
+                 {"drag", Part::drag, {false, 0.5, 0.5, 1, 1}, Need::below},
+                 {"top", Part::top_wall, {}, Need::not_exercised},
+                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed}};
   return scene;
 }
 
