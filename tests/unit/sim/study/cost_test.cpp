@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
-#include "sim/scenario/split_mix64.h"
 #include "sim/study/methods/cost.h"
 
 namespace hyrax {
@@ -106,49 +104,6 @@ TEST(IsCheaper, ComparesRoundByRound) {
   const Cost difference = difference_of(b, a, 2.0);
   EXPECT_EQ(difference.time_ns.low, 0.5);
   EXPECT_EQ(difference.time_ns.high, 0.5);
-}
-
-TEST(Quantile, IsBetweenItsNeighbours) {
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({1.0, 2.0}, 0.25), 1.25);
-  EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
-}
-
-// Of 21 values, P(median of a resample <= the 6th) is 0.018 and of the 7th 0.056.
-TEST(MedianEstimate, HasItsBootstrapInterval) {
-  std::vector<double> values(21);
-  std::iota(values.begin(), values.end(), 1.0);
-  const MedianEstimate estimate = median_of(values);
-  EXPECT_EQ(estimate.median, 11.0);
-  EXPECT_EQ(estimate.low, 7.0);
-  EXPECT_EQ(estimate.high, 15.0);
-  EXPECT_TRUE(std::isnan(median_of({}).median));
-  EXPECT_EQ(median_of({4.0}).high, 4.0);
-  EXPECT_EQ(median_of({4.0, 2.0}).low, 2.0);
-}
-
-// The same by drawing 20,000 resamples.
-TEST(MedianEstimate, IsWhatResamplingGives) {
-  std::vector<double> values, medians;
-  for (std::uint64_t k = 0; k < 21; ++k) values.push_back(split_mix64_unit(1, k));
-  std::uint64_t draw = 0;
-  for (int resample = 0; resample < 20'000; ++resample) {
-    std::vector<double> drawn;
-    for (int value = 0; value < 21; ++value) drawn.push_back(values[split_mix64(2, draw++) % 21]);
-    medians.push_back(quantile(drawn, 0.5));
-  }
-  EXPECT_EQ(median_of(values).low, quantile(medians, 0.025));
-  EXPECT_EQ(median_of(values).high, quantile(medians, 0.975));
-}
-
-// Newcombe (1998), Statistics in Medicine 17, table I.
-TEST(Share, HasWilsonsInterval) {
-  Share share;
-  for (int i = 0; i < 263; ++i) share.add(i < 81);
-  EXPECT_NEAR(share.low(), 0.2553, 5e-5);
-  EXPECT_NEAR(share.high(), 0.3662, 5e-5);
-  EXPECT_EQ((Share{0, 20}.low()), 0.0);
-  EXPECT_NEAR((Share{0, 20}.high()), 0.1611, 5e-5);
 }
 
 }  // namespace
