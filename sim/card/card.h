@@ -10,10 +10,18 @@
 
 #include "sim/card/core_functions.h"
 #include "sim/card/core_run.h"
-#include "sim/card/interval.h"
+#include "sim/result/interval.h"
+#include "sim/study/methods/cost.h"
 #include "sim/study/study.h"
 
 namespace hyrax {
+
+/// Before and after: of the base, of the candidate.
+template <class Value>
+struct BeforeAfter {
+  Value before{};
+  Value after{};
+};
 
 struct CardRequest {
   std::vector<NamedScenario> library = {};     ///< All scenarios.

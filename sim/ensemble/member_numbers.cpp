@@ -9,6 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "sim/result/interval.h"
+
 namespace hyrax {
 namespace {
 
@@ -89,22 +91,11 @@ std::vector<const MemberNumbers*> inputs_of(const std::vector<MemberNumbers>& nu
   return list;
 }
 
-// The values that are finite, in ascending order.
-std::vector<double> sorted(const std::vector<double>& values) {
+std::vector<double> known_of(const std::vector<double>& values) {
   std::vector<double> known;
   std::copy_if(values.begin(), values.end(), std::back_inserter(known),
                [](double value) { return std::isfinite(value); });
-  std::sort(known.begin(), known.end());
   return known;
-}
-
-// Linear between neighbours; not given of none. REQUIRES: ascending order.
-double quantile_of(const std::vector<double>& values, double part) {
-  if (values.empty()) return kNotGiven;
-  const double place = part * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(place);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (place - std::floor(place)) * (values[high] - values[low]);
 }
 
 std::string short_text(double value) {
@@ -123,16 +114,15 @@ Figure map_figure(const MemberNumbers& across, const MemberNumbers& up, const Me
     if (std::isfinite(result.sample()[at]))
       fields[{across.sample()[at], up.sample()[at]}].push_back(result.sample()[at]);
   std::vector<double> medians;
-  for (auto& [place, values] : fields) medians.push_back(quantile_of(sorted(values), 0.5));
-  const std::vector<double> ordered = sorted(medians);
+  for (const auto& [place, values] : fields) medians.push_back(quantile(values, 0.5));
   Plot plot{
       .x = {.label = across.label()}, .y = {.label = up.label()}, .when_empty = "no member has this number"};
   Figure figure{.suffix = "-map-" + result.name(),
                 .title = result.name() + " over two grids",
                 .subtitle = "Median of the members of a field; each colour has a fifth of the fields"};
-  double low = quantile_of(ordered, 0.0);
+  double low = quantile(medians, 0.0);
   for (std::size_t each = 0; each < kTones.size(); ++each) {
-    const double high = quantile_of(ordered, static_cast<double>(each + 1) / kTones.size());
+    const double high = quantile(medians, static_cast<double>(each + 1) / kTones.size());
     Series series{.name = short_text(low) + " .. " + short_text(high),
                   .look = {.form = Form::points, .tone = kTones[each], .marker = Marker::square}};
     std::size_t field = 0;
@@ -160,7 +150,8 @@ std::vector<Figure> map_figures(const std::vector<const MemberNumbers*>& inputs,
   std::vector<Figure> figures;
   if (grids.size() != 2) return figures;
   for (std::size_t at = 0; at < std::min(results.size(), kResultsAgainstInputsMax); ++at)
-    figures.push_back(map_figure(*grids[0], *grids[1], *results[at]));
+    if (!known_of(results[at]->sample()).empty())
+      figures.push_back(map_figure(*grids[0], *grids[1], *results[at]));
   return figures;
 }
 
@@ -195,7 +186,10 @@ double MemberNumbers::smallest() const { return known_ == 0 ? kNotGiven : smalle
 double MemberNumbers::largest() const { return known_ == 0 ? kNotGiven : largest_; }
 double MemberNumbers::mean() const { return known_ == 0 ? kNotGiven : mean_; }
 
-double MemberNumbers::quantile(double part) const { return quantile_of(sorted(sample_), part); }
+double MemberNumbers::quantile(double part) const {
+  const std::vector<double> known = known_of(sample_);
+  return known.empty() ? kNotGiven : hyrax::quantile(known, part);
+}
 
 std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, std::int64_t members) {
   const auto results = results_of(numbers);

@@ -50,10 +50,10 @@ class FrameRate(ProgramTest):
             self.expect(AGREED, "study", "frame-rate", "--quick", "--no-figures", "-o", name)
         self.assertEqual((self.folder / "a/frame-rate.h5").read_bytes(), (self.folder / "b/frame-rate.h5").read_bytes())
 
-    def test_three_pictures(self):
+    def test_four_pictures(self):
         self.expect(AGREED, "study", "frame-rate", "--quick", "-o", "out")
         self.assertEqual([name for name in self.names("out") if name.endswith(".svg")],
-                         ["frame-rate-fan-by-time.svg", "frame-rate-fan.svg", "frame-rate.svg"])
+                         ["frame-rate-fan-by-time.svg", "frame-rate-fan.svg", "frame-rate-flings.svg", "frame-rate.svg"])
         self.assertIn("240 Hz", (self.folder / "out/frame-rate-fan.svg").read_text(encoding="utf-8"))
 
 

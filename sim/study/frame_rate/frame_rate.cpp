@@ -1,11 +1,11 @@
 #include "sim/study/frame_rate/frame_rate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/split_mix64.h"
 #include "sim/study/methods/method.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
@@ -19,18 +19,9 @@ constexpr std::array<double, 6> kPathRates_hz = {24.0, 30.0, 60.0, 120.0, 240.0,
 Clock clock_of(DisplayClock kind, double rate_hz) {
   Clock clock;
   clock.base = FixedRate{rate_hz};
-  if (kind == DisplayClock::jittered) clock.jitter = Jitter{Jitter::Kind::normal, 0.002, 11};
-  if (kind == DisplayClock::missing) clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.05, 11};
+  if (kind == DisplayClock::jittered) clock.jitter = Jitter{Jitter::Kind::normal, 0.002, kJitterSeed};
+  if (kind == DisplayClock::missing) clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.05, kJitterSeed};
   return clock;
-}
-
-State fling_of(std::int64_t number) {
-  if (number == 0) return kDrawnFling;
-  const auto draw = [number](std::uint64_t which, double low, double high) {
-    return low + (high - low) * split_mix64_unit(77, 4 * static_cast<std::uint64_t>(number) + which);
-  };
-  return {draw(0, 0.0, kDrawnBounds.right_px), draw(1, 0.0, kDrawnBounds.bottom_px), draw(2, -2000.0, 2000.0),
-          draw(3, -2000.0, 500.0)};
 }
 
 const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string_view name) {
@@ -41,25 +32,21 @@ const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string
 // Plays one fling to its end, frame by frame.
 class FlingPlayed {
  public:
-  FlingPlayed(const MethodKind& kind, std::size_t method, const State& start)
-      : runner_(kind.make()),
-        start_(start),
-        core_{start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s} {
-    landing_.method = method;
+  FlingPlayed(const MethodKind& kind, const Landing& landing, const State& start)
+      : runner_(kind.make()), start_(start), core_(start), landing_(landing) {
     runner_->start(start, kDrawnBounds);
   }
 
   // Points of the path go into `path`, unless it is null.
-  Landing play(DisplayClock kind, double rate_hz, std::vector<FanPoint>* path) {
-    const Clock clock = clock_of(kind, rate_hz);
+  Landing play(const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path) {
     const FrameClock frames(clock);
-    landing_.clock = kind;
-    landing_.rate_hz = rate_hz;
+    landing_.path_px = landing_.across_px = 0.0;
     State last = start_;
+    std::array<bool, kWalls.size()> was_on{};
     RestAnchor rest{start_.x_px, start_.y_px, 0.0};
     Timeline time;
     double next_point_s = 0.0;
-    for (std::int64_t frame = 0; time.time_s() < kUntil_s; ++frame) {
+    for (std::int64_t frame = 0; frame < frame_count; ++frame) {
       const double dt_s = frames.dt_s(frame);
       time.play(dt_s);
       // A steppable method never fails on a finite frame; one that did would lie where it failed.
@@ -68,10 +55,11 @@ class FlingPlayed {
       landing_.path_px += std::hypot(now.x_px - last.x_px, now.y_px - last.y_px);
       landing_.across_px += std::fabs(now.x_px - last.x_px);
       last = now;
+      count_contacts(now, was_on);
       if (rest.moves_to(now.x_px, now.y_px)) rest.t_s = time.time_s();
       step_core(dt_s);
       if (path != nullptr && time.time_s() >= next_point_s && rest.t_s >= time.time_s() - 0.5) {
-        path->push_back({landing_.method, rate_hz, time.time_s(), now.x_px, now.y_px});
+        path->push_back({landing_.method, landing_.rate_hz, time.time_s(), now.x_px, now.y_px});
         next_point_s = time.time_s() + 1.0 / 61.0;
       }
     }
@@ -80,8 +68,18 @@ class FlingPlayed {
     landing_.is_core = landing_.method != 0 || same_bits(last, core_);
     return landing_;
   }
+  [[nodiscard]] State end() const { return runner_->motion(); }
 
  private:
+  // A wall that a row is on and the row before was not: the method puts the sprite there.
+  void count_contacts(const State& now, std::array<bool, kWalls.size()>& was_on) {
+    const std::array<bool, kWalls.size()> is_on = {now.x_px == 0.0, now.x_px == kDrawnBounds.right_px,
+                                                   now.y_px == 0.0, now.y_px == kDrawnBounds.bottom_px};
+    for (const Wall wall : kWalls)
+      if (is_on[wall_index(wall)] && !was_on[wall_index(wall)]) ++landing_.contacts[wall];
+    was_on = is_on;
+  }
+
   void step_core(double dt_s) {
     if (landing_.method != 0) return;
     core_ = core_step(core_, dt_s, kDrawnBounds);
@@ -93,48 +91,146 @@ class FlingPlayed {
   Landing landing_;
 };
 
-Independence independence_of(const std::vector<Landing>& landings, std::size_t method, DisplayClock clock,
-                             std::int64_t flings) {
-  Independence result{.method = method, .clock = clock};
-  for (std::int64_t fling = 0; fling < flings; ++fling) {
-    double least_px = 1e300, most_px = -1e300, way_px = 0.0, off_hz = 1e300;
-    for (const Landing& landing : landings) {
-      if (landing.method != method || landing.clock != clock || landing.fling != fling) continue;
-      least_px = std::min(least_px, landing.x_px);
-      most_px = std::max(most_px, landing.x_px);
-      if (std::fabs(landing.rate_hz - 60.0) >= off_hz) continue;
-      off_hz = std::fabs(landing.rate_hz - 60.0);
-      way_px = landing.across_px;
-    }
-    result.spread_px += (most_px - least_px) / static_cast<double>(flings);
-    result.way_px += way_px / static_cast<double>(flings);
+// Flings of one method under one clock, on every display.
+class DisplayFlings {
+ public:
+  DisplayFlings(FrameRateStudy& study, const std::vector<double>& rates_hz, std::int64_t flings)
+      : study_(study), rates_hz_(rates_hz), flings_(flings) {
+    for (const double rate_hz : rates_hz)
+      if (std::fabs(rate_hz - 60.0) < std::fabs(near_60_hz_ - 60.0)) near_60_hz_ = rate_hz;
   }
-  result.score = 100.0 * std::max(0.0, 1.0 - result.spread_px / result.way_px);
-  return result;
-}
+
+  void play(const MethodKind& kind, std::size_t method, DisplayClock clock) {
+    landings_.clear();
+    for (const double rate_hz : rates_hz_) {
+      Landing landing{.method = method, .clock = clock, .rate_hz = rate_hz};
+      const ManyFlings flings(clock_of(clock, rate_hz), kUntil_s, flings_);
+      play_drawn(kind, landing, flings);
+      const std::vector<MemberResult> by_core = method == 0 ? flings.play() : std::vector<MemberResult>();
+      for (std::int64_t number = 0; number < flings_; ++number) {
+        landing.fling = number + 1;
+        landings_.push_back(by_core.empty() ? FlingPlayed(kind, landing, flings.start(number))
+                                                  .play(flings.clock(number), flings.frames(), nullptr)
+                                            : core_landing(kind, landing, flings, number,
+                                                           by_core[static_cast<std::size_t>(number)]));
+      }
+    }
+    study_.landings.insert(study_.landings.end(), landings_.begin(), landings_.end());
+    study_.scores.push_back(independence(method, clock));
+    for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate)
+      study_.shifts.push_back(shift(method, clock, rate));
+  }
+
+  /// By fling: the spread of the places where it settles over all rates.
+  [[nodiscard]] std::vector<double> spreads_px() const {
+    std::vector<double> spreads_px;
+    for (std::int64_t fling = 0; fling <= flings_; ++fling) {
+      double least_px = HUGE_VAL, most_px = -HUGE_VAL;
+      for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate) {
+        least_px = std::min(least_px, at(rate, fling).x_px);
+        most_px = std::max(most_px, at(rate, fling).x_px);
+      }
+      spreads_px.push_back(most_px - least_px);
+    }
+    return spreads_px;
+  }
+
+ private:
+  void play_drawn(const MethodKind& kind, const Landing& landing, const ManyFlings& flings) {
+    const bool has_path =
+        landing.clock == DisplayClock::steady &&
+        std::find(kPathRates_hz.begin(), kPathRates_hz.end(), landing.rate_hz) != kPathRates_hz.end();
+    landings_.push_back(FlingPlayed(kind, landing, kDrawnFling)
+                            .play(flings.clock(0), flings.frames(), has_path ? &study_.paths : nullptr));
+  }
+
+  // At the rate nearest to 60 Hz it is played step by step, too: for its path, and to see that both agree.
+  [[nodiscard]] Landing core_landing(const MethodKind& kind, Landing landing, const ManyFlings& flings,
+                                     std::int64_t number, const MemberResult& by_core) const {
+    if (landing.rate_hz == near_60_hz_) {
+      FlingPlayed played(kind, landing, flings.start(number));
+      landing = played.play(flings.clock(number), flings.frames(), nullptr);
+      landing.is_core &= same_bits(played.end(), by_core.final);
+    }
+    landing.x_px = by_core.final.x_px;
+    landing.time_s = std::isnan(by_core.at_rest_since_s) ? kUntil_s : by_core.at_rest_since_s;
+    landing.contacts = by_core.contacts;
+    return landing;
+  }
+
+  [[nodiscard]] const Landing& at(std::size_t rate, std::int64_t fling) const {
+    return landings_[rate * static_cast<std::size_t>(flings_ + 1) + static_cast<std::size_t>(fling)];
+  }
+  [[nodiscard]] const Landing& near_60(std::int64_t fling) const {
+    const auto rate = std::find(rates_hz_.begin(), rates_hz_.end(), near_60_hz_) - rates_hz_.begin();
+    return at(static_cast<std::size_t>(rate), fling);
+  }
+  [[nodiscard]] bool has_other_contacts(std::size_t rate, std::int64_t fling) const {
+    WallCounts here = at(rate, fling).contacts;
+    WallCounts there = near_60(fling).contacts;
+    here.ground = there.ground = 0;
+    return here != there;
+  }
+
+  [[nodiscard]] Independence independence(std::size_t method, DisplayClock clock) const {
+    Independence result{.method = method, .clock = clock};
+    const std::vector<double> spreads = spreads_px();
+    const auto count = static_cast<double>(spreads.size());
+    for (std::int64_t fling = 0; fling <= flings_; ++fling) {
+      result.spread_px += spreads[static_cast<std::size_t>(fling)] / count;
+      result.way_px += near_60(fling).across_px / count;
+      bool is_other = false;
+      for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate) is_other |= has_other_contacts(rate, fling);
+      result.other_contacts.add(is_other);
+    }
+    result.score = 100.0 * std::max(0.0, 1.0 - result.spread_px / result.way_px);
+    result.spreads_px = *band_of(spreads);
+    return result;
+  }
+
+  [[nodiscard]] DisplayShift shift(std::size_t method, DisplayClock clock, std::size_t rate) const {
+    DisplayShift result{.method = method, .clock = clock, .rate_hz = rates_hz_[rate]};
+    std::vector<double> shifts_px;
+    for (std::int64_t fling = 0; fling <= flings_; ++fling) {
+      shifts_px.push_back(std::fabs(at(rate, fling).x_px - near_60(fling).x_px));
+      result.other_contacts.add(has_other_contacts(rate, fling));
+    }
+    result.shift_px = *band_of(shifts_px);
+    return result;
+  }
+
+  FrameRateStudy& study_;
+  const std::vector<double>& rates_hz_;
+  std::int64_t flings_;
+  double near_60_hz_ = HUGE_VAL;
+  std::vector<Landing> landings_;  // By rate, then by fling; the drawn one first.
+};
 
 }  // namespace
 
 FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings) {
   const std::vector<MethodKind> kinds = frame_methods();
   FrameRateStudy study;
-  for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method) {
-    const MethodKind& kind = method_named(kinds, kFrameRateMethods[method]);
+  DisplayFlings displays(study, rates_hz, flings);
+  std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;
+  for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method)
     for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock) {
-      const auto display = static_cast<DisplayClock>(clock);
-      for (const double rate_hz : rates_hz)
-        for (std::int64_t fling = 0; fling < flings; ++fling) {
-          const bool is_drawn =
-              fling == 0 && display == DisplayClock::steady &&
-              std::find(kPathRates_hz.begin(), kPathRates_hz.end(), rate_hz) != kPathRates_hz.end();
-          study.landings.push_back(FlingPlayed(kind, method, fling_of(fling))
-                                       .play(display, rate_hz, is_drawn ? &study.paths : nullptr));
-          study.landings.back().fling = fling;
-        }
-      study.scores.push_back(independence_of(study.landings, method, display, flings));
+      displays.play(method_named(kinds, kFrameRateMethods[method]), method, static_cast<DisplayClock>(clock));
+      const std::vector<double> spreads_px = displays.spreads_px();
+      if (method == 0)
+        spreads_by_paper_px[clock] = spreads_px;
+      else
+        for (std::size_t fling = 0; fling < spreads_px.size(); ++fling)
+          study.steadier_by_time[clock].add(spreads_px[fling] < spreads_by_paper_px[clock][fling]);
     }
-  }
   return study;
+}
+
+std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method, DisplayClock clock) {
+  std::vector<Landing> chosen;
+  for (const Landing& landing : study.landings)
+    if (landing.method == method && landing.clock == clock && landing.fling == 0) chosen.push_back(landing);
+  return chosen;
 }
 
 }  // namespace hyrax

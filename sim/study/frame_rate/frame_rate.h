@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "sim/motion/state.h"
+#include "sim/result/interval.h"
+#include "sim/study/methods/many_flings.h"
 
 namespace hyrax {
 
@@ -17,17 +19,26 @@ inline constexpr std::array<std::string_view, 3> kDisplayClockNames = {"steady",
 
 inline constexpr std::array<std::string_view, 2> kFrameRateMethods = {"paper", "normalised-drag"};
 
+/// For readers.
+inline constexpr std::array<std::string_view, 3> kClockTexts = {
+    "every frame the same", "frames jittered by 2 ms (normal)", "one frame in twenty missed"};
+inline constexpr std::array<std::string_view, 2> kMethodTexts = {"the paper's step",
+                                                                 "drag and friction by time"};
+
 /// The end of one fling.
 struct Landing {
   std::size_t method = 0;  ///< In kFrameRateMethods.
   DisplayClock clock = DisplayClock::steady;
   double rate_hz = 0.0;
-  std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random.
+  std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random (ManyFlings).
   double x_px = 0.0;       ///< Where it settles.
   double time_s = 0.0;     ///< Since when it has stayed there within half a pixel.
-  double path_px = 0.0;    ///< Length of its path.
-  double across_px = 0.0;  ///< Horizontal part of the path.
-  bool is_core = true;     ///< Of the paper's method: every step has the core's bits.
+  /// Length of its path; NaN where the fling is played by sim/ensemble, which keeps no path: a random one by
+  /// the paper's step, at a rate that is not nearest to 60 Hz.
+  double path_px = kNotGiven;
+  double across_px = kNotGiven;  ///< Horizontal part of the path.
+  WallCounts contacts = {};
+  bool is_core = true;  ///< Of the paper's method: it has the core's bits, step by step and by sim/ensemble.
 };
 
 /// A point of the drawn fling's path.
@@ -50,17 +61,37 @@ struct Independence {
   double spread_px = 0.0;
   double way_px = 0.0;
   double score = 0.0;
+  Band spreads_px = {};       ///< Of the flings' spreads.
+  Share other_contacts = {};  ///< Flings that have other contacts (DisplayShift) at some rate.
+};
+
+/// A method on one display against the same flings at the rate nearest to 60 Hz.
+struct DisplayShift {
+  std::size_t method = 0;
+  DisplayClock clock = DisplayClock::steady;
+  double rate_hz = 0.0;
+  Band shift_px = {};  ///< Distance of the places where a fling settles.
+  Share other_contacts =
+      {};  ///< Flings with another number of contacts with the left wall, right wall or top.
 };
 
 struct FrameRateStudy {
   std::vector<Landing> landings;
   std::vector<FanPoint> paths;
   std::vector<Independence> scores;  ///< By method, then by clock.
+  std::vector<DisplayShift> shifts;  ///< By method, clock and rate.
+  /// By clock: flings whose spread is smaller with drag and friction by time.
+  std::array<Share, kDisplayClockNames.size()> steadier_by_time;
 };
+/// @param flings random ones, beside the one that is drawn. REQUIRES: at least one rate and one fling.
 [[nodiscard]] FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings);
+
+/// The drawn fling's landings by one method under one clock.
+[[nodiscard]] std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method,
+                                                  DisplayClock clock);
 
 /// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
 inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
-inline constexpr Bounds kDrawnBounds{1792.0, 952.0};
+inline constexpr Bounds kDrawnBounds = kFlingBounds;
 
 }  // namespace hyrax

@@ -331,7 +331,7 @@ std::vector<MethodKind> frame_methods() {
       {"rk4", "Runge-Kutta 4", "", Convergent{4}, true, maker<FrameMethod<Rk4Flight>>()},
       {"exact-flight", "exact flight step", "", Exact{}, true, maker<FrameMethod<ExactFlight>>()},
       {"exact-impacts", "exact flight and impacts", "", Exact{true}, true, maker<ImpactsInFrame>()},
-      {"event-driven", "event-driven", "", Exact{true}, true, maker<EventDriven>()}};
+      {"event-driven", "event-driven", "", Exact{true, true}, true, maker<EventDriven>()}};
 }
 
 }  // namespace hyrax

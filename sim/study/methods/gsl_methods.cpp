@@ -9,10 +9,10 @@
 namespace hyrax {
 namespace {
 
-// The matched ODE of frames of 1 / kCheckRate_hz is the fixed one, by the drag factor that such frames have.
+// The matched ODE of frames of 1 / kRowRate_hz is the fixed one, by the drag factor that such frames have.
 Model model_of_fixed_laws() {
   Model model;
-  model.air_drag = std::pow(model.air_drag, model.model_rate_hz / kCheckRate_hz);
+  model.air_drag = std::pow(model.air_drag, model.model_rate_hz / kRowRate_hz);
   return model;
 }
 

@@ -46,6 +46,13 @@ class ContactWatch {
   std::vector<ExactImpact> impacts_;
 };
 
+WallCounts contacts_off_ground(const std::vector<ExactImpact>& impacts) {
+  WallCounts counts;
+  for (const ExactImpact& impact : impacts) ++counts[impact.wall];
+  counts.ground = 0;
+  return counts;
+}
+
 // Keeps the largest differences.
 class ErrorMeter {
  public:
@@ -53,7 +60,15 @@ class ErrorMeter {
     errors_.contact_time_s = kNone;
   }
 
-  void add_row(const State& run, const State& exact, const Bounds& bounds) {
+  /// A state of the exact fling, of a row or before the first.
+  void add_exact(const State& exact) {
+    kinetic_largest_ = std::max(kinetic_largest_, 0.5 * (exact.vx_px_per_s * exact.vx_px_per_s +
+                                                         exact.vy_px_per_s * exact.vy_px_per_s));
+    errors_.coordinate_largest_px =
+        std::max({errors_.coordinate_largest_px, std::fabs(exact.x_px), std::fabs(exact.y_px)});
+  }
+
+  void add_row(const State& run, const State& exact) {
     const double dx = run.x_px - exact.x_px;
     const double dy = run.y_px - exact.y_px;
     errors_.end_px = std::hypot(dx, dy);
@@ -67,14 +82,11 @@ class ErrorMeter {
         larger(energy_difference_,
                std::fabs(half_difference(run.vx_px_per_s, exact.vx_px_per_s) +
                          half_difference(run.vy_px_per_s, exact.vy_px_per_s) - gravity_px_per_s2_ * dy));
-    energy_largest_ = std::max(energy_largest_, 0.5 * (exact.vx_px_per_s * exact.vx_px_per_s +
-                                                       exact.vy_px_per_s * exact.vy_px_per_s) +
-                                                    gravity_px_per_s2_ * (bounds.bottom_px - exact.y_px));
-    errors_.coordinate_largest_px =
-        std::max({errors_.coordinate_largest_px, std::fabs(exact.x_px), std::fabs(exact.y_px)});
+    add_exact(exact);
   }
 
   void add_impacts(const std::vector<ExactImpact>& run, const std::vector<ExactImpact>& exact) {
+    if (contacts_off_ground(run) != contacts_off_ground(exact)) errors_.has_other_contacts = true;
     for (std::size_t i = 0; i < std::min({run.size(), exact.size(), kImpactsCompared}); ++i) {
       if (run[i].wall != exact[i].wall) return;
       const double apart_s = std::fabs(run[i].t_s - exact[i].t_s);
@@ -85,7 +97,7 @@ class ErrorMeter {
 
   [[nodiscard]] MethodErrors finish(std::size_t frames) {
     errors_.frames = frames;
-    errors_.energy_rel = energy_largest_ > 0.0 ? energy_difference_ / energy_largest_ : kNone;
+    errors_.energy_rel = kinetic_largest_ > 0.0 ? energy_difference_ / kinetic_largest_ : kNone;
     if (!std::isfinite(errors_.position_px)) return {.is_failed = true, .contact_time_s = kNone};
     return errors_;
   }
@@ -96,7 +108,7 @@ class ErrorMeter {
 
   double gravity_px_per_s2_;
   double energy_difference_ = 0.0;
-  double energy_largest_ = 0.0;
+  double kinetic_largest_ = 0.0;
   MethodErrors errors_{};
 };
 
@@ -113,7 +125,7 @@ bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std:
       for (; frame < end; ++frame) time.play(frames_s[frame]);
       if (watches_contacts) watch.add_row(method.motion(), time.time_s());
     }
-    meter.add_row(method.motion(), exact.at(time.time_s()), stage.bounds);
+    meter.add_row(method.motion(), exact.at(time.time_s()));
   }
   meter.add_impacts(method.impacts() != nullptr ? *method.impacts() : watch.impacts(), exact.impacts());
   return true;
@@ -124,7 +136,7 @@ bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std:
 MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
                             const std::vector<std::vector<double>>& stage_frames_s, double rate_hz) {
   const std::unique_ptr<Method> method = kind.make();
-  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kCheckRate_hz)));
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kRowRate_hz)));
   ExactFling exact;
   ErrorMeter meter{FixedLaws()};
   State run = problem.start;
@@ -135,6 +147,7 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
     run = with_inputs(stage, run);
     truth = with_inputs(stage, truth);
     if (stage.is_held) continue;
+    meter.add_exact(truth);
     const std::vector<double>& frames_s = stage_frames_s[index];
     frames += frames_s.size();
     method->start(run, stage.bounds);
@@ -148,6 +161,11 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
     truth = exact.at(time.time_s());
   }
   return meter.finish(frames);
+}
+
+double rounding_px(const MethodErrors& errors) {
+  constexpr double kUnit = 0x1p-52;
+  return 40.0 * kUnit * errors.coordinate_largest_px * std::sqrt(static_cast<double>(errors.frames));
 }
 
 bool play_through(const Problem& problem, Method& method,

@@ -156,12 +156,13 @@ void take_times(SceneNeeds& needs, const Script& script, const std::vector<Omiss
     works.push_back(omission.part ? timed_without(script, *omission.part)
                                   : timed(script, omission.omitted, AllParts()));
   const Costs measured = measure_costs(works, now_ns, options);
-  const auto step_ns = [&](std::size_t work) {
-    return measured.costs[work].median_ns / static_cast<double>(std::min(needs.steps, kFramesTimedMax));
-  };
-  needs.step_ns = step_ns(0);
+  const auto steps = static_cast<double>(std::min(needs.steps, kFramesTimedMax));
+  const Cost& complete = measured.costs.front();
+  needs.probe = measured.probe;
+  needs.step_ns = {complete.time_ns.median / steps, complete.time_ns.low / steps,
+                   complete.time_ns.high / steps};
   for (std::size_t part = 0; part < needs.parts.size(); ++part)
-    needs.parts[part].saved_ns_per_step = needs.step_ns - step_ns(part + 1);
+    needs.parts[part].saved_ns_per_step = difference_of(complete, measured.costs[part + 1], steps).time_ns;
 }
 
 // The run without the omissions of these indices.
@@ -328,8 +329,7 @@ SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options, co
   for (const Omission& omission : omissions) {
     const PathDifference difference =
         difference_of(complete, play_rows(script, omission.omitted, parts_without(omission.part)));
-    needs.parts.push_back(
-        {omission.name, omission.part, difference, need_of(difference, options.within_px), 0.0});
+    needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
   }
   needs.broken = contradictions_of(scenario, needs.parts);
   leave_out_unneeded(needs, script, complete, omissions, options.within_px);

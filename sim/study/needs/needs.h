@@ -36,15 +36,20 @@ struct PartNeed {
   std::optional<Part> model_part;  ///< None: jitter or an input.
   PathDifference difference;
   Need need = Need::needed;
-  double saved_ns_per_step = 0.0;  ///< Difference of medians; may be negative, by chance.
+  /// Of the step with all parts minus the one without, run by run; may be negative.
+  MedianEstimate saved_ns_per_step = {};
+
+  /// Whether it takes longer with the part, beyond the noise.
+  [[nodiscard]] bool saves() const { return saved_ns_per_step.low > 0.0; }
 };
 
 struct SceneNeeds {
   std::string scenario;
   std::int64_t steps = 0;
-  bool is_cut = false;         ///< Only the first kScriptFramesMax frames were played.
-  bool comes_to_rest = false;  ///< Its position is settled at the end.
-  double step_ns = 0.0;        ///< Of the variant kernel with all parts.
+  bool is_cut = false;          ///< Only the first kScriptFramesMax frames were played.
+  bool comes_to_rest = false;   ///< Its position is settled at the end.
+  MedianEstimate step_ns = {};  ///< Of the variant kernel with all parts.
+  ClockProbe probe = {};        ///< When the steps were timed.
   std::vector<PartNeed> parts;
   PathDifference without_all_unneeded;  ///< All that are not needed, at once.
   /// contradictions_of(scenario, parts).

@@ -31,6 +31,9 @@ Table part_table(const std::vector<SceneNeeds>& scenes) {
   for (const SceneNeeds& scene : scenes)
     for (const PartNeed& part : scene.parts) rows.push_back({&scene, &part});
   using R = const PartOfScene&;
+  const auto saved_column = [&rows](const char* name, const char* what, double MedianEstimate::*end) {
+    return column_of<double>(name, "ns", what, rows, [end](R r) { return r.part->saved_ns_per_step.*end; });
+  };
   return {
       "parts",
       "every part of model and scene left out in turn",
@@ -47,10 +50,11 @@ Table part_table(const std::vector<SceneNeeds>& scenes) {
                                [](R r) { return r.part->difference.contacts_moved; }),
        column_of<double>("end_shift", "px", "distance of the last rows", rows,
                          [](R r) { return r.part->difference.end_px; }),
-       column_of<double>("saved", "ns", "time saved per step", rows,
-                         [](R r) { return r.part->saved_ns_per_step; }),
-       column_of<double>("step", "ns", "time of a step with all parts", rows,
-                         [](R r) { return r.scene->step_ns; })}};
+       saved_column("saved", "time saved per step, median", &MedianEstimate::median),
+       saved_column("saved_low", "95 % interval of the median, low end", &MedianEstimate::low),
+       saved_column("saved_high", "95 % interval of the median, high end", &MedianEstimate::high),
+       column_of<double>("step", "ns", "time of a step with all parts, median", rows,
+                         [](R r) { return r.scene->step_ns.median; })}};
 }
 
 std::int64_t unneeded_count(const SceneNeeds& scene) {
@@ -86,7 +90,7 @@ Table cheapest_table(const std::vector<SceneNeeds>& scenes) {
                [](S scene) { return scene.methods.has_value(); });
   const auto rate = [](const WorkPoint* point) { return point != nullptr ? point->rate_hz : kNotGiven; };
   const auto cost = [](const WorkPoint* point) {
-    return point != nullptr ? point->cost.median_ns : kNotGiven;
+    return point != nullptr ? point->cost.time_ns.median : kNotGiven;
   };
   return {"cheapest",
           "the cheapest method and rate within the tolerance of the exact motion",
@@ -118,7 +122,9 @@ Table parts_summary(const SceneNeeds& scene) {
            column_of<std::int64_t>("contacts_moved", "1", "", scene.parts,
                                    [](P part) { return part.difference.contacts_moved; }),
            column_of<double>("end", "px", "", scene.parts, [](P part) { return part.difference.end_px; }),
-           column_of<double>("saved", "ns/step", "", scene.parts, &PartNeed::saved_ns_per_step)}};
+           column_of<double>("saved", "ns/step", "", scene.parts,
+                             [](P part) { return part.saved_ns_per_step.median; }),
+           column_of<bool>("saves", "", "", scene.parts, &PartNeed::saves)}};
 }
 
 // The JSON member `cheapest` of a scene.
@@ -127,7 +133,7 @@ Table cheapest_summary(const SceneNeeds& scene) {
   if (const WorkPoint* const point = cheapest_of(scene))
     table.columns = {{"method", "", "", std::vector{scene.methods->methods[point->method].name}},
                      {"rate", "Hz", "", std::vector{point->rate_hz}},
-                     {"cost", "ns/s", "", std::vector{point->cost.median_ns}}};
+                     {"cost", "ns/s", "", std::vector{point->cost.time_ns.median}}};
   return table;
 }
 
@@ -136,7 +142,7 @@ std::vector<Table> summary_of(const std::vector<SceneNeeds>& scenes, double with
           {"scenes",
            "",
            {scenario_column(scenes), column_of<std::int64_t>("steps", "1", "", scenes, &SceneNeeds::steps),
-            column_of<double>("step", "ns", "", scenes, &SceneNeeds::step_ns),
+            column_of<double>("step", "ns", "", scenes, [](S scene) { return scene.step_ns.median; }),
             column_of<Table>("parts", "", "", scenes, parts_summary),
             column_of<double>("without_all_unneeded", "px", "", scenes,
                               [](S scene) { return scene.without_all_unneeded.path_px; }),
@@ -167,7 +173,10 @@ Table printed_parts(const SceneNeeds& scene) {
            column("end_moves", "px", [](D difference) { return difference.end_px; }),
            column_of<double>(
                "saves", "ns", "", parts,
-               [](const PartNeed& part) { return std::round(100.0 * part.saved_ns_per_step) / 100.0; }, 3),
+               [](const PartNeed& part) {
+                 return part.saves() ? std::round(100.0 * part.saved_ns_per_step.median) / 100.0 : kNotGiven;
+               },
+               3),
            column_of<std::string>("verdict", "", "", parts,
                                   [](const PartNeed& part) { return name_of(part.need); })}};
 }
@@ -178,15 +187,26 @@ std::string cheapest_text(const SceneNeeds& scene, double within_px) {
   const WorkPoint* const best = cheapest_of(scene);
   const WorkPoint* const paper = cheapest_of(scene, true);
   const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
+  if (!scene.methods->probe.is_steady()) return head + unsteady_text(scene.methods->probe) + ".";
   if (best == nullptr) return head + "none of the methods gets that close.";
   std::string text =
       fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
-                  scene.methods->methods[best->method].label, best->rate_hz, best->cost.median_ns);
+                  scene.methods->methods[best->method].label, best->rate_hz, best->cost.time_ns.median);
+  if (const std::vector<std::size_t>& as_cheap = scene.methods->cheapest.front().as_cheap; !as_cheap.empty())
+    text += fmt::format("\nNot told apart from it by the costs: {}{}.",
+                        point_text(*scene.methods, as_cheap.front()),
+                        as_cheap.size() > 1 ? fmt::format(" and {} more", as_cheap.size() - 1) : "");
   if (paper == nullptr) text += "\nThe paper's step does not get that close at any rate.";
   if (paper != nullptr && paper != best)
     text += fmt::format("\nThe paper's step gets that close at {:.0f} Hz, {:.0f} ns per simulated second.",
-                        paper->rate_hz, paper->cost.median_ns);
+                        paper->rate_hz, paper->cost.time_ns.median);
   return text;
+}
+
+std::string step_text(const SceneNeeds& scene, const std::string& machine) {
+  if (!scene.probe.is_steady()) return "Times of steps: " + unsteady_text(scene.probe) + ".";
+  return fmt::format("A step with all parts takes {:.2f} ns ({:.2f} .. {:.2f}) on {}.", scene.step_ns.median,
+                     scene.step_ns.low, scene.step_ns.high, machine);
 }
 
 void add_scene(Verdict& verdict, const SceneNeeds& scene, double within_px, const std::string& machine) {
@@ -198,9 +218,9 @@ void add_scene(Verdict& verdict, const SceneNeeds& scene, double within_px, cons
   if (scene.parts.size() > kPartsPrintedMax)
     verdict.text.push_back(fmt::format("  and {} more, in the files", scene.parts.size() - kPartsPrintedMax));
   verdict.text.push_back(fmt::format(
-      "A step with all parts takes {:.2f} ns on {}.\n"
+      "{}\n"
       "With all {} parts that are not needed left out at once, the path moves {}, {} {:g} px.{}",
-      scene.step_ns, machine, unneeded_count(scene), length_text(scene.without_all_unneeded.path_px),
+      step_text(scene, machine), unneeded_count(scene), length_text(scene.without_all_unneeded.path_px),
       scene.without_all_unneeded.path_px <= within_px ? "within" : "more than", within_px,
       cheapest_text(scene, within_px)));
 }

@@ -9,7 +9,7 @@
 #include "sim/motion/step.h"
 #include "sim/reference/arc_solution.h"
 #include "sim/replay/core_constants.h"
-#include "sim/result/share.h"
+#include "sim/result/interval.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/exact_fling.h"
 #include "sim/study/paper/claim_probe.h"

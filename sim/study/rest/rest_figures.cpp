@@ -9,6 +9,7 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/study/display_rates.h"
+#include "sim/study/methods/many_flings.h"
 
 namespace hyrax {
 namespace {
@@ -22,7 +23,7 @@ double step_between(double low_hz, double high_hz, const std::vector<RestBoundar
 }
 
 // The part of the flings that end in `state`, above those in the states after it.
-Series band_of(const RestResults& results, FinalState state, Tone tone) {
+Series share_series(const RestResults& results, FinalState state, Tone tone) {
   const std::vector<RateEnds>& map = results.map;
   Series series{.name = std::string(text_of(state)), .look = {.form = Form::band, .tone = tone}};
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -46,9 +47,9 @@ Series band_of(const RestResults& results, FinalState state, Tone tone) {
 Figure state_figure(const RestResults& results) {
   Plot plot{.x = display_rate_axis(20, 1000),
             .y = {.label = "flings, %; dashed: analytic boundaries, Hz", .low = 0, .high = 100},
-            .series = {band_of(results, FinalState::residual_speed, Tone::vermilion),
-                       band_of(results, FinalState::two_cycle, Tone::orange),
-                       band_of(results, FinalState::zero_speed, Tone::green)}};
+            .series = {share_series(results, FinalState::residual_speed, Tone::vermilion),
+                       share_series(results, FinalState::two_cycle, Tone::orange),
+                       share_series(results, FinalState::zero_speed, Tone::green)}};
   for (const RestBoundary& boundary : results.boundaries)
     plot.marks.push_back({.at = boundary.analytic_hz, .text = fmt::format("{:.2f}", boundary.analytic_hz)});
   Figure figure{.title = "How a fling ends on the floor",
@@ -64,15 +65,19 @@ Figure time_figure(const std::vector<RateEnds>& map) {
   Series spread{.name = "eight of ten flings", .look = {.form = Form::band, .tone = Tone::hairline}};
   Series median{.name = "median", .look = {.tone = Tone::blue}};
   for (const RateEnds& ends : map) {
+    if (!ends.settles_s) continue;
     for (Series* const series : {&spread, &median}) series->x.push_back(ends.rate_hz);
-    spread.y.push_back(ends.time_high_s);
-    spread.y_low.push_back(ends.time_low_s);
-    median.y.push_back(ends.time_median_s);
+    spread.y.push_back(ends.settles_s->high);
+    spread.y_low.push_back(ends.settles_s->low);
+    median.y.push_back(ends.settles_s->median);
   }
-  Figure figure{.suffix = "-time",
-                .title = "Time to settle",
-                .subtitle = "Time until a random fling stays within half a pixel of the floor",
-                .legend = {{median.name, median.look}, {spread.name, spread.look}}};
+  Figure figure{
+      .suffix = "-time",
+      .title = "Time to settle",
+      .subtitle = fmt::format("Time until a random fling stays within half a pixel of its place; {} "
+                              "flings at each rate, seed {}",
+                              map.empty() ? 0 : map.front().total(), kFlingSeed),
+      .legend = {{median.name, median.look}, {spread.name, spread.look}}};
   figure.body = std::vector{Plot{.x = display_rate_axis(20, 1000),
                                  .y = {.label = "time, s", .low = 0},
                                  .series = {std::move(spread), std::move(median)}}};

@@ -1,16 +1,15 @@
 #include "sim/study/rest/rest_map.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim/reference/flight.h"
 #include "sim/replay/core_constants.h"
-#include "sim/scenario/split_mix64.h"
+#include "sim/study/methods/many_flings.h"
 
 namespace hyrax {
 namespace {
 
-constexpr Bounds kBounds{1792, 952};
+constexpr Bounds kBounds = kFlingBounds;
 constexpr double kUntil_s = 15.0;  // Longer than any fling of the map takes to settle.
 
 double gain_px_per_s(double rate_hz) {
@@ -71,42 +70,19 @@ bool is_allowed(FinalState state, double rate_hz, const std::vector<RestBoundary
   return state == FinalState::residual_speed;
 }
 
-struct End {
-  FinalState state = FinalState::moving;
-  double time_s = 0.0;
-};
-
-// x does not affect it.
-End end_of_fling(double y_px, double vy_px_per_s, double rate_hz) {
-  constexpr double kStill_px = 0.5;
-  const double dt_s = 1.0 / rate_hz;
-  const auto steps = static_cast<std::int64_t>(kUntil_s * rate_hz);
-  State body{900.0, y_px, 0.0, vy_px_per_s};
-  End end;
-  for (std::int64_t step = 1; step <= steps; ++step) {
-    body = core_step(body, dt_s, kBounds);
-    if (body.y_px < kBounds.bottom_px - kStill_px) end.time_s = static_cast<double>(step) * dt_s;
-  }
-  end.state = final_state(body, core_step(body, dt_s, kBounds), rate_hz, kBounds.bottom_px);
-  return end;
-}
-
 RateEnds ends_at(double rate_hz, std::int64_t flings, const std::vector<RestBoundary>& boundaries) {
   RateEnds ends{.rate_hz = rate_hz, .gain_px_per_s = gain_px_per_s(rate_hz)};
-  constexpr std::uint64_t kSeed = 20;  // The same flings at every rate.
   std::vector<double> times_s;
-  for (std::uint64_t fling = 0; fling < static_cast<std::uint64_t>(flings); ++fling) {
-    const double y_px = kBounds.bottom_px * split_mix64_unit(kSeed, 2 * fling);
-    const double vy_px_per_s = 4000.0 * split_mix64_unit(kSeed, 2 * fling + 1) - 2000.0;
-    const End end = end_of_fling(y_px, vy_px_per_s, rate_hz);
-    ++ends.flings[static_cast<std::size_t>(end.state)];
-    if (!is_allowed(end.state, rate_hz, boundaries)) ++ends.unforeseen;
-    times_s.push_back(end.time_s);
+  for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kUntil_s, flings).play()) {
+    const bool has_settled = !std::isnan(end.at_rest_since_s);
+    const State next = core_step(end.final, 1.0 / rate_hz, kBounds);
+    const FinalState state =
+        has_settled ? final_state(end.final, next, rate_hz, kBounds.bottom_px) : FinalState::moving;
+    ++ends.flings[static_cast<std::size_t>(state)];
+    if (!is_allowed(state, rate_hz, boundaries)) ++ends.unforeseen;
+    if (has_settled) times_s.push_back(end.at_rest_since_s);
   }
-  std::sort(times_s.begin(), times_s.end());
-  ends.time_low_s = times_s[times_s.size() / 10];
-  ends.time_median_s = times_s[times_s.size() / 2];
-  ends.time_high_s = times_s[times_s.size() - 1 - times_s.size() / 10];
+  ends.settles_s = band_of(times_s);
   return ends;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/replay/core.h"
+#include "sim/result/interval.h"
 
 namespace hyrax {
 
@@ -41,25 +42,22 @@ struct RestBoundary {
 };
 [[nodiscard]] std::vector<RestBoundary> rest_boundaries();
 
-/// Random flings at one rate.
+/// Random flings (ManyFlings) at one rate.
 struct RateEnds {
   double rate_hz = 0.0;
   double gain_px_per_s = 0.0;  ///< Speed that one step of gravity adds, after drag.
   std::array<std::int64_t, kFinalStateNames.size()> flings{};  ///< By FinalState.
-  std::int64_t unforeseen = 0;  ///< Flings in a final state that the boundaries do not allow.
-  double time_low_s = 0.0;      ///< Until the last row more than 0.5 px above the floor: first decile,
-  double time_median_s = 0.0;
-  double time_high_s = 0.0;  ///< last decile.
+  std::int64_t unforeseen = 0;         ///< Flings in a final state that the boundaries do not allow.
+  std::optional<Band> settles_s = {};  ///< Since when they have settled; none if no fling has.
 
   [[nodiscard]] std::int64_t count(FinalState state) const { return flings[static_cast<std::size_t>(state)]; }
   [[nodiscard]] std::int64_t total() const {
     return std::accumulate(flings.begin(), flings.end(), std::int64_t{0});
   }
-  [[nodiscard]] double percent(FinalState state) const {
-    return 100.0 * static_cast<double>(count(state)) / static_cast<double>(total());
-  }
+  [[nodiscard]] Share share(FinalState state) const { return {count(state), total()}; }
+  [[nodiscard]] double percent(FinalState state) const { return 100.0 * share(state).part(); }
 };
-/// @param flings of random heights and speeds, the same at each rate. REQUIRES: at least one.
+/// @param flings the same at each rate. REQUIRES: at least one.
 [[nodiscard]] std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t flings);
 
 /// The first bounce of a drop.

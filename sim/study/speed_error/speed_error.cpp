@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "sim/reference/drift_meter.h"
@@ -19,6 +20,11 @@ bool suits(const MethodKind& kind, const Problem& problem) {
 
 // All points, their errors measured, and the works that time those that did not fail.
 class Measurer {
+  // A point, the work that is timed for it, and the set-up that is a part of it.
+  struct Timed {
+    std::size_t point, work, set_up;
+  };
+
  public:
   Measurer(SpeedError& study, const SpeedErrorOptions& options) : study_(study), options_(options) {}
 
@@ -27,10 +33,11 @@ class Measurer {
       for (std::size_t method = 0; method < study_.methods.size(); ++method) {
         const MethodKind& kind = study_.methods[method];
         if (!suits(kind, study_.problems[problem])) continue;
-        if (kind.is_adaptive())
-          add_point(problem, method, kCheckRate_hz);
+        if (kind.is_adaptive() || kind.is_truth())
+          add_point(problem, method, kRowRate_hz);
         else
           for (const double rate_hz : options_.rates_hz) add_point(problem, method, rate_hz);
+        add_set_up(problem, method);
       }
   }
 
@@ -38,12 +45,12 @@ class Measurer {
     const Costs measured = measure_costs(works_, now_ns, options_.cost, options_.report_progress);
     study_.probe = measured.probe;
     study_.repetitions = options_.cost.repetitions;
-    for (std::size_t work = 0; work < works_.size(); ++work) {
-      WorkPoint& point = study_.points[timed_[work]];
-      const double duration_s = study_.problems[point.problem].duration_s();
-      const Cost& cost = measured.costs[work];
-      point.cost = {cost.median_ns / duration_s, cost.lower_quartile_ns / duration_s,
-                    cost.upper_quartile_ns / duration_s};
+    for (std::size_t i = 0; i < study_.set_ups.size(); ++i)
+      study_.set_ups[i].cost = measured.costs[set_up_works_[i]];
+    for (const Timed& timed : timed_) {
+      WorkPoint& point = study_.points[timed.point];
+      point.cost = difference_of(measured.costs[timed.work], measured.costs[set_up_works_[timed.set_up]],
+                                 study_.problems[point.problem].duration_s());
     }
   }
 
@@ -54,10 +61,20 @@ class Measurer {
     const MethodKind& kind = study_.methods[method];
     study_.points.push_back({problem, method, rate_hz, measure_errors(played, kind, *frames, rate_hz), {}});
     if (study_.points.back().errors.is_failed) return;
-    timed_.push_back(study_.points.size() - 1);
-    const std::shared_ptr<Method> runner = kind.make();
-    works_.push_back(
-        [&played, runner, frames] { static_cast<void>(play_through(played, *runner, *frames)); });
+    timed_.push_back({study_.points.size() - 1, works_.size(), study_.set_ups.size()});
+    add_work(problem, method, frames);
+  }
+
+  void add_set_up(std::size_t problem, std::size_t method) {
+    study_.set_ups.push_back({problem, method});
+    set_up_works_.push_back(works_.size());
+    add_work(problem, method, std::make_shared<Frames>(study_.problems[problem].stages.size()));
+  }
+
+  void add_work(std::size_t problem, std::size_t method, const std::shared_ptr<const Frames>& frames) {
+    works_.push_back([&played = study_.problems[problem],
+                      runner = std::shared_ptr<Method>(study_.methods[method].make()),
+                      frames] { static_cast<void>(play_through(played, *runner, *frames)); });
   }
 
   const std::shared_ptr<const Frames>& frames_of(std::size_t problem, double rate_hz) {
@@ -70,19 +87,21 @@ class Measurer {
   const SpeedErrorOptions& options_;
   std::map<std::pair<std::size_t, double>, std::shared_ptr<const Frames>> frames_;
   std::vector<std::function<void()>> works_;
-  std::vector<std::size_t> timed_;
+  std::vector<Timed> timed_;
+  std::vector<std::size_t> set_up_works_;  // As many as SpeedError::set_ups.
 };
 
 void mark_pareto(SpeedError& study) {
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
     std::vector<std::size_t> at;
-    std::vector<double> costs, errors;
+    std::vector<Cost> costs;
+    std::vector<double> errors;
     for (std::size_t point = 0; point < study.points.size(); ++point) {
       const WorkPoint& p = study.points[point];
-      if (p.problem != problem || p.errors.is_failed) continue;
+      if (p.problem != problem || !is_ranked(study, p)) continue;
       at.push_back(point);
-      costs.push_back(p.cost.median_ns);
-      errors.push_back(p.errors.position_px);
+      costs.push_back(p.cost);
+      errors.push_back(std::max(p.errors.position_px, rounding_px(p.errors)));  // All exact ones are equal.
     }
     const std::vector<bool> is_front = pareto_front(costs, errors);
     for (std::size_t i = 0; i < at.size(); ++i) study.points[at[i]].is_pareto = is_front[i];
@@ -102,24 +121,31 @@ void fit_orders(SpeedError& study) {
       }
       constexpr std::size_t kPointsMin = 3;
       if (dt_s.size() >= kPointsMin)
-        study.orders.push_back({problem, method, dt_s.size(), fitted_order(dt_s, errors)});
+        study.orders.push_back({problem, method, dt_s.size(), 1.0 / dt_s.front(), 1.0 / dt_s.back(),
+                                fitted_power(dt_s, errors)});
     }
 }
 
 void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px) {
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
     for (const double error_px : errors_asked_px) {
-      CheapestBelow answer{problem, error_px, {}, {}};
+      CheapestBelow answer{.problem = problem, .error_px = error_px};
+      const auto cost = [&](std::size_t point) -> const Cost& { return study.points[point].cost; };
       const auto improve = [&](std::optional<std::size_t>& best, std::size_t point) {
-        if (!best || study.points[point].cost.median_ns < study.points[*best].cost.median_ns) best = point;
+        if (!best || cost(point).time_ns.median < cost(*best).time_ns.median) best = point;
       };
+      std::vector<std::size_t> below;
       for (std::size_t point = 0; point < study.points.size(); ++point) {
         const WorkPoint& p = study.points[point];
-        if (p.problem != problem || p.errors.is_failed || !(p.errors.position_px < error_px)) continue;
+        if (p.problem != problem || !is_ranked(study, p) || !(p.errors.position_px < error_px)) continue;
+        below.push_back(point);
         improve(answer.point, point);
         if (p.method == 0) improve(answer.paper_point, point);
       }
-      study.cheapest.push_back(answer);
+      std::copy_if(below.begin(), below.end(), std::back_inserter(answer.as_cheap), [&](std::size_t point) {
+        return point != *answer.point && !is_cheaper(cost(*answer.point), cost(point));
+      });
+      study.cheapest.push_back(std::move(answer));
     }
 }
 
@@ -161,7 +187,7 @@ PaperErrors paper_errors(const Problem& flight, double rate_hz) {
 
 }  // namespace
 
-double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& errors) {
+PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>& errors) {
   assert(dt_s.size() == errors.size() && dt_s.size() >= 2);
   const auto n = static_cast<double>(dt_s.size());
   double mean_x = 0.0, mean_y = 0.0;
@@ -170,32 +196,39 @@ double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& 
     mean_y += std::log(errors[i]) / n;
   }
   double covariance = 0.0, variance = 0.0;
+  PowerFit fit{.least = HUGE_VAL, .most = -HUGE_VAL};
   for (std::size_t i = 0; i < dt_s.size(); ++i) {
     const double x = std::log(dt_s[i]) - mean_x;
     covariance += x * (std::log(errors[i]) - mean_y);
     variance += x * x;
+    if (i == 0) continue;
+    const double order = std::log(errors[i] / errors[i - 1]) / std::log(dt_s[i] / dt_s[i - 1]);
+    fit.least = std::min(fit.least, order);
+    fit.most = std::max(fit.most, order);
   }
-  return covariance / variance;
+  fit.order = covariance / variance;
+  double squares = 0.0;  // Of what the line leaves.
+  for (std::size_t i = 0; i < dt_s.size(); ++i) {
+    const double left = std::log(errors[i]) - mean_y - fit.order * (std::log(dt_s[i]) - mean_x);
+    squares += left * left;
+  }
+  if (dt_s.size() > 2) fit.standard_error = std::sqrt(squares / (n - 2.0) / variance);
+  return fit;
 }
 
-double rounding_px(const MethodErrors& errors) {
-  constexpr double kUnit = 0x1p-52;
-  return 40.0 * kUnit * errors.coordinate_largest_px * std::sqrt(static_cast<double>(errors.frames));
+bool is_ranked(const SpeedError& study, const WorkPoint& point) {
+  return point.cost.is_measured() && point.rate_hz >= kRowRate_hz && !study.methods[point.method].is_truth();
 }
 
-std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors) {
+std::vector<bool> pareto_front(const std::vector<Cost>& costs, const std::vector<double>& errors) {
   assert(costs.size() == errors.size());
-  std::vector<std::size_t> order(costs.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return costs[a] != costs[b] ? costs[a] < costs[b] : errors[a] < errors[b];
-  });
   std::vector<bool> is_front(costs.size(), false);
-  double best = HUGE_VAL;
-  for (const std::size_t i : order) {
-    if (!(errors[i] < best)) continue;
-    best = errors[i];
-    is_front[i] = true;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    bool is_beaten = std::isnan(errors[i]) || !costs[i].is_measured();
+    for (std::size_t other = 0; other < costs.size() && !is_beaten; ++other)
+      is_beaten = errors[other] <= errors[i] && costs[other].time_ns.median < costs[i].time_ns.median &&
+                  is_cheaper(costs[other], costs[i]);
+    is_front[i] = !is_beaten;
   }
   return is_front;
 }
@@ -212,6 +245,12 @@ SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKi
   mark_pareto(study);
   fit_orders(study);
   find_cheapest(study, options.errors_asked_px);
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+    if (!study.problems[problem].is_free_flight)
+      for (MethodBands& bands : method_bands(study.problems[problem], study.methods, options.band_rates_hz)) {
+        bands.problem = problem;
+        study.bands.push_back(bands);
+      }
   if (!study.problems.front().is_free_flight) return study;
   for (const double rate_hz : options.rates_hz)
     study.paper.push_back(paper_errors(study.problems.front(), rate_hz));

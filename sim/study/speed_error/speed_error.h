@@ -13,6 +13,7 @@
 #include "sim/study/methods/method.h"
 #include "sim/study/methods/method_errors.h"
 #include "sim/study/methods/problem.h"
+#include "sim/study/speed_error/method_bands.h"
 
 namespace hyrax {
 
@@ -20,19 +21,36 @@ namespace hyrax {
 struct WorkPoint {
   std::size_t problem = 0;  ///< Index into SpeedError::problems,
   std::size_t method = 0;   ///< and into its methods.
-  double rate_hz = 0.0;     ///< Of the rows; of an adaptive method kCheckRate_hz.
+  double rate_hz = 0.0;     ///< Of the frames; of the truth and of adaptive methods kRowRate_hz.
   MethodErrors errors;
-  Cost cost;               ///< Per simulated second; 0 of one that failed.
-  bool is_pareto = false;  ///< No other point of its problem is both cheaper and more accurate.
+  Cost cost = {};  ///< Of a simulated second, without the run's set-up; not measured if it failed.
+  bool is_pareto =
+      false;  ///< No other ranked point of its problem is as accurate, and cheaper beyond the noise.
 };
 
-/// log(error) = order * log(dt) + constant, by least squares over the rates at which the error is more than
-/// rounding.
+/// What a run costs before its first frame: the time of a run without frames.
+struct SetUp {
+  std::size_t problem = 0;
+  std::size_t method = 0;
+  Cost cost = {};
+};
+
+/// log(error) = order * log(dt) + constant, by least squares.
+struct PowerFit {
+  double order = 0.0;
+  double standard_error = kNotGiven;  ///< Of the order; none of two points.
+  double least = 0.0;                 ///< Of the orders of neighbouring points,
+  double most = 0.0;                  ///< and the largest.
+};
+
+/// Over the rates at which the error is more than rounding.
 struct OrderFit {
   std::size_t problem = 0;
   std::size_t method = 0;
   std::size_t points = 0;
-  double order = 0.0;
+  double low_hz = 0.0;   ///< The lowest rate that it is fitted to,
+  double high_hz = 0.0;  ///< and the highest.
+  PowerFit fit = {};
 };
 
 /// The paper's step in the free flight of a problem against three laws, by sim/reference.
@@ -46,18 +64,22 @@ struct PaperErrors {
   double truncation_expected_px_per_s = 0.0;
 };
 
-/// The cheapest point below an error, and the cheapest of the paper's step.
+/// The cheapest ranked point below an error, and the cheapest of the paper's step.
 struct CheapestBelow {
   std::size_t problem = 0;
   double error_px = 0.0;
-  std::optional<std::size_t> point;        ///< Into SpeedError::points; none: no method is so accurate.
-  std::optional<std::size_t> paper_point;  ///< None: the paper's step is not, at any rate.
+  std::optional<std::size_t> point = {};  ///< Into SpeedError::points; none: no method is so accurate.
+  std::vector<std::size_t> as_cheap =
+      {};  ///< Others below the error than which `point` is not cheaper beyond the noise.
+  std::optional<std::size_t> paper_point = {};  ///< None: the paper's step is not, at any rate.
 };
 
 struct SpeedError {
   std::vector<Problem> problems;
   std::vector<MethodKind> methods;
   std::vector<WorkPoint> points;
+  std::vector<SetUp> set_ups;
+  std::vector<MethodBands> bands;  ///< Over flings like those of the problems that meet walls.
   std::vector<OrderFit> orders;
   std::vector<CheapestBelow> cheapest;
   std::vector<PaperErrors> paper;  ///< Of the first problem, if it is free flight.
@@ -66,12 +88,17 @@ struct SpeedError {
 };
 
 struct SpeedErrorOptions {
-  std::vector<double> rates_hz;  ///< Each kCheckRate_hz times a power of two.
+  std::vector<double> rates_hz;            ///< Each kRowRate_hz times a power of two.
+  std::vector<double> band_rates_hz = {};  ///< Rates of `bands`; empty: there are none.
   CostOptions cost;
   std::vector<double> errors_asked_px = {100.0, 10.0, 1.0,
                                          0.1,   0.01, 1e-6};             ///< What is cheapest below each?
   std::function<void(std::int64_t, std::int64_t)> report_progress = {};  ///< See measure_costs; may be empty.
 };
+
+/// Costs are compared like with like: with kRowRate_hz rows a second. A slower rate gives fewer, and the
+/// truth's own method is the limit: neither is ranked. REQUIRES: as above; it did not fail.
+[[nodiscard]] bool is_ranked(const SpeedError& study, const WorkPoint& point);
 
 /// Methods that know no walls play the problems of free flight only. SpeedError::paper is empty if the first
 /// problem is not free flight. REQUIRES: a problem; the paper's step is the first method.
@@ -79,11 +106,11 @@ struct SpeedErrorOptions {
                                            const SpeedErrorOptions& options, const NanosecondClock& now_ns);
 
 /// The rules that do not hold, each a sentence with method, problem and rate. Never about a time:
-/// 0. Every method plays every problem to its end, with finite errors.
+/// 0. Every method plays every problem to its end, with finite errors; an adaptive one may give up instead.
 /// 1. In free flight every convergent method's order can be fitted over three rates or more, and is the
-///    analytic one, +- kOrderApart.
+///    analytic one, +- kOrderApart; beyond the first problem only where its error is rounding at fewer.
 /// 2. The exact methods' errors are rounding, at every rate, and of those that meet walls exactly in flings,
-/// too.
+/// too, in each of those that the bands are over.
 /// 3. The paper's step does not converge: its error at the highest rate is above that at 60 Hz.
 /// 4. Its distance from the fixed ODE, measured here, is that of sim/reference to 1e-6 of itself.
 /// 5. Its truncation against the matched ODE is of first order, and that of its velocity is its closed form.
@@ -93,32 +120,38 @@ struct SpeedErrorOptions {
 /// An order is fitted over few points, the coarsest of which still feel the next term of the error.
 inline constexpr double kOrderApart = 0.1;
 
-/// The tables points, orders, cheapest, paper, clock.
+/// "the paper's step, 60 Hz".
+[[nodiscard]] std::string point_text(const SpeedError& study, std::size_t point);
+
+/// The tables points, orders, cheapest, paper, clock, set_up, bands.
 /// @param machine on which the costs were measured, as below.
 [[nodiscard]] std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine);
 
 /// The study's own members of the JSON document.
 [[nodiscard]] std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine);
 
-/// The work-precision diagram of a problem: error against cost with its quartiles and the Pareto front, and
+/// The work-precision diagram of a problem: error against cost with its interval and the Pareto front, and
 /// error against dt; a line a method, with its fitted order in the legend, and a gap where the method failed.
 [[nodiscard]] Figure speed_error_figure(const SpeedError& study, std::size_t problem,
                                         const std::string& machine);
+
+/// The largest distances over the flings like a problem, at 60 Hz, a line a method; nothing without bands.
+[[nodiscard]] std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem);
+
+/// "Exact flight step: ends nearer to the exact place than the paper's step in 49 of 120 flings (32 .. 50 %):
+/// ...".
+[[nodiscard]] std::string nearness_sentence(const MethodBands& bands, const SpeedError& study);
 
 /// How drag per frame keeps the paper's step from converging, with the values of this study; empty if
 /// SpeedError::paper has no 60 Hz.
 [[nodiscard]] std::vector<std::string> convergence_sentences(const SpeedError& study);
 
-/// Least-squares order of errors (> 0) against dt. REQUIRES: two points or more.
-[[nodiscard]] double fitted_order(const std::vector<double>& dt_s, const std::vector<double>& errors);
+/// Order of errors (> 0) against dt. REQUIRES: two points or more, in the order of dt.
+[[nodiscard]] PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>& errors);
 
-/// Errors below this are the rounding of the run: 40 units in the last place of the largest coordinate, for
-/// a random walk of so many frames.
-[[nodiscard]] double rounding_px(const MethodErrors& errors);
-
-/// The points that no other beats in both cost and error; lower is better. Never a NaN.
-/// REQUIRES: as many errors as costs.
-[[nodiscard]] std::vector<bool> pareto_front(const std::vector<double>& costs,
+/// The points than which no other that is as accurate is cheaper beyond the noise. Never one of a NaN or of a
+/// cost that is not measured. REQUIRES: as many errors as costs, which are of one measurement.
+[[nodiscard]] std::vector<bool> pareto_front(const std::vector<Cost>& costs,
                                              const std::vector<double>& errors);
 
 }  // namespace hyrax

@@ -54,18 +54,29 @@ class Diagram {
   Diagram(const SpeedError& study, std::size_t problem) : study_(study), curves_(curves_of(study, problem)) {}
 
   [[nodiscard]] Plot cost_plot() const {
-    Plot plot{.x = {.label = "cost, ns per simulated second", .is_logarithmic = true},
-              .y = error_axis(),
-              .share = 1.3};
+    Plot plot{
+        .x = {.label = "cost, ns per simulated second of 60 rows, without set-up", .is_logarithmic = true},
+        .y = error_axis(),
+        .when_empty = unsteady_text(study_.probe),
+        .share = 1.3};
+    if (!study_.probe.is_steady()) return plot;
     Series front{.name = "Pareto front", .look = kFrontLook};
     for (const Curve* const curve : in_drawing_order()) {
-      Series series = series_of(*curve);
+      const MethodKind& method = study_.methods[curve->method];
+      if (method.is_truth()) {
+        plot.marks.push_back({.at = curve->points.front()->cost.time_ns.median,
+                              .text = "the truth itself: " + method.label,
+                              .tone = Tone::quiet});
+        continue;
+      }
+      Series series = series_of(*curve, kRowRate_hz);
       for (const WorkPoint* const point : curve->points) {
-        series.x.push_back(point->cost.median_ns);
-        series.x_low.push_back(point->cost.lower_quartile_ns);
-        series.x_high.push_back(point->cost.upper_quartile_ns);
+        if (point->rate_hz < kRowRate_hz) continue;
+        series.x.push_back(point->cost.time_ns.median);
+        series.x_low.push_back(point->cost.time_ns.low);
+        series.x_high.push_back(point->cost.time_ns.high);
         if (!point->is_pareto) continue;
-        front.x.push_back(point->cost.median_ns);
+        front.x.push_back(point->cost.time_ns.median);
         front.y.push_back(point->errors.position_px);
       }
       plot.series.push_back(std::move(series));
@@ -82,7 +93,7 @@ class Diagram {
     for (const int rate_hz : {15, 60, 240, 960, 3840})
       plot.x.ticks.push_back({1.0 / rate_hz, fmt::format("1/{}", rate_hz)});
     for (const Curve* const curve : in_drawing_order()) {
-      if (is_adaptive(*curve)) continue;
+      if (is_adaptive(*curve) || study_.methods[curve->method].is_truth()) continue;
       Series series = series_of(*curve);
       for (const WorkPoint* const point : curve->points) series.x.push_back(1.0 / point->rate_hz);
       plot.series.push_back(std::move(series));
@@ -96,12 +107,12 @@ class Diagram {
     for (const Curve& curve : curves_) {
       if (is_adaptive(curve))
         has_adaptive = true;
-      else
+      else if (!study_.methods[curve.method].is_truth())
         entries.push_back(
             {study_.methods[curve.method].label + ": " + order_text(curve), series_of(curve).look});
     }
     if (has_adaptive) entries.push_back({"GSL's steppers, over tolerances", kAdaptiveLook});
-    entries.push_back({"Pareto front: none cheaper and nearer", kFrontLook});
+    entries.push_back({"Pareto front: none as near is cheaper beyond the noise", kFrontLook});
     return entries;
   }
 
@@ -119,8 +130,8 @@ class Diagram {
     return order;
   }
 
-  // A curve's name, look and errors; a gap where the method failed.
-  [[nodiscard]] Series series_of(const Curve& curve) const {
+  // A curve's name, look and errors from a rate on; a gap where the method failed.
+  [[nodiscard]] Series series_of(const Curve& curve, double from_hz = 0.0) const {
     const MethodKind& method = study_.methods[curve.method];
     Series series{.name = method.family.empty() ? method.label : method.family, .look = kAdaptiveLook};
     if (!method.is_adaptive() && curve.method < kLooks.size()) {
@@ -129,7 +140,8 @@ class Diagram {
       series.look.marker_size = 0.5;
     }
     for (const WorkPoint* const point : curve.points)
-      series.y.push_back(point->errors.is_failed ? kNotGiven : point->errors.position_px);
+      if (point->rate_hz >= from_hz)
+        series.y.push_back(point->errors.is_failed ? kNotGiven : point->errors.position_px);
     return series;
   }
 
@@ -150,19 +162,21 @@ class Diagram {
     std::vector<PointText> texts;
     const WorkPoint* zero = nullptr;
     for (const Curve& curve : curves_) {
+      if (study_.methods[curve.method].is_truth()) continue;
       const WorkPoint* last = nullptr;
       for (const WorkPoint* const point : curve.points) {
-        if (point->errors.is_failed) continue;
+        if (point->errors.is_failed || point->rate_hz < kRowRate_hz) continue;
         last = point;
-        if (point->errors.position_px == 0.0 && (!zero || zero->cost.median_ns < point->cost.median_ns))
+        if (point->errors.position_px == 0.0 &&
+            (!zero || zero->cost.time_ns.median < point->cost.time_ns.median))
           zero = point;
       }
       const std::string& family = study_.methods[curve.method].family;
       if (last != nullptr && !family.empty())
         texts.push_back(
-            {last->cost.median_ns, last->errors.position_px, family.substr(family.rfind(' ') + 1)});
+            {last->cost.time_ns.median, last->errors.position_px, family.substr(family.rfind(' ') + 1)});
     }
-    if (zero != nullptr) texts.push_back({zero->cost.median_ns, 0.0, "no error at all"});
+    if (zero != nullptr) texts.push_back({zero->cost.time_ns.median, 0.0, "no error at all"});
     return texts;
   }
 
@@ -173,7 +187,8 @@ class Diagram {
     if (is_exact) return "exact to rounding";
     for (const OrderFit& fit : study_.orders)
       if (fit.problem == curve.points.front()->problem && fit.method == curve.method)
-        return fmt::format("order {}{:.2f}", fit.order < 0.0 ? "−" : "", std::fabs(fit.order));
+        return fmt::format("order {}{:.2f} ± {:.2f}", fit.fit.order < 0.0 ? "−" : "",
+                           std::fabs(fit.fit.order), fit.fit.standard_error);
     return "too few points for an order";
   }
 
@@ -188,15 +203,50 @@ Figure speed_error_figure(const SpeedError& study, std::size_t problem, const st
   const Problem& played = study.problems[problem];
   const Diagram diagram(study, problem);
   Figure figure{
-      .suffix = problem == 0 ? std::string() : "-" + played.name,
+      .suffix = "-" + played.name,
       .title = "Speed against error: " + played.label + (played.remark.empty() ? "" : ", " + played.remark),
-      .subtitle =
-          fmt::format("Distance from the fixed laws (drag as at 60 Hz, exact impacts); bars: quartiles "
-                      "of {} repetitions on {}",
-                      study.repetitions, machine),
+      .subtitle = fmt::format(
+          "Distance from the fixed laws (drag as at 60 Hz, exact impacts); bars: 95 % interval of "
+          "the median of {} repetitions on {}",
+          study.repetitions, machine),
       .body = std::vector{diagram.cost_plot(), diagram.dt_plot()},
       .legend = diagram.legend()};
   if (problem == 0) figure.remarks = convergence_sentences(study);  // They are about its free flight.
+  return figure;
+}
+
+std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem) {
+  constexpr double kRounding_px = 0.1;  // All below is drawn as 0.
+  Plot plot{.x = {.label = "largest distance from the exact fling, px",
+                  .is_logarithmic = true,
+                  .zero_at = kRounding_px}};
+  Series series{.name = "median", .look = {.form = Form::points, .tone = Tone::blue, .marker_size = 1.0}};
+  Share flings;
+  for (const MethodBands& bands : study.bands) {
+    if (bands.problem != problem || bands.rate_hz != kRowRate_hz) continue;
+    flings = bands.nearer;
+    const auto y = static_cast<double>(plot.y.categories.size());
+    plot.y.categories.push_back(study.methods[bands.method].label);
+    series.x.push_back(bands.position_px.median);
+    series.x_low.push_back(bands.position_px.low);
+    series.x_high.push_back(bands.position_px.high);
+    series.y.push_back(y);
+    if (bands.method != 0)
+      plot.texts.push_back(
+          {bands.position_px.high, y, fmt::format("ends nearer in {} of {}", flings.count, flings.of)});
+    constexpr double kRoomForText = 30.0;
+    plot.x.high =
+        std::max(std::isnan(plot.x.high) ? 0.0 : plot.x.high, kRoomForText * bands.position_px.high);
+  }
+  if (series.x.empty()) return std::nullopt;
+  Figure figure{
+      .suffix = "-" + study.problems[problem].name + "-starts",
+      .title = fmt::format("{} flings at 60 Hz: like {}", flings.of, study.problems[problem].label),
+      .subtitle = fmt::format("Starts within {:g} px, speeds within {:g} %, seed {}; dot: median, bar: 10 "
+                              "to 90 %; nearer: than by the paper's step",
+                              kBandStart_px, 100.0 * kBandSpeed_rel, kBandSeed)};
+  plot.series.push_back(std::move(series));
+  figure.body = std::vector{std::move(plot)};
   return figure;
 }
 

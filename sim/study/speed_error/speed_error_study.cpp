@@ -1,7 +1,9 @@
 // `hyrax-sim study speed-error`: its verdict, and what is played.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,8 @@ namespace hyrax {
 namespace {
 
 using PointIndex = std::optional<std::size_t>;
+
+constexpr std::string_view kFlingName = "fling";  // Of study_problems().
 
 // A method's point at a rate; nullptr if there is none.
 const WorkPoint* find_point(const SpeedError& study, std::size_t problem, std::size_t method,
@@ -25,8 +29,28 @@ const WorkPoint* find_point(const SpeedError& study, std::size_t problem, std::s
 
 std::string order_text(const SpeedError& study, std::size_t problem, std::size_t method) {
   for (const OrderFit& fit : study.orders)
-    if (fit.problem == problem && fit.method == method) return fmt::format("{:.2f}", fit.order);
+    if (fit.problem == problem && fit.method == method)
+      return fmt::format("{:.2f} ± {:.2f}", fit.fit.order, fit.fit.standard_error);
   return std::holds_alternative<Exact>(study.methods[method].accuracy) ? "exact" : "-";
+}
+
+// "187 (185 .. 190)": the median and its interval; "-": not measured.
+std::string cost_text(const Cost& cost) {
+  if (!cost.is_measured()) return "-";
+  return fmt::format("{:.0f} ({:.0f} .. {:.0f})", cost.time_ns.median, cost.time_ns.low, cost.time_ns.high);
+}
+
+std::string band_text(const Band& band) {
+  constexpr double kRounding_px = 1e-6;
+  if (band.high < kRounding_px) return "rounding";
+  return fmt::format("{:.3g} ({:.3g} .. {:.3g})", band.median, band.low, band.high);
+}
+
+std::string set_up_text(const SpeedError& study, std::size_t problem, std::size_t method) {
+  for (const SetUp& set_up : study.set_ups)
+    if (set_up.problem == problem && set_up.method == method && set_up.cost.is_measured())
+      return fmt::format("{:.0f}", set_up.cost.time_ns.median);
+  return "-";
 }
 
 // A line each method that goes by frames.
@@ -37,7 +61,7 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
   };
   std::vector<Line> lines;
   for (std::size_t method = 0; method < study.methods.size(); ++method) {
-    if (study.methods[method].is_adaptive()) continue;
+    if (study.methods[method].is_adaptive() || study.methods[method].is_truth()) continue;
     const WorkPoint* best = nullptr;
     for (const WorkPoint& point : study.points)
       if (point.problem == problem && point.method == method && !point.errors.is_failed &&
@@ -54,17 +78,22 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
                                  [&](L l) { return order_text(study, problem, l.method); }),
           column_of<double>("error_at_60_Hz", "px", "", lines,
                             [](L l) { return l.at_60->errors.position_px; }),
-          column_of<double>(
-              "cost_at_60_Hz", "ns/s", "", lines, [](L l) { return l.at_60->cost.median_ns; }, 3),
+          column_of<std::string>("cost_at_60_Hz,_ns/s", "", "", lines,
+                                 [](L l) { return cost_text(l.at_60->cost); }),
+          column_of<std::string>("set-up,_ns", "", "", lines,
+                                 [&](L l) { return set_up_text(study, problem, l.method); }),
           column_of<double>("least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }),
           column_of<double>("at", "Hz", "", lines, [](L l) { return l.best->rate_hz; })}};
 }
 
-std::string point_text(const SpeedError& study, const PointIndex& index) {
-  if (!index) return "no method at any rate";
-  const WorkPoint& point = study.points[*index];
-  const MethodKind& kind = study.methods[point.method];
-  return kind.is_adaptive() ? kind.label : fmt::format("{}, {:.0f} Hz", kind.label, point.rate_hz);
+// The cheapest, and how many others the noise hides behind it.
+std::string cheapest_name(const SpeedError& study, const CheapestBelow& answer) {
+  if (!answer.point) return "no method at any rate";
+  const std::string name = point_text(study, *answer.point);
+  if (answer.as_cheap.empty()) return name;
+  return name + " or " +
+         (answer.as_cheap.size() == 1 ? point_text(study, answer.as_cheap.front())
+                                      : fmt::format("{} others", answer.as_cheap.size()));
 }
 
 Table cheapest_text(const SpeedError& study, std::size_t problem) {
@@ -73,17 +102,48 @@ Table cheapest_text(const SpeedError& study, std::size_t problem) {
     if (answer.problem == problem) answers.push_back(answer);
   using A = const CheapestBelow&;
   const auto cost = [&](PointIndex CheapestBelow::*index) {
-    return [&study, index](A a) { return a.*index ? study.points[*(a.*index)].cost.median_ns : kNotGiven; };
+    return
+        [&study, index](A a) { return a.*index ? study.points[*(a.*index)].cost.time_ns.median : kNotGiven; };
   };
   const auto paper = [&](A a) {
     return a.paper_point ? fmt::format("{:.0f} Hz", study.points[*a.paper_point].rate_hz) : "at no rate";
   };
   return {.columns = {column_of<double>("for_an_error_below", "px", "", answers, &CheapestBelow::error_px),
                       column_of<std::string>("the_cheapest_is", "", "", answers,
-                                             [&](A a) { return point_text(study, a.point); }),
+                                             [&](A a) { return cheapest_name(study, a); }),
                       column_of<double>("at", "ns/s", "", answers, cost(&CheapestBelow::point), 3),
                       column_of<std::string>("the_paper's_step_needs", "", "", answers, paper),
                       column_of<double>("at", "ns/s", "", answers, cost(&CheapestBelow::paper_point), 3)}};
+}
+
+// A line each method at 60 Hz, over flings like the problem.
+Table bands_text(const std::vector<MethodBands>& bands, const SpeedError& study) {
+  using B = const MethodBands&;
+  return {
+      .columns = {
+          column_of<std::string>("method", "", "", bands, [&](B b) { return study.methods[b.method].label; }),
+          column_of<std::string>("largest_distance,_px", "", "", bands,
+                                 [](B b) { return band_text(b.position_px); }),
+          column_of<std::string>("at_the_end,_px", "", "", bands, [](B b) { return band_text(b.end_px); }),
+          column_of<std::string>("ends_nearer_in", "", "", bands,
+                                 [](B b) { return fmt::format("{} of {}", b.nearer.count, b.nearer.of); }),
+          column_of<std::string>("other_contacts_in", "", "", bands, [](B b) {
+            return fmt::format("{} of {}", b.other_contacts.count, b.other_contacts.of);
+          })}};
+}
+
+// The bands of a problem: what is played, the table, and what they say of the exact flight step.
+void add_bands(Verdict& verdict, const SpeedError& study, std::size_t problem) {
+  std::vector<MethodBands> bands;
+  std::copy_if(study.bands.begin(), study.bands.end(), std::back_inserter(bands),
+               [&](const MethodBands& b) { return b.problem == problem && b.rate_hz == 60.0; });
+  if (bands.empty()) return;
+  verdict.text.push_back(fmt::format(
+      "{} flings like it at 60 Hz (start within {:g} px, speeds within {:g} %, seed {}): median (10 .. 90 %)",
+      bands.front().position_px.samples, kBandStart_px, 100.0 * kBandSpeed_rel, kBandSeed));
+  verdict.text.push_back(bands_text(bands, study));
+  for (const MethodBands& b : bands)
+    if (study.methods[b.method].name == "exact-flight") verdict.text.push_back(nearness_sentence(b, study));
 }
 
 // How far off the paper's step is at 60 Hz at the end and at walls; empty of a flight.
@@ -102,10 +162,12 @@ Verdict verdict_of(const SpeedError& study, const StudyRequest& request) {
   std::size_t fling = study.problems.size() - 1;
   if (request.scenarios.empty())
     for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
-      if (study.problems[problem].name == "fling") fling = problem;
+      if (study.problems[problem].name == kFlingName) fling = problem;
   Verdict verdict{
-      {fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.", request.machine,
-                   100.0 * study.probe.drift_rel),
+      {study.probe.is_steady() ? fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.",
+                                             request.machine, 100.0 * study.probe.drift_rel)
+                               : fmt::format("Speed against error on {}; costs are {}.", request.machine,
+                                             unsteady_text(study.probe)),
        "Exact: the fixed laws, v' = g - k v with k = 0.06003 1/s (drag as at 60 Hz), from impact to "
        "impact."},
       broken_rules(study)};
@@ -114,7 +176,12 @@ Verdict verdict_of(const SpeedError& study, const StudyRequest& request) {
     verdict.text.push_back(fmt::format("\n{} ({}){}", played.label, played.name,
                                        played.remark.empty() ? "" : ", " + played.remark));
     verdict.text.push_back(methods_text(study, problem));
-    verdict.text.push_back(cheapest_text(study, problem));
+    if (study.probe.is_steady()) {
+      verdict.text.push_back(
+          "  cheapest of those that give 60 rows a second, \"or\": not told apart by the costs");
+      verdict.text.push_back(cheapest_text(study, problem));
+    }
+    add_bands(verdict, study, problem);
   }
   if (const std::string sentence = paper_text(study, fling); !sentence.empty())
     verdict.text.push_back(sentence);
@@ -139,13 +206,29 @@ std::vector<Problem> problems_of(const StudyRequest& request) {
   return problems;
 }
 
+// The whole fling first: it is what a user sees.
+std::vector<Figure> figures_of(const SpeedError& study, const std::string& machine) {
+  std::vector<Figure> figures;
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
+    const bool is_first = study.problems[problem].name == kFlingName;
+    Figure figure = speed_error_figure(study, problem, machine);
+    if (is_first) figure.suffix.clear();
+    figures.insert(is_first ? figures.begin() : figures.end(), std::move(figure));
+  }
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+    if (std::optional<Figure> figure = bands_figure(study, problem)) figures.push_back(std::move(*figure));
+  return figures;
+}
+
 StudyResult run(const StudyRequest& request) {
   std::vector<MethodKind> methods = frame_methods();
   for (MethodKind& kind : gsl_methods(request.is_quick)) methods.push_back(std::move(kind));
   SpeedErrorOptions options;
   options.rates_hz = {15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
+  options.band_rates_hz = {15.0, 30.0, 60.0, 120.0, 240.0, 480.0};
   if (request.is_quick) {
     options.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0};
+    options.band_rates_hz = {60.0};
     options.cost.sample_ns = 5'000;
   }
   options.report_progress = [&](std::int64_t done, std::int64_t total) {
@@ -156,8 +239,7 @@ StudyResult run(const StudyRequest& request) {
   StudyResult result{.tables = speed_error_tables(study, request.machine),
                      .verdict = verdict_of(study, request),
                      .summary = speed_error_summary(study, request.machine)};
-  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
-    result.figures.push_back(speed_error_figure(study, problem, request.machine));
+  result.figures = figures_of(study, request.machine);
   return result;
 }
 

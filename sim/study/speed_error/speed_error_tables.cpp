@@ -1,9 +1,39 @@
+#include <tuple>
+
+#include <fmt/format.h>
+
 #include "sim/study/speed_error/speed_error.h"
 
 namespace hyrax {
+
+std::string point_text(const SpeedError& study, std::size_t index) {
+  const WorkPoint& point = study.points[index];
+  const MethodKind& kind = study.methods[point.method];
+  return kind.is_adaptive() ? kind.label : fmt::format("{}, {:.0f} Hz", kind.label, point.rate_hz);
+}
+
+std::string nearness_sentence(const MethodBands& bands, const SpeedError& study) {
+  const Share& nearer = bands.nearer;
+  const auto percent = [](double part) { return 100.0 * part; };
+  return fmt::format(
+      "At {:.0f} Hz the {} ends nearer to the exact place than the paper's step in {} of {} flings "
+      "({:.0f} .. {:.0f} %): it is {}.",
+      bands.rate_hz, study.methods[bands.method].label, nearer.count, nearer.of, percent(nearer.low()),
+      percent(nearer.high()), nearness_text(nearer));
+}
+
 namespace {
 
 using PointIndex = std::optional<std::size_t>;
+using E = MedianEstimate;
+
+// Of records with a cost; NaN: not measured.
+template <class Record>
+Column cost_column(const std::string& name, const std::string& unit, const std::string& long_name,
+                   const std::vector<Record>& records, double MedianEstimate::*part) {
+  return column_of<double>(name, unit, long_name, records,
+                           [part](const Record& record) { return record.cost.time_ns.*part; });
+}
 
 template <class Record>
 Column problem_column(const SpeedError& study, const std::vector<Record>& records) {
@@ -29,9 +59,6 @@ Table points_table(const SpeedError& study) {
   const auto error = [](double MethodErrors::*part) {
     return [part](P p) { return p.errors.is_failed ? kNotGiven : p.errors.*part; };
   };
-  const auto cost = [](double Cost::*part) {
-    return [part](P p) { return p.errors.is_failed ? kNotGiven : p.cost.*part; };
-  };
   return {
       "points",
       "each method at each rate or tolerance",
@@ -50,19 +77,64 @@ Table points_table(const SpeedError& study) {
                          error(&MethodErrors::position_px)),
        column_of<double>("velocity_error", "px/s", "largest difference of velocity", points,
                          error(&MethodErrors::velocity_px_per_s)),
-       column_of<double>("energy_error", "1", "largest difference of energy / largest energy", points,
+       column_of<double>("energy_error", "1",
+                         "largest difference of energy / largest kinetic energy of the exact fling", points,
                          error(&MethodErrors::energy_rel)),
        column_of<double>("end_error", "px", "distance of the last positions", points,
                          error(&MethodErrors::end_px)),
        column_of<double>("contact_time_error", "s", "largest, of the first three impacts", points,
                          error(&MethodErrors::contact_time_s)),
-       column_of<double>("cost", "ns/s", "median time per simulated second", points, cost(&Cost::median_ns)),
-       column_of<double>("cost_lower_quartile", "ns/s", "a quarter of the repetitions took less", points,
-                         cost(&Cost::lower_quartile_ns)),
-       column_of<double>("cost_upper_quartile", "ns/s", "a quarter took more", points,
-                         cost(&Cost::upper_quartile_ns)),
-       column_of<std::int64_t>("pareto", "1", "1: no other is both cheaper and more accurate", points,
+       cost_column("cost", "ns/s", "time per simulated second without set-up, median", points, &E::median),
+       cost_column("cost_low", "ns/s", "95 % interval of the median, low end", points, &E::low),
+       cost_column("cost_high", "ns/s", "95 % interval of the median, high end", points, &E::high),
+       column_of<std::int64_t>("ranked", "1", "1: gives 60 rows a second, and is not the truth itself",
+                               points, [&](P p) { return std::int64_t{is_ranked(study, p)}; }),
+       column_of<std::int64_t>("pareto", "1", "1: none as accurate is cheaper beyond the noise", points,
                                [](P p) { return std::int64_t{p.is_pareto}; })}};
+}
+
+Table set_up_table(const SpeedError& study) {
+  const auto& set_ups = study.set_ups;
+  return {"set_up",
+          "time of a run before its first frame",
+          {problem_column(study, set_ups), method_column(study, set_ups),
+           cost_column("time", "ns", "median", set_ups, &E::median),
+           cost_column("time_low", "ns", "95 % interval of the median, low end", set_ups, &E::low),
+           cost_column("time_high", "ns", "95 % interval of the median, high end", set_ups, &E::high)}};
+}
+
+Table bands_table(const SpeedError& study) {
+  const auto& bands = study.bands;
+  using B = const MethodBands&;
+  Table table{
+      "bands",
+      "each method over many flings like the problem, their starts drawn from the seed",
+      {problem_column(study, bands), method_column(study, bands),
+       column_of<double>("rate", "Hz", "frames per second", bands, &MethodBands::rate_hz),
+       column_of<std::int64_t>("flings", "1", "played", bands, [](B b) { return b.position_px.samples; }),
+       column_of<std::int64_t>("seed", "1", "of their starts", bands,
+                               [](B) { return static_cast<std::int64_t>(kBandSeed); })}};
+  const auto add_band = [&](const std::string& name, const std::string& what, Band MethodBands::*band) {
+    for (const auto& [suffix, text, part] :
+         {std::tuple{"_median", "median", &Band::median}, std::tuple{"_low", "10 %", &Band::low},
+          std::tuple{"_high", "90 %", &Band::high}})
+      table.columns.push_back(column_of<double>(name + suffix, "px", what + ", " + text, bands,
+                                                [band, part = part](B b) { return b.*band.*part; }));
+  };
+  const auto add_share = [&](const std::string& name, const std::string& what, Share MethodBands::*share) {
+    table.columns.push_back(column_of<std::int64_t>(name, "1", "flings that " + what, bands,
+                                                    [share](B b) { return (b.*share).count; }));
+    table.columns.push_back(column_of<double>(name + "_share_low", "1", "95 % interval of their share", bands,
+                                              [share](B b) { return (b.*share).low(); }));
+    table.columns.push_back(column_of<double>(name + "_share_high", "1", "95 % interval of their share",
+                                              bands, [share](B b) { return (b.*share).high(); }));
+  };
+  add_band("position_error", "largest distance from the exact fling", &MethodBands::position_px);
+  add_band("end_error", "distance of the last positions", &MethodBands::end_px);
+  add_share("nearer", "end nearer to the exact place than by the paper's step", &MethodBands::nearer);
+  add_share("other_contacts", "meet a side wall or the top another number of times",
+            &MethodBands::other_contacts);
+  return table;
 }
 
 Table orders_table(const SpeedError& study) {
@@ -70,7 +142,16 @@ Table orders_table(const SpeedError& study) {
   return {"orders",
           "fitted order of convergence",
           {problem_column(study, orders), method_column(study, orders),
-           column_of<double>("order", "1", "slope of log error against log dt", orders, &OrderFit::order),
+           column_of<double>("order", "1", "slope of log error against log dt", orders,
+                             [](const OrderFit& fit) { return fit.fit.order; }),
+           column_of<double>("standard_error", "1", "of the slope", orders,
+                             [](const OrderFit& fit) { return fit.fit.standard_error; }),
+           column_of<double>("least", "1", "order between neighbouring rates, smallest", orders,
+                             [](const OrderFit& fit) { return fit.fit.least; }),
+           column_of<double>("most", "1", "order between neighbouring rates, largest", orders,
+                             [](const OrderFit& fit) { return fit.fit.most; }),
+           column_of<double>("from", "Hz", "lowest rate that it is fitted to", orders, &OrderFit::low_hz),
+           column_of<double>("to", "Hz", "highest rate that it is fitted to", orders, &OrderFit::high_hz),
            column_of<std::int64_t>(
                "analytic_order", "1", "in free flight; 0 does not converge, -1 exact", orders,
                [&](const OrderFit& fit) { return order_code(study.methods[fit.method].accuracy); }),
@@ -86,7 +167,7 @@ Table cheapest_table(const SpeedError& study) {
   };
   const auto cost = [&](PointIndex CheapestBelow::*point) {
     return [&study, point](const CheapestBelow& answer) {
-      return answer.*point ? study.points[*(answer.*point)].cost.median_ns : kNotGiven;
+      return answer.*point ? study.points[*(answer.*point)].cost.time_ns.median : kNotGiven;
     };
   };
   const auto method = [&](const CheapestBelow& answer) {
@@ -99,6 +180,14 @@ Table cheapest_table(const SpeedError& study) {
            column_of<std::string>("method", "", "the cheapest", cheapest, method),
            column_of<double>("rate", "Hz", "its frames per second", cheapest, rate(&CheapestBelow::point)),
            column_of<double>("cost", "ns/s", "its median cost", cheapest, cost(&CheapestBelow::point)),
+           column_of<std::string>("as_cheap", "", "others than which it is not cheaper beyond the noise",
+                                  cheapest,
+                                  [&](const CheapestBelow& answer) {
+                                    std::string names;
+                                    for (const std::size_t point : answer.as_cheap)
+                                      names += (names.empty() ? "" : "; ") + point_text(study, point);
+                                    return names;
+                                  }),
            column_of<double>("paper_rate", "Hz", "of the paper's step; none: at no rate", cheapest,
                              rate(&CheapestBelow::paper_point)),
            column_of<double>("paper_cost", "ns/s", "its median cost", cheapest,
@@ -129,20 +218,22 @@ Table clock_table(const SpeedError& study, const std::string& machine) {
       {{"machine", "", "processor", std::vector{machine}},
        {"repetitions", "1", "of each point, in random order", std::vector<std::int64_t>{study.repetitions}},
        {"probe", "ns", "median time of the same piece of arithmetic", std::vector{study.probe.median_ns}},
-       {"probe_drift", "1", "its 95th minus its 5th percentile / median",
-        std::vector{study.probe.drift_rel}}}};
+       {"probe_drift", "1", "its 95th minus its 5th percentile / median", std::vector{study.probe.drift_rel}},
+       {"steady", "1", "1: steady enough for costs; 0: they are not measured",
+        std::vector<std::int64_t>{study.probe.is_steady()}}}};
 }
 
 }  // namespace
 
 std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine) {
-  return {points_table(study), orders_table(study), cheapest_table(study), paper_table(study),
-          clock_table(study, machine)};
+  return {points_table(study),         orders_table(study), cheapest_table(study), paper_table(study),
+          clock_table(study, machine), set_up_table(study), bands_table(study)};
 }
 
 std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine) {
   Table clock{.columns = {{.name = "machine", .values = std::vector{machine}},
                           {.name = "clock_drift_rel", .values = std::vector{study.probe.drift_rel}},
+                          {.name = "clock_steady", .values = std::vector{study.probe.is_steady()}},
                           {.name = "repetitions", .values = std::vector<std::int64_t>{study.repetitions}}},
               .shape = JsonShape::members};
   const auto point = [&](PointIndex CheapestBelow::*index) {
@@ -154,7 +245,7 @@ std::vector<Table> speed_error_summary(const SpeedError& study, const std::strin
                                column_of<double>("position_error", "px", "", points,
                                                  [](const WorkPoint& p) { return p.errors.position_px; }),
                                column_of<double>("cost", "ns/s", "", points,
-                                                 [](const WorkPoint& p) { return p.cost.median_ns; })},
+                                                 [](const WorkPoint& p) { return p.cost.time_ns.median; })},
                    .shape = JsonShape::one};
     };
   };
@@ -166,7 +257,8 @@ std::vector<Table> speed_error_summary(const SpeedError& study, const std::strin
                              column_of<Table>("paper", "", "", answers, point(&CheapestBelow::paper_point))}};
   Table paper = paper_table(study);
   paper.columns.resize(4);  // Without velocities.
-  return {std::move(clock), orders_table(study), std::move(cheapest), std::move(paper)};
+  return {std::move(clock), orders_table(study), std::move(cheapest),
+          std::move(paper), bands_table(study),  set_up_table(study)};
 }
 
 }  // namespace hyrax

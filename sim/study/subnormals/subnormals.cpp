@@ -87,13 +87,13 @@ SlideCosts measure_slide_costs(const NanosecondClock& now_ns, bool is_quick) {
   std::vector<std::function<void()>> works;
   volatile double result = 0.0;
   for (const Speed& speed : speeds) {
-    measured.costs.push_back({"physics::update", speed.text, {}, 1.0});
+    measured.costs.push_back({"physics::update", speed.text, {}, {}});
     works.emplace_back([&result, body = on_floor(speed.vx_px_per_s)] {
       result = core_steps(body, 1.0 / 60.0, bounds_of(kWindow, kHyrax), kCoreSteps).y_px;
     });
   }
   for (const Scenario& rest : rests) {
-    measured.costs.push_back({"run, jittered frames", speeds[&rest == &rests[0] ? 0 : 2].text, {}, 1.0});
+    measured.costs.push_back({"run, jittered frames", speeds[&rest == &rests[0] ? 0 : 2].text, {}, {}});
     works.emplace_back([&result, &rest] {
       RowSink nothing;
       result = replay(rest, nothing).final.y_px;
@@ -106,8 +106,8 @@ SlideCosts measure_slide_costs(const NanosecondClock& now_ns, bool is_quick) {
     const double steps = static_cast<double>(is_core ? kCoreSteps : kReplaySteps);
     const Cost& cost = costs.costs[index];
     SlideCost& line = measured.costs[index];
-    line.step = {cost.median_ns / steps, cost.lower_quartile_ns / steps, cost.upper_quartile_ns / steps};
-    line.ratio = cost.median_ns / costs.costs[is_core ? 0 : std::size(speeds)].median_ns;
+    line.step_ns = {cost.time_ns.median / steps, cost.time_ns.low / steps, cost.time_ns.high / steps};
+    line.ratio = ratio_of(cost, costs.costs[is_core ? 0 : std::size(speeds)]);
   }
   return measured;
 }

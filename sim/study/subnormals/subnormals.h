@@ -30,9 +30,9 @@ struct SlideEnd {
 /// Cost of a step on the floor, all timed in random order.
 struct SlideCost {
   std::string what;
-  std::string with;    ///< Which vx.
-  Cost step;           ///< In ns.
-  double ratio = 1.0;  ///< To the same with vx = 0: median over median.
+  std::string with;        ///< Which vx.
+  MedianEstimate step_ns;  ///< NaN: not measured, the clock was not steady.
+  MedianEstimate ratio;    ///< To the same with vx = 0, round by round.
 };
 struct SlideCosts {
   std::vector<SlideCost> costs;

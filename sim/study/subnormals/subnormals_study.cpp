@@ -44,20 +44,22 @@ Table shown_ends(const std::vector<SlideEnd>& ends) {
 }
 
 Table cost_table(const std::vector<SlideCost>& costs) {
+  const auto number = [&costs](const char* name, const char* unit, const char* long_name,
+                               MedianEstimate SlideCost::*estimate, double MedianEstimate::*part) {
+    return column_of<double>(
+        name, unit, long_name, costs, [=](const SlideCost& cost) { return cost.*estimate.*part; }, 3);
+  };
   return {
       "costs",
       "cost of a step on the floor",
       {column_of<std::string>("of", "", "what was timed", costs, &SlideCost::what),
        column_of<std::string>("with", "", "horizontal speed", costs, &SlideCost::with),
-       column_of<double>(
-           "median", "ns", "of a step", costs, [](const SlideCost& c) { return c.step.median_ns; }, 3),
-       column_of<double>(
-           "lower_quartile", "ns", "of a step", costs,
-           [](const SlideCost& c) { return c.step.lower_quartile_ns; }, 3),
-       column_of<double>(
-           "upper_quartile", "ns", "of a step", costs,
-           [](const SlideCost& c) { return c.step.upper_quartile_ns; }, 3),
-       column_of<double>("times_that_of_vx_0", "1", "ratio of the medians", costs, &SlideCost::ratio, 3)}};
+       number("cost", "ns", "of a step, median", &SlideCost::step_ns, &MedianEstimate::median),
+       number("cost_low", "ns", "95 % interval of the median", &SlideCost::step_ns, &MedianEstimate::low),
+       number("cost_high", "ns", "95 % interval of the median", &SlideCost::step_ns, &MedianEstimate::high),
+       number("ratio", "1", "to the same with vx = 0, median", &SlideCost::ratio, &MedianEstimate::median),
+       number("ratio_low", "1", "95 % interval of the median", &SlideCost::ratio, &MedianEstimate::low),
+       number("ratio_high", "1", "95 % interval of the median", &SlideCost::ratio, &MedianEstimate::high)}};
 }
 
 Figure speed_figure(const std::vector<SlideEnd>& ends) {
@@ -92,9 +94,14 @@ StudyResult run(const StudyRequest& request) {
   result.verdict.text = {
       fmt::format("subnormals: vx of a fling never becomes 0; it is stuck at {:.4g} px/s or less",
                   expected_vx),
-      shown_ends(ends),
-      fmt::format("Cost of a step on the floor, timed in random order on {}:", request.machine),
-      cost_table(costs.costs)};
+      shown_ends(ends)};
+  if (costs.probe.is_steady()) {
+    result.verdict.text.emplace_back(
+        fmt::format("Cost of a step on the floor, timed in random order on {}:", request.machine));
+    result.verdict.text.emplace_back(cost_table(costs.costs));
+  } else {
+    result.verdict.text.emplace_back("Cost of a step on the floor: " + unsteady_text(costs.probe) + ".");
+  }
   for (const SlideEnd& end : ends) {
     if (end.stuck_step < 0 || end.subnormal_step < 0 || end.stuck_vx_px_per_s == 0.0 ||
         std::fabs(end.stuck_vx_px_per_s) > expected_vx)

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "sim/study/methods/cost.h"
 
@@ -14,9 +16,9 @@ TEST(MeasureCosts, MeasuresEachWorkSeparately) {
                                                     [&] { now_ns += 200'000; }};
   const Costs measured = measure_costs(works, [&] { return now_ns; }, {});
   ASSERT_EQ(measured.costs.size(), 3u);
-  EXPECT_EQ(measured.costs[0].median_ns, 100.0);
-  EXPECT_EQ(measured.costs[1].median_ns, 7'000.0);
-  EXPECT_EQ(measured.costs[2].upper_quartile_ns, 200'000.0);
+  EXPECT_EQ(measured.costs[0].time_ns.median, 100.0);
+  EXPECT_EQ(measured.costs[1].time_ns.median, 7'000.0);
+  EXPECT_EQ(measured.costs[2].time_ns.high, 200'000.0);
 }
 
 TEST(MeasureCosts, AMedianIgnoresAFewSlowRuns) {
@@ -24,7 +26,7 @@ TEST(MeasureCosts, AMedianIgnoresAFewSlowRuns) {
   int runs = 0;
   const std::vector<std::function<void()>> works = {[&] { now_ns += ++runs % 5 == 0 ? 900'000 : 100'000; }};
   const Costs measured = measure_costs(works, [&] { return now_ns; }, {.repetitions = 40});
-  EXPECT_EQ(measured.costs[0].median_ns, 100'000.0);
+  EXPECT_EQ(measured.costs[0].time_ns.median, 100'000.0);
 }
 
 TEST(MeasureCosts, TheOrderIsMixedAndEveryWorkHasAllItsSamples) {
@@ -56,10 +58,52 @@ TEST(MeasureCosts, TheProbeDetectsAClockThatChanges) {
   EXPECT_GT(measure_costs(works, slowing, {.repetitions = 400}).probe.drift_rel, 0.5);
 }
 
-TEST(Quantile, IsBetweenItsNeighbours) {
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({1.0, 2.0}, 0.25), 1.25);
-  EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
+TEST(MeasureCosts, EveryRoundHasEveryWorkOnce) {
+  std::int64_t now_ns = 0;
+  std::vector<std::size_t> order;
+  std::vector<std::function<void()>> works;
+  for (std::size_t work = 0; work < 4; ++work)
+    works.push_back([&, work] {
+      now_ns += 100'000;
+      order.push_back(work);
+    });
+  EXPECT_EQ(measure_costs(works, [&] { return now_ns; }, {.repetitions = 9}).costs[3].rounds_ns.size(), 9u);
+  for (std::size_t first = 8; first < order.size(); first += 4)
+    EXPECT_EQ(
+        (std::set(order.begin() + std::ptrdiff_t(first), order.begin() + std::ptrdiff_t(first + 4)).size()),
+        4u);
+}
+
+TEST(MeasureCosts, AnUnsteadyClockMeasuresNothing) {
+  std::int64_t now_ns = 0, tick_ns = 100;
+  const Costs measured =
+      measure_costs({[&] { now_ns += 100'000; }}, [&] { return now_ns += tick_ns++; }, {.repetitions = 400});
+  EXPECT_FALSE(measured.costs[0].is_measured());
+  EXPECT_TRUE(std::isnan(measured.costs[0].time_ns.median));
+  EXPECT_EQ(unsteady_text({.median_ns = 1.0, .drift_rel = 0.4}),
+            "not measured: clock unsteady (drift 40 %, at most 25 %)");
+  EXPECT_EQ(unsteady_text({.median_ns = 1.0, .drift_rel = 0.2}), "");
+}
+
+TEST(IsCheaper, OnlyBeyondTheNoise) {
+  const Cost steady = cost_of({10, 10, 10, 10, 10, 10, 10, 10, 10});
+  const Cost cheaper = cost_of({9, 9.5, 9, 9.5, 9, 9.5, 9, 9.5, 9});
+  const Cost noisy = cost_of({9, 11, 9, 11, 9, 11, 9, 11, 9});
+  EXPECT_TRUE(is_cheaper(cheaper, steady));
+  EXPECT_FALSE(is_cheaper(steady, cheaper));
+  EXPECT_LT(noisy.time_ns.median, steady.time_ns.median);
+  EXPECT_FALSE(is_cheaper(noisy, steady));
+  EXPECT_FALSE(is_cheaper(Cost(), steady));
+}
+
+// A machine that slows down from round to round changes neither a ratio nor a part that is taken off.
+TEST(IsCheaper, ComparesRoundByRound) {
+  const Cost a = cost_of({10, 20, 30, 40, 50, 60, 70, 80, 90});
+  const Cost b = cost_of({11, 21, 31, 41, 51, 61, 71, 81, 91});
+  EXPECT_TRUE(is_cheaper(a, b));
+  const Cost difference = difference_of(b, a, 2.0);
+  EXPECT_EQ(difference.time_ns.low, 0.5);
+  EXPECT_EQ(difference.time_ns.high, 0.5);
 }
 
 }  // namespace

@@ -1,6 +1,12 @@
 // One fling on several displays.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "sim/replay/core.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/study/frame_rate/frame_rate.h"
 
 namespace hyrax {
@@ -8,7 +14,7 @@ namespace {
 
 TEST(FrameRate, ThePapersMethodIsTheCoreOnEveryClock) {
   const FrameRateStudy study = study_frame_rate({24.0, 144.0}, 3);
-  EXPECT_EQ(study.landings.size(), 2u * 3u * 2u * 3u);
+  EXPECT_EQ(study.landings.size(), 2u * 3u * 2u * (1u + 3u)) << "the drawn fling, and three more";
   for (const Landing& landing : study.landings) EXPECT_TRUE(landing.is_core);
 }
 
@@ -32,6 +38,66 @@ TEST(FrameRate, APathEndsWhereItLands) {
   for (const FanPoint& point : study.paths)
     if (point.method == landing.method) last_px = point.x_px;
   EXPECT_NEAR(last_px, landing.x_px, 0.5);
+}
+
+TEST(FrameRate, AShiftIsFromSixtyHertzAndItsContactsAreCounted) {
+  const FrameRateStudy study = study_frame_rate({60.0, 240.0}, 20);
+  ASSERT_EQ(study.shifts.size(), 2u * 3u * 2u);
+  const auto place_px = [&](double rate_hz, std::int64_t fling) {
+    return std::find_if(study.landings.begin(), study.landings.end(), [&](const Landing& landing) {
+      return landing.rate_hz == rate_hz && landing.fling == fling;
+    });
+  };
+  std::vector<double> shifts_px;
+  Share other;
+  for (std::int64_t fling = 0; fling <= 20; ++fling) {
+    const Landing &at_60 = *place_px(60.0, fling), &at_240 = *place_px(240.0, fling);
+    shifts_px.push_back(std::fabs(at_240.x_px - at_60.x_px));
+    other.add(at_240.contacts.left != at_60.contacts.left || at_240.contacts.right != at_60.contacts.right ||
+              at_240.contacts.top != at_60.contacts.top);
+  }
+  EXPECT_EQ(study.shifts[0].shift_px.high, 0.0) << "from itself";
+  EXPECT_EQ(study.shifts[0].other_contacts.count, 0);
+  EXPECT_EQ(study.shifts[1].shift_px.median, quantile(shifts_px, 0.5));
+  EXPECT_GT(other.count, 0);
+  EXPECT_EQ(study.shifts[1].other_contacts.count, other.count);
+}
+
+TEST(FrameRate, ByTimeItIsSteadierInMostFlings) {
+  for (const Share& steadier : study_frame_rate({24.0, 60.0, 240.0}, 30).steadier_by_time) {
+    EXPECT_EQ(steadier.of, 31);
+    EXPECT_GT(steadier.low(), 0.5);
+  }
+}
+
+// The flings of sim/ensemble, each against the core called step by step.
+TEST(ManyFlings, AreTheCoresBitForBit) {
+  for (const std::optional<Jitter>& jitter :
+       {std::optional<Jitter>(), std::optional(Jitter{Jitter::Kind::normal, 0.002, kJitterSeed}),
+        std::optional(Jitter{Jitter::Kind::missed_frames, 0.05, kJitterSeed})}) {
+    const ManyFlings flings({FixedRate{75.0}, jitter}, 4.0, 19);
+    const std::vector<MemberResult> results = flings.play();
+    ASSERT_EQ(results.size(), 19u);
+    for (std::int64_t fling = 0; fling < flings.count(); ++fling) {
+      const Clock clock = flings.clock(fling);
+      const FrameClock frames(clock);
+      State body = flings.start(fling);
+      for (std::int64_t frame = 0; frame < flings.frames(); ++frame)
+        body = core_step(body, frames.dt_s(frame), kFlingBounds);
+      EXPECT_TRUE(same_bits(body, results[static_cast<std::size_t>(fling)].final)) << fling;
+    }
+  }
+}
+
+TEST(ManyFlings, AreTheSameOnEveryClockWithSeveralJitterSeeds) {
+  const ManyFlings steady({FixedRate{60.0}, {}}, 1.0, 100);
+  const ManyFlings jittered({FixedRate{240.0}, Jitter{Jitter::Kind::normal, 0.002, 0}}, 1.0, 100);
+  std::set<std::uint64_t> seeds;
+  for (std::int64_t fling = 0; fling < 100; ++fling) {
+    EXPECT_TRUE(same_bits(steady.start(fling), jittered.start(fling)));
+    seeds.insert(jittered.clock(fling).jitter->seed);
+  }
+  EXPECT_EQ(seeds.size(), static_cast<std::size_t>(kJitterSeeds));
 }
 
 }  // namespace

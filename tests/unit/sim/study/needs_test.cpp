@@ -195,15 +195,42 @@ TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
 }
 
+TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
+  PartNeed none, noise, saving;
+  none.saved_ns_per_step = median_of({-1.0, 0.0, 1.0});
+  noise.saved_ns_per_step = median_of({-0.1, 1.0, 2.0});
+  saving.saved_ns_per_step = median_of({0.1, 1.0, 2.0});
+  EXPECT_FALSE(none.saves());
+  EXPECT_FALSE(noise.saves());
+  EXPECT_TRUE(saving.saves());
+  EXPECT_FALSE(PartNeed().saves()) << "not measured";
+}
+
+TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
+  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = [] {
+                         static std::int64_t now_ns = 0, tick_ns = 100'000;
+                         return now_ns += tick_ns += 1'000;
+                       }};
+  request.scenarios = {{"first", scenario_named("flings/first-fling")}};
+  for (const Study& study : studies()) {
+    if (study.name != "needs") continue;
+    const StudyResult result = study.run(request);
+    const auto& text = std::get<std::string>(result.verdict.text.back());
+    EXPECT_NE(text.find("Times of steps: not measured: clock unsteady"), text.npos) << text;
+    EXPECT_NE(text.find("of the exact motion: not measured: clock unsteady"), text.npos) << text;
+    EXPECT_TRUE(result.verdict.broken.empty()) << "costs break no rule";
+  }
+}
+
 TEST(NeedsStudy, WithoutAScenarioItIsRefused) { EXPECT_THROW(studied({}), RequestRefused); }
 
 SceneNeeds some_scene() {
   SceneNeeds scene;
   scene.scenario = "some-fling";
-  scene.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed, 0.0},
-                 {"drag", Part::drag, {false, 0.5, 0.5, 1, 1}, Need::below, 0.0},
-                 {"top", Part::top_wall, {}, Need::not_exercised, 0.0},
-                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed, 0.0}};
+  scene.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
+                 {"drag", Part::drag, {false, 0.5, 0.5, 1, 1}, Need::below},
+                 {"top", Part::top_wall, {}, Need::not_exercised},
+                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed}};
   return scene;
 }
 

@@ -60,8 +60,10 @@ TEST(RestBoundaries, DisagreeIfNotMeasuredOrElsewhere) {
 TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
   for (const RateEnds& ends : rest_map({24.0, 57.0, 58.0, 60.0, 89.0, 91.0, 143.0, 144.0, 500.0}, 30)) {
     EXPECT_EQ(ends.unforeseen, 0) << ends.rate_hz;
-    EXPECT_LE(ends.time_low_s, ends.time_median_s);
-    EXPECT_LE(ends.time_median_s, ends.time_high_s);
+    ASSERT_TRUE(ends.settles_s);
+    EXPECT_EQ(ends.settles_s->samples, 30);
+    EXPECT_LE(ends.settles_s->low, ends.settles_s->median);
+    EXPECT_LE(ends.settles_s->median, ends.settles_s->high);
   }
 }
 

@@ -19,13 +19,15 @@ SpeedError some_study() {
   const std::vector<MethodKind> methods = frame_methods();
   study.methods = {methods[0], methods[4]};
   for (std::size_t method = 0; method < 2; ++method)
-    for (const double rate_hz : {15.0, 60.0, 240.0}) {
+    for (const double rate_hz : {30.0, 60.0, 240.0}) {
       WorkPoint point{0, method, rate_hz, {}, {}};
       point.errors.position_px = method == 0 ? rate_hz : 1.0 / rate_hz;
-      point.cost = {10.0 * rate_hz, 9.0 * rate_hz, 12.0 * rate_hz};
+      point.cost = {{9.0 * rate_hz, 10.0 * rate_hz, 12.0 * rate_hz},
+                    {10.0 * rate_hz, 9.0 * rate_hz, 12.0 * rate_hz}};
       study.points.push_back(point);
     }
-  study.orders = {{0, 0, 3, -1.0}, {0, 1, 3, 1.0}};
+  study.orders = {{0, 0, 3, 30.0, 240.0, {.order = -1.0, .standard_error = 0.04}},
+                  {0, 1, 3, 30.0, 240.0, {.order = 1.0, .standard_error = 0.0}}};
   study.paper = {{.rate_hz = 60.0, .model_px = 9.8}, {.rate_hz = 240.0, .model_px = 42.0}};
   study.repetitions = 20;
   return study;
@@ -42,20 +44,20 @@ const Series& series_named(const Plot& plot, const std::string& name) {
 
 TEST(SpeedErrorFigure, ItsLegendHasOrdersAndItsSubtitleTheMachine) {
   const Figure figure = speed_error_figure(some_study(), 0, "some machine");
-  EXPECT_EQ(figure.legend[0].text, "the paper's step: order −1.00");
-  EXPECT_EQ(figure.legend[1].text, "velocity Verlet: order 1.00");
+  EXPECT_EQ(figure.legend[0].text, "the paper's step: order −1.00 ± 0.04");
+  EXPECT_EQ(figure.legend[1].text, "velocity Verlet: order 1.00 ± 0.00");
   EXPECT_TRUE(has(figure.subtitle, "20 repetitions on some machine"));
 }
 
-TEST(SpeedErrorFigure, DrawsErrorAgainstCostWithItsQuartilesAndAgainstDt) {
+TEST(SpeedErrorFigure, DrawsErrorAgainstCostOfSixtyRowsWithItsIntervalAndAgainstDt) {
   const std::vector<Plot> plots = plots_of(some_study());
   const Series& cost = series_named(plots[0], "velocity Verlet");
-  EXPECT_EQ(cost.x, (std::vector{150.0, 600.0, 2400.0}));
-  EXPECT_EQ(cost.y, (std::vector{1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0}));
-  EXPECT_EQ(cost.x_low, (std::vector{135.0, 540.0, 2160.0}));
-  EXPECT_EQ(cost.x_high, (std::vector{180.0, 720.0, 2880.0}));
+  EXPECT_EQ(cost.x, (std::vector{600.0, 2400.0}));
+  EXPECT_EQ(cost.y, (std::vector{1.0 / 60.0, 1.0 / 240.0}));
+  EXPECT_EQ(cost.x_low, (std::vector{540.0, 2160.0}));
+  EXPECT_EQ(cost.x_high, (std::vector{720.0, 2880.0}));
   const Series& dt = series_named(plots[1], "velocity Verlet");
-  EXPECT_EQ(dt.x, (std::vector{1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0}));
+  EXPECT_EQ(dt.x, (std::vector{1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0}));
   EXPECT_TRUE(dt.x_low.empty());
   ASSERT_EQ(plots[1].marks.size(), 1u);
   EXPECT_EQ(plots[1].marks[0].at, 1.0 / 60.0);
@@ -65,25 +67,63 @@ TEST(SpeedErrorFigure, DrawsErrorAgainstCostWithItsQuartilesAndAgainstDt) {
 TEST(SpeedErrorFigure, AFailureIsAGapInItsLine) {
   SpeedError study = some_study();
   study.points[1].errors.is_failed = true;
-  for (const Plot& plot : plots_of(study)) {
-    const Series& series = series_named(plot, "the paper's step");
-    EXPECT_FALSE(std::isnan(series.y[0]));
-    EXPECT_TRUE(std::isnan(series.y[1]));
-  }
+  const std::vector<Plot> plots = plots_of(study);
+  EXPECT_TRUE(std::isnan(series_named(plots[0], "the paper's step").y[0]));
+  EXPECT_FALSE(std::isnan(series_named(plots[1], "the paper's step").y[0]));
+  EXPECT_TRUE(std::isnan(series_named(plots[1], "the paper's step").y[1]));
+}
+
+TEST(SpeedErrorFigure, WithoutASteadyClockItHasNoCosts) {
+  SpeedError study = some_study();
+  study.probe.drift_rel = 0.4;
+  const std::vector<Plot> plots = plots_of(study);
+  EXPECT_TRUE(plots[0].series.empty());
+  EXPECT_EQ(plots[0].when_empty, "not measured: clock unsteady (drift 40 %, at most 25 %)");
+  EXPECT_EQ(plots[1].series.size(), 2u);
+}
+
+TEST(SpeedErrorFigure, TheTruthIsALimitAndNoCurve) {
+  SpeedError study = some_study();
+  study.methods.push_back(frame_methods().back());
+  study.points.push_back({0, 2, 60.0, {}, cost_of({700.0})});
+  const std::vector<Plot> plots = plots_of(study);
+  ASSERT_EQ(plots[0].marks.size(), 1u);
+  EXPECT_EQ(plots[0].marks[0].at, 700.0);
+  EXPECT_EQ(plots[0].marks[0].text, "the truth itself: event-driven");
+  EXPECT_EQ(plots[0].series.size(), 3u) << "two methods and the front";
+  EXPECT_EQ(plots[1].series.size(), 2u);
+}
+
+TEST(BandsFigure, HasALineForEachMethod) {
+  SpeedError study = some_study();
+  EXPECT_FALSE(bands_figure(study, 0));
+  study.bands = {{.method = 0, .rate_hz = 60.0, .position_px = {120, 40.0, 20.0, 60.0}, .nearer = {0, 120}},
+                 {.method = 1, .rate_hz = 60.0, .position_px = {120, 44.0, 21.0, 66.0}, .nearer = {49, 120}}};
+  const Plot plot = std::get<std::vector<Plot>>(bands_figure(study, 0)->body).front();
+  EXPECT_EQ(plot.y.categories, (std::vector<std::string>{"the paper's step", "velocity Verlet"}));
+  EXPECT_EQ(plot.series[0].x, (std::vector{40.0, 44.0}));
+  EXPECT_EQ(plot.series[0].x_low, (std::vector{20.0, 21.0}));
+  EXPECT_EQ(plot.series[0].x_high, (std::vector{60.0, 66.0}));
+  ASSERT_EQ(plot.texts.size(), 1u);
+  EXPECT_EQ(plot.texts[0].text, "ends nearer in 49 of 120");
+  EXPECT_EQ(
+      nearness_sentence(study.bands[1], study),
+      "At 60 Hz the velocity Verlet ends nearer to the exact place than the paper's step in 49 of 120 flings "
+      "(32 .. 50 %): it is farther.");
 }
 
 TEST(SpeedErrorFigure, RingsTheParetoFront) {
   SpeedError study = some_study();
   EXPECT_TRUE(series_named(plots_of(study)[0], "Pareto front").x.empty());
-  study.points[3].is_pareto = true;
-  EXPECT_EQ(series_named(plots_of(study)[0], "Pareto front").x, std::vector{150.0});
+  study.points[4].is_pareto = true;
+  EXPECT_EQ(series_named(plots_of(study)[0], "Pareto front").x, std::vector{600.0});
 }
 
 TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
   SpeedError study = some_study();
   EXPECT_TRUE(plots_of(study)[0].texts.empty());
-  study.points[3].errors.position_px = 0.0;
-  study.points[4].errors.position_px = 2e-15;
+  study.points[4].errors.position_px = 0.0;
+  study.points[5].errors.position_px = 2e-15;
   const std::vector<Plot> plots = plots_of(study);
   for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17);
   ASSERT_EQ(plots[0].texts.size(), 1u);
@@ -107,9 +147,9 @@ TEST(SpeedErrorFigure, NamesEveryStepperAtItsMostAccuratePoint) {
     for (const double tolerance : {1e-4, 1e-6}) {
       study.methods.push_back(
           {.name = name, .family = std::string("GSL ") + name, .accuracy = Adaptive{tolerance}});
-      WorkPoint point{0, study.methods.size() - 1, 15.0, {}, {}};
+      WorkPoint point{0, study.methods.size() - 1, 60.0, {}, {}};
       point.errors.position_px = tolerance;
-      point.cost.median_ns = 1.0 / tolerance;
+      point.cost = cost_of({1.0 / tolerance});
       study.points.push_back(point);
     }
   const std::vector<Plot> plots = plots_of(study);
@@ -142,14 +182,17 @@ StudyRequest quick_request() {
 
 TEST(SpeedErrorStudy, HasTablesFiguresAndAVerdictThatHolds) {
   const StudyResult result = the_study().run(quick_request());
-  ASSERT_EQ(result.tables.size(), 5u);
+  ASSERT_EQ(result.tables.size(), 7u);
   EXPECT_EQ(result.tables[0].name, "points");
-  EXPECT_EQ(row_count(result.tables[0]), 2u * 9u * 5u + 10u * 3u);
-  ASSERT_EQ(result.figures.size(), 2u);
-  EXPECT_EQ(result.figures[0].suffix, "");
-  EXPECT_EQ(result.figures[1].suffix, "-fling");
+  EXPECT_EQ(row_count(result.tables[0]), 2u * (8u * 5u + 1u) + 10u * 3u);
+  ASSERT_EQ(result.figures.size(), 3u);
+  EXPECT_EQ(result.figures[0].suffix, "") << "the whole fling";
+  EXPECT_NE(result.figures[0].title.find("until it settles"), std::string::npos);
+  EXPECT_EQ(result.figures[1].suffix, "-long-arc");
+  EXPECT_EQ(result.figures[2].suffix, "-fling-starts");
   EXPECT_EQ(result.verdict.broken, std::vector<std::string>{});
-  const Column& codes = result.summary[1].columns[3];
+  const Column& codes = *std::find_if(result.summary[1].columns.begin(), result.summary[1].columns.end(),
+                                      [](const Column& column) { return column.name == "analytic_order"; });
   EXPECT_EQ(codes.name, "analytic_order");
   const auto& values = std::get<std::vector<std::int64_t>>(codes.values);
   EXPECT_EQ((std::vector(values.begin(), values.begin() + 6)), (std::vector<std::int64_t>{0, 0, 1, 1, 2, 4}));

@@ -1,0 +1,96 @@
+#include "sim/study/speed_error/method_bands.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/scenario/split_mix64.h"
+#include "sim/study/methods/method_errors.h"
+
+namespace hyrax {
+namespace {
+
+// Numbers of -1 .. 1, one after the other.
+class Offsets {
+ public:
+  explicit Offsets(std::uint64_t seed) : seed_(seed) {}
+  double next() { return 2.0 * split_mix64_unit(seed_, draws_++) - 1.0; }
+
+ private:
+  std::uint64_t seed_;
+  std::uint64_t draws_ = 0;
+};
+
+Problem moved(Problem problem, std::uint64_t number, Offsets& offsets) {
+  State& start = problem.start;
+  const Bounds& bounds = problem.stages.front().bounds;
+  start.x_px = std::clamp(start.x_px + kBandStart_px * offsets.next(), 0.0, bounds.right_px);
+  start.y_px = std::clamp(start.y_px + kBandStart_px * offsets.next(), 0.0, bounds.bottom_px);
+  start.vx_px_per_s *= 1.0 + kBandSpeed_rel * offsets.next();
+  start.vy_px_per_s *= 1.0 + kBandSpeed_rel * offsets.next();
+  if (problem.jitter) problem.jitter->seed += number;
+  return problem;
+}
+
+std::vector<MethodErrors> errors_of(const std::vector<Problem>& problems, const MethodKind& method,
+                                    double rate_hz) {
+  std::vector<MethodErrors> errors;
+  errors.reserve(problems.size());
+  for (const Problem& problem : problems)
+    errors.push_back(measure_errors(problem, method, stage_frames_s(problem, rate_hz), rate_hz));
+  return errors;
+}
+
+// Nothing if the method, or the paper's step, failed in every fling.
+std::optional<MethodBands> bands_of(const std::vector<MethodErrors>& errors,
+                                    const std::vector<MethodErrors>& paper) {
+  MethodBands bands;
+  std::vector<double> positions_px, ends_px;
+  for (std::size_t fling = 0; fling < errors.size(); ++fling) {
+    if (errors[fling].is_failed || paper[fling].is_failed) continue;
+    positions_px.push_back(errors[fling].position_px);
+    ends_px.push_back(errors[fling].end_px);
+    bands.nearer.add(errors[fling].end_px < paper[fling].end_px);
+    bands.other_contacts.add(errors[fling].has_other_contacts);
+    if (!(errors[fling].position_px <= rounding_px(errors[fling]))) ++bands.beyond_rounding;
+  }
+  if (positions_px.empty()) return std::nullopt;
+  bands.position_px = *band_of(positions_px);
+  bands.end_px = *band_of(ends_px);
+  return bands;
+}
+
+}  // namespace
+
+std::vector<Problem> problems_like(const Problem& problem, std::int64_t count, std::uint64_t seed) {
+  std::vector<Problem> problems{problem};
+  Offsets offsets(seed);
+  while (std::ssize(problems) < count) problems.push_back(moved(problem, problems.size(), offsets));
+  return problems;
+}
+
+std::vector<MethodBands> method_bands(const Problem& problem, const std::vector<MethodKind>& methods,
+                                      const std::vector<double>& rates_hz) {
+  std::vector<MethodBands> all;
+  const std::vector<Problem> flings = problems_like(problem, kBandFlings, kBandSeed);
+  for (const double rate_hz : rates_hz) {
+    const std::vector<MethodErrors> paper = errors_of(flings, methods.front(), rate_hz);
+    for (std::size_t method = 0; method < methods.size(); ++method) {
+      const MethodKind& kind = methods[method];
+      if (!kind.meets_walls || kind.is_adaptive() || kind.is_truth()) continue;
+      std::optional<MethodBands> bands =
+          bands_of(method == 0 ? paper : errors_of(flings, kind, rate_hz), paper);
+      if (!bands) continue;
+      bands->method = method;
+      bands->rate_hz = rate_hz;
+      all.push_back(*bands);
+    }
+  }
+  return all;
+}
+
+std::string nearness_text(const Share& nearer) {
+  if (nearer.low() > 0.5) return "nearer";
+  return nearer.high() < 0.5 ? "farther" : "neither nearer nor farther";
+}
+
+}  // namespace hyrax
