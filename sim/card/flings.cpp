@@ -161,7 +161,7 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
   lines.random.distance_px = band_of(distances_px);
   lines.random.distances_px = sorted(std::move(distances_px));
   const auto bands = [&](const auto samples) {
-    return BeforeAfter{band_of(before.*samples), band_of(after.*samples)};
+    return BeforeAfter<std::optional<Band>>{band_of(before.*samples), band_of(after.*samples)};
   };
   lines.energy = {bands(&FlingSamples::drift_px2_per_s2), bands(&FlingSamples::lift_px2_per_s2),
                   bands(&FlingSamples::bounce_px2_per_s2), bands(&FlingSamples::friction_px2_per_s2)};

@@ -55,8 +55,8 @@ struct TiltedCores {
   [[nodiscard]] bool is_listing() const { return kIsListing; }
 };
 
-struct Played {
-  Played(const Scenario& scenario, const Kernel& kernel) {
+struct PlayedSlide {
+  PlayedSlide(const Scenario& scenario, const Kernel& kernel) {
     CountingPhysics::subnormal_updates = 0;
     summary = text_of(replay(scenario, trace, {.checks_bounds = true, .kernel = &kernel}));
     subnormal_updates = CountingPhysics::subnormal_updates;
@@ -66,7 +66,7 @@ struct Played {
   std::int64_t subnormal_updates = 0;
 };
 
-testing::AssertionResult same_played(const Played& a, const Played& b) {
+testing::AssertionResult same_played(const PlayedSlide& a, const PlayedSlide& b) {
   if (a.summary != b.summary) return testing::AssertionFailure() << a.summary << "\nis not\n" << b.summary;
   return same_trace(a.trace, b.trace);
 }
@@ -99,9 +99,9 @@ TEST(StuckSpeed, EdgeCasesHaveTheBitsOfEveryStep) {
   const KernelOf<SkippingCores> skipping;
   std::int64_t skipped = 0;
   for (const Scenario& scenario : edge_cases()) {
-    const Played slow(scenario, every_step), fast(scenario, skipping);
+    const PlayedSlide slow(scenario, every_step), fast(scenario, skipping);
     EXPECT_TRUE(same_played(fast, slow)) << scenario.start_velocity.vx_px_per_s << " " << scenario.start.x_px;
-    EXPECT_TRUE(same_played(Played(scenario, core_kernel()), slow));
+    EXPECT_TRUE(same_played(PlayedSlide(scenario, core_kernel()), slow));
     skipped += slow.subnormal_updates > 0 && fast.subnormal_updates == 0 ? 1 : 0;
   }
   EXPECT_GT(skipped, 50);
@@ -115,9 +115,9 @@ TEST(StuckSpeed, IsLeftOutOnceARunHasIt) {
     scenario.events = {at(12'000, Resize{Size{1000, 700}, {}}), at(14'000, Grab{}),
                        at(14'100, Release{{0.0, -300.0}}), at(14'500, Fling{{-3.0, -500.0}}),
                        at(20'000, Hitch{1e9})};
-    const Played slow(scenario, KernelOf<EveryStepCores>()), fast(scenario, KernelOf<SkippingCores>());
+    const PlayedSlide slow(scenario, KernelOf<EveryStepCores>()), fast(scenario, KernelOf<SkippingCores>());
     EXPECT_TRUE(same_played(fast, slow));
-    EXPECT_TRUE(same_played(Played(scenario, core_kernel()), slow));
+    EXPECT_TRUE(same_played(PlayedSlide(scenario, core_kernel()), slow));
     EXPECT_GT(slow.subnormal_updates, 15'000);
     EXPECT_LT(fast.subnormal_updates, 10'000);
   }
@@ -128,9 +128,9 @@ TEST(StuckSpeed, IsComputedForACoreThatIsNotTheListing) {
   Scenario scenario = jittered(60.0, 40, {Jitter::Kind::uniform, 0.2, 1});
   scenario.start = {700.0, 952.0};
   scenario.start_velocity = {2.0 * kUnit, 0.0};
-  const Played computed(scenario, KernelOf<TiltedCores<false>>());
-  EXPECT_FALSE(same_played(Played(scenario, KernelOf<TiltedCores<true>>()), computed));
-  EXPECT_FALSE(same_played(Played(scenario, KernelOf<EveryStepCores>()), computed));
+  const PlayedSlide computed(scenario, KernelOf<TiltedCores<false>>());
+  EXPECT_FALSE(same_played(PlayedSlide(scenario, KernelOf<TiltedCores<true>>()), computed));
+  EXPECT_FALSE(same_played(PlayedSlide(scenario, KernelOf<EveryStepCores>()), computed));
 }
 
 bool is_stuck(double vx_px_per_s, double x_px, std::vector<double> dt_s, const Constants& constants) {
