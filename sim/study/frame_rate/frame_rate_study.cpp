@@ -170,8 +170,8 @@ Verdict verdict_of(const FrameRateStudy& study) {
            "settles at 60 Hz, median (10 .. 90 %)",
            study.steadier_by_time[0].of - 1, kFlingSeed, kJitterSeed, kJitterSeed + kJitterSeeds - 1),
        shown_shifts(study),
-       "Spread of the places where a fling settles over the displays; frame-rate independence, 100 (1 - mean "
-       "spread / mean horizontal path):",
+       std::string("Spread of the places where a fling settles over the displays; frame-rate independence, "
+                   "100 (1 - mean spread / mean horizontal path):"),
        shown_scores(study.scores)},
       {}};
   for (std::size_t clock = 0; clock < kClocks; ++clock)

@@ -116,7 +116,7 @@ Verdict verdict_of(const std::vector<Claim>& claims) {
                   counts[0], counts[1], counts[2]);
   if (counts[3] > 0) sentence += fmt::format(", {} could not be measured", counts[3]);
   const auto number = [](const Claim& claim) {
-    const std::string text = number_text(claim, claim.is_exact);
+    std::string text = number_text(claim, claim.is_exact);
     if (!claim.range) return text;
     return fmt::format("{} ({:.4g} .. {:.4g})", text, claim.range->front(), claim.range->back());
   };

@@ -89,7 +89,7 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
 // The cheapest, and how many others the noise hides behind it.
 std::string cheapest_name(const SpeedError& study, const CheapestBelow& answer) {
   if (!answer.point) return "no method at any rate";
-  const std::string name = point_text(study, *answer.point);
+  std::string name = point_text(study, *answer.point);
   if (answer.as_cheap.empty()) return name;
   return name + " or " +
          (answer.as_cheap.size() == 1 ? point_text(study, answer.as_cheap.front())
