@@ -20,7 +20,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
 # core compiles two sources and needs no library but the compiler's own.
 set(hyrax_rooms physics replay compare expectations explain reference reference_gsl search study ensemble trajectory
-                scenario store golden judged_run report child_process page_record no_page files fmt)
+                scenario store golden judged_run report child_process page_record pages no_page files fmt)
 list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:hyrax_\\1>")
 set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
 add_custom_command(
@@ -39,6 +39,7 @@ foreach(
   source IN
   ITEMS motion/state.h motion/step.h
         replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h replay/row_walls.h
+        replay/stuck_speed.h
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
         trajectory/state_hash.h)
