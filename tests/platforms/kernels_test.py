@@ -1,0 +1,45 @@
+#!/usr/bin/python3
+"""The kernels of sweeps on other processors' vectors: their unit test, cross-compiled and run by an emulator."""
+
+import os
+import pathlib
+import tempfile
+import unittest
+
+from process import run, skip_without, succeed
+from rows import PROJECT
+
+GOOGLETEST = pathlib.Path("/usr/src/googletest/googletest")  # libgtest-dev has a library for this machine only.
+PROCESSORS = os.environ["HYRAX_PROCESSORS"].split(",")
+LIBRARIES = ("ensemble", "replay", "core", "physics", "trajectory", "scenario")
+
+
+def emulator_of(triple):
+    """For example qemu-ppc64le."""
+    return "qemu-" + triple.split("-")[0].replace("powerpc64", "ppc64")
+
+
+class Kernels(unittest.TestCase):
+    """sim/ensemble/kernels.cpp against physics::update of the same processor."""
+
+    def test_have_the_bits_of_update(self):
+        for triple in PROCESSORS:
+            with self.subTest(triple), tempfile.TemporaryDirectory(prefix="hyrax-kernels-") as name:
+                folder = pathlib.Path(name)
+                succeed("cmake", "--log-level=WARNING", "-S", PROJECT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                        f"-DCMAKE_TOOLCHAIN_FILE={PROJECT}/tools/cmake/cross.cmake", f"-DHYRAX_TRIPLE={triple}",
+                        "-DHYRAX_SIM=OFF", "-DHYRAX_ENSEMBLE=ON")
+                succeed("ninja", "-C", folder, "hyrax_ensemble", "hyrax_replay", timeout=600)
+                tests = PROJECT / "tests/unit/sim/ensemble/kernels_test.cpp"
+                succeed(f"{triple}-g++", "-static", "-std=c++20", "-O1", "-w", "-ffp-contract=off", f"-I{PROJECT}",
+                        f"-isystem{GOOGLETEST}/include", f"-isystem{GOOGLETEST}", tests, GOOGLETEST / "src/gtest-all.cc",
+                        GOOGLETEST / "src/gtest_main.cc", *(f"{folder}/sim/libhyrax_{each}.a" for each in LIBRARIES),
+                        "-o", folder / "kernels_test", timeout=600)
+                outcome = run(emulator_of(triple), folder / "kernels_test", timeout=600)
+                self.assertEqual(outcome.exit_code, 0, outcome)
+                self.assertIn("[  PASSED  ]", outcome.out)
+
+
+if __name__ == "__main__":
+    skip_without(*(f"{triple}-g++" for triple in PROCESSORS), *map(emulator_of, PROCESSORS))
+    unittest.main()
