@@ -40,9 +40,10 @@ std::vector<std::size_t> shuffled(std::size_t works, std::uint64_t seed, int rou
   return order;
 }
 
-// Each round's value of two works.
+// Each round's value of two works; none where one is not measured.
 template <class Function>
 std::vector<double> by_round(const Cost& a, const Cost& b, const Function& function) {
+  if (!a.is_measured() || !b.is_measured()) return {};
   assert(a.rounds_ns.size() == b.rounds_ns.size());
   std::vector<double> values;
   std::transform(a.rounds_ns.begin(), a.rounds_ns.end(), b.rounds_ns.begin(), std::back_inserter(values),

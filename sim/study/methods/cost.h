@@ -26,7 +26,7 @@ struct Cost {
 /// (work - part of it) / divisor, round by round. REQUIRES: of one measurement.
 [[nodiscard]] Cost difference_of(const Cost& work, const Cost& part, double divisor = 1.0);
 
-/// a / b, round by round; NaN where they are not measured. REQUIRES: of one measurement.
+/// a / b, round by round; NaN where one is not measured. REQUIRES: of one measurement.
 [[nodiscard]] MedianEstimate ratio_of(const Cost& a, const Cost& b);
 
 /// Whether a is cheaper than b beyond the noise: the 95 % interval of ratio_of is below 1. Never of costs

@@ -94,6 +94,7 @@ TEST(IsCheaper, OnlyBeyondTheNoise) {
   EXPECT_LT(noisy.time_ns.median, steady.time_ns.median);
   EXPECT_FALSE(is_cheaper(noisy, steady));
   EXPECT_FALSE(is_cheaper(Cost(), steady));
+  EXPECT_FALSE(is_cheaper(steady, Cost()));
 }
 
 // A machine that slows down from round to round changes neither a ratio nor a part that is taken off.
