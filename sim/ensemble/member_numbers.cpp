@@ -114,6 +114,7 @@ Figure map_figure(const MemberNumbers& across, const MemberNumbers& up, const Me
     if (std::isfinite(result.sample()[at]))
       fields[{across.sample()[at], up.sample()[at]}].push_back(result.sample()[at]);
   std::vector<double> medians;
+  medians.reserve(fields.size());
   for (const auto& [place, values] : fields) medians.push_back(quantile(values, 0.5));
   Plot plot{
       .x = {.label = across.label()}, .y = {.label = up.label()}, .when_empty = "no member has this number"};
