@@ -130,6 +130,12 @@ class Guarded(ProgramTest):
         os.symlink("../sub/far.h5", self.folder / "golden/far.h5")
         self.assert_refused("run", "scenarios/fling.json", "-o", "golden/far.h5", says="golden")
 
+    def test_a_large_result_of_before_is_not_read(self):
+        path = self.write("fling.json", fling())
+        with open(self.folder / "out.h5", "wb") as file:
+            file.truncate(200_000_000)
+        self.assertLess(self.peak_bytes(AGREED, "run", path, "-o", "out.h5"), 180_000_000)
+
     def test_what_is_none_of_these_is_written(self):
         self.write("golden-old/note.txt", "")
         self.write("report.xml", "<old/>")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include <sys/stat.h>
@@ -23,12 +24,17 @@ std::optional<std::pair<std::uintmax_t, std::uintmax_t>> identity_of(const std::
   return std::pair<std::uintmax_t, std::uintmax_t>{status.st_dev, status.st_ino};
 }
 
+// A large result of before is not read to see that it is none.
+bool begins_as_json(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  char first = 0;
+  return file >> first && first == '{';
+}
+
 bool holds_scenario(const std::string& path) {
-  if (!is_regular_file(path)) return false;
+  if (!is_regular_file(path) || !begins_as_json(path)) return false;
   try {
-    const std::string text = read_text_file(path);
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string::npos && text[begin] == '{' && text.find("\"hyrax-scenario/") != text.npos;
+    return read_text_file(path).find("\"hyrax-scenario/") != std::string::npos;
   } catch (const Failure&) {
     return false;  // Too large for a scenario, or unreadable.
   }
