@@ -13,8 +13,22 @@ constexpr Tone kBefore = Tone::quiet;
 constexpr Tone kAfter = Tone::vermilion;
 constexpr double kHeight_px2_per_s2 = 1200.0;  // Energy of 1 px of height by the paper's gravity.
 
+// How each core is drawn, and its part of a line.
+struct DrawnCore {
+  const char* name;
+  std::optional<Band> BeforeAfter<std::optional<Band>>::*band;
+  Tone tone;
+  Tone fill;
+  double shift;  // Of its row among categories.
+};
+constexpr DrawnCore kCores[] = {
+    {"base", &BeforeAfter<std::optional<Band>>::before, kBefore, Tone::shade, -0.12},
+    {"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter, Tone::bad, 0.12}};
+
 std::vector<LegendEntry> both_cores(Form form) {
-  return {{"base", {.form = form, .tone = kBefore}}, {"candidate", {.form = form, .tone = kAfter}}};
+  std::vector<LegendEntry> legend;
+  for (const DrawnCore& core : kCores) legend.push_back({core.name, {.form = form, .tone = core.tone}});
+  return legend;
 }
 
 Table scenario_table(const std::vector<ScenarioChange>& changed) {
@@ -112,15 +126,13 @@ Figure display_figure(const DisplayLine& line) {
 Figure exact_figure(const std::vector<ExactLine>& lines) {
   Plot plot{.x = {.label = "time since the throw, s"},
             .y = {.label = "distance from the exact motion, px", .low = 0.0}};
-  for (const auto& [name, core, tone] :
-       {std::tuple{"base", &BeforeAfter<std::optional<Band>>::before, kBefore},
-        std::tuple{"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter}}) {
-    Series middle{.name = std::string(name) + ", eight of ten flings",
-                  .look = {.form = Form::band, .tone = tone == kBefore ? Tone::shade : Tone::bad}};
-    Series median{.name = std::string(name) + ", median",
-                  .look = {.form = Form::line_and_points, .tone = tone}};
+  for (const DrawnCore& core : kCores) {
+    Series middle{.name = std::string(core.name) + ", eight of ten flings",
+                  .look = {.form = Form::band, .tone = core.fill}};
+    Series median{.name = std::string(core.name) + ", median",
+                  .look = {.form = Form::line_and_points, .tone = core.tone}};
     for (const ExactLine& line : lines) {
-      const std::optional<Band>& band = line.distance_px.*core;
+      const std::optional<Band>& band = line.distance_px.*core.band;
       if (!band) continue;
       for (Series* const series : {&middle, &median}) series->x.push_back(line.t_s);
       middle.y_low.push_back(band->low);
@@ -144,15 +156,13 @@ Figure energy_figure(const EnergyLine& energy) {
             .marks = {{.at = 0.0, .tone = Tone::hairline}}};
   const std::array causes = {&energy.drift_px2_per_s2, &energy.lift_px2_per_s2, &energy.bounce_px2_per_s2,
                              &energy.friction_px2_per_s2};
-  for (const auto& [name, core, tone, shift] :
-       {std::tuple{"base", &BeforeAfter<std::optional<Band>>::before, kBefore, -0.12},
-        std::tuple{"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter, 0.12}}) {
-    Series series{.name = name, .look = {.form = Form::points, .tone = tone, .marker_size = 0.9}};
+  for (const DrawnCore& core : kCores) {
+    Series series{.name = core.name, .look = {.form = Form::points, .tone = core.tone, .marker_size = 0.9}};
     for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-      const std::optional<Band>& band = causes[cause]->*core;
+      const std::optional<Band>& band = causes[cause]->*core.band;
       if (!band) continue;
       series.x.push_back(band->median / kHeight_px2_per_s2);
-      series.y.push_back(static_cast<double>(cause) + shift);
+      series.y.push_back(static_cast<double>(cause) + core.shift);
       series.x_low.push_back(band->low / kHeight_px2_per_s2);
       series.x_high.push_back(band->high / kHeight_px2_per_s2);
     }

@@ -10,7 +10,6 @@
 #include "sim/reference/arc_solution.h"
 #include "sim/replay/core_constants.h"
 #include "sim/result/interval.h"
-#include "sim/study/methods/cost.h"
 #include "sim/study/methods/exact_fling.h"
 #include "sim/study/paper/claim_probe.h"
 
@@ -273,12 +272,9 @@ Claim missed_collisions(const ClaimStarts& starts) {
     claim.remark = "exact motion has a number of impacts if restitution is below 1 and there is a rest rule";
     return claim;
   }
-  const auto part = [](const Share& share) {
-    return share.of == 0 ? 0.0 : static_cast<double>(share.count) / static_cast<double>(share.of);
-  };
   const Share missed = missed_impacts(*model, starts, kLongFrame_s),
               at_60_hz = missed_impacts(*model, starts, kSixtieth_s);
-  claim.number = part(missed);
+  claim.number = missed.of == 0 ? 0.0 : missed.part();
   claim.range = {missed.low(), missed.high()};
   claim.verdict = missed.of == 0 || at_60_hz.of == 0 ? ClaimVerdict::not_measured
                                                      : holds_if(missed.low() > at_60_hz.high());
