@@ -13,13 +13,6 @@
 namespace hyrax {
 namespace {
 
-bool same_bits(const Constants& a, const Constants& b) {
-  return hyrax::same_bits(a.gravity_px_per_s2, b.gravity_px_per_s2) &&
-         hyrax::same_bits(a.restitution, b.restitution) && hyrax::same_bits(a.air_drag, b.air_drag) &&
-         hyrax::same_bits(a.ground_friction, b.ground_friction) &&
-         hyrax::same_bits(a.rest_threshold_px_per_s, b.rest_threshold_px_per_s);
-}
-
 // In order of their ranks.
 std::vector<Candidate> candidates_for(const Constants& golden, const Constants& program) {
   std::vector<Candidate> candidates = constant_candidates(golden, program);

@@ -92,6 +92,12 @@ struct Constants {
   double rest_threshold_px_per_s = 0.0;  ///< Below it a ground contact sets vy to 0.
 };
 
+[[nodiscard]] inline bool same_bits(const Constants& a, const Constants& b) {
+  return same_bits(a.gravity_px_per_s2, b.gravity_px_per_s2) && same_bits(a.restitution, b.restitution) &&
+         same_bits(a.air_drag, b.air_drag) && same_bits(a.ground_friction, b.ground_friction) &&
+         same_bits(a.rest_threshold_px_per_s, b.rest_threshold_px_per_s);
+}
+
 /// Bits of a row's contact byte; in flight it is 0.
 enum class Wall : std::uint8_t { left = 1, right = 2, top = 4, ground = 8 };
 

@@ -29,18 +29,6 @@ function(hyrax_room target)
   endif()
 endfunction()
 
-# hyrax_units_of_folders(TARGET): where several sources are compiled at a time, those of one folder are.
-function(hyrax_units_of_folders target)
-  get_target_property(sources ${target} SOURCES)
-  list(FILTER sources INCLUDE REGEX "\\.cpp$")
-  foreach(source IN LISTS sources)
-    cmake_path(GET source PARENT_PATH folder)
-    cmake_path(GET folder FILENAME folder)
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
-  endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-endfunction()
-
 # Headers of the standard library that most source files include.
 set(hyrax_standard_headers
     <algorithm>

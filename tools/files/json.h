@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,6 +59,12 @@ class Json {
 
 /// The deepest nesting that is read.
 inline constexpr int kJsonNestingMax = 100;
+
+/// The value; null if there is none.
+template <class Value>
+[[nodiscard]] Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
 
 /// Parses a document.
 /// ERRORS: Failure(bad_input) "SOURCE: line L, column C: ..." for anything that is not one JSON

@@ -6,21 +6,11 @@
 #include <unordered_set>
 
 #include "tools/files/json_pointer.h"
+#include "tools/files/printable.h"
 #include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
-
-constexpr std::size_t kShownMax = 60;
-
-// The value as printed in a message.
-std::string shown(const Json& json) {
-  std::string text = to_text(json);
-  if (text.size() <= kShownMax) return text;
-  text.resize(kShownMax);
-  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80u) != 0) text.pop_back();
-  return text + "...";
-}
 
 std::string sentence_of(const NumberRule& rule) {
   const bool has_low = std::isfinite(rule.low);
@@ -41,7 +31,7 @@ void JsonPlace::wrong(const std::string& sentence) const {
 
 void JsonPlace::breaks_rule(const std::string& rule) const {
   assert(is_there());
-  wrong(rule + " (found " + shown(*json_) + ")");
+  wrong(rule + " (found " + shortened(to_text(*json_)) + ")");
 }
 
 bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const {

@@ -52,6 +52,14 @@ std::string printable(std::string_view text) { return escaped(text, ""); }
 
 std::string printable_lines(std::string_view text) { return escaped(text, "\n\t"); }
 
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kBytesMax = 60;
+  if (text.size() <= kBytesMax) return std::string(text);
+  std::size_t size = kBytesMax;
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
+  return std::string(text.substr(0, size)) + "...";
+}
+
 void print_text(std::string_view text) { std::fputs(printable_lines(text).c_str(), stdout); }
 
 bool is_all_printed() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }

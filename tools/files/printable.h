@@ -25,6 +25,9 @@ struct Utf8Character {
 /// The same, with line ends and tabs kept. JSON text keeps its meaning.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
+/// The text, or its first 60 bytes, cut where a character of UTF-8 begins, and "...": for a message.
+[[nodiscard]] std::string shortened(std::string_view text);
+
 /// Prints text on standard output, control characters escaped. A failure is not reported: the command
 /// completes, and main asks is_all_printed at the end.
 void print_text(std::string_view text);

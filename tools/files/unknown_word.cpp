@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "tools/files/printable.h"
+
 namespace hyrax {
 namespace {
 
-constexpr std::size_t kShownMax = 60;
 constexpr std::size_t kSuggestedMax = 40;  // Longer words get no suggestion: the time is quadratic.
 
 char lower(char letter) {
@@ -46,19 +47,11 @@ std::string_view suggestion(std::string_view found, const std::vector<std::strin
   return nearest;
 }
 
-// Cut where a character of UTF-8 begins.
-std::string shown(std::string_view text) {
-  if (text.size() <= kShownMax) return std::string(text);
-  std::size_t size = kShownMax;
-  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
-  return std::string(text.substr(0, size)) + "...";
-}
-
 }  // namespace
 
 std::string unknown_word(std::string_view kind, std::string_view found,
                          const std::vector<std::string_view>& allowed) {
-  std::string sentence = "unknown " + std::string(kind) + " (found " + shown(found) + "); allowed: ";
+  std::string sentence = "unknown " + std::string(kind) + " (found " + shortened(found) + "); allowed: ";
   for (std::size_t word = 0; word < allowed.size(); ++word)
     sentence.append(word == 0 ? "" : ", ").append(allowed[word]);
   if (allowed.empty()) sentence += "none";

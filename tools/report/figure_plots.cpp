@@ -23,13 +23,13 @@ constexpr double kHeightOfSeveral = 422;
 constexpr double kCategory = 26;
 constexpr int kTicsMax = 9;
 
-struct Box {
+struct PlotBox {
   double left = 0.0;
   double right = 0.0;
   double bottom = 0.0;
 };
 
-struct Range {
+struct AxisRange {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
   void include(double value) {
@@ -47,8 +47,8 @@ double drawn(const Axis& axis, double value) {
 
 // All values of one axis: its own and those of columns that spread along it.
 template <class Values>
-Range range_of(const Axis& axis, const Plot& plot, const Values& values) {
-  Range range;
+AxisRange range_of(const Axis& axis, const Plot& plot, const Values& values) {
+  AxisRange range;
   for (const Series& series : plot.series)
     for (const std::vector<double>* const column : values(series))
       for (const double value : *column)
@@ -57,9 +57,9 @@ Range range_of(const Axis& axis, const Plot& plot, const Values& values) {
 }
 
 // The axis's ends, where they are not given: those of the data and some space.
-Range ends_of(const Axis& axis, Range range) {
+AxisRange ends_of(const Axis& axis, AxisRange range) {
   if (!axis.categories.empty()) return {-0.5, static_cast<double>(axis.categories.size()) - 0.5};
-  if (range.is_empty()) range = axis.is_logarithmic ? Range{1.0, 10.0} : Range{0.0, 1.0};
+  if (range.is_empty()) range = axis.is_logarithmic ? AxisRange{1.0, 10.0} : AxisRange{0.0, 1.0};
   const double space = 0.05 * (range.high - range.low) + (range.high > range.low ? 0.0 : 0.5);
   if (std::isnan(axis.low))
     range.low = axis.is_logarithmic ? range.low / 1.6 : range.low - space;
@@ -73,7 +73,7 @@ Range ends_of(const Axis& axis, Range range) {
 }
 
 // Ticks at powers of ten, above the line of zeros if there is one.
-std::string powers_of_ten(const Axis& axis, const Range& ends) {
+std::string powers_of_ten(const Axis& axis, const AxisRange& ends) {
   const int low = static_cast<int>(std::ceil(std::log10(ends.low) - 1e-9));
   const int high = static_cast<int>(std::floor(std::log10(ends.high) + 1e-9));
   const int every = 1 + std::max(0, high - low - 1) / kTicsMax;
@@ -84,7 +84,7 @@ std::string powers_of_ten(const Axis& axis, const Range& ends) {
   return tics;
 }
 
-std::string tics_of(const Axis& axis, const Range& ends) {
+std::string tics_of(const Axis& axis, const AxisRange& ends) {
   std::string tics;
   for (const Tick& tick : axis.ticks)
     tics += fmt::format("{}{} {:.8g}", tics.empty() ? "" : ", ", in_quotes(tick.text), tick.at);
@@ -94,7 +94,7 @@ std::string tics_of(const Axis& axis, const Range& ends) {
   return tics;
 }
 
-std::string axis_script(char name, const Axis& axis, const Range& ends) {
+std::string axis_script(char name, const Axis& axis, const AxisRange& ends) {
   const bool is_downwards = axis.is_reversed || (name == 'y' && !axis.categories.empty());
   std::string script = axis.is_logarithmic ? fmt::format("set logscale {}\n", name) : std::string();
   script += fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, is_downwards ? ends.high : ends.low,
@@ -110,10 +110,10 @@ std::string axis_script(char name, const Axis& axis, const Range& ends) {
 }
 
 // Widens one of the axes, to both sides.
-void make_scales_equal(Range& x, Range& y, const Box& box) {
+void make_scales_equal(AxisRange& x, AxisRange& y, const PlotBox& box) {
   const double x_per_px = (x.high - x.low) / (box.right - box.left);
   const double y_per_px = (y.high - y.low) / (box.bottom - kBodyTop);
-  Range& widened = x_per_px < y_per_px ? x : y;
+  AxisRange& widened = x_per_px < y_per_px ? x : y;
   const double factor = std::max(x_per_px, y_per_px) / std::min(x_per_px, y_per_px);
   const double space = 0.5 * (factor - 1.0) * (widened.high - widened.low);
   widened.low -= space;
@@ -123,7 +123,7 @@ void make_scales_equal(Range& x, Range& y, const Box& box) {
 // One plot in its box, between the commands of the head and of the legend.
 class PlotScript {
  public:
-  PlotScript(const Plot& plot, const Canvas& canvas, const Box& box, std::size_t number)
+  PlotScript(const Plot& plot, const Canvas& canvas, const PlotBox& box, std::size_t number)
       : plot_(plot), canvas_(canvas), box_(box), number_(number) {
     x_ends_ = ends_of(plot.x, range_of(plot.x, plot, [](const Series& series) {
                         return std::array{&series.x, &series.x_low, &series.x_high};
@@ -223,7 +223,7 @@ class PlotScript {
   }
 
   // The part of its axis at which a value is, 0 at the low end.
-  [[nodiscard]] static double part_of(double value, const Axis& axis, const Range& ends) {
+  [[nodiscard]] static double part_of(double value, const Axis& axis, const AxisRange& ends) {
     const double shown = std::clamp(drawn(axis, value), ends.low, ends.high);
     const double part = axis.is_logarithmic ? std::log(shown / ends.low) / std::log(ends.high / ends.low)
                                             : (shown - ends.low) / (ends.high - ends.low);
@@ -310,9 +310,9 @@ class PlotScript {
 
   const Plot& plot_;
   const Canvas& canvas_;
-  Box box_;
+  PlotBox box_;
   std::size_t number_;
-  Range x_ends_, y_ends_;
+  AxisRange x_ends_, y_ends_;
 };
 
 double left_of(const Plot& plot) {

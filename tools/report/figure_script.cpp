@@ -15,20 +15,20 @@ constexpr double kLegendLine = 24;  // All in px of the SVG.
 constexpr double kRemarkLine = 22;
 constexpr double kAboveRemarks = 8;
 constexpr double kSign = 32;  // From a sign of the legend to its text.
-constexpr double kGap = 18;
+constexpr double kEntryGap = 18;
 constexpr double kFootHeight = 26;
 
 // Where each entry of the legend is: in one row if there is room, else in columns.
-struct Legend {
+struct LegendPlaces {
   std::vector<std::pair<double, double>> places;  // x from the canvas's left edge, y from the legend's top.
   double height = 0.0;
 };
 
-Legend place_legend(const std::vector<LegendEntry>& entries, double width) {
-  Legend legend;
+LegendPlaces place_legend(const std::vector<LegendEntry>& entries, double width) {
+  LegendPlaces legend;
   std::vector<double> widths;
   for (const LegendEntry& entry : entries)
-    widths.push_back(kSign + kLetter_px * static_cast<double>(letters_of(entry.text)) + kGap);
+    widths.push_back(kSign + kLetter_px * static_cast<double>(letters_of(entry.text)) + kEntryGap);
   const double room = width - style::kMargin;
   const bool is_row = std::accumulate(widths.begin(), widths.end(), 0.0) <= room;
   const double widest = entries.empty() ? room : *std::max_element(widths.begin(), widths.end());
@@ -99,7 +99,7 @@ std::size_t letters_of(std::string_view text) {
 
 std::string figure_script(const Figure& figure) {
   const Canvas body = std::visit([](const auto& each) { return body_size(each); }, figure.body);
-  const Legend legend = place_legend(figure.legend, body.width);
+  const LegendPlaces legend = place_legend(figure.legend, body.width);
   const std::vector<std::string> remarks = lines_of(figure.remarks, body.width);
   const double remarks_height =
       remarks.empty() ? 0.0 : kAboveRemarks + kRemarkLine * static_cast<double>(remarks.size());

@@ -79,9 +79,9 @@ constexpr std::array<DriftColumn<ImpactErrors>, 9> kImpactColumns = {{
 
 // A group with one dataset for each column of its records; notes whether all could be written.
 template <class Record>
-class Table {
+class RecordTable {
  public:
-  Table(hid_t parent, const char* name, const std::vector<Record>& records)
+  RecordTable(hid_t parent, const char* name, const std::vector<Record>& records)
       : records_(records), group_(h5::create_group(parent, name)) {}
 
   template <class Value, class Get>
@@ -117,7 +117,7 @@ class Table {
   bool is_written_ = true;
 };
 
-void put_row_numbers(Table<ArcErrors>& table) {
+void put_row_numbers(RecordTable<ArcErrors>& table) {
   table.row_numbers("first_step", "row that the arc begins with", [](Arc a) { return a.first_step; });
   table.row_numbers("last_step", "row that the arc ends with", [](Arc a) { return a.last_step; });
 }
@@ -207,12 +207,12 @@ bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measu
   h5::write_attribute(drift, "steps_astray", measured.summary.steps_astray);
   h5::write_attribute(drift, "reference_faults", measured.summary.reference_faults);
 
-  Table<ArcErrors> solutions(reference, "arcs", measured.arcs);
+  RecordTable<ArcErrors> solutions(reference, "arcs", measured.arcs);
   put_row_numbers(solutions);
   solutions.columns(kReferenceArcColumns);
   solutions.share_axis("first_step");
 
-  Table<ArcErrors> arcs(drift, "arcs", measured.arcs);
+  RecordTable<ArcErrors> arcs(drift, "arcs", measured.arcs);
   put_row_numbers(arcs);
   const h5::Handle ends = h5::enum_type(kArcEndNames);
   arcs.column<std::uint8_t>("ended_by", "what ended the arc", ends, ends,
@@ -223,7 +223,7 @@ bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measu
   arcs.attribute("total", measured.summary.arcs);
   arcs.attribute("skipped", measured.summary.skipped_arcs);
 
-  Table<ImpactErrors> contacts(drift, "contacts", measured.contacts);
+  RecordTable<ImpactErrors> contacts(drift, "contacts", measured.contacts);
   contacts.row_numbers("step", "clamped row", [](Impact c) { return c.step; });
   contacts.column<std::uint8_t>("wall", "wall: 1 left, 2 right, 4 top, 8 ground", H5T_STD_U8LE,
                                 H5T_NATIVE_UINT8, [](Impact c) { return static_cast<std::uint8_t>(c.wall); });

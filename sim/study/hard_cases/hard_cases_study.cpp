@@ -72,22 +72,22 @@ Table verdict_table(const std::vector<Judgement>& judgements) {
        worst_step_column(judgements)}};
 }
 
-using P = const PlayedCase&;
+using PlayedRef = const PlayedCase&;
 
 Column case_column(const std::vector<PlayedCase>& cases) {
-  return column_of<std::string>("case", "", "case", cases, [](P played) { return played.hard_case.name; });
+  return column_of<std::string>("case", "", "case", cases, [](PlayedRef played) { return played.hard_case.name; });
 }
 Column origin_column(const std::vector<PlayedCase>& cases) {
   return column_of<std::string>("made_from", "", "scenario it is, or was made from", cases,
-                                [](P played) { return played.hard_case.made_from; });
+                                [](PlayedRef played) { return played.hard_case.made_from; });
 }
 Column step_column(const std::vector<PlayedCase>& cases) {
   return column_of<std::int64_t>("steps", "1", "steps played and checked", cases,
-                                 [](P played) { return played.result.steps; });
+                                 [](PlayedRef played) { return played.result.steps; });
 }
 Column knife_edge_column(const std::vector<PlayedCase>& cases) {
   return column_of<std::int64_t>("knife_edges", "1", "decisions about a wall within rounding", cases,
-                                 [](P played) { return played.result.knife_edges; });
+                                 [](PlayedRef played) { return played.result.knife_edges; });
 }
 
 Table case_table(const std::vector<PlayedCase>& cases) {
@@ -95,7 +95,7 @@ Table case_table(const std::vector<PlayedCase>& cases) {
           "the cases",
           {case_column(cases), origin_column(cases),
            column_of<std::string>("why", "", "why it is hard", cases,
-                                  [](P played) { return played.hard_case.why; }),
+                                  [](PlayedRef played) { return played.hard_case.why; }),
            step_column(cases), knife_edge_column(cases)}};
 }
 
@@ -103,7 +103,7 @@ Table summary_of(const std::vector<PlayedCase>& cases) {
   return {"cases",
           "",
           {case_column(cases), origin_column(cases), step_column(cases), knife_edge_column(cases),
-           column_of<Table>("invariants", "", "", cases, [](P played) {
+           column_of<Table>("invariants", "", "", cases, [](PlayedRef played) {
              const std::vector<Judgement> judgements = judgements_of({&played, 1});
              return Table{"invariants",
                           "",
@@ -223,7 +223,7 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
                      {"broken", {.form = Form::bars, .tone = Tone::bad}}}};
 }
 
-StudyResult run(const StudyRequest& request) {
+StudyResult run_hard_cases(const StudyRequest& request) {
   const std::vector<PlayedCase> cases = play(cases_of(request), request);
   const std::vector<Judgement> judgements = judgements_of(cases);
   return {.tables = {verdict_table(judgements), case_table(cases)},
@@ -239,7 +239,7 @@ Study hard_cases_study() {
           .summary = "what must hold in every step, however hard the scenario",
           .takes_scenarios = true,
           .default_scenarios = "scenarios/hard",
-          .run = run};
+          .run = run_hard_cases};
 }
 
 }  // namespace hyrax

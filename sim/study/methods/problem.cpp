@@ -10,7 +10,7 @@
 namespace hyrax {
 namespace {
 
-constexpr Size kDesktop{1920, 1080};
+constexpr Size kScreen{1920, 1080};
 constexpr Size kSprite{128, 128};
 constexpr std::int64_t kFramesMax = 10'000'000;  // Frames of next to no time come to no end.
 
@@ -31,7 +31,7 @@ Problem on_desktop(const std::string& name, const std::string& label, const Stat
   problem.name = name;
   problem.label = label;
   problem.start = start;
-  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kDesktop, kSprite)}};
+  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kScreen, kSprite)}};
   return problem;
 }
 

@@ -16,7 +16,7 @@ constexpr double kWithin_px = 1.0;
 constexpr std::size_t kScenesWithMethodsMax = 4;
 constexpr std::size_t kPartsPrintedMax = 30;
 
-using S = const SceneNeeds&;
+using Scene = const SceneNeeds&;
 
 Column scenario_column(const std::vector<SceneNeeds>& scenes) {
   return column_of<std::string>("scenario", "", "what is played", scenes, &SceneNeeds::scenario);
@@ -69,11 +69,11 @@ Table control_table(const std::vector<SceneNeeds>& scenes, double within_px) {
            column_of<std::int64_t>("steps", "1", "frames played", scenes, &SceneNeeds::steps),
            column_of<std::int64_t>("left_out", "1", "parts left out", scenes, unneeded_count),
            column_of<double>("path_difference", "px", "largest distance of two rows", scenes,
-                             [](S scene) { return scene.without_all_unneeded.path_px; }),
+                             [](Scene scene) { return scene.without_all_unneeded.path_px; }),
            column_of<double>("tolerance", "px", "largest distance allowed", scenes,
-                             [within_px](S) { return within_px; }),
+                             [within_px](Scene) { return within_px; }),
            column_of<std::int64_t>("holds", "1", "1: the scene agrees with the replay", scenes,
-                                   [](S scene) { return scene.broken.empty(); })}};
+                                   [](Scene scene) { return scene.broken.empty(); })}};
 }
 
 // The cheapest point of a scene's methods, or of the paper's step; nullptr if there is none.
@@ -87,7 +87,7 @@ const WorkPoint* cheapest_of(const SceneNeeds& scene, bool of_paper = false) {
 Table cheapest_table(const std::vector<SceneNeeds>& scenes) {
   std::vector<SceneNeeds> searched;
   std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(searched),
-               [](S scene) { return scene.methods.has_value(); });
+               [](Scene scene) { return scene.methods.has_value(); });
   const auto rate = [](const WorkPoint* point) { return point != nullptr ? point->rate_hz : kNotGiven; };
   const auto cost = [](const WorkPoint* point) {
     return point != nullptr ? point->cost.time_ns.median : kNotGiven;
@@ -96,19 +96,19 @@ Table cheapest_table(const std::vector<SceneNeeds>& scenes) {
           "the cheapest method and rate within the tolerance of the exact motion",
           {scenario_column(searched),
            column_of<std::string>("method", "", "the cheapest", searched,
-                                  [](S scene) {
+                                  [](Scene scene) {
                                     const WorkPoint* const point = cheapest_of(scene);
                                     return point != nullptr ? scene.methods->methods[point->method].name
                                                             : "none";
                                   }),
            column_of<double>("rate", "Hz", "its frames per second", searched,
-                             [&](S scene) { return rate(cheapest_of(scene)); }),
+                             [&](Scene scene) { return rate(cheapest_of(scene)); }),
            column_of<double>("cost", "ns/s", "its median cost", searched,
-                             [&](S scene) { return cost(cheapest_of(scene)); }),
+                             [&](Scene scene) { return cost(cheapest_of(scene)); }),
            column_of<double>("paper_rate", "Hz", "of the paper's step; missing: at no rate", searched,
-                             [&](S scene) { return rate(cheapest_of(scene, true)); }),
+                             [&](Scene scene) { return rate(cheapest_of(scene, true)); }),
            column_of<double>("paper_cost", "ns/s", "its median cost", searched,
-                             [&](S scene) { return cost(cheapest_of(scene, true)); })}};
+                             [&](Scene scene) { return cost(cheapest_of(scene, true)); })}};
 }
 
 // The JSON member `parts` of a scene.
@@ -142,11 +142,11 @@ std::vector<Table> summary_of(const std::vector<SceneNeeds>& scenes, double with
           {"scenes",
            "",
            {scenario_column(scenes), column_of<std::int64_t>("steps", "1", "", scenes, &SceneNeeds::steps),
-            column_of<double>("step", "ns", "", scenes, [](S scene) { return scene.step_ns.median; }),
+            column_of<double>("step", "ns", "", scenes, [](Scene scene) { return scene.step_ns.median; }),
             column_of<Table>("parts", "", "", scenes, parts_summary),
             column_of<double>("without_all_unneeded", "px", "", scenes,
-                              [](S scene) { return scene.without_all_unneeded.path_px; }),
-            column_of<bool>("holds", "", "", scenes, [](S scene) { return scene.broken.empty(); }),
+                              [](Scene scene) { return scene.without_all_unneeded.path_px; }),
+            column_of<bool>("holds", "", "", scenes, [](Scene scene) { return scene.broken.empty(); }),
             column_of<Table>("cheapest", "", "", scenes, cheapest_summary)}},
           {"exercised_by_none", "", {{"part", "", "", never_exercised(scenes)}}, JsonShape::values}};
 }
@@ -235,7 +235,7 @@ std::vector<SceneNeeds> study_all(const StudyRequest& request, const NeedsOption
   return scenes;
 }
 
-StudyResult run(const StudyRequest& request) {
+StudyResult run_needs(const StudyRequest& request) {
   if (request.scenarios.empty())
     throw RequestRefused(
         "hyrax-sim study needs: a scenario must be given; `hyrax-sim study needs scenarios` takes all");
@@ -274,7 +274,7 @@ Study needs_study() {
           .summary = "which parts of the model and events a scenario needs, and the cheapest method for it",
           .takes_scenarios = true,
           .takes_within = true,
-          .run = run};
+          .run = run_needs};
 }
 
 }  // namespace hyrax

@@ -173,7 +173,7 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
   return figure;
 }
 
-StudyResult run(const StudyRequest& request) {
+StudyResult run_paper(const StudyRequest& request) {
   const std::vector<Claim> claims = paper_claims(step_time_s(request.now_ns));
   std::optional<VerdictsByClaim> expected;
   if (request.expected) expected = checked_verdicts(*request.expected, claims);
@@ -200,7 +200,7 @@ std::vector<Claim> paper_claims(double step_s) {
 
 Study paper_study() {
   return {
-      .name = "paper", .summary = "every claim of the paper, measured", .takes_expected = true, .run = run};
+      .name = "paper", .summary = "every claim of the paper, measured", .takes_expected = true, .run = run_paper};
 }
 
 }  // namespace hyrax

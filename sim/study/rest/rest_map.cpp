@@ -10,7 +10,7 @@ namespace hyrax {
 namespace {
 
 constexpr Bounds kBounds = kFlingBounds;
-constexpr double kUntil_s = 15.0;  // Longer than any fling of the map takes to settle.
+constexpr double kSettled_s = 15.0;  // Longer than any fling of the map takes to settle.
 
 double gain_px_per_s(double rate_hz) {
   const Constants core = core_constants();
@@ -73,7 +73,7 @@ bool is_allowed(FinalState state, double rate_hz, const std::vector<RestBoundary
 RateEnds ends_at(double rate_hz, std::int64_t flings, const std::vector<RestBoundary>& boundaries) {
   RateEnds ends{.rate_hz = rate_hz, .gain_px_per_s = gain_px_per_s(rate_hz)};
   std::vector<double> times_s;
-  for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kUntil_s, flings).play()) {
+  for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kSettled_s, flings).play()) {
     const bool has_settled = !std::isnan(end.at_rest_since_s);
     const State next = core_step(end.final, 1.0 / rate_hz, kBounds);
     const FinalState state =
@@ -141,7 +141,7 @@ std::vector<DropBounce> bounces_at(double rate_hz, std::int64_t phases) {
                         .drag_rate_per_s = -std::log(core.air_drag) * rate_hz},
                        60.0);
     State body{900.0, kBounds.bottom_px - height_px, 0.0, 0.0};
-    for (std::int64_t step = 0; step < static_cast<std::int64_t>(kUntil_s * rate_hz); ++step) {
+    for (std::int64_t step = 0; step < static_cast<std::int64_t>(kSettled_s * rate_hz); ++step) {
       const State flight = core_flight(body, dt_s);
       body = core_step(body, dt_s, kBounds);
       if (!(flight.y_px > kBounds.bottom_px)) continue;

@@ -195,7 +195,7 @@ Verdict verdict_of(const RestResults& results) {
   return verdict;
 }
 
-StudyResult run(const StudyRequest& request) {
+StudyResult run_rest(const StudyRequest& request) {
   const RestResults results = measure(request.is_quick);
   return {
       .tables = {map_table(results.map), boundary_table(results.boundaries), bounce_table(results.bounces)},
@@ -207,7 +207,7 @@ StudyResult run(const StudyRequest& request) {
 }  // namespace
 
 Study rest_study() {
-  return {.name = "rest", .summary = "how a sprite ends on the floor, at every display rate", .run = run};
+  return {.name = "rest", .summary = "how a sprite ends on the floor, at every display rate", .run = run_rest};
 }
 
 }  // namespace hyrax

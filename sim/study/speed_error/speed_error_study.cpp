@@ -220,7 +220,7 @@ std::vector<Figure> figures_of(const SpeedError& study, const std::string& machi
   return figures;
 }
 
-StudyResult run(const StudyRequest& request) {
+StudyResult run_speed_error(const StudyRequest& request) {
   std::vector<MethodKind> methods = frame_methods();
   for (MethodKind& kind : gsl_methods(request.is_quick)) methods.push_back(std::move(kind));
   SpeedErrorOptions options;
@@ -249,7 +249,7 @@ Study speed_error_study() {
   return {.name = "speed-error",
           .summary = "what every method and rate costs, and how far it is from the exact motion",
           .takes_scenarios = true,
-          .run = run};
+          .run = run_speed_error};
 }
 
 }  // namespace hyrax

@@ -83,7 +83,7 @@ Figure speed_figure(const std::vector<SlideEnd>& ends) {
   return figure;
 }
 
-StudyResult run(const StudyRequest& request) {
+StudyResult run_subnormals(const StudyRequest& request) {
   std::vector<SlideEnd> ends;
   for (const double rate_hz : kRates_hz) ends.push_back(slide_end(rate_hz));
   const SlideCosts costs = measure_slide_costs(request.now_ns, request.is_quick);
@@ -120,7 +120,7 @@ StudyResult run(const StudyRequest& request) {
 Study subnormals_study() {
   return {.name = "subnormals",
           .summary = "where vx becomes subnormal on the floor, and what a step costs then",
-          .run = run};
+          .run = run_subnormals};
 }
 
 }  // namespace hyrax

@@ -35,7 +35,7 @@ struct SweepRequest {
   Printing printing;
 };
 
-[[noreturn]] void refuse(const std::string& sentence) {
+[[noreturn]] void refuse_request(const std::string& sentence) {
   throw Failure(ExitCode::bad_input, std::string(kName) + ": " + sentence);
 }
 
@@ -74,11 +74,11 @@ void report(const SweepRequest& request, const std::string& text, Json::Object d
 }
 
 ExitCode write_member(const SweepRequest& request) {
-  if (request.output.empty()) refuse("--member: needs -o SCENARIO.json");
+  if (request.output.empty()) refuse_request("--member: needs -o SCENARIO.json");
   const std::string& path = request.files.front();
   const SweepFile file = load_sweep(path);
   if (*request.member >= file.sweep.members)
-    refuse(fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
+    refuse_request(fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
   std::vector<std::string> inputs{path};
   if (!file.base_path.empty()) inputs.push_back(file.base_path);
   OutputGuard(inputs).admit_scenario(std::string(kName) + ": -o", request.output);
@@ -94,7 +94,7 @@ ExitCode write_member(const SweepRequest& request) {
 }
 
 ExitCode merge(const SweepRequest& request) {
-  if (request.output.empty()) refuse("--merge: needs -o FILE.h5");
+  if (request.output.empty()) refuse_request("--merge: needs -o FILE.h5");
   OutputGuard(request.files).admit(std::string(kName) + ": -o", request.output, {".h5"});
   const MergeOutcome outcome = merge_parts(request.files, request.output);
   for (const std::string& path : outcome.missing) print_error(path + ": is missing; nothing was written");
@@ -195,14 +195,14 @@ ExitCode compute(const SweepRequest& request) {
 ExitCode sweep(const SweepRequest& request) {
   if (request.merges) {
     if (request.member || !request.part.empty() || request.parts || request.resumes || request.threads)
-      refuse("--merge: not with --member, --part, --parts, --resume or --threads");
+      refuse_request("--merge: not with --member, --part, --parts, --resume or --threads");
     return merge(request);
   }
   if (request.files.size() > 1)
-    refuse(fmt::format("only one sweep allowed (found {})", request.files.size()));
+    refuse_request(fmt::format("only one sweep allowed (found {})", request.files.size()));
   if (request.member && (!request.part.empty() || request.parts || request.resumes || !request.where.empty()))
-    refuse("--member: not with --part, --parts, --resume or --where");
-  if (request.is_forced && !request.member) refuse("--force: needs --member");
+    refuse_request("--member: not with --part, --parts, --resume or --where");
+  if (request.is_forced && !request.member) refuse_request("--force: needs --member");
   return request.member ? write_member(request) : compute(request);
 }
 

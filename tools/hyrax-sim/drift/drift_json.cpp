@@ -3,11 +3,6 @@
 namespace hyrax {
 namespace {
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json energy_parts_json(const ArcEnergyParts& parts) {
   return Json::Object{{"gravity", parts.gravity}, {"drag", parts.drag}};
 }

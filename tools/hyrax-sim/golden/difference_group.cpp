@@ -38,8 +38,6 @@ Cause changed_golden_file(const Comparison& comparison) {
   return {kUnknownCause, CauseKind::unknown, comparison.shape, {}, {}};
 }
 
-Json number_json(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
-
 }  // namespace
 
 std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios) {
@@ -72,14 +70,14 @@ Json group_json(const DifferenceGroup& group) {
   return Json::Object{{"operation", group.cause.operation},
                       {"kind", name_of(group.cause.kind)},
                       {"detail", group.cause.detail},
-                      {"from", number_json(group.cause.from)},
-                      {"to", number_json(group.cause.to)},
+                      {"from", or_null(group.cause.from)},
+                      {"to", or_null(group.cause.to)},
                       {"scenarios", Json::Array(paths.begin(), paths.end())},
                       {"reproduced", static_cast<std::uint64_t>(group.reproduced())},
                       {"class", name_of(group.difference)},
                       {"max_px", group.max_px},
                       {"contacts_moved", group.contacts_moved},
-                      {"rest_shift_px", number_json(group.rest_shift_px)}};
+                      {"rest_shift_px", or_null(group.rest_shift_px)}};
 }
 
 }  // namespace hyrax

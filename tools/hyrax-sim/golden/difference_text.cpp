@@ -126,12 +126,11 @@ Json max_px_json(const Comparison& comparison) { return comparison.largest ? com
 
 Json divergence_json(const std::optional<Divergence>& divergence) {
   if (!divergence) return nullptr;
-  const auto number = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
   return Json::Object{{"step", divergence->step},
                       {"field", divergence->field},
-                      {"expected", number(divergence->expected)},
-                      {"actual", number(divergence->actual)},
-                      {"ulps", divergence->ulps ? Json(*divergence->ulps) : Json()}};
+                      {"expected", or_null(divergence->expected)},
+                      {"actual", or_null(divergence->actual)},
+                      {"ulps", or_null(divergence->ulps)}};
 }
 
 }  // namespace hyrax

@@ -76,11 +76,6 @@ Json counts_json(const WallCounts& counts) {
   return object;
 }
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json golden_json(const ScenarioRun& run) {
   if (run.golden_path.empty()) return nullptr;
   const char* const status = !run.comparison ? "missing" : run.comparison->agrees ? "agreed" : "disagreed";

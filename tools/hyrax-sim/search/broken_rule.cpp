@@ -14,7 +14,7 @@ namespace hyrax {
 namespace {
 
 constexpr std::int64_t kStopsMax = 2000;
-constexpr std::int64_t kTrialsMax = 20'000;
+constexpr std::int64_t kShrinkTrialsMax = 20'000;
 constexpr std::int64_t kProgramTrialsMax = 2'000;  // Each is a process.
 constexpr std::size_t kHexDigits = 2 * sizeof(Digest);
 
@@ -74,7 +74,7 @@ std::optional<BrokenRule> different_hash(const Scenario& scenario, const OtherPr
 Shrunk shrink_broken(const Scenario& scenario, const BrokenRule& broken, const OtherProgram* other) {
   if (broken.invariant)
     return shrink_with_progress(
-        scenario, [&](const Scenario& simpler) { return breaks(simpler, *broken.invariant); }, kTrialsMax);
+        scenario, [&](const Scenario& simpler) { return breaks(simpler, *broken.invariant); }, kShrinkTrialsMax);
   assert(other != nullptr);
   return shrink_with_progress(
       scenario,

@@ -12,7 +12,7 @@
 namespace hyrax {
 namespace {
 
-constexpr double kLimit_s = 60.0;                  // For each process.
+constexpr double kProcessLimit_s = 60.0;                  // For each process.
 const std::string kNoHash = std::string(32, '0');  // Which no run has.
 
 // Meets the right wall and the ground, with a gravity and a drag that act: whoever changes a result changes
@@ -86,7 +86,7 @@ OtherProgram::OtherProgram(std::string program, const std::string& option) : pro
   if (hash.empty())
     throw Failure(ExitCode::bad_input,
                   option + ": `" + program_ + " run FILE --json` printed no state hash (" +
-                      end_text(end, kLimit_s) + "): " + end.err.substr(0, end.err.find('\n')));
+                      end_text(end, kProcessLimit_s) + "): " + end.err.substr(0, end.err.find('\n')));
   uses_check_ = ask(Asked::check, {&scenario, 1}, end).front() == hash;
 }
 
@@ -95,7 +95,7 @@ std::vector<std::string> OtherProgram::state_hashes(std::span<const Scenario> sc
   std::vector<std::string> hashes = ask(uses_check_ ? Asked::check : Asked::run, scenarios, end);
   for (std::size_t index = 0; index < scenarios.size(); ++index) {
     if (hashes[index].empty()) hashes[index] = ask(Asked::run, scenarios.subspan(index, 1), end).front();
-    if (hashes[index].empty()) hashes[index] = end_text(end, kLimit_s);
+    if (hashes[index].empty()) hashes[index] = end_text(end, kProcessLimit_s);
   }
   return hashes;
 }
@@ -114,8 +114,8 @@ std::vector<std::string> OtherProgram::ask(Asked command, std::span<const Scenar
     paths.push_back(folder.write("in/" + scenario.name + ".json", scenario_file_text(scenario)));
   }
   end = command == Asked::run
-            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kLimit_s)
-            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kLimit_s);
+            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kProcessLimit_s)
+            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kProcessLimit_s);
   const Json document = parsed(end.out);
   Hashes printed = command == Asked::run ? hashes_of_runs(document) : hashes_of_checks(document);
   std::vector<std::string> hashes;

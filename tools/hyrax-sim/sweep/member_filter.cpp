@@ -15,7 +15,7 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) {
+[[noreturn]] void refuse_filter(const std::string& sentence) {
   throw Failure(ExitCode::bad_input, "hyrax-sim sweep: --where: " + sentence);
 }
 
@@ -63,7 +63,7 @@ SweepNumber parse_number(const std::string& text) {
     if (const auto* const real = json.get<double>()) return *real;
   } catch (const Failure&) {
   }
-  refuse("must compare with a number (found " + text + ")");
+  refuse_filter("must compare with a number (found " + text + ")");
 }
 
 // Whole numbers are compared exactly.
@@ -100,14 +100,14 @@ MemberFilter::MemberFilter(std::string_view expression, const std::vector<Ensemb
   for (const Field& field : fields) names.push_back(field.name);
   const std::vector<std::string> tokens = tokens_of(expression);
   if (tokens.empty() || tokens.size() % 4 != 3)
-    refuse(fmt::format("must be FIELD ORDER NUMBER, joined by and / or (found {})", expression));
+    refuse_filter(fmt::format("must be FIELD ORDER NUMBER, joined by and / or (found {})", expression));
   any_of_.emplace_back();
   for (std::size_t at = 0; at < tokens.size(); at += 4) {
     const auto field = std::find(names.begin(), names.end(), tokens[at]);
-    if (field == names.end()) refuse(unknown_word("field", tokens[at], names));
+    if (field == names.end()) refuse_filter(unknown_word("field", tokens[at], names));
     const auto order = std::find(kOrders.begin(), kOrders.end(), tokens[at + 1]);
     if (order == kOrders.end())
-      refuse(unknown_word("order", tokens[at + 1], {kOrders.begin(), kOrders.end()}));
+      refuse_filter(unknown_word("order", tokens[at + 1], {kOrders.begin(), kOrders.end()}));
     const Field& found = fields[static_cast<std::size_t>(field - names.begin())];
     any_of_.back().push_back({found.column, found.offset, static_cast<Order>(order - kOrders.begin()),
                               parse_number(tokens[at + 2])});
@@ -115,7 +115,7 @@ MemberFilter::MemberFilter(std::string_view expression, const std::vector<Ensemb
     if (tokens[at + 3] == "or")
       any_of_.emplace_back();
     else if (tokens[at + 3] != "and")
-      refuse(unknown_word("word", tokens[at + 3], {"and", "or"}));
+      refuse_filter(unknown_word("word", tokens[at + 3], {"and", "or"}));
   }
 }
 
