@@ -96,7 +96,7 @@ void ArcMeter::fly(const Row& row) {
   g.drift_largest = larger(g.drift_largest, std::fabs(g.drift_last));
   g.drift_fit.add(elapsed_s, g.drift_last);
   walls_.add(matched, row.dt_s, elapsed_s);
-  if (is_astray(row)) ++g.steps_astray;
+  if (differs_from_listing(row)) ++g.differing_steps;
   if (check_) check_->check_row({matched, energy_now, energy_gain(first_, matched)}, row.dt_s, elapsed_s);
   last_ = row;
   if (tells_rows_) tell_row(run, {discrete, matched, model}, energy_now, g.drift_last);
@@ -162,7 +162,7 @@ Row ArcMeter::step_from_last(double dt_s) const {
   return next;
 }
 
-bool ArcMeter::is_astray(const Row& row) const {
+bool ArcMeter::differs_from_listing(const Row& row) const {
   const Row step = step_from_last(row.dt_s);
   return row.x_px != step.x_px || row.y_px != step.y_px || row.vx_px_per_s != step.vx_px_per_s ||
          row.vy_px_per_s != step.vy_px_per_s;
@@ -200,7 +200,7 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   arc.truncation_px_per_s = g.truncation_speed.value();
   arc.exact_law_px = g.exact_law.value();
   arc.exact_law_px_per_s = g.exact_law_speed.value();
-  arc.steps_astray = g.steps_astray;
+  arc.differing_steps = g.differing_steps;
   arc.energy_largest_px2_per_s2 = g.energy_largest;
   const double scale = arc.energy_scale_px2_per_s2();
   arc.energy_drift_max_px2_per_s2 = g.drift_largest;
@@ -321,7 +321,7 @@ void ArcMeter::add_to_summary(const ArcErrors& arc) {
   DriftSummary& s = summary_;
   ++s.arcs;
   if (!arc.solves_x) ++s.arcs_without_x;
-  s.steps_astray += arc.steps_astray;
+  s.differing_steps += arc.differing_steps;
   count_fault(arc);
   s.arc_energy += arc.energy_parts;
   include_worst(s.implementation_px, arc.implementation_px, arc.first_step);

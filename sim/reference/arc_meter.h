@@ -56,7 +56,7 @@ class ArcMeter final : public ArcVisitor {
     double drift_largest = 0.0;
     double drift_last = 0.0;
     double coordinate_largest_px = 0.0;
-    std::int64_t steps_astray = 0;
+    std::int64_t differing_steps = 0;
   };
 
   struct ExactFlights {
@@ -68,7 +68,7 @@ class ArcMeter final : public ArcVisitor {
   [[nodiscard]] double energy(const Flight& flight) const;
   [[nodiscard]] double energy_gain(const Flight& from, const Flight& to) const;
   [[nodiscard]] Row step_from_last(double dt_s) const;
-  [[nodiscard]] bool is_astray(const Row& row) const;
+  [[nodiscard]] bool differs_from_listing(const Row& row) const;
   void tell_row(const Flight& run, const ExactFlights& exact, double energy, double drift);
   void open(const ArcStart& start, bool tells_rows);
   void verify(ArcErrors& arc);

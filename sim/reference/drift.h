@@ -69,7 +69,7 @@ struct ArcErrors {
 
   /// Steps that are not the paper's step of the row before, done in strict double arithmetic: a
   /// fused or reordered operation shows here, where its size would pass for rounding.
-  std::int64_t steps_astray = 0;
+  std::int64_t differing_steps = 0;
 
   double energy_largest_px2_per_s2 = 0.0;    ///< Of the matched ODE.
   double energy_drift_max_px2_per_s2 = 0.0;  ///< Magnitude.
@@ -177,7 +177,7 @@ struct DriftSummary {
   std::int64_t skipped_arcs = 0;
   std::int64_t contacts = 0;
   std::int64_t arcs_without_x = 0;  ///< Arcs in which nothing was solved in x.
-  std::int64_t steps_astray = 0;
+  std::int64_t differing_steps = 0;
   std::int64_t reference_faults = 0;  ///< Arcs, of one step too; any is a fault of the program.
   std::optional<std::int64_t> first_reference_fault_step;
   std::string_view first_reference_fault;       ///< ArcErrors::reference_fault.

@@ -204,7 +204,7 @@ bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measu
   h5::write_attribute(reference, "solution",
                       "closed form of v' = g - k v with k = -ln(0.999) / dt of each frame");
   h5::write_attribute(reference, "checked_by", measured.checked_by);
-  h5::write_attribute(drift, "steps_astray", measured.summary.steps_astray);
+  h5::write_attribute(drift, "steps_astray", measured.summary.differing_steps);
   h5::write_attribute(drift, "reference_faults", measured.summary.reference_faults);
 
   RecordTable<ArcErrors> solutions(reference, "arcs", measured.arcs);

@@ -115,14 +115,14 @@ TrajectoryFile TrajectoryFile::open(const std::string& path, const Read& read) {
 }
 
 void TrajectoryFile::read_all() const {
-  constexpr std::int64_t kBatch = 65536;
+  constexpr std::int64_t kBatchRows = 65536;
   const bool is_plain =
       step_.is_plain() && contact_.is_plain() &&
       std::all_of(columns_.begin(), columns_.end(), [](const auto& c) { return c.is_plain(); });
   // Of plain columns it is enough to read the first and the last row.
-  const std::int64_t stride = is_plain ? std::max<std::int64_t>(1, row_count() - 1) : kBatch;
+  const std::int64_t stride = is_plain ? std::max<std::int64_t>(1, row_count() - 1) : kBatchRows;
   for (std::int64_t first = 0; first < row_count(); first += stride)
-    static_cast<void>(rows(first, is_plain ? 1 : std::min(kBatch, row_count() - first)));
+    static_cast<void>(rows(first, is_plain ? 1 : std::min(kBatchRows, row_count() - first)));
   static_cast<void>(contacts());
   static_cast<void>(contacts_total());
   static_cast<void>(inputs());

@@ -136,7 +136,7 @@ Json::Object drift_json(const DriftReport& report) {
       {"contacts_measured", summary.contacts},
       {"effective_restitution", restitution_json(summary.effective_restitution)},
       {"margin", margin_json(report.run.margin, report.contact_chance)},
-      {"steps_astray", summary.steps_astray},
+      {"steps_astray", summary.differing_steps},
       {"reference_faults", summary.reference_faults},
       {"first_reference_fault", summary.reference_faults > 0 ? Json(summary.first_reference_fault) : Json()},
       {"non_finite_step", or_null(summary.non_finite_step)},

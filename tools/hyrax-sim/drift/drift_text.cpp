@@ -131,9 +131,9 @@ void print_faults(const DriftSummary& summary) {
   if (summary.non_finite_step)
     print_text("  {}   from row {}; not measured from there on\n", VerdictWord{"NOT FINITE", false},
                *summary.non_finite_step);
-  if (summary.steps_astray > 0)
+  if (summary.differing_steps > 0)
     print_text("  {}     {} flight steps differ from the listing\n", VerdictWord{"DIFFERS", false},
-               summary.steps_astray);
+               summary.differing_steps);
   if (summary.reference_faults > 0)
     print_text("  {} of the reference in {}, the first from row {}: {}\n",
                VerdictWord{"INTERNAL ERROR", false}, arcs_text(summary.reference_faults),

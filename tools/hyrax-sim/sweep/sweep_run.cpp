@@ -32,18 +32,22 @@ struct Chunk {
   StepTally tally;
 };
 
-// Threads compute chunks, one after the other; take() hands them out in order. Few are held at a time.
+// Chunks in order, computed by so many threads, that of the caller included. Few are held at a time.
 class ChunkPool {
  public:
   ChunkPool(const Sweep& sweep, const WorkPart& part, std::int64_t first_row, std::int64_t rows,
             std::int64_t threads)
-      : sweep_(sweep), part_(part), first_row_(first_row), rows_(rows), chunk_rows_(chunk_rows(sweep)) {
+      : sweep_(sweep),
+        part_(part),
+        first_row_(first_row),
+        rows_(rows),
+        chunk_rows_(chunk_rows(sweep)),
+        player_(sweep) {
     held_max_ = 2 * threads;
     try {
-      for (std::int64_t thread = 0; thread < threads; ++thread)
+      for (std::int64_t thread = 1; thread < threads; ++thread)
         threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
-    } catch (const std::system_error&) {
-      if (threads_.empty()) throw;  // Fewer threads do as well.
+    } catch (const std::system_error&) {  // Fewer threads do as well.
     }
   }
   ChunkPool(const ChunkPool&) = delete;
@@ -54,11 +58,21 @@ class ChunkPool {
     changed_.notify_all();
   }
 
-  // The next chunk; nothing after the last one.
+  // The next chunk; nothing after the last one. Until it is there, the caller computes those that no other thread does.
   [[nodiscard]] std::optional<Chunk> take() {
     if (taken_ == chunks()) return std::nullopt;
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return ready_.contains(taken_) || fault_; });
+    while (!ready_.contains(taken_) && !fault_) {
+      if (!may_begin()) {
+        changed_.wait(lock);
+        continue;
+      }
+      const std::int64_t chunk = begun_++;
+      lock.unlock();
+      Chunk computed = compute(player_, chunk);
+      lock.lock();
+      ready_.emplace(chunk, std::move(computed));
+    }
     if (fault_) std::rethrow_exception(fault_);
     Chunk chunk = std::move(ready_.extract(taken_++).mapped());
     lock.unlock();
@@ -68,6 +82,7 @@ class ChunkPool {
 
  private:
   [[nodiscard]] std::int64_t chunks() const { return (rows_ - first_row_ + chunk_rows_ - 1) / chunk_rows_; }
+  [[nodiscard]] bool may_begin() const { return begun_ < std::min(chunks(), taken_ + held_max_); }
 
   void work(const std::stop_token& stop) {
     try {
@@ -87,8 +102,7 @@ class ChunkPool {
 
   [[nodiscard]] std::optional<std::int64_t> next(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock,
-                  [&] { return stop.stop_requested() || begun_ == chunks() || begun_ < taken_ + held_max_; });
+    changed_.wait(lock, [&] { return stop.stop_requested() || begun_ == chunks() || may_begin(); });
     if (stop.stop_requested() || begun_ == chunks()) return std::nullopt;
     return begun_++;
   }
@@ -106,6 +120,7 @@ class ChunkPool {
   const std::int64_t first_row_;
   const std::int64_t rows_;
   const std::int64_t chunk_rows_;
+  EnsemblePlayer player_;  // Of the caller.
   std::int64_t held_max_;
   std::mutex mutex_;
   std::condition_variable changed_;

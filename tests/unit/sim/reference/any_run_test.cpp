@@ -77,7 +77,7 @@ TEST(AnyRun, HasNoFaultOfTheReference) {
     Measured measured;
     measure(random_scenario(draw), measured, &gsl);
     EXPECT_EQ(measured.summary.reference_faults, 0) << i;
-    EXPECT_EQ(measured.summary.steps_astray, 0) << i;
+    EXPECT_EQ(measured.summary.differing_steps, 0) << i;
   }
 }
 

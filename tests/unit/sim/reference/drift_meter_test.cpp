@@ -124,7 +124,7 @@ TEST_P(FusedOperation, ChangesTheImplementationError) {
 
 TEST_P(FusedOperation, IsCountedAsStepsThatDiffer) {
   Measured fused;
-  EXPECT_GT(measured_with(GetParam(), fused).summary.steps_astray, 0);
+  EXPECT_GT(measured_with(GetParam(), fused).summary.differing_steps, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(ImplementationError, FusedOperation, testing::Range(1, 4));
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(ImplementationError, FusedOperation, testing::Range(1, 
 TEST(StepsThatDiffer, AreZeroForTheShippedCores) {
   Measured measured;
   measure(fling(), measured);
-  EXPECT_EQ(measured.summary.steps_astray, 0);
+  EXPECT_EQ(measured.summary.differing_steps, 0);
 }
 
 TEST(StepsThatDiffer, IncludeOneUnitInTheLastPlace) {
@@ -141,7 +141,7 @@ TEST(StepsThatDiffer, IncludeOneUnitInTheLastPlace) {
   rows.vy_px_per_s.back() = std::nextafter(rows.vy_px_per_s.back(), 0.0);
   Measured measured;
   measure(scenario, rows, measured);
-  EXPECT_EQ(measured.summary.steps_astray, 1);
+  EXPECT_EQ(measured.summary.differing_steps, 1);
 }
 
 TEST(ImplementationError, TreatsAHitchAsItsOwnFrame) {

@@ -39,7 +39,7 @@ class EveryScenario : public testing::TestWithParam<std::string> {
 TEST_P(EveryScenario, HasNoFaultOfTheReference) { EXPECT_EQ(measured_.summary.reference_faults, 0); }
 
 TEST_P(EveryScenario, FollowsTheDiscreteClosedFormToRounding) {
-  EXPECT_EQ(measured_.summary.steps_astray, 0);
+  EXPECT_EQ(measured_.summary.differing_steps, 0);
   for (const ArcErrors& arc : measured_.arcs)
     EXPECT_LT(arc.implementation_px, 1e-8 + 1e-12 * arc.coordinate_largest_px) << arc.first_step;
 }
