@@ -95,7 +95,7 @@ std::string run_axes(const RunPlot& plot) {
 
 std::string run_colour_bar(const RunPlot& plot, const RunPath& path) {
   if (!(path.speed_px_per_s_max > 0)) return "set cbrange [0:1]\nunset colorbox\n";
-  constexpr double kWidth = 10;
+  constexpr double kBarWidth = 10;
   constexpr double kRoomForUnit = 22;
   const double x = RunPlot::kLeft + RunPlot::kWidth + 14;
   const double bottom = RunPlot::kTop + plot.height;
@@ -104,7 +104,7 @@ std::string run_colour_bar(const RunPlot& plot, const RunPath& path) {
       "set cbtics scale 0 font ',12' offset -0.5,0\n"
       "set label 10 'speed, px/s' at {} right font ',12' tc rgb '{}'\n",
       path.speed_px_per_s_low > 0 ? "set logscale cb\n" : "", path.speed_px_per_s_low,
-      path.speed_px_per_s_max, screen(plot.canvas, x, bottom), kWidth / plot.canvas.width,
+      path.speed_px_per_s_max, screen(plot.canvas, x, bottom), kBarWidth / plot.canvas.width,
       (plot.height - kRoomForUnit) / plot.canvas.height,
       screen(plot.canvas, plot.canvas.width - style::kMargin + 8, RunPlot::kTop + 4), style::kQuietInk);
 }

@@ -206,7 +206,8 @@ StudyResult run_frame_rate(const StudyRequest& request) {
 }  // namespace
 
 Study frame_rate_study() {
-  return {.name = "frame-rate", .summary = "one fling on every display, steady or not", .run = run_frame_rate};
+  return {
+      .name = "frame-rate", .summary = "one fling on every display, steady or not", .run = run_frame_rate};
 }
 
 }  // namespace hyrax

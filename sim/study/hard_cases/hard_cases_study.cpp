@@ -75,7 +75,8 @@ Table verdict_table(const std::vector<Judgement>& judgements) {
 using PlayedRef = const PlayedCase&;
 
 Column case_column(const std::vector<PlayedCase>& cases) {
-  return column_of<std::string>("case", "", "case", cases, [](PlayedRef played) { return played.hard_case.name; });
+  return column_of<std::string>("case", "", "case", cases,
+                                [](PlayedRef played) { return played.hard_case.name; });
 }
 Column origin_column(const std::vector<PlayedCase>& cases) {
   return column_of<std::string>("made_from", "", "scenario it is, or was made from", cases,

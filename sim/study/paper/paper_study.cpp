@@ -199,8 +199,10 @@ std::vector<Claim> paper_claims(double step_s) {
 }
 
 Study paper_study() {
-  return {
-      .name = "paper", .summary = "every claim of the paper, measured", .takes_expected = true, .run = run_paper};
+  return {.name = "paper",
+          .summary = "every claim of the paper, measured",
+          .takes_expected = true,
+          .run = run_paper};
 }
 
 }  // namespace hyrax

@@ -207,7 +207,8 @@ StudyResult run_rest(const StudyRequest& request) {
 }  // namespace
 
 Study rest_study() {
-  return {.name = "rest", .summary = "how a sprite ends on the floor, at every display rate", .run = run_rest};
+  return {
+      .name = "rest", .summary = "how a sprite ends on the floor, at every display rate", .run = run_rest};
 }
 
 }  // namespace hyrax

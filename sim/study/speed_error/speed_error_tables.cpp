@@ -83,9 +83,11 @@ Table points_table(const SpeedError& study) {
                          error(&MethodErrors::end_px)),
        column_of<double>("contact_time_error", "s", "largest, of the first three impacts", points,
                          error(&MethodErrors::contact_time_s)),
-       cost_column("cost", "ns/s", "time per simulated second without set-up, median", points, &MedianEstimate::median),
+       cost_column("cost", "ns/s", "time per simulated second without set-up, median", points,
+                   &MedianEstimate::median),
        cost_column("cost_low", "ns/s", "95 % interval of the median, low end", points, &MedianEstimate::low),
-       cost_column("cost_high", "ns/s", "95 % interval of the median, high end", points, &MedianEstimate::high),
+       cost_column("cost_high", "ns/s", "95 % interval of the median, high end", points,
+                   &MedianEstimate::high),
        column_of<std::int64_t>("ranked", "1", "1: gives 60 rows a second, and is not the truth itself",
                                points, [&](P p) { return std::int64_t{is_ranked(study, p)}; }),
        column_of<std::int64_t>("pareto", "1", "1: none as accurate is cheaper beyond the noise", points,
@@ -94,12 +96,14 @@ Table points_table(const SpeedError& study) {
 
 Table set_up_table(const SpeedError& study) {
   const auto& set_ups = study.set_ups;
-  return {"set_up",
-          "time of a run before its first frame",
-          {problem_column(study, set_ups), method_column(study, set_ups),
-           cost_column("time", "ns", "median", set_ups, &MedianEstimate::median),
-           cost_column("time_low", "ns", "95 % interval of the median, low end", set_ups, &MedianEstimate::low),
-           cost_column("time_high", "ns", "95 % interval of the median, high end", set_ups, &MedianEstimate::high)}};
+  return {
+      "set_up",
+      "time of a run before its first frame",
+      {problem_column(study, set_ups), method_column(study, set_ups),
+       cost_column("time", "ns", "median", set_ups, &MedianEstimate::median),
+       cost_column("time_low", "ns", "95 % interval of the median, low end", set_ups, &MedianEstimate::low),
+       cost_column("time_high", "ns", "95 % interval of the median, high end", set_ups,
+                   &MedianEstimate::high)}};
 }
 
 Table bands_table(const SpeedError& study) {

@@ -78,7 +78,8 @@ ExitCode write_member(const SweepRequest& request) {
   const std::string& path = request.files.front();
   const SweepFile file = load_sweep(path);
   if (*request.member >= file.sweep.members)
-    refuse_request(fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
+    refuse_request(
+        fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
   std::vector<std::string> inputs{path};
   if (!file.base_path.empty()) inputs.push_back(file.base_path);
   OutputGuard(inputs).admit_scenario(std::string(kName) + ": -o", request.output);

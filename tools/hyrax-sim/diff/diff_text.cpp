@@ -99,9 +99,8 @@ Json diff_json(const TrajectoryDiff& diff) {
     if (const auto& value = diff.values.worst()[field]) {
       const auto ulps =
           diff.is_same_scenario ? ulps_of(kRowFields[field].name, value->a, value->b) : std::nullopt;
-      worst.emplace_back(
-          kRowFields[field].name,
-          Json::Object{{"step", value->step}, {"abs", value->abs()}, {"ulps", or_null(ulps)}});
+      worst.emplace_back(kRowFields[field].name,
+                         Json::Object{{"step", value->step}, {"abs", value->abs()}, {"ulps", or_null(ulps)}});
     }
   std::optional<Divergence> first = comparison.first;
   if (first && !diff.is_same_scenario) first->ulps.reset();

@@ -74,7 +74,8 @@ std::optional<BrokenRule> different_hash(const Scenario& scenario, const OtherPr
 Shrunk shrink_broken(const Scenario& scenario, const BrokenRule& broken, const OtherProgram* other) {
   if (broken.invariant)
     return shrink_with_progress(
-        scenario, [&](const Scenario& simpler) { return breaks(simpler, *broken.invariant); }, kShrinkTrialsMax);
+        scenario, [&](const Scenario& simpler) { return breaks(simpler, *broken.invariant); },
+        kShrinkTrialsMax);
   assert(other != nullptr);
   return shrink_with_progress(
       scenario,

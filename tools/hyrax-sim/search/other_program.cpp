@@ -12,7 +12,7 @@
 namespace hyrax {
 namespace {
 
-constexpr double kProcessLimit_s = 60.0;                  // For each process.
+constexpr double kProcessLimit_s = 60.0;           // For each process.
 const std::string kNoHash = std::string(32, '0');  // Which no run has.
 
 // Meets the right wall and the ground, with a gravity and a drag that act: whoever changes a result changes
@@ -113,9 +113,10 @@ std::vector<std::string> OtherProgram::ask(Asked command, std::span<const Scenar
     scenario.expect = command == Asked::check ? std::optional(another_hash) : std::nullopt;
     paths.push_back(folder.write("in/" + scenario.name + ".json", scenario_file_text(scenario)));
   }
-  end = command == Asked::run
-            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kProcessLimit_s)
-            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kProcessLimit_s);
+  end =
+      command == Asked::run
+          ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kProcessLimit_s)
+          : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kProcessLimit_s);
   const Json document = parsed(end.out);
   Hashes printed = command == Asked::run ? hashes_of_runs(document) : hashes_of_checks(document);
   std::vector<std::string> hashes;

@@ -58,7 +58,8 @@ class ChunkPool {
     changed_.notify_all();
   }
 
-  // The next chunk; nothing after the last one. Until it is there, the caller computes those that no other thread does.
+  // The next chunk; nothing after the last one. Until it is there, the caller computes those that no other
+  // thread does.
   [[nodiscard]] std::optional<Chunk> take() {
     if (taken_ == chunks()) return std::nullopt;
     std::unique_lock lock(mutex_);

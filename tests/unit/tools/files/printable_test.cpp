@@ -33,5 +33,17 @@ TEST(Printable, EscapesBytesThatAreNoUtf8) {
 
 TEST(Printable, KeepsLines) { EXPECT_EQ(printable_lines("a\n\tb\x1b\r"), "a\n\tb\\u001b\\u000d"); }
 
+TEST(Shortened, KeepsSixtyBytes) {
+  const std::string sixty(60, 'a');
+  EXPECT_EQ(shortened(sixty), sixty);
+  EXPECT_EQ(shortened(sixty + "b"), sixty + "...");
+}
+
+TEST(Shortened, CutsBetweenCharacters) {
+  const std::string before(58, 'a');
+  EXPECT_EQ(shortened(before + "\xe2\x82\xac and more"), before + "...");
+  EXPECT_EQ(shortened(before + "\xc3\xa9 and more"), before + "\xc3\xa9...");
+}
+
 }  // namespace
 }  // namespace hyrax
