@@ -87,6 +87,8 @@ inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActi
 [[nodiscard]] constexpr std::string_view name_of(const Action& action) {
   return kActionNames[action.index()];
 }
+/// An action of that kind, its numbers 0. REQUIRES: kind < kActionNames.size().
+[[nodiscard]] Action make_action(std::size_t kind);
 
 struct Event {
   std::variant<std::int64_t, double> when;  ///< Frame number, or a time in s.

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/scenario/number_at.h"
+#include "sim/scenario/numbers.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/work_part.h"
 

@@ -6,6 +6,7 @@
 
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
+#include "sim/scenario/numbers.h"
 #include "sim/scenario/schedule.h"
 
 namespace hyrax {
@@ -29,62 +30,15 @@ void pair_grabs(std::vector<Event>& events) {
   events = std::move(paired);
 }
 
-bool is_within(double value, double low, double high) { return value >= low && value <= high; }
-bool is_good(const Position& at) {
-  return is_within(at.x_px, -kCoordinateMax_px, kCoordinateMax_px) &&
-         is_within(at.y_px, -kCoordinateMax_px, kCoordinateMax_px);
-}
-bool is_good(const Velocity& velocity) {
-  return is_within(velocity.vx_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s) &&
-         is_within(velocity.vy_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s);
-}
-bool is_window(const Size& size) {
-  return std::min(size.width_px, size.height_px) >= 0 &&
-         std::max(size.width_px, size.height_px) <= kWindowSideMax_px;
-}
-bool is_sprite(const Size& size) {
-  return std::min(size.width_px, size.height_px) >= kSpriteSideMin_px &&
-         std::max(size.width_px, size.height_px) <= kSpriteSideMax_px;
-}
-
-struct GoodAction {
-  bool operator()(const Fling& fling) const { return is_good(fling.velocity); }
-  bool operator()(const Place& place) const { return is_good(place.position); }
-  bool operator()(const Stop&) const { return true; }
-  bool operator()(const Resize& resize) const {
-    return (resize.window || resize.sprite) && is_window(resize.window.value_or(Size{})) &&
-           is_sprite(resize.sprite.value_or(Size{kSpriteSideMin_px, kSpriteSideMin_px}));
-  }
-  bool operator()(const Hitch& hitch) const { return is_within(hitch.dt_s, 0.0, kFrameMax_s); }
-  bool operator()(const Grab&) const { return true; }
-  bool operator()(const Release& release) const { return is_good(release.velocity); }
-};
-
-struct GoodClock {
-  bool operator()(const FixedRate& rate) const {
-    return rate.rate_hz > 0.0 && rate.rate_hz <= kRateMax_hz && 1.0 / rate.rate_hz <= kFrameMax_s;
-  }
-  bool operator()(const FixedStep& step) const { return is_within(step.dt_s, 0.0, kFrameMax_s); }
-  bool operator()(const RecordedSteps& trace) const {
-    return !trace.dt_s.empty() && std::all_of(trace.dt_s.begin(), trace.dt_s.end(),
-                                              [](double dt_s) { return is_within(dt_s, 0.0, kFrameMax_s); });
-  }
-};
-
-bool is_good(const Clock& clock) {
-  if (!std::visit(GoodClock{}, clock.base)) return false;
-  if (!clock.jitter) return true;
-  const double most = clock.jitter->kind == Jitter::Kind::normal ? kFrameMax_s : 1.0;
-  return is_within(clock.jitter->amount, 0.0, most);
-}
-
+// In order, before the end, and what they ask of the hand possible.
 bool are_good(const std::vector<Event>& events, std::int64_t steps) {
   bool is_held = false;
   std::int64_t frame = 0;
   for (const Event& event : events) {
     if (frame_of(event) < frame || frame_of(event) >= steps) return false;
     frame = frame_of(event);
-    if (!std::visit(GoodAction{}, event.action)) return false;
+    const auto* const resize = std::get_if<Resize>(&event.action);
+    if (resize != nullptr && !resize->window && !resize->sprite) return false;
     if (std::holds_alternative<Grab>(event.action)
             ? is_held
             : !is_held && std::holds_alternative<Release>(event.action))
@@ -168,8 +122,12 @@ Scenario recorded(const Scenario& scenario) {
 }
 
 bool is_valid(const Scenario& scenario) {
-  return is_window(scenario.window) && is_sprite(scenario.sprite) && is_good(scenario.start) &&
-         is_good(scenario.start_velocity) && is_good(scenario.clock) && step_count(scenario) >= 0 &&
+  Scenario copy = scenario;
+  const std::vector<NumberField> numbers = numbers_of(copy);
+  const auto* const trace = std::get_if<RecordedSteps>(&scenario.clock.base);
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](const NumberField& number) { return number.allows(number.value()); }) &&
+         (trace == nullptr || !trace->dt_s.empty()) && step_count(scenario) >= 0 &&
          step_count(scenario) <= kStepsMax && are_good(scenario.events, step_count(scenario));
 }
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "sim/scenario/frame_clock.h"
-#include "sim/search/numbers.h"
+#include "sim/search/digits.h"
 #include "sim/search/scenario_edit.h"
 
 namespace hyrax {
@@ -131,7 +131,7 @@ class Shrinker {
 
   // A window without a side would only be puzzling.
   void round_number(std::size_t index) {
-    const bool is_size = std::holds_alternative<std::int32_t*>(numbers_of(best_)[index]);
+    const bool is_size = std::holds_alternative<std::int32_t*>(numbers_of(best_)[index].at);
     for (int digits = is_size ? 1 : 0; digits < kDigitsMax; ++digits) {
       Scenario rounder = best_;
       round_to(numbers_of(rounder)[index], digits);

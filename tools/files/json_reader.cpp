@@ -34,7 +34,7 @@ void JsonPlace::breaks_rule(const std::string& rule) const {
   wrong(rule + " (found " + shortened(to_text(*json_)) + ")");
 }
 
-bool JsonPlace::is_object_of(std::initializer_list<std::string_view> keys) const {
+bool JsonPlace::is_object_of(const std::vector<std::string_view>& keys) const {
   if (!is_there()) return false;
   const auto* object = json_->get<Json::Object>();
   if (object == nullptr) {

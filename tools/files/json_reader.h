@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -48,7 +47,7 @@ class JsonPlace {
   void breaks_rule(const std::string& rule) const;
 
   /// Whether this is an object; if not, and for unknown and duplicate keys, adds an error.
-  [[nodiscard]] bool is_object_of(std::initializer_list<std::string_view> keys) const;
+  [[nodiscard]] bool is_object_of(const std::vector<std::string_view>& keys) const;
   [[nodiscard]] JsonPlace member(std::string_view key) const;
   /// The member; adds an error if it is missing.
   [[nodiscard]] JsonPlace required(std::string_view key) const;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scenario/numbers.h"
 #include "sim/scenario/schedule.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
@@ -62,16 +64,22 @@ Resize read_resize(const JsonPlace& here) {
   return resize;
 }
 
-Action read_action(const JsonPlace& here, std::string_view key) {
-  if (key == "fling") return Fling{read_velocity(here)};
-  if (key == "release") return Release{read_velocity(here)};
-  if (key == "resize") return read_resize(here);
-  if (key == "place") return here.is_object_of({"x_px", "y_px"}) ? Place{read_position(here)} : Place{};
-  if (key == "hitch")
-    return Hitch{here.is_object_of({"dt_s"}) ? here.required("dt_s").number(kFrameRule).value_or(0.0) : 0.0};
-  static_cast<void>(here.is_object_of({}));
-  return key == "grab" ? Action(Grab{}) : Action(Stop{});
+Action read_action(const JsonPlace& here, std::size_t kind) {
+  Action action = make_action(kind);
+  if (auto* const resize = std::get_if<Resize>(&action)) {
+    *resize = read_resize(here);
+    return action;
+  }
+  std::vector<std::string_view> keys;
+  visit_numbers(action, [&](std::string_view key, const NumberField&) { keys.push_back(key); });
+  if (!here.is_object_of(keys)) return action;
+  visit_numbers(action, [&](std::string_view key, const NumberField& field) {
+    field.set(here.required(key).number({field.low, field.high}).value_or(0.0));
+  });
+  return action;
 }
+
+constexpr std::size_t kHitchKind = Action(Hitch{}).index();
 
 // An event, and how much of it could be read.
 struct EventRead {
@@ -83,8 +91,9 @@ struct EventRead {
 
 EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
   EventRead read;
-  if (!here.is_object_of({"step", "at_s", "fling", "place", "stop", "resize", "hitch", "grab", "release"}))
-    return read;
+  std::vector<std::string_view> keys = {"step", "at_s"};
+  keys.insert(keys.end(), kActionNames.begin(), kActionNames.end());
+  if (!here.is_object_of(keys)) return read;
   const auto step = here.member("step").integer(0, kStepsMax);
   const auto at_s = here.member("at_s").number();
   const bool is_one_time = here.member("step").is_there() != here.member("at_s").is_there();
@@ -94,17 +103,17 @@ EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
   read.has_time = is_one_time && (step || at_s);
   int actions = 0;
   bool is_bad_hitch = false;
-  for (const std::string_view key : kActionNames) {
-    const JsonPlace action = here.member(key);
+  for (std::size_t kind = 0; kind < kActionNames.size(); ++kind) {
+    const JsonPlace action = here.member(kActionNames[kind]);
     if (!action.is_there()) continue;
     const std::size_t problems_before = problems.count;
-    read.event.action = read_action(action, key);
-    is_bad_hitch |= key == "hitch" && problems.count > problems_before;
+    read.event.action = read_action(action, kind);
+    is_bad_hitch |= kind == kHitchKind && problems.count > problems_before;
     ++actions;
   }
   if (actions != 1)
     here.wrong("must hold exactly one action (found " + std::to_string(actions) +
-               "); allowed: fling, place, stop, resize, hitch, grab, release");
+               "); allowed: " + listed(kActionNames));
   read.has_action = actions == 1;
   read.has_known_time = read.has_action && !is_bad_hitch;
   return read;

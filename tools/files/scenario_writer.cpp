@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/scenario/numbers.h"
 #include "tools/files/scenario_reader.h"
 
 namespace hyrax {
@@ -13,11 +14,6 @@ Json to_json(const Size& size) {
   return Object{{"width_px", static_cast<std::int64_t>(size.width_px)},
                 {"height_px", static_cast<std::int64_t>(size.height_px)}};
 }
-Json to_json(const Velocity& velocity) {
-  return Object{{"vx_px_per_s", velocity.vx_px_per_s}, {"vy_px_per_s", velocity.vy_px_per_s}};
-}
-Json to_json(const Position& position) { return Object{{"x_px", position.x_px}, {"y_px", position.y_px}}; }
-
 Json to_json(const Jitter& jitter) {
   switch (jitter.kind) {
     case Jitter::Kind::uniform:
@@ -40,28 +36,21 @@ Json to_json(const Clock& clock) {
   return object;
 }
 
-struct ActionMember {
-  std::pair<std::string, Json> operator()(const Fling& fling) const {
-    return {"fling", to_json(fling.velocity)};
-  }
-  std::pair<std::string, Json> operator()(const Place& place) const {
-    return {"place", to_json(place.position)};
-  }
-  std::pair<std::string, Json> operator()(const Stop&) const { return {"stop", Object{}}; }
-  std::pair<std::string, Json> operator()(const Resize& resize) const {
-    Object object;
-    if (resize.window) object.emplace_back("window", to_json(*resize.window));
-    if (resize.sprite) object.emplace_back("sprite", to_json(*resize.sprite));
-    return {"resize", object};
-  }
-  std::pair<std::string, Json> operator()(const Hitch& hitch) const {
-    return {"hitch", Object{{"dt_s", hitch.dt_s}}};
-  }
-  std::pair<std::string, Json> operator()(const Grab&) const { return {"grab", Object{}}; }
-  std::pair<std::string, Json> operator()(const Release& release) const {
-    return {"release", to_json(release.velocity)};
-  }
-};
+Json action_json(Action action) {
+  Object object;
+  visit_numbers(action, [&](std::string_view path, const NumberField& field) {
+    const Json number = std::visit([](const auto* at) { return Json(*at); }, field.at);
+    const std::size_t slash = path.find('/');
+    if (slash == std::string_view::npos) {
+      object.emplace_back(path, number);
+      return;
+    }
+    const std::string_view group = path.substr(0, slash);
+    if (object.empty() || object.back().first != group) object.emplace_back(group, Object{});
+    object.back().second.get<Object>()->emplace_back(path.substr(slash + 1), number);
+  });
+  return object;
+}
 
 Json to_json(const Event& event) {
   Object object;
@@ -69,7 +58,7 @@ Json to_json(const Event& event) {
     object.emplace_back("step", *step);
   else
     object.emplace_back("at_s", std::get<double>(event.when));
-  object.push_back(std::visit(ActionMember{}, event.action));
+  object.emplace_back(name_of(event.action), action_json(event.action));
   return object;
 }
 

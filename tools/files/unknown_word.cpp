@@ -49,12 +49,17 @@ std::string_view suggestion(std::string_view found, const std::vector<std::strin
 
 }  // namespace
 
+std::string listed(std::span<const std::string_view> words) {
+  if (words.empty()) return "none";
+  std::string list(words.front());
+  for (const std::string_view word : words.subspan(1)) list.append(", ").append(word);
+  return list;
+}
+
 std::string unknown_word(std::string_view kind, std::string_view found,
                          const std::vector<std::string_view>& allowed) {
-  std::string sentence = "unknown " + std::string(kind) + " (found " + shortened(found) + "); allowed: ";
-  for (std::size_t word = 0; word < allowed.size(); ++word)
-    sentence.append(word == 0 ? "" : ", ").append(allowed[word]);
-  if (allowed.empty()) sentence += "none";
+  std::string sentence =
+      "unknown " + std::string(kind) + " (found " + shortened(found) + "); allowed: " + listed(allowed);
   if (const std::string_view nearest = suggestion(found, allowed); !nearest.empty())
     sentence.append(" (did you mean ").append(nearest).append("?)");
   return sentence;

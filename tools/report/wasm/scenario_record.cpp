@@ -1,33 +1,23 @@
 #include "tools/report/wasm/scenario_record.h"
 
+#include <array>
 #include <utility>
+
+#include "sim/scenario/numbers.h"
 
 namespace hyrax {
 namespace {
 
-// The numbers of an action; unused ones are 0, the sides of a size that stays are -1.
-using ActionNumbers = std::array<double, 4>;
+constexpr std::size_t kActionNumbers = 4;  // Of each action; unused ones are 0.
 
-ActionNumbers numbers_of(const std::optional<Size>& window, const std::optional<Size>& sprite) {
-  const Size none{-1, -1};
-  const Size w = window.value_or(none);
-  const Size s = sprite.value_or(none);
-  return {double(w.width_px), double(w.height_px), double(s.width_px), double(s.height_px)};
+// A resize has numbers for both sizes, -1 for those of one that stays.
+constexpr Size kStays{-1, -1};
+
+Action with_both_sizes(Action action) {
+  if (auto* const resize = std::get_if<Resize>(&action))
+    *resize = {resize->window.value_or(kStays), resize->sprite.value_or(kStays)};
+  return action;
 }
-
-struct NumbersOfAction {
-  ActionNumbers operator()(const Fling& fling) const {
-    return {fling.velocity.vx_px_per_s, fling.velocity.vy_px_per_s};
-  }
-  ActionNumbers operator()(const Place& place) const { return {place.position.x_px, place.position.y_px}; }
-  ActionNumbers operator()(const Stop&) const { return {}; }
-  ActionNumbers operator()(const Resize& resize) const { return numbers_of(resize.window, resize.sprite); }
-  ActionNumbers operator()(const Hitch& hitch) const { return {hitch.dt_s}; }
-  ActionNumbers operator()(const Grab&) const { return {}; }
-  ActionNumbers operator()(const Release& release) const {
-    return {release.velocity.vx_px_per_s, release.velocity.vy_px_per_s};
-  }
-};
 
 // Reads numbers one after another; after the end it gives zeros and is no longer good.
 class RecordReader {
@@ -64,34 +54,24 @@ class RecordReader {
   bool is_good_ = true;
 };
 
-std::optional<Size> size_or_none(double width_px, double height_px) {
-  if (width_px < 0.0) return std::nullopt;
-  return Size{static_cast<std::int32_t>(width_px), static_cast<std::int32_t>(height_px)};
+std::optional<Size> unless_it_stays(const std::optional<Size>& size) {
+  return size && size->width_px >= 0 ? size : std::nullopt;
 }
 
 Action read_action(RecordReader& reader) {
-  const auto code = reader.integer<int>();
-  ActionNumbers n{};
-  for (double& number : n) number = reader.number();
-  switch (code) {
-    case 0:
-      return Fling{{n[0], n[1]}};
-    case 1:
-      return Place{{n[0], n[1]}};
-    case 2:
-      return Stop{};
-    case 3:
-      return Resize{size_or_none(n[0], n[1]), size_or_none(n[2], n[3])};
-    case 4:
-      return Hitch{n[0]};
-    case 5:
-      return Grab{};
-    case 6:
-      return Release{{n[0], n[1]}};
-    default:
-      reader.fail();
-      return Stop{};
+  const double kind = reader.number();
+  std::array<double, kActionNumbers> numbers{};
+  for (double& number : numbers) number = reader.number();
+  if (!(kind >= 0.0 && kind < static_cast<double>(kActionNames.size()))) {
+    reader.fail();
+    return Stop{};
   }
+  Action action = with_both_sizes(make_action(static_cast<std::size_t>(kind)));
+  std::size_t next = 0;
+  visit_numbers(action, [&](std::string_view, const NumberField& field) { field.set(numbers[next++]); });
+  if (auto* const resize = std::get_if<Resize>(&action))
+    *resize = {unless_it_stays(resize->window), unless_it_stays(resize->sprite)};
+  return action;
 }
 
 constexpr double kHalf = 4294967296.0;
@@ -167,7 +147,10 @@ void add_event(std::vector<double>& record, const Event& event) {
   record.push_back(step != nullptr ? 0.0 : 1.0);
   record.push_back(step != nullptr ? static_cast<double>(*step) : std::get<double>(event.when));
   record.push_back(static_cast<double>(event.action.index()));
-  for (const double number : std::visit(NumbersOfAction{}, event.action)) record.push_back(number);
+  const std::size_t end = record.size() + kActionNumbers;
+  Action action = with_both_sizes(event.action);
+  visit_numbers(action, [&](std::string_view, const NumberField& field) { record.push_back(field.value()); });
+  record.resize(end, 0.0);
 }
 
 Event read_event(RecordReader& reader) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/scenario/number_at.h"
+#include "sim/scenario/numbers.h"
 #include "tools/files/failure.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"

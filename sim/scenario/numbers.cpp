@@ -1,11 +1,9 @@
-#include "sim/scenario/number_at.h"
+#include "sim/scenario/numbers.h"
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
 #include <span>
-#include <string>
-#include <vector>
 
 namespace hyrax {
 namespace {
@@ -31,27 +29,22 @@ std::vector<std::string_view> tokens_of(std::string_view pointer) {
 
 bool is(Tokens path, std::string_view key) { return path.size() == 1 && path.front() == key; }
 
-Field in_size(Size& size, Tokens path, std::int64_t low_px, std::int64_t high_px) {
-  if (is(path, "width_px")) return NumberField{&size.width_px, real(low_px), real(high_px)};
-  if (is(path, "height_px")) return NumberField{&size.height_px, real(low_px), real(high_px)};
+Field in_window(Size& window, Tokens path) {
+  if (is(path, "width_px")) return window_field(window.width_px);
+  if (is(path, "height_px")) return window_field(window.height_px);
   return std::nullopt;
 }
-Field in_window(Size& window, Tokens path) { return in_size(window, path, 0, kWindowSideMax_px); }
 Field in_sprite(Size& sprite, Tokens path) {
-  return in_size(sprite, path, kSpriteSideMin_px, kSpriteSideMax_px);
-}
-
-Field in_position(Position& position, Tokens path) {
-  if (is(path, "x_px")) return NumberField{&position.x_px, -kCoordinateMax_px, kCoordinateMax_px};
-  if (is(path, "y_px")) return NumberField{&position.y_px, -kCoordinateMax_px, kCoordinateMax_px};
+  if (is(path, "width_px")) return sprite_field(sprite.width_px);
+  if (is(path, "height_px")) return sprite_field(sprite.height_px);
   return std::nullopt;
 }
 
-Field in_velocity(Velocity& velocity, Tokens path) {
-  if (is(path, "vx_px_per_s"))
-    return NumberField{&velocity.vx_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s};
-  if (is(path, "vy_px_per_s"))
-    return NumberField{&velocity.vy_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s};
+Field in_start(Scenario& scenario, Tokens path) {
+  if (is(path, "x_px")) return coordinate_field(scenario.start.x_px);
+  if (is(path, "y_px")) return coordinate_field(scenario.start.y_px);
+  if (is(path, "vx_px_per_s")) return speed_field(scenario.start_velocity.vx_px_per_s);
+  if (is(path, "vy_px_per_s")) return speed_field(scenario.start_velocity.vy_px_per_s);
   return std::nullopt;
 }
 
@@ -67,19 +60,28 @@ NumberField timing(NumberField field) {
   return field;
 }
 
-Field in_jitter(Jitter& jitter, Tokens path) {
-  if (is(path, "seed")) return timing({&jitter.seed, 0.0, kSeedMax});
-  switch (jitter.kind) {
+NumberField rate_field(FixedRate& rate) { return timing({&rate.rate_hz, 1.0 / kFrameMax_s, kRateMax_hz}); }
+
+NumberField amount_field(Jitter& jitter) {
+  return timing({&jitter.amount, 0.0, jitter.kind == Jitter::Kind::normal ? kFrameMax_s : 1.0});
+}
+NumberField seed_field(Jitter& jitter) { return timing({&jitter.seed, 0.0, kSeedMax}); }
+
+std::string_view amount_key(Jitter::Kind kind) {
+  switch (kind) {
     case Jitter::Kind::uniform:
-      if (is(path, "fraction")) return timing({&jitter.amount, 0.0, 1.0});
-      break;
+      return "fraction";
     case Jitter::Kind::normal:
-      if (is(path, "sigma_s")) return timing({&jitter.amount, 0.0, kFrameMax_s});
-      break;
+      return "sigma_s";
     case Jitter::Kind::missed_frames:
-      if (is(path, "probability")) return timing({&jitter.amount, 0.0, 1.0});
-      break;
+      return "probability";
   }
+  return "";
+}
+
+Field in_jitter(Jitter& jitter, Tokens path) {
+  if (is(path, "seed")) return seed_field(jitter);
+  if (is(path, amount_key(jitter.kind))) return amount_field(jitter);
   return std::nullopt;
 }
 
@@ -87,35 +89,30 @@ Field in_clock(Clock& clock, Tokens path) {
   if (path.empty()) return std::nullopt;
   if (path.front() == "jitter" && clock.jitter) return in_jitter(*clock.jitter, path.subspan(1));
   if (auto* const rate = std::get_if<FixedRate>(&clock.base); rate != nullptr && is(path, "rate_hz"))
-    return timing({&rate->rate_hz, 1.0 / kFrameMax_s, kRateMax_hz});
+    return rate_field(*rate);
   if (auto* const step = std::get_if<FixedStep>(&clock.base); step != nullptr && is(path, "dt_s"))
-    return timing({&step->dt_s, 0.0, kFrameMax_s});
+    return frame_field(step->dt_s);
   auto* const trace = std::get_if<RecordedSteps>(&clock.base);
   if (trace == nullptr || path.size() != 2 || path.front() != "dt_s") return std::nullopt;
   const auto frame = index_in(path[1], trace->dt_s.size());
   if (!frame) return std::nullopt;
-  return timing({&trace->dt_s[*frame], 0.0, kFrameMax_s});
+  return frame_field(trace->dt_s[*frame]);
 }
 
-struct InAction {
-  Tokens path;
+// The part of a pointer that tokens are of.
+std::string_view text_of(Tokens path) {
+  if (path.empty()) return "";
+  const char* const end = path.back().data() + path.back().size();
+  return {path.front().data(), static_cast<std::size_t>(end - path.front().data())};
+}
 
-  Field operator()(Fling& fling) const { return in_velocity(fling.velocity, path); }
-  Field operator()(Release& release) const { return in_velocity(release.velocity, path); }
-  Field operator()(Place& place) const { return in_position(place.position, path); }
-  Field operator()(Hitch& hitch) const {
-    if (!is(path, "dt_s")) return std::nullopt;
-    return timing({&hitch.dt_s, 0.0, kFrameMax_s});
-  }
-  Field operator()(Resize& resize) const {
-    if (path.empty()) return std::nullopt;
-    if (path.front() == "window" && resize.window) return in_window(*resize.window, path.subspan(1));
-    if (path.front() == "sprite" && resize.sprite) return in_sprite(*resize.sprite, path.subspan(1));
-    return std::nullopt;
-  }
-  Field operator()(Stop&) const { return std::nullopt; }
-  Field operator()(Grab&) const { return std::nullopt; }
-};
+Field in_action(Action& action, Tokens path) {
+  Field found;
+  visit_numbers(action, [&](std::string_view name, const NumberField& field) {
+    if (name == text_of(path)) found = field;
+  });
+  return found;
+}
 
 Field in_event(Event& event, Tokens path) {
   if (path.empty()) return std::nullopt;
@@ -124,7 +121,7 @@ Field in_event(Event& event, Tokens path) {
   if (auto* const at_s = std::get_if<double>(&event.when); at_s != nullptr && is(path, "at_s"))
     return timing({at_s, -kNoLimit, kNoLimit});
   if (path.front() != name_of(event.action)) return std::nullopt;
-  return std::visit(InAction{path.subspan(1)}, event.action);
+  return in_action(event.action, path.subspan(1));
 }
 
 Field in_events(std::vector<Event>& events, Tokens path) {
@@ -150,10 +147,7 @@ std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointe
   const Tokens path = Tokens(tokens).subspan(1);
   if (first == "window") return in_window(scenario.window, path);
   if (first == "sprite") return in_sprite(scenario.sprite, path);
-  if (first == "start") {
-    const Field position = in_position(scenario.start, path);
-    return position ? position : in_velocity(scenario.start_velocity, path);
-  }
+  if (first == "start") return in_start(scenario, path);
   if (first == "clock") return in_clock(scenario.clock, path);
   if (first == "events") return in_events(scenario.events, path);
   if (first == "record" && is(path, "every"))
@@ -165,6 +159,30 @@ std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointe
       duration_s != nullptr && is(tokens, "duration_s"))
     return timing({duration_s, 0.0, kNoLimit});
   return std::nullopt;
+}
+
+std::vector<NumberField> numbers_of(Scenario& scenario) {
+  std::vector<NumberField> numbers = {window_field(scenario.window.width_px),
+                                      window_field(scenario.window.height_px),
+                                      sprite_field(scenario.sprite.width_px),
+                                      sprite_field(scenario.sprite.height_px),
+                                      coordinate_field(scenario.start.x_px),
+                                      coordinate_field(scenario.start.y_px),
+                                      speed_field(scenario.start_velocity.vx_px_per_s),
+                                      speed_field(scenario.start_velocity.vy_px_per_s)};
+  Clock& clock = scenario.clock;
+  if (auto* const rate = std::get_if<FixedRate>(&clock.base)) numbers.push_back(rate_field(*rate));
+  if (auto* const step = std::get_if<FixedStep>(&clock.base)) numbers.push_back(frame_field(step->dt_s));
+  if (auto* const trace = std::get_if<RecordedSteps>(&clock.base))
+    for (double& dt_s : trace->dt_s) numbers.push_back(frame_field(dt_s));
+  if (clock.jitter) {
+    numbers.push_back(amount_field(*clock.jitter));
+    numbers.push_back(seed_field(*clock.jitter));
+  }
+  for (Event& event : scenario.events)
+    visit_numbers(event.action,
+                  [&](std::string_view, const NumberField& field) { numbers.push_back(field); });
+  return numbers;
 }
 
 }  // namespace hyrax

@@ -1,0 +1,103 @@
+// The numbers of a scenario: where each is stored, its limits, and the JSON Pointer of its key.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "sim/scenario/scenario.h"
+
+namespace hyrax {
+
+/// What a key of the format `hyrax-scenario/1` holds: a real number, a whole number, or a seed, which may be
+/// up to 2^64 - 1.
+enum class NumberKind : std::uint8_t { real, integer, seed };
+
+/// A number of a scenario: where it is stored, and the limits of its key.
+struct NumberField {
+  std::variant<double*, std::int32_t*, std::int64_t*, std::uint64_t*> at;
+  double low = 0.0;
+  double high = 0.0;
+  /// Whether frame numbers or times of events may depend on it.
+  bool is_timing = false;
+
+  [[nodiscard]] bool allows(double value) const { return value >= low && value <= high; }
+  [[nodiscard]] double value() const {
+    return std::visit([](const auto* number) { return static_cast<double>(*number); }, at);
+  }
+  /// REQUIRES: the type of the number has the value.
+  void set(double value) const {
+    std::visit(
+        [value](auto* number) { *number = static_cast<std::remove_pointer_t<decltype(number)>>(value); }, at);
+  }
+};
+
+/// Of the key that a pointer ends in.
+[[nodiscard]] NumberKind number_kind(std::string_view pointer);
+
+/// The number at a pointer, as `/start/x_px` or `/events/0/fling/vx_px_per_s`. It refers to the scenario.
+/// Nothing if the scenario holds no number there, or in `expect`.
+[[nodiscard]] std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointer);
+
+/// All real numbers, sizes and seeds, in the order of the file; frame numbers are none of them. They refer to
+/// the scenario.
+[[nodiscard]] std::vector<NumberField> numbers_of(Scenario& scenario);
+
+[[nodiscard]] inline NumberField coordinate_field(double& value_px) {
+  return {&value_px, -kCoordinateMax_px, kCoordinateMax_px};
+}
+[[nodiscard]] inline NumberField speed_field(double& value_px_per_s) {
+  return {&value_px_per_s, -kSpeedMax_px_per_s, kSpeedMax_px_per_s};
+}
+[[nodiscard]] inline NumberField frame_field(double& dt_s) { return {&dt_s, 0.0, kFrameMax_s, true}; }
+[[nodiscard]] inline NumberField window_field(std::int32_t& side_px) {
+  return {&side_px, 0.0, double(kWindowSideMax_px)};
+}
+[[nodiscard]] inline NumberField sprite_field(std::int32_t& side_px) {
+  return {&side_px, double(kSpriteSideMin_px), double(kSpriteSideMax_px)};
+}
+
+/// Calls `visit` for the numbers of each kind of action; see visit_numbers.
+template <class Visit>
+struct ActionNumbers {
+  const Visit& visit;
+
+  void operator()(Fling& fling) const { velocity(fling.velocity); }
+  void operator()(Place& place) const {
+    visit("x_px", coordinate_field(place.position.x_px));
+    visit("y_px", coordinate_field(place.position.y_px));
+  }
+  void operator()(Stop&) const {}
+  void operator()(Resize& resize) const {
+    if (resize.window) {
+      visit("window/width_px", window_field(resize.window->width_px));
+      visit("window/height_px", window_field(resize.window->height_px));
+    }
+    if (resize.sprite) {
+      visit("sprite/width_px", sprite_field(resize.sprite->width_px));
+      visit("sprite/height_px", sprite_field(resize.sprite->height_px));
+    }
+  }
+  void operator()(Hitch& hitch) const { visit("dt_s", frame_field(hitch.dt_s)); }
+  void operator()(Grab&) const {}
+  void operator()(Release& release) const { velocity(release.velocity); }
+
+ private:
+  void velocity(Velocity& of) const {
+    visit("vx_px_per_s", speed_field(of.vx_px_per_s));
+    visit("vy_px_per_s", speed_field(of.vy_px_per_s));
+  }
+};
+
+/// Calls visit(path, NumberField) for each number of an action in the order of the file: the one list of them
+/// that files, sweeps, searches and the report page share. The path is that in the action's member of the
+/// file, as "vx_px_per_s" or "window/width_px". A size that a resize leaves as it is has no numbers.
+template <class Visit>
+void visit_numbers(Action& action, const Visit& visit) {
+  std::visit(ActionNumbers<Visit>{visit}, action);
+}
+
+}  // namespace hyrax
