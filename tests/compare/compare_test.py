@@ -333,19 +333,19 @@ class Refused(CompareTest):
 
     def test_bad_usage_and_missing_files(self):
         for arguments, exit_code, says in (
-                ([], BAD_INPUT, "CANDIDATE.h and at most one BASE.h are allowed (found 0 files)"),
-                (["a.h", "b.h", "c.h"], BAD_INPUT, "found 3 files"),
+                ([], BAD_INPUT, "CANDIDATE.h [BASE.h]: at least 1 needed (found 0)"),
+                (["a.h", "b.h", "c.h"], BAD_INPUT, "CANDIDATE.h [BASE.h]: at most 2 allowed (found 3)"),
                 (["a.h", "--jsn"], BAD_INPUT, "unknown option (found --jsn)"),
-                (["a.h", "--seed", "x"], BAD_INPUT, "--seed: must be an integer 0 .. 18446744073709551615 (found x)"),
-                (["a.h", "--flings", "0"], BAD_INPUT, "--flings: must be an integer 1 .. 100000 (found 0)"),
-                (["a.h", "--flings"], BAD_INPUT, "--flings: its value is missing"),
+                (["a.h", "--seed", "x"], BAD_INPUT, "--seed: must be a whole number 0 .. 9223372036854775807 (found x)"),
+                (["a.h", "--flings", "0"], BAD_INPUT, "--flings: must be a whole number 1 .. 100000 (found 0)"),
+                (["a.h", "--flings"], BAD_INPUT, "--flings: value is missing"),
                 (["missing.h"], CANNOT_ACCESS, "missing.h: cannot be read"),
                 (["missing.h", "--scenarios", "nowhere"], CANNOT_ACCESS, "nowhere")):
             with self.subTest(arguments):
                 outcome = self.compare(exit_code, *arguments)
                 self.assertIn(says, outcome.err)
                 self.assertEqual(outcome.out, "")
-        self.assertIn("Usage: hyrax-compare CANDIDATE.h [BASE.h]", self.compare(AGREED, "--help").out)
+        self.assertIn("Usage: hyrax-compare [OPTION]... CANDIDATE.h [BASE.h]", self.compare(AGREED, "--help").out)
 
 
 if __name__ == "__main__":

@@ -86,17 +86,13 @@ ExitCode print_help(const std::string& text) {
   return ExitCode::agreed;
 }
 
-[[noreturn]] void refuse(const std::string& command, const std::string& what) {
-  throw Failure(ExitCode::bad_input, command + ": " + what + "; see `" + command + " --help`");
-}
-
 const Command& find(const std::vector<Command>& commands, const std::string& name) {
   std::vector<std::string_view> names;
   for (const Command& command : commands) {
     if (command.name == name) return command;
     names.push_back(command.name);
   }
-  refuse("hyrax-sim", unknown_word("command", name, names));
+  refuse_usage("hyrax-sim", unknown_word("command", name, names));
 }
 
 ExitCode run_command_line(const std::vector<std::string>& arguments) {
@@ -106,16 +102,13 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   if (name == "--version" || name == "-V")
     return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
   const Command& command = find(commands, name);
-  if (command.needs_paper_model) require_paper_core("hyrax-sim " + name);
+  const std::string command_name = "hyrax-sim " + name;
+  if (command.needs_paper_model) require_paper_core(command_name);
   Options options;
   const std::function<ExitCode()> act = command.declare(options);
-  try {
-    if (!options.parse({arguments.begin() + 1, arguments.end()}))
-      return print_help(command.summary + "\n" + options.help(name) + "\nExample:\n  " + command.example +
-                        "\n");
-  } catch (const Failure& failure) {
-    refuse("hyrax-sim " + name, failure.what());
-  }
+  if (!options.parse(command_name, {arguments.begin() + 1, arguments.end()}))
+    return print_help(command.summary + "\n" + options.help(command_name) + "\nExample:\n  " +
+                      command.example + "\n");
   if (command.needs_strict_ieee)
     if (const auto fault = arithmetic_fault())
       throw Failure(ExitCode::not_strict_ieee, "hyrax-sim: " + std::string(*fault));

@@ -51,6 +51,10 @@ std::string with_value(const OptionText& text) {
 
 }  // namespace
 
+void refuse_usage(const std::string& command, const std::string& what) {
+  refuse(command + ": " + what + "; see `" + command + " --help`");
+}
+
 bool Options::Option::is_named(std::string_view name) const {
   return fmt::format(",{},", text.names).find(fmt::format(",{},", name)) != std::string::npos;
 }
@@ -86,12 +90,12 @@ void Options::number(std::optional<double>& into, const OptionText& text, double
   });
 }
 
-void Options::integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low) {
-  add(text, Kind::once, [&into, names = text.names, low](const std::string& value) {
+void Options::integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low,
+                      std::int64_t high) {
+  add(text, Kind::once, [&into, names = text.names, low, high](const std::string& value) {
     into = parse_number<std::int64_t>(value);
-    if (!into || *into < low)
-      refuse(fmt::format("{}: must be a whole number {} .. {} (found {})", names, low,
-                         std::numeric_limits<std::int64_t>::max(), value));
+    if (!into || *into < low || *into > high)
+      refuse(fmt::format("{}: must be a whole number {} .. {} (found {})", names, low, high, value));
   });
 }
 
@@ -131,7 +135,15 @@ Options::Option& Options::find(const std::string& name) {
   return *option;
 }
 
-bool Options::parse(const std::vector<std::string>& arguments) {
+bool Options::parse(const std::string& command, const std::vector<std::string>& arguments) {
+  try {
+    return read(arguments);
+  } catch (const Failure& failure) {
+    refuse_usage(command, failure.what());
+  }
+}
+
+bool Options::read(const std::vector<std::string>& arguments) {
   std::vector<std::string> files;
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
     if (*argument == "--") {
@@ -180,7 +192,7 @@ void Options::set_files(std::vector<std::string> files) const {
 }
 
 std::string Options::help(const std::string& command) const {
-  std::string usage = "Usage: hyrax-sim " + command + " [OPTION]...";
+  std::string usage = "Usage: " + command + " [OPTION]...";
   std::string text;
   if (files_ != nullptr) {
     const bool is_list = most_ < 0;

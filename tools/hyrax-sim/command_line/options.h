@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@
 #include "tools/hyrax-sim/command_line/print.h"
 
 namespace hyrax {
+
+/// Throws Failure(bad_input) "COMMAND: WHAT; see `COMMAND --help`".
+[[noreturn]] void refuse_usage(const std::string& command, const std::string& what);
 
 struct OptionText {
   std::string names;  ///< As "-o,--output".
@@ -35,16 +39,18 @@ class Options {
   void texts(std::vector<std::string>& into, const OptionText& text);
   /// A finite number, at least `low`.
   void number(std::optional<double>& into, const OptionText& text, double low);
-  /// A whole number, at least `low`.
-  void integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low);
+  /// A whole number, `low` .. `high`.
+  void integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low,
+               std::int64_t high = std::numeric_limits<std::int64_t>::max());
   /// One of `allowed`.
   void choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed);
   /// What every command has: --json, --quiet and --verbose, the last with its own help.
   void printing(Printing& into, const std::string& verbose_help = "no effect");
 
-  /// Sets what was declared. Returns false if help is requested; not everything is set then.
-  /// ERRORS: Failure(bad_input) "OPTION: what is wrong (found X); what is allowed".
-  [[nodiscard]] bool parse(const std::vector<std::string>& arguments);
+  /// Sets what was declared, from the arguments of `command`, as "hyrax-sim run". Returns false if help is
+  /// requested; not everything is set then.
+  /// ERRORS: Failure(bad_input) "COMMAND: OPTION: what is wrong (found X); see `COMMAND --help`".
+  [[nodiscard]] bool parse(const std::string& command, const std::vector<std::string>& arguments);
 
   /// The usage of `command`, its arguments and options in the order of their declaration.
   [[nodiscard]] std::string help(const std::string& command) const;
@@ -60,6 +66,7 @@ class Options {
     [[nodiscard]] bool is_named(std::string_view name) const;
   };
 
+  [[nodiscard]] bool read(const std::vector<std::string>& arguments);
   void add(const OptionText& text, Kind kind, std::function<void(const std::string& value)> set);
   using Argument = std::vector<std::string>::const_iterator;
   /// Reads the option at `argument`; returns the last argument that it used.
