@@ -12,9 +12,8 @@ import xxhash
 
 from process import run
 from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, Maybe, ProgramTest,
-                     PROGRAM, fling, main)
+                     PROGRAM, few_threads, fling, main)
 
-FEW_THREADS = os.environ["HYRAX_FEW_THREADS"]
 
 CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int,
          "unreferenced": int, "results": [object], "groups": [object]}
@@ -452,9 +451,8 @@ class Workers(CheckTest):
     def test_without_any_thread_all_verdicts_are_given(self):
         one = self.expect(AGREED, "check", "--json", "--jobs", "1").out
         for allowed in (0, 1):
-            environment = {**os.environ, "LD_PRELOAD": FEW_THREADS, "HYRAX_THREADS": str(allowed),
-                           "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
-            self.assertEqual(self.expect(AGREED, "check", "--json", "--jobs", "8", env=environment).out, one)
+            outcome = self.expect(AGREED, "check", "--json", "--jobs", "8", env=few_threads(allowed))
+            self.assertEqual(outcome.out, one)
 
 
 class Suggested(CheckTest):

@@ -32,6 +32,12 @@ FLING = {
 }
 
 
+def few_threads(allowed, environment=os.environ):
+    """The environment in which a program can start only so many threads; ctest gives the path of what sees to it."""
+    return {**environment, "LD_PRELOAD": os.environ["HYRAX_FEW_THREADS"], "HYRAX_THREADS": str(allowed),
+            "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
+
+
 def fling(**changes):
     """The throw as a document, with top-level members changed; None removes one."""
     document = {**copy.deepcopy(FLING), **changes}

@@ -12,7 +12,7 @@ import numpy
 
 import sweep_members
 from process import Process
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, ProgramTest, few_threads, fling, main
 from sweep_members import ALL, Members, any_sweep, assert_same_bits, base, datasets, oracle
 
 SEED = int(os.environ.get("HYRAX_SEED", "0")) or random.SystemRandom().getrandbits(32)
@@ -52,6 +52,12 @@ class EveryMember(SweepTest):
             with self.subTest(f"HYRAX_SEED={SEED}, sweep {number}: {sweep_members.shown(sweep)}"):
                 found = self.computed(sweep, f"--threads={1 + number % 3}")
                 assert_same_bits(self, found, Members(self, sweep).columns(), f"seed {seed}")
+
+    def test_without_any_other_thread_the_numbers_are_the_same(self):
+        threads = self.computed(document(members=300, base=base(steps=1_100_000)), "--threads=3")  # In chunks of 64.
+        for allowed in (0, 1):
+            self.sweep("sweep.json", "-o", "few.h5", "--threads=3", env=few_threads(allowed, NO_CLUSTER))
+            assert_same_bits(self, datasets(self.folder / "few.h5"), threads, f"{allowed} threads")
 
     def test_a_file_of_a_member_gives_its_numbers(self):
         sweep = document(keep=ALL)
