@@ -21,6 +21,7 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True  # The source tree stays as it is.
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cli"))
 
 from build_copy import BuildCopy
 from draw import drawn, mutants_by_folder

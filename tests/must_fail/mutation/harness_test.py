@@ -22,6 +22,7 @@ SOURCES = {
     "CMakeLists.txt": """cmake_minimum_required(VERSION 3.25)
 project(small LANGUAGES CXX)
 enable_testing()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS sum_test)
 add_library(compare STATIC sim/compare/sign.cpp)
 add_executable(hyrax-sim main.cpp)
 target_link_libraries(hyrax-sim PRIVATE compare)
@@ -90,10 +91,11 @@ class Harness(unittest.TestCase):
         path.write_text(json.dumps(reasons), encoding="utf-8")
         temporary = self.folder / "tmp"
         temporary.mkdir(exist_ok=True)
+        outside = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}  # Those of a user.
         with subprocess.Popen([sys.executable, TOOL, "--build", self.source / "build/some", "--source", self.source,
                                "--reasons", path, "--test-seconds", "2", *options], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              env={**os.environ, **environment, "TMPDIR": str(temporary)}) as tool:
+                              env={**outside, **environment, "TMPDIR": str(temporary)}) as tool:
             if is_stopped:
                 self.wait_for_a_program(tool)
                 tool.terminate()

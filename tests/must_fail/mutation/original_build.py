@@ -66,7 +66,7 @@ class Build:
 
     def _tests(self, may_ask):
         lines = printed("ninja", "-C", self.folder, "-t", "targets", "all").splitlines()
-        targets = {line.rpartition(": ")[0] for line in lines}
+        targets = {line.rpartition(": ")[0] for line in lines if not line.startswith("/")}  # What is built.
         known = json.loads(printed("ctest", "--test-dir", self.folder, "--show-only=json-v1", "-L", "everyday"))
         return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]
                 if may_ask.search(entry["name"])]
