@@ -19,7 +19,7 @@ from workshop import CannotBuild
 
 _ADDRESS_SPACE_MAX, _FILE_SIZE_MAX = 8 << 30, 4 << 30
 PASSED = ("Passed", "Skipped")
-_RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake")
+_RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake", "compile_commands.json")
 _OUTCOME = re.compile(r"^ *\d+/\d+ Test +#\d+: (\S+) \.*(?:\*\*\*)? *(.*?) +([\d.]+) sec", re.MULTILINE)
 
 
