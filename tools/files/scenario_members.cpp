@@ -181,12 +181,6 @@ Position read_position(const JsonPlace& here) {
           here.required("y_px").number(kCoordinateRule).value_or(0.0)};
 }
 
-Velocity read_velocity(const JsonPlace& here) {
-  if (!here.is_object_of({"vx_px_per_s", "vy_px_per_s"})) return {};
-  return {here.required("vx_px_per_s").number(kSpeedRule).value_or(0.0),
-          here.required("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
-}
-
 Expect read_expect(const JsonPlace& here) {
   Expect expect;
   if (!here.is_object_of({"in_bounds", "finite", "final_x_px", "final_y_px", "at_rest_since_s", "contacts",

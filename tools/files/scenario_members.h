@@ -18,7 +18,6 @@ inline constexpr NumberRule kNotNegativeRule{0.0};
 [[nodiscard]] Size read_sprite(const JsonPlace& here);
 /// Of an object that may have more members than x_px and y_px.
 [[nodiscard]] Position read_position(const JsonPlace& here);
-[[nodiscard]] Velocity read_velocity(const JsonPlace& here);
 [[nodiscard]] Expect read_expect(const JsonPlace& here);
 
 /// Reads `scenario.events`, and checks each event, their order and the frames that they are due at.
