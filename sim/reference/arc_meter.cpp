@@ -262,7 +262,6 @@ ContactEnergyParts ArcMeter::contact_energy(const Row& clamped) const {
   ContactEnergyParts parts;
   Flight next = seen_from_start(step_from_last(clamped.dt_s));
   parts.flight = gain_to(next);
-  next.dx_px = clamped.x_px - start_.row.x_px;
   next.dy_px = clamped.y_px - start_.row.y_px;
   parts.lift = gain_to(next);
   if (hits(Wall::left) || hits(Wall::right)) next.vx_px_per_s *= -model_.restitution;

@@ -52,7 +52,7 @@ void MarginMeter::take(const Row& row) {
   last_ = row;
   const InputChange change = playback_.apply(last_);
   if (change.sets_position) x_.position = y_.position = {};
-  if (change.sets_velocity) x_.speed = y_.speed = {};
+  if (change.sets_velocity) x_.speed_by_speed = y_.speed_by_speed = 0.0;
 }
 
 void MarginMeter::step_to(const Row& row) {
@@ -66,10 +66,8 @@ void MarginMeter::step_to(const Row& row) {
 // v' = a (v + g h), p' = p + h v', and the same without g for the slopes.
 MarginMeter::Unclamped MarginMeter::fly(Axis& axis, double position_px, double speed_px_per_s,
                                         double acceleration_px_per_s2, double dt_s) const {
-  axis.speed.by_position *= model_.air_drag;
-  axis.speed.by_speed *= model_.air_drag;
-  axis.position.by_position += dt_s * axis.speed.by_position;
-  axis.position.by_speed += dt_s * axis.speed.by_speed;
+  axis.speed_by_speed *= model_.air_drag;
+  axis.position.by_speed += dt_s * axis.speed_by_speed;
   const double speed = scaled(or_gone(speed_px_per_s) + acceleration_px_per_s2 * dt_s, model_.air_drag);
   return {position_px, speed * dt_s, speed};
 }
@@ -95,23 +93,21 @@ void MarginMeter::decide_walls(const Row& row, bool is_x, const Axis& axis, cons
 void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {
   const auto turn = [this](Axis& axis) {
     axis.position = {};
-    axis.speed.by_position = scaled(axis.speed.by_position, -model_.restitution);
-    axis.speed.by_speed = scaled(axis.speed.by_speed, -model_.restitution);
+    axis.speed_by_speed = scaled(axis.speed_by_speed, -model_.restitution);
   };
   if (touches(row.contact, Wall::left) || touches(row.contact, Wall::right)) turn(x_);
   if (touches(row.contact, Wall::top)) turn(y_);
   if (!touches(row.contact, Wall::ground)) return;
   turn(y_);
-  x_.speed.by_position = scaled(x_.speed.by_position, model_.ground_friction);
-  x_.speed.by_speed = scaled(x_.speed.by_speed, model_.ground_friction);
+  x_.speed_by_speed = scaled(x_.speed_by_speed, model_.ground_friction);
 
   const double vy = -vy_unclamped_px_per_s * model_.restitution;
   const bool is_stopped = (row.contact & kRestBit) != 0;
   const double above = std::fabs(vy) - model_.rest_threshold_px_per_s;
   const double outwards = std::copysign(1.0, vy);
   consider(Decision::rest, row, is_stopped, false, is_stopped ? -above : above,
-           is_stopped ? -outwards : outwards, y_.speed);
-  if (is_stopped) y_.speed = {};
+           is_stopped ? -outwards : outwards, {0.0, y_.speed_by_speed});
+  if (is_stopped) y_.speed_by_speed = 0.0;
 }
 
 // @param distance >= 0 to where the decision falls otherwise; @param sign of its change with the
@@ -140,8 +136,7 @@ Margin MarginMeter::margin() const {
     const Axis& a = *axes[axis];
     margin.sensitivity[axis][axis] = a.position.by_position;
     margin.sensitivity[axis][axis + 2] = a.position.by_speed;
-    margin.sensitivity[axis + 2][axis] = a.speed.by_position;
-    margin.sensitivity[axis + 2][axis + 2] = a.speed.by_speed;
+    margin.sensitivity[axis + 2][axis + 2] = a.speed_by_speed;
   }
   for (const auto& row : margin.sensitivity) {
     double sum = 0.0;

@@ -47,8 +47,9 @@ struct Margin {
 /// One pass over the rows. At given dt and sizes the step is piecewise affine, and the branches it
 /// took are in the rows; so what a decision looks at is an affine function of the start, with the
 /// Jacobian's row as slope, and falls the same way within |value| / |slope|_1. x and y meet only in
-/// the ground's friction, which is a factor, so that the 4 x 4 Jacobian is two 2 x 2 blocks. Exact
-/// except for rounding, also of the run itself.
+/// the ground's friction, which is a factor, and a speed depends on the start's position through
+/// decisions alone, so that the 4 x 4 Jacobian is two triangles of 2 x 2. Exact except for rounding,
+/// also of the run itself.
 class MarginMeter final : public RowSink {
  public:
   /// @param inputs of the scenario, as they were applied.
@@ -71,7 +72,7 @@ class MarginMeter final : public RowSink {
   };
   struct Axis {
     Slope position{1.0, 0.0};
-    Slope speed{0.0, 1.0};
+    double speed_by_speed = 1.0;
   };
   // The step before the clamp, along one axis. Position and move are not added: where they are to
   // be compared with a wall, their sum has lost the digits that count.

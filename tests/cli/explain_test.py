@@ -8,6 +8,9 @@ import os
 import re
 import xml.etree.ElementTree
 
+import h5py
+import numpy
+
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
 
@@ -63,6 +66,21 @@ class Causes(ExplainTest):
         group, = document["groups"]
         self.assertEqual(group["max_px"], max(entry["max_px"] for entry in document["results"]))
         self.assertEqual(group["contacts_moved"], sum(entry["contacts_moved"] for entry in document["results"]))
+
+    def test_rows_that_the_changed_core_still_gives_are_compared(self):
+        """Beyond the block with the ceiling the golden file's rows are played again, from its keyframes."""
+        document = fling(name="third", window={"width_px": 1600, "height_px": 900}, duration_s=None, steps=6000,
+                         start={"x_px": 700, "y_px": 300, "vx_px_per_s": 600, "vy_px_per_s": -900},
+                         events=[{"step": 4500, "fling": {"vx_px_per_s": -4000, "vy_px_per_s": -900}}])
+        self.write("scenarios/third.json", document)
+        self.bless("scenarios")
+        self.expect(AGREED, "run", "scenarios/third.json", "-o", "before.h5")
+        self.altered("ceiling_stops", "scenarios/third.json", "-o", "after.h5", command=("run",))
+        with h5py.File(self.folder / "before.h5") as before, h5py.File(self.folder / "after.h5") as after:
+            apart_px = numpy.hypot(*(after[f"trajectory/{name}"][:] - before[f"trajectory/{name}"][:] for name in "xy"))
+        self.assertGreater(apart_px[4097:].max(), apart_px[4096] + 1, "no distance is larger than a keyframe's")
+        entry, = self.altered("ceiling_stops", "--json", "scenarios/third.json").json["results"]
+        self.assertGreaterEqual(entry["max_px"], apart_px[4096:].max())
 
     def test_an_edited_scenario_is_told_by_its_pointer(self):
         start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}

@@ -96,8 +96,9 @@ class DisplayFlings {
  public:
   DisplayFlings(FrameRateStudy& study, const std::vector<double>& rates_hz, std::int64_t flings)
       : study_(study), rates_hz_(rates_hz), flings_(flings) {
-    for (const double rate_hz : rates_hz)
-      if (std::fabs(rate_hz - 60.0) < std::fabs(near_60_hz_ - 60.0)) near_60_hz_ = rate_hz;
+    const auto nearest =
+        std::ranges::min_element(rates_hz, {}, [](double rate_hz) { return std::fabs(rate_hz - 60.0); });
+    near_60_ = static_cast<std::size_t>(nearest - rates_hz.begin());
   }
 
   void play(const MethodKind& kind, std::size_t method, DisplayClock clock) {
@@ -147,7 +148,7 @@ class DisplayFlings {
   // At the rate nearest to 60 Hz it is played step by step, too: for its path, and to see that both agree.
   [[nodiscard]] Landing core_landing(const MethodKind& kind, Landing landing, const ManyFlings& flings,
                                      std::int64_t number, const MemberResult& by_core) const {
-    if (landing.rate_hz == near_60_hz_) {
+    if (landing.rate_hz == rates_hz_[near_60_]) {
       FlingPlayed played(kind, landing, flings.start(number));
       landing = played.play(flings.clock(number), flings.frames(), nullptr);
       landing.is_core &= same_bits(played.end(), by_core.final);
@@ -161,10 +162,7 @@ class DisplayFlings {
   [[nodiscard]] const Landing& at(std::size_t rate, std::int64_t fling) const {
     return landings_[rate * static_cast<std::size_t>(flings_ + 1) + static_cast<std::size_t>(fling)];
   }
-  [[nodiscard]] const Landing& near_60(std::int64_t fling) const {
-    const auto rate = std::find(rates_hz_.begin(), rates_hz_.end(), near_60_hz_) - rates_hz_.begin();
-    return at(static_cast<std::size_t>(rate), fling);
-  }
+  [[nodiscard]] const Landing& near_60(std::int64_t fling) const { return at(near_60_, fling); }
   [[nodiscard]] bool has_other_contacts(std::size_t rate, std::int64_t fling) const {
     WallCounts here = at(rate, fling).contacts;
     WallCounts there = near_60(fling).contacts;
@@ -202,7 +200,7 @@ class DisplayFlings {
   FrameRateStudy& study_;
   const std::vector<double>& rates_hz_;
   std::int64_t flings_;
-  double near_60_hz_ = HUGE_VAL;
+  std::size_t near_60_ = 0;  // The rate nearest to 60 Hz.
   std::vector<Landing> landings_;  // By rate, then by fling; the drawn one first.
 };
 

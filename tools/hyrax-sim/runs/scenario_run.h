@@ -91,7 +91,7 @@ class RunPicture final : public RowSink {
   void draw(const std::string& path, const ScenarioRun& run) const;
 
  private:
-  std::int64_t rows_every_ = 1;
+  std::int64_t rows_every_;
   Columns rows_;
   std::vector<Contact> contacts_;
 };

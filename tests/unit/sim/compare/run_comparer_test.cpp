@@ -191,5 +191,17 @@ TEST_F(ShortRun, ThatContradictsItselfDoesNotAgree) {
   EXPECT_TRUE(differs("last row"));
 }
 
+// A sprite wider than its window touches both walls in turn.
+TEST(KnockingRun, OfMoreContactsThanAreRecordedHasTheRestCounted) {
+  Scenario scenario = fling_at(60.0, 1'200'000);
+  scenario.window = {100, 1080};
+  StoredRun kept = kept_run(scenario);
+  ASSERT_EQ(kept.contacts_total, kContactsRecordedMax);
+  kept.contacts_total += 200'000;
+  EXPECT_TRUE(compare(kept, scenario).agrees);
+  kept.contacts.pop_back();
+  EXPECT_FALSE(compare(kept, scenario).agrees);
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -30,6 +30,15 @@ TEST(Tolerance, IsInclusive) {
   EXPECT_FALSE((Tolerance{.ulps = 1}.accepts(1.0, 1.0 + 4e-16)));
 }
 
+// All of these numbers are exact, so the relative difference is exactly 2^-10.
+TEST(Tolerance, IsInclusiveForNumbersOfAnySize) {
+  for (int kilo = 1; kilo <= 100; ++kilo) {
+    const double larger = 1024.0 * kilo;
+    EXPECT_TRUE((Tolerance{.rel = 0x1p-10}.accepts(larger, larger - kilo))) << larger;
+    EXPECT_FALSE((Tolerance{.rel = 0x1p-10}.accepts(larger, larger - kilo - 0x1p-20))) << larger;
+  }
+}
+
 TEST(Tolerance, OfZeroAcceptsZerosOfEitherSign) {
   EXPECT_TRUE((Tolerance{.abs = 0.0}.accepts(0.0, -0.0)));
   EXPECT_TRUE((Tolerance{.rel = 0.0}.accepts(0.0, -0.0)));

@@ -63,6 +63,15 @@ TEST(FrameRate, AShiftIsFromSixtyHertzAndItsContactsAreCounted) {
   EXPECT_EQ(study.shifts[1].other_contacts.count, other.count);
 }
 
+TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
+  for (const auto& rates_hz : {std::vector{59.0, 59.75, 240.0}, std::vector{60.3, 59.75, 58.8}}) {
+    const FrameRateStudy study = study_frame_rate(rates_hz, 1);
+    EXPECT_GT(study.shifts[0].shift_px.high, 0.0);
+    EXPECT_EQ(study.shifts[1].shift_px.high, 0.0) << "from itself";
+    EXPECT_GT(study.shifts[2].shift_px.high, 0.0);
+  }
+}
+
 TEST(FrameRate, ByTimeItIsSteadierInMostFlings) {
   for (const Share& steadier : study_frame_rate({24.0, 60.0, 240.0}, 30).steadier_by_time) {
     EXPECT_EQ(steadier.of, 31);
