@@ -1,14 +1,20 @@
 #!/usr/bin/python3
 """The command report, and run --report, in a program that was built without the page: usage, inputs, outputs.
 
-What the page shows is tested in a browser: tests/browser.
+The numbers in the page are those of the file. What the page shows is tested in a browser: tests/browser.
 """
 
+import base64
+import json
 import os
 import pathlib
+import re
 import shutil
 
+import h5py
+
 import program
+from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest
 
 program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
@@ -74,6 +80,28 @@ class ReportTest(ProgramTest):
         self.write("other.json", program.fling(name="other"))
         self.expect(BAD_INPUT, "run", "fling.json", "other.json", "--report", "a.html", says="one scenario only")
         self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.csv", "--report", "a.html", says="CSV")
+
+
+class Numbers(ProgramTest):
+    """Columns in the page, by the program with it."""
+
+    def page_of(self, path):
+        """The document in the page of a run; skips where the program was built without the page."""
+        outcome = run(os.environ["HYRAX_SIM"], "report", path, "-o", "page.html", cwd=self.folder)
+        if outcome.exit_code == CANNOT_ACCESS and "HYRAX_PAGE" in outcome.err:
+            self.skipTest("this program has no page; tools/test --all builds it")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+        return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])
+
+    def test_are_those_of_the_file_bit_for_bit(self):
+        for steps in (300, 301, 302):  # Of any length modulo three bytes.
+            self.write("fling.json", program.fling(steps=steps))
+            self.expect(AGREED, "run", "fling.json")
+            rows = self.page_of("fling.h5")["runs"][0]["rows"]
+            with h5py.File(self.folder / "fling.h5") as file:
+                for name, text in rows.items():
+                    wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
+                    self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
 
 
 if __name__ == "__main__":
