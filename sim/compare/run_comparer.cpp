@@ -107,8 +107,8 @@ void RunComparer::check_upkeep(const StoredBlock& kept, const Block& block) {
 const RowBlock& RunComparer::expanded(const StoredBlock& kept) {
   if (expanded_block_ == kept_block_) return expanded_;
   expanded_block_ = kept_block_;
-  expanded_ = expand_ ? expand_(kept) : RowBlock();
-  if (expanded_.size() > 0 && digest(expanded_) != kept.digest) expanded_.shrink(0);
+  expanded_ = expand_(kept);
+  if (digest(expanded_) != kept.digest) expanded_.shrink(0);
   return expanded_;
 }
 

@@ -19,7 +19,7 @@ class RunComparer : public RowSink {
   /// blocks that differ.
   using Expand = std::function<RowBlock(const StoredBlock&)>;
 
-  /// Refers to `kept`.
+  /// Refers to `kept`. REQUIRES: `expand` is a function.
   RunComparer(const StoredRun& kept, Expand expand) : kept_(kept), expand_(std::move(expand)) {}
 
   [[nodiscard]] Wants wants() const override {

@@ -47,14 +47,15 @@ Claim drag_factor() {
   const State slow = core_flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
   const double x_factor = (fast.vx_px_per_s - slow.vx_px_per_s) / 500.0;
   const double y_factor = (fast.vy_px_per_s - slow.vy_px_per_s) / 500.0;
+  const bool is_same = is_close(x_factor, y_factor, 1e-9);
   return {"2.2-both-components",
           "both velocity components are multiplied by the drag factor",
           "factor of a difference in vx over a step",
           "< 1, in vy the same",
           x_factor,
           "1",
-          holds_if(is_close(x_factor, y_factor, 1e-9) && x_factor < 1.0),
-          is_close(x_factor, y_factor, 1e-9) ? "" : "in vy it is " + digits(y_factor)};
+          holds_if(is_same && x_factor < 1.0),
+          is_same ? "" : "in vy it is " + digits(y_factor)};
 }
 
 // Rate of decay over a second of flight.

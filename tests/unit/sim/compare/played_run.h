@@ -50,6 +50,17 @@ inline Fault one_ulp(std::int64_t step, std::string_view field) {
   return {step, [field = std::string(field)](const Row& row) { return with_fault(row, field); }};
 }
 
+/// The rows with a fault in that one.
+inline RowBlock with_fault_at(const RowBlock& rows, std::int64_t faulty,
+                              const std::function<Row(const Row&)>& change) {
+  RowBlock changed;
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    const Row row = static_cast<std::int64_t>(index) == faulty ? change(rows.row(index)) : rows.row(index);
+    pack_row(changed.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
+  }
+  return changed;
+}
+
 /// Passes a run to a sink with one fault, as a replay with that fault would.
 class FaultySink : public RowSink {
  public:
@@ -70,13 +81,7 @@ class FaultySink : public RowSink {
     const std::int64_t offset = fault_.step - block.keyframe.row.step;
     if (count != 1 || offset < 0 || offset >= static_cast<std::int64_t>(block.rows.size()))
       return sink_.block(block, count);
-    RowBlock changed;
-    for (std::size_t index = 0; index < block.rows.size(); ++index) {
-      const Row row = static_cast<std::int64_t>(index) == offset ? fault_.change(block.rows.row(index))
-                                                                 : block.rows.row(index);
-      pack_row(changed.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s,
-               row.contact);
-    }
+    const RowBlock changed = with_fault_at(block.rows, offset, fault_.change);
     Keyframe keyframe = block.keyframe;
     if (offset == 0) keyframe.row = fault_.change(keyframe.row);
     sink_.block({digest(changed), keyframe, changed}, 1);
@@ -128,10 +133,10 @@ struct Playing {
 };
 
 inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const Playing& playing = {}) {
-  RunComparer::Expand expand_block;
-  if (playing.can_expand)
-    expand_block = [&](const StoredBlock& block) { return expand(kept.scenario, block); };
-  RunComparer comparer(kept, expand_block);
+  RunComparer comparer(kept, [&](const StoredBlock& block) {
+    RowBlock rows = expand(kept.scenario, block);
+    return playing.can_expand ? std::move(rows) : with_fault_at(rows, 1, one_ulp(1, "vy").change);
+  });
   const ReplayOptions options{.skips_repetition = playing.skips_repetition};
   RunSummary summary;
   if (playing.fault) {
