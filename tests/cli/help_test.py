@@ -59,6 +59,10 @@ class Help(CommandTest):
             for name in names:
                 self.assertIn(name, text)
 
+    def test_help_lists_the_values_of_a_choice(self):
+        text = " ".join(self.expect(AGREED, "drift", "--help").out.split())
+        self.assertIn("--stepper NAME the stepper of GSL (default: rk8pd): rk2, rk4, ", text)
+
     def test_the_version_is_one_line(self):
         for option in ("--version", "-V"):
             self.assertRegex(self.expect(AGREED, option).out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")

@@ -101,7 +101,8 @@ void Options::integer(std::optional<std::int64_t>& into, const OptionText& text,
 
 void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed) {
   OptionText shown = text;
-  if (text.value.find('|') == std::string::npos) shown.help += fmt::format(":\n{}", fmt::join(allowed, ", "));
+  if (allowed.size() > 1 && text.value.find('|') == std::string::npos)
+    shown.help += fmt::format(":\n{}", fmt::join(allowed, ", "));
   add(shown, Kind::once, [&into, names = text.names, allowed](const std::string& value) {
     if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
       refuse(names + ": " + unknown_word("value", value, {allowed.begin(), allowed.end()}));

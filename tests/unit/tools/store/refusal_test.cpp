@@ -1,6 +1,7 @@
 // A damaged trajectory file is refused, with a message that names file and place.
 #include <gtest/gtest.h>
 
+#include "tests/unit/sim/compare/played_run.h"
 #include "tests/unit/tools/store/stored_flings.h"
 #include "tools/store/golden_file.h"
 
@@ -21,7 +22,7 @@ class Refusal : public testing::Test {
     remove(dataset);
     const h5::Handle file = open();
     const h5::Handle made = h5::create_dataset(file, dataset, type, shape);
-    const std::vector<double> zeros(5000);
+    const std::vector<double> zeros(60'000);
     ASSERT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0) << dataset;
   }
 
@@ -198,6 +199,47 @@ TEST_F(Refusal, OfARunWithHolesAsGoldenFile) {
   write_run(path_, scenario);
   const std::string sentence = refusal([&] { static_cast<void>(read_golden(path_)); });
   EXPECT_NE(sentence.find("11 rows of 101"), std::string::npos) << sentence;
+}
+
+// The golden file of a run of three blocks.
+class BlockRefusal : public Refusal {
+ protected:
+  BlockRefusal() {
+    AtomicFile target(path_);
+    write_golden(target, path_, kept_run(fling_at(60.0, kSteps)));
+    target.commit();
+    whole_ = bytes_of(path_);
+  }
+
+  // With another dataset, of zeros, in the place of one.
+  void expect_refused_with(const char* dataset, hid_t type, std::int64_t length, const std::string& sentence) {
+    write_bytes(path_, whole_);
+    replace(dataset, type, {static_cast<hsize_t>(length)});
+    EXPECT_EQ(refusal([&] { static_cast<void>(read_golden(path_)); }), path_ + ": " + sentence);
+  }
+
+  static constexpr std::int64_t kSteps = 2 * static_cast<std::int64_t>(kBlockRows) + 99;
+  std::string whole_;
+};
+
+TEST_F(BlockRefusal, OfLengthsThatDiffer) {
+  const std::string differ = "/blocks: its datasets differ in length";
+  for (const std::int64_t blocks : {0, 2, 4}) {
+    expect_refused_with("/blocks/count", H5T_STD_I64LE, blocks, differ);
+    expect_refused_with("/blocks/time_base", H5T_IEEE_F64LE, blocks, differ);
+    expect_refused_with("/blocks/is_held", H5T_IEEE_F64LE, blocks, differ);
+    expect_refused_with("/blocks/digest", H5T_STD_U8LE, blocks * 16, differ);
+  }
+  constexpr std::int64_t kChecks = (kSteps + 1) * static_cast<std::int64_t>(sizeof(RowCheck));
+  for (const std::int64_t missing : {std::int64_t{1}, std::int64_t{sizeof(RowCheck)}, kChecks})
+    expect_refused_with("/blocks/row_check", H5T_STD_U8LE, kChecks - missing,
+                        "/blocks/row_check: is too short");
+  for (const std::int64_t more : {1, 6})
+    expect_refused_with("/blocks/row_check", H5T_STD_U8LE, kChecks + more, "/blocks/row_check: is too long");
+}
+
+TEST_F(BlockRefusal, OfBlocksThatAreNotConsecutive) {
+  expect_refused_with("/blocks/count", H5T_STD_I64LE, 3, "/blocks: are not consecutive");
 }
 
 TEST(Reading, AMissingFileCannotBeAccessed) {
