@@ -32,7 +32,7 @@ struct FramePower {
 /// with kappa = -a ln(a) / (1 - a) and eta = shift g h, shift = a - kappa^2 phi2(ln a). Over n frames
 /// power = e^z, sum = kappa n phi1(z), sum_of_sums = kappa^2 n^2 phi2(z) + shift n: the matched forms,
 /// scaled. Source: the modified equation of backward error analysis (E. Hairer, C. Lubich, G. Wanner,
-/// "Geometric Numerical Integration", 2nd ed., 2006, chapter IX), which for this linear step is a closed form.
+/// "Geometric Numerical Integration", 2nd ed., 2006, chapter IX), for this linear step a closed form.
 class FramePowers {
  public:
   /// A longer run of equal frames is cut in pieces of this length.

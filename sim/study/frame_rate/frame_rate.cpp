@@ -200,7 +200,7 @@ class DisplayFlings {
   FrameRateStudy& study_;
   const std::vector<double>& rates_hz_;
   std::int64_t flings_;
-  std::size_t near_60_ = 0;  // The rate nearest to 60 Hz.
+  std::size_t near_60_ = 0;        // The rate nearest to 60 Hz.
   std::vector<Landing> landings_;  // By rate, then by fling; the drawn one first.
 };
 

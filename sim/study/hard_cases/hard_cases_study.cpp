@@ -216,9 +216,8 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
     }
   }
   return {.title = fmt::format("{} hard cases", cases.size()),
-          .subtitle =
-              fmt::format("Invariants checked in each of {} steps; numbers: cases with that verdict",
-                          fmt::group_digits(steps)),
+          .subtitle = fmt::format("Invariants checked in each of {} steps; numbers: cases with that verdict",
+                                  fmt::group_digits(steps)),
           .body = std::move(grid),
           .legend = {{"held", {.form = Form::bars, .tone = Tone::good}},
                      {"expected failure", {.form = Form::bars, .tone = Tone::notable}},

@@ -165,8 +165,7 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   return run;
 }
 
-RunPicture::RunPicture(const Scenario& scenario)
-    : rows_every_(1 + step_count(scenario) / kRowsDrawnFirst) {}
+RunPicture::RunPicture(const Scenario& scenario) : rows_every_(1 + step_count(scenario) / kRowsDrawnFirst) {}
 
 RowSink::Wants RunPicture::wants() const {
   return {.rows_every = rows_every_, .all_rows_to = kRowsDrawnFirst, .contacts = true};

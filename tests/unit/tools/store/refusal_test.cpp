@@ -212,7 +212,8 @@ class BlockRefusal : public Refusal {
   }
 
   // With another dataset, of zeros, in the place of one.
-  void expect_refused_with(const char* dataset, hid_t type, std::int64_t length, const std::string& sentence) {
+  void expect_refused_with(const char* dataset, hid_t type, std::int64_t length,
+                           const std::string& sentence) {
     write_bytes(path_, whole_);
     replace(dataset, type, {static_cast<hsize_t>(length)});
     EXPECT_EQ(refusal([&] { static_cast<void>(read_golden(path_)); }), path_ + ": " + sentence);
