@@ -147,7 +147,7 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
   Listing listing{
       .columns = {
           {.title = "section", .width_px = 52},
-          {.title = "sentence; what was measured, or when it holds", .width_px = 650, .letters_max = 98},
+          {.title = "sentence; what was measured, or when it holds", .width_px = 700, .letters_max = 106},
           {.title = "verdict", .width_px = 120},
           {.title = "measured", .width_px = 110, .is_right = true}}};
   if (expected != nullptr)
