@@ -64,7 +64,7 @@ TEST(FrameRate, AShiftIsFromSixtyHertzAndItsContactsAreCounted) {
 }
 
 TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
-  for (const auto& rates_hz : {std::vector{59.0, 59.75, 240.0}, std::vector{60.3, 59.75, 58.8}}) {
+  for (const auto& rates_hz : {std::vector{59.0, 60.2, 240.0}, std::vector{60.8, 59.75, 58.8}}) {
     const FrameRateStudy study = study_frame_rate(rates_hz, 1);
     EXPECT_GT(study.shifts[0].shift_px.high, 0.0);
     EXPECT_EQ(study.shifts[1].shift_px.high, 0.0) << "from itself";
