@@ -81,6 +81,29 @@ TEST_F(StudyTables, WithAColumnThatIsMissingAreRefused) {
   EXPECT_THROW(static_cast<void>(read_study_file(path_)), Failure);
 }
 
+TEST_F(StudyTables, WithAColumnThatIsNoListOrTooLongAreRefused) {
+  for (const std::vector<hsize_t>& shape : {std::vector<hsize_t>{2, 1}, {10'000'001}}) {
+    write_study_file(path_, kHead, some_tables());
+    {
+      const h5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+      H5Ldelete(file, "first/error", H5P_DEFAULT);
+      const h5::Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                             H5Sclose);
+      const h5::Handle column(
+          H5Dcreate2(file, "first/error", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+          H5Dclose);
+      ASSERT_TRUE(column.is_open());
+    }
+    try {
+      static_cast<void>(read_study_file(path_));
+      FAIL() << "should have refused";
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.what(),
+                path_ + ": first/error: is damaged: must be a list of at most 10000000 values");
+    }
+  }
+}
+
 TEST_F(StudyTables, IsCompleteOrMissing) {
   EXPECT_THROW(write_study_file(folder_.at("none/study.h5"), kHead, some_tables()), Failure);
   EXPECT_TRUE(folder_.names().empty());
