@@ -15,6 +15,7 @@ namespace hyrax {
 class Overlay {
  public:
   static constexpr std::size_t kPairsMax = 20'000;
+  static_assert(kPairsMax % 2 == 0);  // Two become one.
 
   /// Pairs in order of time. One that is not finite is left out.
   void add(const Row& a, const Row& b);

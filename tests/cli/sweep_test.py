@@ -4,6 +4,7 @@
 import json
 import os
 import random
+import resource
 import signal
 import time
 
@@ -113,11 +114,13 @@ class Parts(SweepTest):
     """Parts, and their merging."""
 
     def merged(self, parts):
-        """The datasets of a sweep in that many parts."""
+        """The datasets of a sweep in that many parts, more than the files that may be open unless a program asks."""
         for part in range(parts):
             self.sweep("sweep.json", "--part", f"{part}/{parts}", "-o", "out.h5")
         names = [f"out.part-{part}-of-{parts}.h5" for part in reversed(range(parts))]
-        self.sweep("--merge", *names, "-o", f"merged-{parts}.h5")
+        limits = 32, resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        self.sweep("--merge", *names, "-o", f"merged-{parts}.h5",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, limits))
         return datasets(self.folder / f"merged-{parts}.h5")
 
     def test_parts_give_the_file_of_one_process(self):
