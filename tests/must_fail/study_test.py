@@ -155,6 +155,9 @@ class Paper(StudyControl):
                 if other != text:
                     self.assertNotIn(text, remark)
 
+    def test_a_core_that_no_step_is_stable_for_has_no_largest_one(self):
+        self.assertNotIn("4.1-stable-dt", self.flipped("bounce_explodes"))
+
     def test_constants_are_printed_with_all_digits(self):
         outcome = self.study("gravity_by_one_ulp", "paper", "--expect", self.EXPECTED)
         self.assertIn("1200.0000000000002", outcome.json["broken"][0])

@@ -58,11 +58,13 @@ TEST_F(StudyTables, AreReadBackInTheirOrder) {
   EXPECT_EQ(study.head.study, kHead.study);
   ASSERT_EQ(study.tables.size(), 2u);
   EXPECT_EQ(study.tables[0].name, "first");
+  EXPECT_EQ(study.tables[0].long_name, "numbers");
   ASSERT_EQ(study.tables[0].columns.size(), 3u);
   for (std::size_t column = 0; column < 3; ++column) {
     const Column written = some_tables()[0].columns[column];
     EXPECT_EQ(study.tables[0].columns[column].name, written.name);
     EXPECT_EQ(study.tables[0].columns[column].unit, written.unit);
+    EXPECT_EQ(study.tables[0].columns[column].long_name, written.long_name);
     EXPECT_EQ(study.tables[0].columns[column].values.index(), written.values.index());
   }
   EXPECT_EQ(std::get<std::vector<std::string>>(study.tables[0].columns[2].values)[1], "the paper's");
