@@ -91,6 +91,7 @@ TEST(ExactLaw, IsNotFollowedByAnotherStep) {
   Measured measured;
   measure(scenario, fly_by(paper_step(0.9989), scenario), measured);
   EXPECT_GT(measured.arcs.at(0).exact_law_px, 0.01);
+  EXPECT_GT(measured.arcs.at(0).exact_law_px_per_s, 0.01);
 }
 
 // A flight in powers of two (dt = 1/64 s, no drag) moves far away without losing a bit, so its

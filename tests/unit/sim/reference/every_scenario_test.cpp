@@ -38,15 +38,24 @@ class EveryScenario : public testing::TestWithParam<std::string> {
 
 TEST_P(EveryScenario, HasNoFaultOfTheReference) { EXPECT_EQ(measured_.summary.reference_faults, 0); }
 
+// Speeds are at most the root of twice the energy.
+double speed_rounding_px_per_s(const ArcErrors& arc) {
+  return 1e-8 + 1e-12 * std::sqrt(2.0 * arc.energy_largest_px2_per_s2);
+}
+
 TEST_P(EveryScenario, FollowsTheDiscreteClosedFormToRounding) {
   EXPECT_EQ(measured_.summary.differing_steps, 0);
-  for (const ArcErrors& arc : measured_.arcs)
+  for (const ArcErrors& arc : measured_.arcs) {
     EXPECT_LT(arc.implementation_px, 1e-8 + 1e-12 * arc.coordinate_largest_px) << arc.first_step;
+    EXPECT_LT(arc.implementation_px_per_s, speed_rounding_px_per_s(arc)) << arc.first_step;
+  }
 }
 
 TEST_P(EveryScenario, FollowsTheExactLawOfTheStepToRounding) {
-  for (const ArcErrors& arc : measured_.arcs)
+  for (const ArcErrors& arc : measured_.arcs) {
     EXPECT_LT(arc.exact_law_px, 1e-8 + 1e-12 * arc.coordinate_largest_px) << arc.first_step;
+    EXPECT_LT(arc.exact_law_px_per_s, speed_rounding_px_per_s(arc)) << arc.first_step;
+  }
 }
 
 // The parts are the model's own operations, the sum is that of the run's rows.
