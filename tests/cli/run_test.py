@@ -3,6 +3,8 @@
 
 import os
 import pty
+import re
+import shutil
 
 import h5py
 
@@ -199,6 +201,26 @@ class Output(ProgramTest):
         self.expect(CANNOT_ACCESS, "run", "in/fling.json", "-o", "file/", says="file/: cannot be created")
         self.expect(CANNOT_ACCESS, "run", "in/fling.json", "in/other.json", "-o", "file", says="file")
         self.assertEqual((self.folder / "file").read_text(), "in the way")
+
+
+class Figure(ProgramTest):
+    """`--figure`."""
+
+    def points(self, svg, title):
+        """Points of the parts of a picture that have this title."""
+        parts = re.findall("<title>(.*?)</title>(.*?)(?=<title>|$)", svg, re.DOTALL)
+        return sum(len(re.findall(r"[\d.]+,[\d.]+", part)) for name, part in parts if name.startswith(title))
+
+    def test_the_path_is_drawn_through_every_row_that_moves_and_every_contact_is_marked(self):
+        if shutil.which("gnuplot") is None:
+            self.skipTest("gnuplot is not installed")
+        path = self.write("fling.json", fling())
+        self.expect(AGREED, "run", path, "--figure", "fling.svg")
+        svg = (self.folder / "fling.svg").read_text()
+        self.assertGreater(self.points(svg, "path of the centre"), 200)
+        for wall in ("right", "ground"):
+            self.assertGreater(self.points(svg, f"contacts: {wall}"), 0, wall)
+        self.assertEqual(self.points(svg, "contacts: left"), 0)
 
 
 class Override(ProgramTest):
