@@ -134,7 +134,7 @@ class Guarded(ProgramTest):
         path = self.write("fling.json", fling())
         with open(self.folder / "out.h5", "wb") as file:
             file.truncate(200_000_000)
-        self.assertLess(self.peak_bytes(AGREED, "run", path, "-o", "out.h5"), 180_000_000)
+        self.expect_below(180e6, AGREED, "run", path, "-o", "out.h5")
 
     def test_what_is_none_of_these_is_written(self):
         self.write("golden-old/note.txt", "")

@@ -69,7 +69,7 @@ class Soak(ProgramTest):
         self.assertEqual((skipping, computing), (plain, plain))
         self.assertEqual((self.folder / "soak.h5").read_bytes(), (self.folder / "computed.h5").read_bytes())
         self.assertLess(last, first + GROWTH_MAX, "memory grows with the run")
-        if "-fsanitize" not in self.expect(AGREED, "info").out:
+        if not self.is_sanitized():
             self.assertLess(max(last, last_skipping), 100e6)
 
     def test_another_fling_is_another_hash(self):
