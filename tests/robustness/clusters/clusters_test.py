@@ -24,6 +24,11 @@ def sweep(members):
             "keep": ["final", "state_hash"]}
 
 
+def process_state(process):
+    """The letter of a process's state in Linux: T if it is suspended."""
+    return pathlib.Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
+
+
 class Clusters(ProgramTest):
     """Parts by schedulers, against the file of one process."""
 
@@ -41,13 +46,26 @@ class Clusters(ProgramTest):
             time.sleep(0.05)
         return found
 
-    def processes_of(self, task):
-        """Processes of the program in this folder that compute the part of a task."""
+    def computing(self):
+        """(task, process) for each process of the program in this folder."""
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             with contextlib.suppress(OSError):
                 if (entry / "exe").readlink() == PROGRAM and (entry / "cwd").readlink() == self.folder:
-                    if f"SLURM_ARRAY_TASK_ID={task}".encode() in (entry / "environ").read_bytes().split(b"\0"):
-                        yield int(entry.name)
+                    for variable in (entry / "environ").read_text(errors="replace").split("\0"):
+                        if variable.startswith("SLURM_ARRAY_TASK_ID="):
+                            yield int(variable.partition("=")[2]), int(entry.name)
+
+    def suspended_at_work(self, parts):
+        """(task, process) of a process that has begun its part and cannot end it; none if none is at work."""
+        for task, process in self.computing():
+            with contextlib.suppress(OSError):
+                os.kill(process, signal.SIGSTOP)
+                while (state := process_state(process)) not in "TZX":
+                    time.sleep(0.001)
+                if state == "T" and pathlib.Path(f"{parts[task]}.partial").exists():
+                    return task, process
+                os.kill(process, signal.SIGCONT)
+        return None
 
     def test_open_mpi_runs_a_part_in_each_rank(self):
         self.write("sweep.json", sweep(2_000))
@@ -69,16 +87,12 @@ class Clusters(ProgramTest):
             def states():
                 return cluster.states(job)
 
-            def running():
-                return next((task for task, part in enumerate(parts)
-                             if pathlib.Path(f"{part}.partial").exists() and states().get(task) == "RUNNING"), None)
-
-            first = self.wait_until(states, running)
-            for process in self.processes_of(first):
-                os.kill(process, signal.SIGKILL)
+            first, process = self.wait_until(states, lambda: self.suspended_at_work(parts))
+            os.kill(process, signal.SIGKILL)
+            second, _ = self.wait_until(states, lambda: self.suspended_at_work(parts))
             self.wait_until(states, lambda: states().get(first) == "FAILED")
             self.assertFalse(parts[first].exists())
-            second = self.wait_until(states, running)
+            self.assertEqual(states()[second], "RUNNING")
             for task in (first, second):
                 cluster.command("scontrol", "requeue", f"{job}_{task}")
                 self.wait_until(states, lambda: states().get(task) == "PENDING")  # pylint: disable=cell-var-from-loop
