@@ -25,8 +25,9 @@ enable_testing()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS sum_test)
 add_library(compare STATIC sim/compare/sign.cpp)
 add_executable(hyrax-sim main.cpp)
+set_target_properties(hyrax-sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY bin)
 target_link_libraries(hyrax-sim PRIVATE compare)
-add_test(NAME cli.sum COMMAND sh ${PROJECT_SOURCE_DIR}/sum_test $<TARGET_FILE:hyrax-sim>)
+add_test(NAME cli.sum COMMAND sh ${PROJECT_SOURCE_DIR}/sum_test ${PROJECT_BINARY_DIR}/bin)
 add_subdirectory(tests/unit/sim/compare)
 set_tests_properties(cli.sum PROPERTIES LABELS everyday)
 """,
@@ -44,7 +45,7 @@ int sum_to(int last) {
 }
 """,
     "sum_test": """: > "${0%/*}/left"
-test -z "$HYRAX_TEST_IS_RED" && test "$("$1")" = 6
+test -z "$HYRAX_TEST_IS_RED" && test "$("$1/hyrax-sim")" = 6
 """,
     "main.cpp": "#include <cstdio>\nint sum_to(int last);\nint main() { std::printf(\"%d\", sum_to(3)); }\n",
     "tests/unit/sim/compare/CMakeLists.txt": """add_executable(compare_test sign_test.cpp)

@@ -17,7 +17,7 @@ class Test:
     """A test of the everyday set.
 
     folder: that of the CMakeLists.txt which registers it, in the project.
-    programs: what it runs of the build.
+    programs: what it runs of the build; all of a folder if it is given that.
     """
 
     name: str
@@ -66,7 +66,7 @@ class Build:
 
     def _tests(self, may_ask):
         lines = printed("ninja", "-C", self.folder, "-t", "targets", "all").splitlines()
-        targets = {line.rpartition(": ")[0] for line in lines if not line.startswith("/")}  # What is built.
+        targets = dict(line.rpartition(": ")[::2] for line in lines if not line.startswith("/"))  # What is built.
         known = json.loads(printed("ctest", "--test-dir", self.folder, "--show-only=json-v1", "-L", "everyday"))
         return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]
                 if may_ask.search(entry["name"])]
@@ -78,5 +78,7 @@ class Build:
             node = graph["nodes"][node["parent"]]
         folder = pathlib.Path(graph["files"][node["file"]]).parent
         parts = re.split(r"[=;]", ";".join([*entry["command"], *properties.get("ENVIRONMENT", [])]))
-        programs = targets.intersection(part.removeprefix(f"{self.folder}/") for part in parts)
-        return Test(entry["name"], folder.relative_to(self.source), frozenset(programs))
+        paths = {part.removeprefix(f"{self.folder}/") for part in parts}
+        programs = frozenset(target for target, rule in targets.items() if target in paths
+                             or "_EXECUTABLE_LINKER" in rule and target.rpartition("/")[0] in paths)
+        return Test(entry["name"], folder.relative_to(self.source), programs)
