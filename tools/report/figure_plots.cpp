@@ -193,6 +193,20 @@ class PlotScript {
     return rows.empty() ? "NaN NaN NaN NaN\n" : rows;
   }
 
+  static std::string label_script(std::string_view text, std::string_view place, Tone tone) {
+    return fmt::format("set label {} at {} front font ',{}' tc rgb '{}'\n", in_quotes(text), place,
+                       style::kLabelSize, colour_of(tone));
+  }
+
+  // From a point to the edge of its label, if that is not beside it.
+  [[nodiscard]] std::string leader_script(const LabelPlacer::Point& point,
+                                          const LabelPlacer::Point& edge) const {
+    constexpr double kBeside = 10.0;
+    if (std::hypot(edge.x - point.x, edge.y - point.y) <= kBeside) return {};
+    return fmt::format("set arrow from {} to {} nohead front lw 0.75 lc rgb '{}'\n",
+                       screen(canvas_, point.x, point.y), screen(canvas_, edge.x, edge.y), style::kQuietInk);
+  }
+
   [[nodiscard]] static std::string mark_script(const Mark& mark) {
     const auto [from, to, at] =
         mark.is_vertical ? std::array{fmt::format("first {:.8g}, graph 0", mark.at),
@@ -203,9 +217,7 @@ class PlotScript {
                                       fmt::format("graph 1, first {:.8g} right offset 0,0.5", mark.at)};
     std::string script = fmt::format("set arrow from {} to {} nohead front lw 1.5 dt (6,4) lc rgb '{}'\n",
                                      from, to, colour_of(mark.tone));
-    if (!mark.text.empty())
-      script += fmt::format("set label {} at {} font ',11' tc rgb '{}'\n", in_quotes(mark.text), at,
-                            colour_of(mark.tone));
+    if (!mark.text.empty()) script += label_script(mark.text, at, mark.tone);
     return script;
   }
 
@@ -262,16 +274,16 @@ class PlotScript {
           on_canvas(mark.is_vertical ? mark.at : x_ends_.high, mark.is_vertical ? y_ends_.high : mark.at));
     std::string script;
     for (const PointText& text : plot_.texts) {
+      const LabelPlacer::Point point = on_canvas(text.x, text.y);
       if (!plot_.y.categories.empty()) {  // In its row, whatever is beside it.
-        const LabelPlacer::Point point = on_canvas(text.x, text.y);
-        script += fmt::format("set label {} at {} left front font ',11' tc rgb '{}'\n", in_quotes(text.text),
-                              screen(canvas_, point.x + 8, point.y), colour_of(text.tone));
+        script += label_script(text.text, screen(canvas_, point.x + 8, point.y) + " left", text.tone);
         continue;
       }
-      const LabelPlacer::Point at =
-          placer.place(text.text, LabelPlacer::centres_around(on_canvas(text.x, text.y), text.text));
-      script += fmt::format("set label {} at {} center front font ',11' tc rgb '{}'\n", in_quotes(text.text),
-                            screen(canvas_, at.x, at.y), colour_of(text.tone));
+      const LabelPlacer::Point at = placer.place(text.text, LabelPlacer::centres_around(point, text.text));
+      const LabelPlacer::Point edge = LabelPlacer::nearest_of(text.text, at, point);
+      placer.avoid(point, edge);
+      script += label_script(text.text, screen(canvas_, at.x, at.y) + " center", text.tone) +
+                leader_script(point, edge);
     }
     return script;
   }

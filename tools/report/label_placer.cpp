@@ -63,4 +63,9 @@ std::vector<LabelPlacer::Point> LabelPlacer::centres_around(Point at, std::strin
   return centres;
 }
 
+LabelPlacer::Point LabelPlacer::nearest_of(std::string_view text, Point centre, Point to) {
+  const Area label = area(text, centre);
+  return {std::clamp(to.x, label.left, label.right), std::clamp(to.y, label.top, label.bottom)};
+}
+
 }  // namespace hyrax

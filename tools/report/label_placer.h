@@ -27,6 +27,8 @@ class LabelPlacer {
 
   /// Centres of a label beside a point, the nearest first.
   [[nodiscard]] static std::vector<Point> centres_around(Point at, std::string_view text);
+  /// The place of a label, by its centre, that is nearest to a point.
+  [[nodiscard]] static Point nearest_of(std::string_view text, Point centre, Point to);
   /// Of a label, in px of the SVG.
   [[nodiscard]] static double width(std::string_view text);
 

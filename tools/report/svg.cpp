@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "tools/report/figure_style.h"
+
 namespace hyrax {
 namespace {
 
+// A label among data has an edge of paper, by which it is readable over a line.
 // out = floor + span * (1 + in - 2 * luminance(in)), per channel: white becomes #0d1117, black #edf1f7.
-constexpr std::string_view kDarkMode =
-    "<style>@media (prefers-color-scheme: dark) { #gnuplot_canvas { filter: url(#dark) } }</style>\n"
+constexpr std::string_view kStyle =
+    "<style>@media (prefers-color-scheme: dark) {{ #gnuplot_canvas {{ filter: url(#dark) }} }}\n"
+    "g[font-size=\"{size:.2f}\"] text {{ paint-order: stroke; stroke: {paper}; stroke-width: 3px }}</style>\n"
     "<filter id=\"dark\" filterUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\" width=\"100%\" height=\"100%\" "
     "color-interpolation-filters=\"sRGB\"><feColorMatrix values=\""
     "0.506 -1.259 -0.127 0 0.93 "
@@ -65,8 +71,10 @@ std::string finished_svg(std::string svg, std::string_view script) {
   constexpr std::string_view kMadeUp = "<title>gnuplot_plot_";
   constexpr std::string_view kEnd = "</title>";
   if (const std::size_t at = svg.find(kTitle); at != svg.npos)
-    svg.replace(at, kTitle.size(),
-                "<title>" + escaped(title_of(script)) + "</title>\n" + std::string(kDarkMode));
+    svg.replace(
+        at, kTitle.size(),
+        "<title>" + escaped(title_of(script)) + "</title>\n" +
+            fmt::format(kStyle, fmt::arg("size", style::kLabelSize), fmt::arg("paper", style::kPaper)));
   std::size_t at = 0;
   for (const std::string& name : series_of(script)) {
     at = svg.find(kMadeUp, at);

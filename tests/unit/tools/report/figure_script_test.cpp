@@ -62,6 +62,18 @@ TEST(PlotScript, TextsKeepOffCurvesAndOneAnother) {
   EXPECT_EQ(y_second, y);
 }
 
+TEST(PlotScript, ALineLeadsToALabelThatIsNotBesideItsPoint) {
+  const std::string kLeader = " nohead front lw 0.75 ";
+  Plot plot{.x = {.low = 0.0, .high = 10.0},
+            .y = {.low = 0.0, .high = 10.0},
+            .series = {{.x = {5.0}, .y = {5.0}}},
+            .texts = {{5.0, 5.0, "first"}}};
+  EXPECT_FALSE(has(figure_script(figure_of(plot)), kLeader));
+  plot.texts.resize(6, plot.texts.front());
+  EXPECT_TRUE(has(figure_script(figure_of(plot)), kLeader))
+      << "right, left, above, below and corners are taken";
+}
+
 TEST(PlotScript, PlotsShareTheWidthAsTheyAsk) {
   const Plot plot{.series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
   Plot wide = plot;

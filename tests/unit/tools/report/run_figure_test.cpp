@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -13,6 +14,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
+#include "tools/report/figure_script.h"
 #include "tools/report/figure_style.h"
 #include "tools/report/gnuplot.h"
 #include "tools/report/run_path.h"
@@ -320,6 +322,23 @@ TEST_F(RunFigureTest, HasADarkModeThatTurnsPaperDarkAndInkLight) {
     EXPECT_GT(offset, 0.9) << "black";
     EXPECT_NEAR(red + green + blue + offset, 0.07, 0.03) << "white";
   }
+}
+
+TEST_F(RunFigureTest, ALabelAmongDataHasAnEdgeOfPaper) {
+  SKIP_WITHOUT_GNUPLOT();
+  const Plot plot{.series = {{.x = {1.0, 2.0}, .y = {3.0, 4.0}}}, .texts = {{1.5, 3.5, "among data"}}};
+  draw_figure(path("a.svg"), figure_script({.title = "Labels", .body = std::vector{plot}}));
+  const std::string svg = read_text_file(path("a.svg"));
+  const std::regex edge(R"(g\[(font-size="[0-9.]+")\] text \{ paint-order: stroke; stroke: #ffffff;)");
+  std::smatch rule;
+  ASSERT_TRUE(std::regex_search(svg, rule, edge));
+  const std::size_t label = svg.find("<text>among data");
+  ASSERT_NE(label, std::string::npos);
+  const std::size_t group = svg.rfind("<g ", label);
+  EXPECT_NE(svg.substr(group, label - group).find(rule[1]), std::string::npos);
+  const std::size_t title = svg.find("<text>Labels");
+  const std::size_t title_group = svg.rfind("<g ", title);
+  EXPECT_EQ(svg.substr(title_group, title - title_group).find(rule[1]), std::string::npos);
 }
 
 TEST_F(RunFigureTest, TheLargestPictureKeepsItsBound) {
