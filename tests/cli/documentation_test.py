@@ -2,7 +2,7 @@
 """The documentation agrees with the program: every README.md and CHANGELOG.md is read and tried out.
 
     documentation_test.py             tests
-    documentation_test.py --update    rewrites printed outputs that differ from the program's
+    documentation_test.py --update    rewrites printed outputs and pictures that differ from the program's
 
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
 
@@ -20,6 +20,8 @@ What a README may print, by the first word after the fence:
     cmake, cpp   are lines of tests/cli/outside_project or tests/cli/own_physics, which build and run.
     sh    is not run, but its scripts exist.
     text  is not checked.
+
+A picture whose name a file in the scratch folder has, after all blocks, says what that one says, and is as large.
 """
 
 import dataclasses
@@ -161,6 +163,20 @@ def dead_links_of(document):
     return dead
 
 
+def pictures_of(document, scratch):
+    """(picture of the document, the same as the program drew it) for those that its blocks draw."""
+    for target in re.findall(r"!\[[^\]]*\]\(([^)]+\.svg)\)", document.read_text(encoding="utf-8")):
+        picture = document.parent / target
+        for drawn in scratch.folder.rglob(picture.name):
+            yield picture, drawn
+
+
+def said_by(picture):
+    """Size, texts and style of a picture. Its points differ by a rounding from machine to machine."""
+    text = picture.read_text(encoding="utf-8")
+    return re.findall(r"<svg[^>]*>|<(?:title|text|style)\b[^>]*>[^<]*", text)
+
+
 class Documents(unittest.TestCase):
     """Every document, one subtest each."""
 
@@ -178,13 +194,17 @@ class Documents(unittest.TestCase):
                 self.assertLessEqual({block.kind for block in blocks_of(document)}, RUN | NOT_RUN)
 
     def test_every_block_prints_what_the_program_prints(self):
-        seen = 0
+        seen = pictures = 0
         for document in DOCUMENTS:
             with self.on_each(document), Scratch() as scratch:
                 for block in blocks_of(document):
                     seen += block.kind == "console"
                     self.assertEqual(*scratch.try_out(block))
+                for picture, drawn in pictures_of(document, scratch):
+                    pictures += 1
+                    self.assertEqual(said_by(picture), said_by(drawn), picture)
         self.assertGreater(seen, 10, "the console blocks were not found")
+        self.assertGreater(pictures, 2, "the pictures were not found")
 
     def test_every_scenario_is_valid_and_its_expectations_hold(self):
         scenarios = 0
@@ -272,18 +292,23 @@ class Controls(unittest.TestCase):
     WRONG = ("# A title\n[a](none.md) [b](#a-title) [c](#no-title)\n"
              "```console\n$ echo yes; false\nno\n```\n"
              "<!-- varies: \\d+ s -->\n```console\n$ echo 12 s\n7 s\n```\n"
-             "```python\nraise SystemExit(1)\n```\n")
+             "```python\nraise SystemExit(1)\n```\n"
+             "![old](old.svg) ![same](same.svg)\n```console\n$ echo '<text>new' | tee old.svg > same.svg\n```\n")
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="hyrax-documentation-")
         self.addCleanup(folder.cleanup)
         self.document = pathlib.Path(folder.name) / "README.md"
         self.document.write_text(self.WRONG, encoding="utf-8")
+        self.document.with_name("old.svg").write_text("<text>old", encoding="utf-8")
+        self.document.with_name("same.svg").write_text("<text>new\n<", encoding="utf-8")
 
-    def test_wrong_blocks_are_detected(self):
+    def test_wrong_blocks_and_pictures_are_detected(self):
         with Scratch() as scratch:
             tried = [scratch.try_out(block) for block in blocks_of(self.document)]
-        self.assertEqual([promised == came for promised, came in tried], [False, True, False])
+            pictures = [said_by(picture) == said_by(drawn) for picture, drawn in pictures_of(self.document, scratch)]
+        self.assertEqual([promised == came for promised, came in tried], [False, True, False, True])
+        self.assertEqual(pictures, [False, True])
 
     def test_dead_links_are_detected(self):
         self.assertEqual(dead_links_of(self.document), ["none.md", "#no-title"])
@@ -291,6 +316,8 @@ class Controls(unittest.TestCase):
     def test_an_update_rewrites_only_what_differs(self):
         update(self.document)
         self.assertEqual(self.document.read_text(encoding="utf-8"), self.WRONG.replace("\nno\n", "\nyes\n"))
+        self.assertEqual(self.document.with_name("old.svg").read_text(encoding="utf-8"), "<text>new\n")
+        self.assertEqual(self.document.with_name("same.svg").read_text(encoding="utf-8"), "<text>new\n<")
 
 
 def update(document):
@@ -308,6 +335,10 @@ def update(document):
             return match[0].replace(block.body, scratch.text, 1)
 
         text = BLOCK.sub(renewed, document.read_text(encoding="utf-8"))
+        for picture, drawn in pictures_of(document, scratch):
+            if said_by(picture) != said_by(drawn):
+                shutil.copyfile(drawn, picture)
+                changes.append(f"{picture}: updated")
     document.write_text(text, encoding="utf-8")
     return changes
 
