@@ -146,6 +146,9 @@ class Text(ExplainTest):
     def test_quiet_prints_the_counts_alone(self):
         self.assertEqual(self.altered("gravity_stronger", "-q").out,
                          "3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n")
+        bless = ("bless", "scenarios", "--reason", "x", "--dry-run", "--prune")
+        (self.folder / "scenarios/third.json").unlink()
+        self.assertEqual(self.altered("gravity_stronger", "-q", command=bless).out, "dry run: nothing written\n")
 
     def test_verbose_prints_every_scenario_as_well(self):
         text = self.altered("gravity_stronger", "--verbose").out
