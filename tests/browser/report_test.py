@@ -172,6 +172,11 @@ class ReportTest(browser.BrowserTest):
             for step, value in expected.items():
                 self.assertAlmostEqual(shown[step], value, delta=1e-9)
         self.assertIn("gravity", page["values"][-1])
+        end = int(next(row[0] for row in rows["drift"][2:] if row[2]))
+        (page,) = self.open({**self.report("fling"), "hash": f"#step={end // 2}", "actions": [
+            ["evaluate", "document.querySelector('#chart-drift output').textContent.replace('−', '-')"]]})
+        self.assertAlmostEqual(float(page["values"][0]), drift["arcs"][0]["energy_parts"]["gravity"] / 1200 * (end // 2) / end,
+                               delta=0.006, msg="half way of the first arc")
 
     def test_a_million_rows(self):
         self.played("long", program.fling(name="long", steps=1_000_000, clock={

@@ -27,7 +27,7 @@ function spread(rows, steps, values, isShown = () => true) {
   return list;
 }
 
-// Points between which the line goes straight on.
+// Points between which the line goes straight on, for a series with `known.isJoined`.
 function joined(rows, steps, values) {
   const list = new Array(rows.step.length).fill(undefined);
   for (let i = 0; i < steps.length; ++i) {
@@ -38,7 +38,7 @@ function joined(rows, steps, values) {
 }
 
 // What the charts show: title, unit, series. A series is {name, color, values, dash, points, steps}; of one
-// with `known` only these rows have a value.
+// with `known` only these rows have a value; between those of one that is joined it changes evenly.
 function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
   const overlay = (name, values) => (other ? [{ name, color: 'vermilion', dash: true, values: spread(rows, other.rows.step, values) }] : []);
@@ -76,8 +76,8 @@ function distanceChart({ rows, other }) {
 }
 
 function driftCharts({ rows, causes, contactErrors: contacts }) {
-  const cause = (name, tint, key) => ({ name, color: tint, dash: key === 'sum', values: joined(rows, causes.step, causes[key]), known: { steps: causes.step, values: causes[key] } });
-  const charts = [{ id: 'drift', title: 'Energy drift by cause', unit: 'px of height', decimals: 2, isJoined: true, series: [
+  const cause = (name, tint, key) => ({ name, color: tint, dash: key === 'sum', values: joined(rows, causes.step, causes[key]), known: { steps: causes.step, values: causes[key], isJoined: true } });
+  const charts = [{ id: 'drift', title: 'Energy drift by cause', unit: 'px of height', decimals: 2, series: [
     cause('gravity', 'blue', 'gravity'), cause('drag', 'green', 'drag'), cause('lift', 'vermilion', 'lift'), cause('late bounce', 'purple', 'bounce'), cause('all', 'ink', 'sum')] }];
   if (contacts.step.length === 0) return charts;
   const point = (name, tint, key, scale) => {
@@ -183,7 +183,7 @@ export class Charts {
         { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${value} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
       ],
-      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: chart.isJoined === true,
+      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
         dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
         paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
       hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)] },
@@ -251,10 +251,13 @@ export class Charts {
     }
   }
 
-  // Of contacts and causes, the last one up to the moment.
+  // Of contacts the last one up to the moment, of causes the place on the line that is drawn.
   #valueAt({ values, known }, index) {
     if (!known) return values[index];
-    return known.values[lastAtMost(known.steps, this.result.rows.step[index])] ?? null;
+    const step = this.result.rows.step[index], at = lastAtMost(known.steps, step);
+    if (!known.isJoined || !(at + 1 < known.steps.length)) return known.values[at] ?? null;
+    const part = (step - known.steps[at]) / (known.steps[at + 1] - known.steps[at]);
+    return known.values[at] + part * (known.values[at + 1] - known.values[at]);
   }
 
   // What the pictures say, as numbers.
