@@ -166,7 +166,7 @@ def dead_links_of(document):
 def pictures_of(document, scratch):
     """(picture of the document, the same as the program drew it) for those that its blocks draw."""
     for target in re.findall(r"!\[[^\]]*\]\(([^)]+\.svg)\)", document.read_text(encoding="utf-8")):
-        picture = document.parent / target
+        picture = (document.parent / target).resolve()
         for drawn in scratch.folder.rglob(picture.name):
             yield picture, drawn
 

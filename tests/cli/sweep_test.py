@@ -260,7 +260,8 @@ class Where(SweepTest):
     def test_bad_expressions_are_refused_before_anything_is_computed(self):
         self.write("sweep.json", document())
         for expression, says in (("x", "FIELD ORDER NUMBER"), ("z > 1", "unknown field"), ("x ~ 1", "unknown order"),
-                                 ("x => 1", "unknown order"), ("x > y", "must compare with a number"),
+                                 ("x => 1", "unknown order (found =>); allowed: <, <=, >, >=, ==, != (did you mean >=?)"),
+                                 ("x > y", "must compare with a number"),
                                  ("x > 1 xor y > 1", "unknown word"), ("x > 1 and", "FIELD ORDER NUMBER"),
                                  ("state_hash > 1", "unknown field"), ("contacts > 1", "unknown field")):
             self.sweep("sweep.json", "--where", expression, exit_code=BAD_INPUT, says=("--where", says))

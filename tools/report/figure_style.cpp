@@ -57,7 +57,7 @@ double title_size(const Canvas& canvas, std::string_view title) {
 std::string figure_head(const Canvas& canvas, std::string_view title, std::string_view subtitle,
                         std::string_view note, std::string_view note_colour) {
   std::string head = fmt::format(
-      "# {} #\nset encoding utf8\n"
+      "# {} #\nset encoding utf8\nset minussign\n"
       "set terminal svg size {},{} fixed noenhanced rounded font '{},{}'\n"
       "set border 0\nset key off\nset tics scale 0.5 nomirror textcolor rgb '{}'\n",
       in_one_line(title), canvas.width, canvas.height, kFonts, kTextSize, style::kQuietInk);
