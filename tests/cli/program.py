@@ -30,6 +30,7 @@ FLING = {
     "clock": {"rate_hz": 60},
     "steps": 300,
 }
+ANOTHER_START = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400}
 
 
 def few_threads(allowed, environment=os.environ):

@@ -11,12 +11,10 @@ import shutil
 import signal
 import time
 
-from program import AGREED, DISAGREED, ProgramTest, fling, main
+from program import AGREED, ANOTHER_START, DISAGREED, ProgramTest, fling, main
 
 LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
 KILLS = int(os.environ.get("HYRAX_KILLS", "24"))
-
-ANOTHER_START = {"x_px": 900, "y_px": 100, "vx_px_per_s": 300, "vy_px_per_s": 0}
 
 
 class Killed(ProgramTest):

@@ -1,0 +1,245 @@
+#!/usr/bin/python3
+"""`bless` with --accept, --update-hash and --prune."""
+
+import json
+
+import h5py
+
+from program import AGREED, ANOTHER_START, BAD_INPUT, DISAGREED, ProgramTest, fling, main
+
+
+class Accept(ProgramTest):
+    """The widest difference that may be blessed."""
+
+    CLASSES = ("rounding", "values", "contacts", "shape")
+
+    def setUp(self):
+        super().setUp()
+        self.project("a", "b", "c")
+        self.original = self.state_of("golden")
+
+    def differ(self, kind, name="a"):
+        """Changes the golden file, so that the run differs from it in this class, or in nothing."""
+        with h5py.File(self.folder / f"golden/{name}.h5", "r+") as file:
+            if kind in ("rounding", "values"):
+                file["trajectory/x"][100] += 1e-7 if kind == "rounding" else 0.5
+            elif kind == "contacts":
+                file["contacts/step"][1] += 1
+            elif kind == "shape":
+                file.attrs["steps"] = 299
+
+    def bless_accepting(self, exit_code, accepted, *options, **expected):
+        """`bless --accept` of all; its document."""
+        choice = () if accepted is None else ("--accept", accepted)
+        outcome = self.expect(exit_code, "bless", "scenarios", "--json", "--reason", "for the test", *choice, *options,
+                              **expected)
+        return outcome.json
+
+    def restore(self):
+        """Golden files as they were at first."""
+        for path, (content, _) in self.original.items():
+            with open(path, "wb") as file:
+                file.write(content)
+
+    def test_a_wider_class_than_the_accepted_one_is_refused(self):
+        for width, kind in enumerate(self.CLASSES[:3]):
+            for accepted_width, accepted in enumerate(self.CLASSES):
+                self.restore()
+                self.differ(kind)
+                before = self.state_of("golden")
+                if accepted_width >= width:
+                    document = self.bless_accepting(AGREED, accepted)
+                    self.assertEqual((document["changed"], document["refused"], document["written"]), (1, 0, True))
+                    self.expect(AGREED, "check")
+                    continue
+                says = f"1 of 3 scenarios differ by more than --accept allows; --accept {kind} accepts all of them"
+                document = self.bless_accepting(DISAGREED, accepted, says=says)
+                self.assertEqual((document["changed"], document["refused"], document["written"]), (0, 1, False))
+                self.assertEqual([(entry["status"], entry["class"]) for entry in document["results"]],
+                                 [("refused", kind), ("unchanged", None), ("unchanged", None)])
+                group, = document["groups"]
+                self.assertEqual((group["scenarios"], group["class"], group["kind"], group["reproduced"]),
+                                 (["scenarios/a.json"], kind, "unknown", 0))
+                self.assertEqual(self.state_of("golden"), before)
+
+    def test_rounding_is_the_default(self):
+        self.differ("rounding")
+        self.bless_accepting(AGREED, None)
+        self.differ("values")
+        self.bless_accepting(DISAGREED, None,
+                             says="--accept values accepts all of them, the widest of which is scenarios/a.json")
+
+    def test_one_that_is_refused_keeps_all_from_being_written(self):
+        self.differ("contacts", "c")
+        self.differ("values", "b")
+        self.differ("rounding", "a")
+        self.write("scenarios/new.json", fling(name="new"))
+        before = self.state_of("golden")
+        document = self.bless_accepting(
+            DISAGREED, None, says="2 of 4 scenarios differ by more than --accept allows; --accept contacts")
+        self.assertEqual((document["new"], document["changed"], document["refused"]), (1, 1, 2))
+        self.bless_accepting(DISAGREED, "values", says="1 of 4 scenarios")
+        self.assertEqual(self.state_of("golden"), before)
+        self.bless_accepting(AGREED, "contacts")
+        self.expect(AGREED, "check")
+
+    def test_a_new_scenario_and_a_changed_one_need_no_class(self):
+        self.write("scenarios/a.json", fling(name="a", start=ANOTHER_START))
+        self.write("scenarios/new.json", fling(name="new"))
+        outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x")
+        self.assertIn("the scenario changed since it was blessed: /start/x_px 1100 -> 1000 reproduces 1 of 1.\n",
+                      outcome.out)
+        self.expect(AGREED, "check")
+
+    def test_a_golden_file_without_its_rows_needs_shape_unless_its_summary_has_the_run(self):
+        damage = ((lambda: (self.folder / "golden/a.h5").unlink()), (lambda: self.write("golden/a.h5", "damaged")))
+        for harm in damage:
+            harm()
+            self.bless_accepting(AGREED, None)
+            summary = self.folder / "golden/a.txt"
+            summary.write_text(summary.read_text().replace("state hash: ", "state hash: 0"))
+            harm()
+            self.bless_accepting(DISAGREED, "contacts", says="--accept shape accepts all of them")
+            self.bless_accepting(AGREED, "shape")
+
+    def test_an_unknown_class_is_refused(self):
+        self.expect(BAD_INPUT, "bless", "scenarios", "--reason", "x", "--accept", "bits",
+                    says="rounding, values, contacts, shape")
+
+    def test_a_dry_run_writes_nothing(self):
+        self.differ("rounding")
+        self.write("scenarios/new.json", fling(name="new", expect={"state_hash": 32 * "0"}))
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run", says="state_hash")
+        before = self.state_of(".")
+        outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--dry-run", "--update-hash")
+        for part in ("scenarios/a.json: changes golden/a.h5", "(class rounding)", "new.json: new golden file",
+                     "dry run: nothing written\n"):
+            self.assertIn(part, outcome.out)
+        self.assertNotIn(": blessed", outcome.out)
+        self.assertFalse(self.bless_accepting(AGREED, None, "--dry-run", "--update-hash")["written"])
+        self.differ("values")
+        before = self.state_of(".")
+        self.bless_accepting(DISAGREED, None, "--dry-run", "--update-hash", says="--accept values")
+        self.assertEqual(self.state_of("."), before)
+
+    def test_a_wider_class_than_rounding_suggests_a_new_number_for_the_model(self):
+        says = "give the physics model a new number (now hyrax-physics/1"
+        self.differ("rounding")
+        self.assertNotIn(says, self.expect(AGREED, "bless", "scenarios", "--reason", "x").out)
+        self.differ("values")
+        self.assertIn(says, self.expect(DISAGREED, "bless", "scenarios", "--reason", "x").out)
+        self.assertIn(says, self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "values").out)
+        self.write("scenarios/a.json", fling(name="a", start=ANOTHER_START))
+        self.assertNotIn(says, self.expect(AGREED, "bless", "scenarios", "--reason", "x").out)
+
+
+class UpdateHash(ProgramTest):
+    """`--update-hash`: the scenario file gets the new state hash, and nothing else in it changes."""
+
+    def setUp(self):
+        super().setUp()
+        self.text = json.dumps(fling(), indent=3).replace("1200", "1.2e3")[:-2]
+
+    def scenario(self, expect):
+        """Writes the scenario with that text of `expect`, in a layout of its own."""
+        self.write("scenarios/fling.json", f"{self.text} ,\n\n\t\"expect\":{expect}  }}\n ")
+        return (self.folder / "scenarios/fling.json").read_text()
+
+    def test_a_stale_hash_is_replaced(self):
+        before = self.scenario('{"finite": true , "state_hash":"' + 32 * "0" + '"}')
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", says="state_hash: wanted 0000")
+        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
+        self.assertIn("scenarios/fling.json: expect.state_hash updated\n", outcome.out)
+        run = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]
+        self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
+                         before.replace(32 * "0", run["state_hash"]))
+        self.expect(AGREED, "check")
+        with h5py.File(self.folder / "golden/fling.h5") as file:
+            self.assertEqual(json.loads(file.attrs["scenario"])["expect"]["state_hash"], run["state_hash"])
+        now = self.state_of(".")
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
+        self.assertEqual(self.state_of("."), now)
+
+    def test_a_stale_hash_of_a_run_that_agrees_is_replaced(self):
+        self.scenario("{}")
+        self.bless("scenarios")
+        before = self.scenario('{"state_hash": "' + 32 * "f" + '"}')
+        golden = self.state_of("golden")
+        document = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--json").json
+        self.assertEqual((document["unchanged"], document["results"][0]["updates_hash"]), (1, True))
+        self.assertEqual(self.state_of("golden"), golden)
+        self.assertEqual(len((self.folder / "scenarios/fling.json").read_text()), len(before))
+        self.expect(AGREED, "check")
+
+    def test_a_missing_hash_is_added(self):
+        before = self.scenario('{"finite": true}')
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
+        state_hash = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]["state_hash"]
+        self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
+                         before.replace("true}", f'true,"state_hash": "{state_hash}"}}'))
+
+    def test_other_expectations_must_hold(self):
+        before = self.scenario('{"final_x_px": [0, 1], "state_hash": "' + 32 * "f" + '"}')
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--update-hash", says="final_x_px")
+        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        self.assertFalse((self.folder / "golden").exists())
+
+
+class Prune(ProgramTest):
+    """`--prune` removes golden files without a scenario."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("fling", "a/other", "a/b/deep")
+
+    def test_unreferenced_golden_files_are_removed(self):
+        for name in ("fling", "a/b/deep"):
+            (self.folder / f"scenarios/{name}.json").unlink()
+        (self.folder / "golden/fling.txt").unlink()
+        self.write("golden/README.md", "no golden file")
+        self.expect(DISAGREED, "check")
+        before = self.state_of(".")
+        outcome = self.expect(AGREED, "bless", "--prune", "--dry-run")
+        self.assertIn("golden/fling.h5: has no scenario\n", outcome.out)
+        self.assertEqual(self.state_of("."), before)
+        document = self.expect(AGREED, "bless", "--prune", "--json").json
+        self.assertEqual(document["pruned"], ["golden/a/b/deep.h5", "golden/a/b/deep.txt", "golden/fling.h5"])
+        kept = {path: state for path, state in before.items() if not path.endswith(tuple(document["pruned"]))}
+        self.assertEqual(self.state_of("."), kept)
+        self.expect(AGREED, "check")
+        self.assertEqual(self.expect(AGREED, "bless", "--prune").out, "")
+
+    def test_only_in_the_folders_given(self):
+        for name in ("fling", "a/other"):
+            (self.folder / f"scenarios/{name}.json").unlink()
+        self.expect(AGREED, "bless", "--prune", "scenarios/a")
+        self.assertTrue((self.folder / "golden/fling.h5").exists())
+        self.assertEqual(self.names("golden/a"), ["b"])
+        (self.folder / "golden").rename(self.folder / "elsewhere")
+        self.expect(AGREED, "bless", "--prune", "scenarios", "--golden", "elsewhere")
+        self.assertEqual(self.names("elsewhere"), ["a"])
+
+    def test_with_a_reason_it_blesses_as_well(self):
+        (self.folder / "scenarios/fling.json").rename(self.folder / "scenarios/renamed.json")
+        self.write("scenarios/renamed.json", fling(name="renamed"))
+        self.expect(AGREED, "bless", "scenarios", "--prune", "--reason", "renamed")
+        self.assertEqual(self.names("golden"), ["a", "renamed.h5", "renamed.txt"])
+        self.expect(AGREED, "check")
+
+    def test_a_refused_blessing_removes_nothing(self):
+        (self.folder / "scenarios/fling.json").unlink()
+        self.write("scenarios/bad.json", "{")
+        self.expect(BAD_INPUT, "bless", "scenarios", "--prune", "--reason", "x", says="nothing written")
+        self.assertTrue((self.folder / "golden/fling.h5").exists())
+
+    def test_other_arguments_are_refused(self):
+        before = self.state_of(".")
+        for path in ("golden", "scenarios/fling.json", "no-such", "."):
+            self.expect(BAD_INPUT, "bless", "--prune", path, says="must be a folder named scenarios or below one")
+        self.expect(BAD_INPUT, "bless", "--reason", "x", says="SCENARIO: at least 1 needed")
+        self.assertEqual(self.state_of("."), before)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,144 @@
+#!/usr/bin/python3
+"""The documents that report the verdicts of `check`."""
+
+import os
+import re
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+from check_program import CheckTest, nudge
+from process import run
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM, Maybe, fling, main
+
+CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int,
+         "unreferenced": int, "results": [object], "groups": [object]}
+GROUP = {"operation": str, "kind": str, "detail": str, "from": Maybe((int, float)), "to": Maybe((int, float)),
+         "scenarios": [str], "reproduced": int, "class": str, "max_px": (int, float), "contacts_moved": int,
+         "rest_shift_px": Maybe((int, float))}
+RESULT = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)), "contacts_moved": Maybe(int),
+          "first_divergence": Maybe(DIVERGENCE)}
+
+
+class Document(CheckTest):
+    """How verdicts are printed."""
+
+    def test_json_has_the_published_keys_and_types(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        document = self.check(DISAGREED)
+        self.assert_shape(document, CHECK)
+        for entry in document["results"]:
+            self.assert_shape(entry, RESULT)
+        for group in document["groups"]:
+            self.assert_shape(group, GROUP)
+        self.assertEqual((document["checked"], len(document["groups"])), (3, 1))
+
+    def test_json_has_non_finite_doubles_as_strings(self):
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["trajectory/y"][5] = numpy.nan
+        first = self.check(DISAGREED)["results"][2]["first_divergence"]
+        self.assertEqual((first["expected"], first["ulps"]), ("NaN", None))
+
+    def test_junit_is_well_formed_and_counts(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        self.write("scenarios/bad <&\">.json", "{")
+        self.expect(BAD_INPUT, "check", "--junit", "report.xml")
+        suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
+        self.assertEqual(suite.tag, "testsuite")
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("4", "1", "2"))
+        cases = {case.get("name"): [child.tag for child in case] for case in suite.iter("testcase")}
+        self.assertEqual(cases, {"scenarios/a/first.json": ["error"], "scenarios/a/second.json": [],
+                                 "scenarios/bad <&\">.json": ["error"], "scenarios/third.json": ["failure"]})
+        self.assertIn("step 5, field y", suite.find(".//failure").text)
+        self.assertGreaterEqual(float(suite.get("time")), 0.0)
+
+    def test_junit_is_well_formed_for_any_path(self):
+        names = (b"bad \xff\xfe utf8", b"cut \xe2\x82", b"too long \xc0\xaf", b"surrogate \xed\xa0\x80", b"escape \x1b[31m",
+                 b"line\nbreak\ttab\rcr", b"\x01\x08\x7f", "nonchar \uffff\ufffe".encode(), "é €𝄞".encode(),
+                 b"beyond \xf4\x90\x80\x80", b"]]>&<\"'")
+        for name in names:
+            (self.folder.joinpath(os.fsdecode(b"scenarios/" + name + b".json"))).write_text("{")
+        self.check(BAD_INPUT, "--junit", "report.xml")
+        suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
+        cases = [case.get("name") for case in suite.iter("testcase")]
+        self.assertEqual(len(set(cases)), len(names) + 3)
+        for name in ("bad \\xff\\xfe utf8", "escape \\u001b[31m", "line\nbreak\ttab\\u000dcr", "é €𝄞", "]]>&<\"'"):
+            self.assertIn(f"scenarios/{name}.json", cases)
+
+    def test_junit_that_cannot_be_written_is_exit_3(self):
+        self.expect(CANNOT_ACCESS, "check", "--junit", "no/such/report.xml", says="no/such/report.xml")
+
+    def test_jobs_change_nothing(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
+        for jobs in ("2", "4", "64"):
+            self.assertEqual(self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", jobs).out, one.out)
+
+
+class Suggested(CheckTest):
+    """The commands that are suggested work when they are pasted into a shell."""
+
+    def paste(self, command, **options):
+        """Runs a line in a shell; its exit code."""
+        binaries = self.folder / "bin"
+        binaries.mkdir(exist_ok=True)
+        if not (binaries / "hyrax-sim").exists():
+            (binaries / "hyrax-sim").symlink_to(PROGRAM)
+        return run("bash", "-c", command, cwd=self.folder,
+                   env={**os.environ, "PATH": f"{binaries}:{os.environ['PATH']}"}, **options).exit_code
+
+    def suggestions(self, out):
+        """The command lines in a text."""
+        return re.findall(r"(?:^|: |  )(hyrax-sim .*)$", out, re.MULTILINE)
+
+    def assert_mended(self, exit_code, *check):
+        """`check` suggests a command that makes it agree."""
+        suggested = self.suggestions(self.expect(exit_code, *check).out)
+        self.assertGreater(len(suggested), 0)
+        for command in suggested:
+            self.assertIn(self.paste(command), (AGREED, DISAGREED), command)
+        self.expect(AGREED, *check)
+
+    def test_for_a_missing_golden_file(self):
+        for name in ("plain", "with a space", "it's $HOME `x` \"y\" *", "-dash", "é", "\x1b[31m\nred", "!!"):
+            path = f"my folder/scenarios/{name}.json"
+            self.write(path, fling())
+            self.assert_mended(GOLDEN_MISSING, "check", path)
+
+    def test_with_golden(self):
+        for folder in ("else where", "-g"):
+            self.assert_mended(GOLDEN_MISSING, "check", "scenarios/third.json", f"--golden={folder}")
+            self.write("scenarios/third.json", fling(steps=200))
+            self.assert_mended(DISAGREED, "check", "scenarios/third.json", f"--golden={folder}")
+            self.project("third")
+
+    def test_outside_of_scenarios(self):
+        self.write("my/x.json", fling())
+        suggested, = self.suggestions(self.expect(GOLDEN_MISSING, "check", "my/x.json").out)
+        self.assertEqual(self.paste(suggested), AGREED)
+        self.expect(AGREED, "check", "my/x.json", "--golden", "golden")
+
+    def test_for_a_file_beginning_with_a_dash(self):
+        self.write("-x.json", fling(name="x"))
+        self.assert_mended(GOLDEN_MISSING, "check", "--golden=golden", "./-x.json")
+
+    def test_by_run(self):
+        self.write("scenarios/a b.json", fling(name="a"))
+        suggested, = self.suggestions(self.expect(AGREED, "run", "scenarios/a b.json", "--golden", "g h").out)
+        self.assertEqual(self.paste(suggested), AGREED)
+        self.write("scenarios/a b.json", fling(name="a", steps=20))
+        suggested, = self.suggestions(self.expect(DISAGREED, "run", "scenarios/a b.json", "--golden", "g h").out)
+        self.assertEqual(self.paste(suggested), DISAGREED)
+
+    def test_for_a_run_of_blocks(self):
+        self.write("scenarios/long.json", fling(name="long", steps=9000))
+        self.bless("scenarios/long.json")
+        self.write("scenarios/long.json", fling(name="long", steps=9001))
+        self.assert_mended(DISAGREED, "check", "scenarios/long.json")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+"""Shared by the tests of `check`: a project, and a golden file with one value changed."""
+
+import h5py
+import numpy
+
+from program import ProgramTest
+
+
+def nudge(path, dataset, row):
+    """Moves one value of a file to the next double."""
+    with h5py.File(path, "r+") as file:
+        file[dataset][row] = numpy.nextafter(file[dataset][row], numpy.inf)
+
+
+class CheckTest(ProgramTest):
+    """A project with three throws."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("a/first", "a/second", "third")
+
+    def check(self, exit_code, *arguments, **options):
+        """The document of `check --json`."""
+        return self.expect(exit_code, "check", "--json", *arguments, **options).json
+
+    def counts(self, document):
+        """agreed, disagreed, missing and failed."""
+        return tuple(document[key] for key in ("agreed", "disagreed", "missing", "failed"))
