@@ -221,6 +221,18 @@ class Interrupted(SweepTest):
         self.sweep("other.json", "--resume", exit_code=BAD_INPUT, says=("other.h5.partial", "another sweep"))
         self.assertEqual(self.sweep("sweep.json", "--resume", "-o", "out.h5", "--json").json["resumed"], 0)
 
+    def test_a_part_with_fewer_than_no_rows_or_more_than_all_is_damaged(self):
+        self.computed(document())
+        os.rename(self.folder / "sweep.h5", self.folder / "sweep.h5.partial")
+        for rows in (-1, 101):
+            with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
+                file.attrs["rows_done"] = numpy.int64(rows)
+            self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; start over without --resume")
+            self.assertEqual(self.names(), ["sweep.h5.partial", "sweep.json"])
+        with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
+            file.attrs["rows_done"] = numpy.int64(100)
+        self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
+
 
 class Where(SweepTest):
     """Members that meet an expression."""

@@ -14,7 +14,6 @@ namespace {
 // With the instruction sets of this machine.
 std::string processor() {
 #if defined(__x86_64__)
-  __builtin_cpu_init();
   std::string text = "x86-64";
   if (__builtin_cpu_supports("avx2")) text += ", avx2";
   if (__builtin_cpu_supports("fma")) text += ", fma (not used: it would change bits)";
