@@ -358,7 +358,7 @@ SweepFile parse_sweep(std::string_view text, const std::string& source, SweepChe
   throw_problems(problems, source);
   SweepFile file;
   Sweep& sweep = file.sweep;
-  sweep.members = draft.members.value_or(1);
+  sweep.members = draft.members.value();
   sweep.seed = draft.seed.value_or(0);
   sweep.vary = std::move(draft.vary);
   sweep.keep = draft.keep;

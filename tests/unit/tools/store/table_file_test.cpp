@@ -20,8 +20,34 @@ std::vector<Table> some_tables() {
           {"empty", "none", {{"text", "", "nothing", std::vector<std::string>{}}}}};
 }
 
+h5::Handle text_type(std::size_t width) {
+  h5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  EXPECT_GE(H5Tset_size(type, width), 0);
+  return type;
+}
+
 class StudyTables : public testing::Test {
  protected:
+  // Another column of that name and without values.
+  void replace_column(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+                      hid_t creation = H5P_DEFAULT) const {
+    const h5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    ASSERT_GE(H5Ldelete(file, name.c_str(), H5P_DEFAULT), 0);
+    const h5::Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const h5::Handle column(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+                            H5Dclose);
+    ASSERT_TRUE(column.is_open());
+  }
+  // Why the file is refused; empty if it is not.
+  [[nodiscard]] std::string refusal() const {
+    try {
+      static_cast<void>(read_study_file(path_));
+    } catch (const Failure& failure) {
+      return failure.what();
+    }
+    return "";
+  }
+
   const TempFolder folder_;
   const std::string path_ = folder_.at("study.h5");
 };
@@ -86,24 +112,35 @@ TEST_F(StudyTables, WithAColumnThatIsMissingAreRefused) {
 TEST_F(StudyTables, WithAColumnThatIsNoListOrTooLongAreRefused) {
   for (const std::vector<hsize_t>& shape : {std::vector<hsize_t>{2, 1}, {10'000'001}}) {
     write_study_file(path_, kHead, some_tables());
-    {
-      const h5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-      H5Ldelete(file, "first/error", H5P_DEFAULT);
-      const h5::Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                             H5Sclose);
-      const h5::Handle column(
-          H5Dcreate2(file, "first/error", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-          H5Dclose);
-      ASSERT_TRUE(column.is_open());
-    }
-    try {
-      static_cast<void>(read_study_file(path_));
-      FAIL() << "should have refused";
-    } catch (const Failure& failure) {
-      EXPECT_EQ(failure.what(),
-                path_ + ": first/error: is damaged: must be a list of at most 10000000 values");
-    }
+    replace_column("first/error", H5T_IEEE_F64LE, shape);
+    EXPECT_EQ(refusal(), path_ + ": first/error: is damaged: must be a list of at most 10000000 values");
   }
+}
+
+TEST_F(StudyTables, WithAColumnWhoseValuesCannotBeReadAreRefused) {
+  const h5::Handle elsewhere(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  ASSERT_GE(H5Pset_external(elsewhere, folder_.at("none.bin").c_str(), 0, H5F_UNLIMITED), 0);
+  const h5::Handle text = text_type(3);
+  for (const auto& [name, type] :
+       {std::pair<const char*, hid_t>{"error", H5T_IEEE_F64LE}, {"rows", H5T_STD_I64LE}, {"method", text}}) {
+    write_study_file(path_, kHead, some_tables());
+    replace_column(std::string("first/") + name, type, {2}, elsewhere);
+    EXPECT_EQ(refusal(), path_ + ": first/" + name + ": is damaged: cannot be read");
+  }
+}
+
+TEST_F(StudyTables, WithTextOfMoreThan64MiBInAColumnAreRefused) {
+  constexpr std::size_t kMost = 64 << 20;
+  const auto with_texts = [&](std::size_t width, hsize_t rows) {
+    write_study_file(path_, kHead, some_tables());
+    replace_column("empty/text", text_type(width), {rows});
+  };
+  with_texts(kMost, 1);
+  EXPECT_EQ(row_count(read_study_file(path_).tables.at(1)), 1u);
+  with_texts(kMost + 1, 1);
+  EXPECT_EQ(refusal(), path_ + ": empty/text: is damaged: cannot be read");
+  with_texts(kMost / 2 + 1, 2);
+  EXPECT_EQ(refusal(), path_ + ": empty/text: is damaged: cannot be read");
 }
 
 TEST_F(StudyTables, IsCompleteOrMissing) {
