@@ -155,6 +155,49 @@ class Parts(SweepTest):
         self.sweep("--merge", "out.part-0-of-2.h5", "nowhere.h5", "-o", "merged.h5", exit_code=CANNOT_ACCESS)
         self.assertNotIn("merged.h5", self.names())
 
+    def two_parts(self):
+        """The names of a sweep's two parts."""
+        self.write("sweep.json", document())
+        for part in ("0/2", "1/2"):
+            self.sweep("sweep.json", "--part", part, "-o", "out.h5")
+        return "out.part-0-of-2.h5", "out.part-1-of-2.h5"
+
+    def test_an_unfinished_part_is_refused(self):
+        first, second = self.two_parts()
+        os.rename(self.folder / second, self.folder / f"{second}.partial")
+        with h5py.File(self.folder / f"{second}.partial", "a") as file:
+            file.attrs["rows_done"] = numpy.int64(7)
+        says = (f"{second}.partial", "is not complete: 7 of 50 members are done", "--resume")
+        self.sweep("--merge", first, f"{second}.partial", "-o", "merged.h5", exit_code=BAD_INPUT, says=says)
+        self.assertEqual(self.names(), [first, f"{second}.partial", "sweep.json"])
+        self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume")
+        self.sweep("--merge", first, second, "-o", "merged.h5")
+
+    def test_a_part_of_another_physics_model_is_neither_merged_nor_continued(self):
+        first, second = self.two_parts()
+        with h5py.File(self.folder / second, "a") as file:
+            file.attrs["physics"] = "other-physics/9"
+        self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
+                   says=(second, "was computed by the physics model other-physics/9, the first file by hyrax-physics/1"))
+        self.assertNotIn("merged.h5", self.names())
+        with h5py.File(self.folder / second, "a") as file:
+            file.attrs["rows_done"] = numpy.int64(7)
+        os.rename(self.folder / second, self.folder / f"{second}.partial")
+        self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume", exit_code=BAD_INPUT,
+                   says="is of another sweep, part or physics model")
+
+    def test_a_result_of_another_physics_model_is_computed_again(self):
+        self.computed(document())
+        with h5py.File(self.folder / "sweep.h5", "a") as file:
+            file.attrs["physics"] = "other-physics/9"
+        self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 100)
+
+    def test_a_bad_expression_is_refused_before_parts_are_merged(self):
+        parts = self.two_parts()
+        self.sweep("--merge", *parts, "-o", "merged.h5", "--where", "z > 1", exit_code=BAD_INPUT, says="unknown field")
+        self.assertNotIn("merged.h5", self.names())
+        self.sweep("--merge", *parts, "-o", "merged.h5", "--where", "x > 1")
+
     def test_a_scheduler_names_the_part(self):
         self.write("sweep.json", document())
         for variables, arguments, part in (

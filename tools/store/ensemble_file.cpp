@@ -4,10 +4,11 @@
 #include <cerrno>
 #include <cstdio>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "sim/trajectory/physics_model.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
@@ -29,7 +30,7 @@ void write_head(hid_t file, const EnsembleHead& head) {
   h5::write_attribute(file, "format", kEnsembleFormat);
   h5::write_attribute(file, "sweep", head.sweep_text);
   h5::write_attribute(file, "members", head.members);
-  h5::write_attribute(file, "physics", kPhysicsModel);
+  h5::write_attribute(file, "physics", head.physics);
   if (head.is_part) {
     h5::write_attribute(file, "part", head.part.index);
     h5::write_attribute(file, "parts", head.part.count);
@@ -42,7 +43,10 @@ std::optional<EnsembleHead> read_head(hid_t file) {
   const auto sweep = h5::read_text_attribute(file, "sweep");
   const auto members = h5::read_integer_attribute(file, "members");
   if (h5::read_text_attribute(file, "format") != kEnsembleFormat || !sweep || !members) return std::nullopt;
-  EnsembleHead head{.sweep_text = *sweep, .members = *members, .part = {}};
+  EnsembleHead head{.sweep_text = *sweep,
+                    .members = *members,
+                    .part = {},
+                    .physics = h5::read_text_attribute(file, "physics").value_or("")};
   const auto part = h5::read_integer_attribute(file, "part");
   const auto parts = h5::read_integer_attribute(file, "parts");
   if (part && parts) {
@@ -132,7 +136,8 @@ bool EnsembleWriter::resume(const EnsembleHead& head) {
     const auto rows_done = file_.is_open() ? h5::read_integer_attribute(file_, kRowsDone) : std::nullopt;
     is_begun = found && rows_done;
     if (!is_begun) return;
-    if (*found != head) refuse(partial_path_, "is of another sweep or part; start over without --resume");
+    if (*found != head)
+      refuse(partial_path_, "is of another sweep, part or physics model; start over without --resume");
     const std::int64_t rows = head.part.rows(head.members);
     datasets_ = open_datasets(file_, columns_, rows);
     done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
@@ -196,6 +201,9 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
     const auto head = file_.is_open() ? read_head(file_) : std::nullopt;
     if (!head) refuse(path, "is no result file of a sweep (" + std::string(kEnsembleFormat) + ")");
     head_ = *head;
+    if (const auto done = h5::read_integer_attribute(file_, kRowsDone))
+      refuse(path, fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
+                               rows()));
     sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
     columns_ = columns_of(sweep_);
     datasets_ = open_datasets(file_, columns_, rows());

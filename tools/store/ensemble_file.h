@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/scenario/sweep.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/store/ensemble_columns.h"
 #include "tools/store/hdf5.h"
 
@@ -22,7 +23,8 @@ struct EnsembleHead {
   std::string sweep_text;    ///< As SweepFile::text.
   std::int64_t members = 0;  ///< Of the whole sweep.
   WorkPart part;
-  bool is_part = false;  ///< Whether it is a part's file, even of one.
+  bool is_part = false;                ///< Whether it is a part's file, even of one.
+  std::string physics{kPhysicsModel};  ///< The model that computed it.
   bool operator==(const EnsembleHead&) const = default;
 };
 
@@ -35,7 +37,7 @@ class EnsembleWriter {
  public:
   /// Creates the partial file, or with `resumes` opens the one that exists.
   /// ERRORS: Failure(cannot_access) if it cannot be written, or another process writes it; Failure(bad_input)
-  /// if it is resumed and is of another sweep or part, or damaged.
+  /// if it is resumed and is of another sweep, part or physics model, or damaged.
   EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep, bool resumes);
   EnsembleWriter(const EnsembleWriter&) = delete;
   EnsembleWriter& operator=(const EnsembleWriter&) = delete;
@@ -71,7 +73,7 @@ class EnsembleWriter {
 class EnsembleReader {
  public:
   /// ERRORS: Failure(cannot_access) if it cannot be read; Failure(bad_input) if it is no result file of a
-  /// sweep, or damaged.
+  /// sweep, a partial one, or damaged.
   explicit EnsembleReader(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -94,14 +94,21 @@ ExitCode write_member(const SweepRequest& request) {
   return ExitCode::agreed;
 }
 
+void admit_result(OutputGuard& guard, const std::string& path) {
+  const std::string option = std::string(kName) + ": -o";
+  guard.admit(option, path, {".h5"});
+  guard.admit(option, partial_path(path));
+}
+
 ExitCode merge(const SweepRequest& request) {
   if (request.output.empty()) refuse_request("--merge: needs -o FILE.h5");
-  OutputGuard(request.files).admit(std::string(kName) + ": -o", request.output, {".h5"});
+  OutputGuard guard(request.files);
+  admit_result(guard, request.output);
+  std::optional<MemberFilter> filter;
+  if (!request.where.empty()) filter.emplace(request.where, EnsembleReader(request.files.front()).columns());
   const MergeOutcome outcome = merge_parts(request.files, request.output);
   for (const std::string& path : outcome.missing) print_error(path + ": is missing; nothing was written");
   if (!outcome.missing.empty()) return ExitCode::golden_missing;
-  std::optional<MemberFilter> filter;
-  if (!request.where.empty()) filter.emplace(request.where, EnsembleReader(request.output).columns());
   report(request,
          fmt::format("merged: {} members of {} parts\nwritten: {}", outcome.head.members,
                      request.files.size(), request.output),
@@ -167,8 +174,7 @@ ExitCode compute(const SweepRequest& request) {
   std::vector<std::string> inputs{path};
   if (!file.base_path.empty()) inputs.push_back(file.base_path);
   OutputGuard guard(inputs);
-  guard.admit(std::string(kName) + ": -o", job.output, {".h5"});
-  guard.admit(std::string(kName) + ": -o", partial_path(job.output));
+  admit_result(guard, job.output);
   SweepOutcome outcome;
   outcome.rows = job.head.part.rows(job.head.members);
   if (request.resumes && is_complete(job.output, job.head))

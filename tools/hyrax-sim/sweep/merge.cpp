@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/sweep/sweep_run.h"
 
@@ -35,6 +36,9 @@ void add_part(const std::string& path, Parts& parts) {
   if (!parts.empty()) {
     const EnsembleHead& first = parts.begin()->second->head();
     if (head.sweep_text != first.sweep_text) refuse("is a part of another sweep than the first file");
+    if (head.physics != first.physics)
+      refuse(fmt::format("was computed by the physics model {}, the first file by {}",
+                         printable(head.physics), printable(first.physics)));
     if (head.part.count != first.part.count)
       refuse(fmt::format("is one of {} parts, the first file one of {}", head.part.count, first.part.count));
   }
