@@ -31,12 +31,14 @@ class RowCollector final : public RowSink {
   }
   void repeats(const Repetition& repetition) override { run_.repetition = repetition; }
 
- private:
-  [[nodiscard]] bool is_complete() const {
-    if (std::ssize(run_.rows) >= kCoreRunRowsMax) return true;
+  // Whether the rows have all of the first period.
+  [[nodiscard]] bool has_period() const {
     return run_.repetition &&
            std::ssize(run_.rows) > run_.repetition->from_step + run_.repetition->period_steps;
   }
+
+ private:
+  [[nodiscard]] bool is_complete() const { return has_period() || std::ssize(run_.rows) >= kCoreRunRowsMax; }
 
   CoreRun& run_;
 };
@@ -78,6 +80,7 @@ CoreRun play_core(const Scenario& scenario) {
   run.at_rest_since_s = summary.at_rest_since_s;
   run.is_finite = !summary.non_finite_step;
   run.state_hash = summary.state_hash;
+  if (!collector.has_period()) run.repetition.reset();  // It begins past the last row that is kept.
   run.is_cut = !run.repetition && (summary.final.step >= std::ssize(run.rows) ||
                                    (run.is_finite && summary.final.step < step_count(scenario)));
   return run;

@@ -23,8 +23,8 @@ inline constexpr std::int64_t kCoreRunStepsMax = 20'000'000;
 struct CoreRun {
   std::vector<Row>
       rows;  ///< From row 0. Their contact byte is that of set_contacts once it was called, else 0.
-  std::optional<Repetition> repetition;
-  Row final;  ///< The last one that was played, kept or not.
+  std::optional<Repetition> repetition;  ///< If its first period is kept.
+  Row final;                             ///< The last one that was played, kept or not.
   Digest state_hash{};
   std::optional<double> at_rest_since_s;
   bool is_finite = true;

@@ -116,9 +116,12 @@ void Replay::Player::search_repetition(std::int64_t end, std::int64_t stretch_en
   if (log_.met_anchor && divides_a_block(period) && stretch_end - step() > 2 * period) {
     cycle_ = make_cycle(period);
     if (stretch_end < steps_) return;
-    summary_.periodic_from_step = search_->step;
+    // An event changes the state of its frame's row, which then does not repeat.
+    const bool begins_with_event = next_event_ > 0 && event_frames_[next_event_ - 1] == search_->step;
+    const std::int64_t from_step = search_->step + (begins_with_event ? 1 : 0);
+    summary_.periodic_from_step = from_step;
     summary_.period_steps = period;
-    tee_.repeats({search_->step, period});
+    tee_.repeats({from_step, period});
   } else if (log_.met_anchor || step() == search_end) {
     const auto window = std::min<std::int64_t>(search_->window + search_->window / 16, kBlockRows);
     search_ = {body(), step(), window};

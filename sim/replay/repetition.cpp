@@ -77,9 +77,6 @@ void Replay::Player::repeat_clamps(const Cycle& cycle, std::int64_t end) {
     one.rows[cycle.row(step() + rest).contact] = 1;
     count_clamps(one, 1);
   }
-  if (options_.checks_bounds)
-    for (std::int64_t at = step() + 1; at <= std::min(end, step() + cycle.period); ++at)
-      check_bounds(row_in(cycle, at));
 }
 
 void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {

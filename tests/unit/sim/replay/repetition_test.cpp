@@ -115,18 +115,29 @@ TEST(SkippedRepetition, IsDisabledUnderJitter) {
 }
 
 TEST(SkippedRepetition, IsPeriodicFromTheRowItNames) {
-  TraceSink trace;
-  const RunSummary summary = play(fling_at(60.0, 30'000), trace, false);
-  ASSERT_TRUE(summary.periodic_from_step);
-  ASSERT_GT(summary.period_steps, 0);
-  const auto same_state = [&](std::int64_t a, std::int64_t b) {
-    const Row& p = trace.rows()[static_cast<std::size_t>(a)];
-    const Row& q = trace.rows()[static_cast<std::size_t>(b)];
-    return same_bits(p.x_px, q.x_px) && same_bits(p.y_px, q.y_px) &&
-           same_bits(p.vx_px_per_s, q.vx_px_per_s) && same_bits(p.vy_px_per_s, q.vy_px_per_s);
-  };
-  for (std::int64_t step = *summary.periodic_from_step; step + summary.period_steps <= 30'000; ++step)
-    ASSERT_TRUE(same_state(step, step + summary.period_steps)) << step;
+  const std::int64_t at = 20;
+  Scenario without_time = fling_at(60.0, 3'000, {{at, Stop{}}});
+  without_time.clock.base = FixedStep{0.0};
+  const Scenario held = fling_at(60.0, 3'000, {{at, Grab{}}});
+  const Scenario placed = fling_at(60.0, 3'000, {{at - 5, Grab{}}, {at, Place{{5.0, 6.0}}}});
+  for (const auto& [scenario, from_step] : {std::pair{fling_at(60.0, 30'000), std::optional<std::int64_t>()},
+                                            {without_time, at + 1},
+                                            {held, at + 1},
+                                            {placed, at + 1}}) {
+    TraceSink trace;
+    const RunSummary summary = play(scenario, trace, false);
+    ASSERT_TRUE(summary.periodic_from_step);
+    if (from_step) {
+      EXPECT_EQ(summary.periodic_from_step, from_step);
+    }
+    ASSERT_GT(summary.period_steps, 0);
+    const auto state_at = [&](std::int64_t step) {
+      return state_of(trace.rows()[static_cast<std::size_t>(step)]);
+    };
+    for (std::int64_t step = *summary.periodic_from_step; step + summary.period_steps <= summary.steps;
+         ++step)
+      ASSERT_TRUE(same_bits(state_at(step), state_at(step + summary.period_steps))) << step;
+  }
 }
 
 TEST(SkippedRepetition, PlaysTheLongestRunInAMoment) {

@@ -1,0 +1,61 @@
+#include "sim/card/core_run.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/replay/listing_kernel.h"
+#include "tests/unit/sim/replay/some_flings.h"
+
+namespace hyrax {
+namespace {
+
+constexpr Constants kPaper{.gravity_px_per_s2 = 1200.0,
+                           .restitution = 0.6,
+                           .air_drag = 0.999,
+                           .ground_friction = 0.8,
+                           .rest_threshold_px_per_s = 5.0};
+
+// Stands on the floor, where friction changes nothing, until it is flung.
+Scenario flung_at(std::int64_t frame) {
+  Scenario scenario = fling_at(60.0, kCoreRunRowsMax + 100'000, {{frame, Fling{{900.0, -500.0}}}});
+  scenario.start_velocity = {};
+  scenario.start = {300.0, bounds_of(scenario.window, scenario.sprite).bottom_px};
+  return scenario;
+}
+
+CoreRun run_with_friction(double ground_friction, const Scenario& scenario) {
+  Constants constants = kPaper;
+  constants.ground_friction = ground_friction;
+  const std::unique_ptr<const Kernel> kernel = listing_kernel(constants);
+  return play_by({.kernel = kernel.get()}, scenario);
+}
+
+TEST(CoreRun, ThatRepeatsFromAKeptRowIsComplete) {
+  const CoreRun run = run_with_friction(0.8, flung_at(kCoreRunRowsMax - 50'000));
+  EXPECT_TRUE(run.repetition);
+  EXPECT_FALSE(run.is_cut);
+}
+
+TEST(CoreRun, ThatRepeatsPastTheLastRowKeptIsCut) {
+  const CoreRun run = run_with_friction(0.8, flung_at(kCoreRunRowsMax + 50'000));
+  EXPECT_EQ(std::ssize(run.rows), kCoreRunRowsMax);
+  EXPECT_FALSE(run.repetition);
+  EXPECT_TRUE(run.is_cut);
+}
+
+TEST(CompareRuns, FindsADifferenceBeforeAndPastTheLastRowKept) {
+  for (const std::int64_t offset : {-50'000, 50'000}) {
+    const Scenario scenario = flung_at(kCoreRunRowsMax + offset);
+    const auto changed_by = [&](double ground_friction) {
+      CoreRun base = run_with_friction(0.8, scenario);
+      CoreRun candidate = run_with_friction(ground_friction, scenario);
+      return compare_runs(scenario, base, candidate);
+    };
+    EXPECT_TRUE(changed_by(0.8).has_same_bits);
+    const RunChange change = changed_by(0.7);
+    EXPECT_FALSE(change.has_same_bits) << offset;
+    EXPECT_EQ(change.is_cut, offset > 0);
+  }
+}
+
+}  // namespace
+}  // namespace hyrax
