@@ -83,10 +83,13 @@ double time_after_s(Timeline timeline, double dt_s, std::int64_t frames) {
   return timeline.time_s();
 }
 
-// Whether a sprite that slides on the ground stays away from the walls in x. Friction and drag leave less
-// than 0.8 of vx in each step, so the way is at most 4.98 |vx| dt, and rounding at most doubles each step's.
-bool stays_inside(double x_px, double vx_px_per_s, double dt_s, double right_px) {
-  const double reach_px = 10.0 * std::fabs(vx_px_per_s) * dt_s;
+// Whether a sprite that slides on the ground stays away from the walls in x. Drag and friction leave this
+// part of vx in each step, so the way is that of a geometric series, and rounding at most doubles each
+// step's.
+bool stays_inside(const Constants& core, double x_px, double vx_px_per_s, double dt_s, double right_px) {
+  const double left_part = core.air_drag * core.ground_friction;
+  if (!(core.air_drag >= 0.0 && core.ground_friction >= 0.0 && left_part < 1.0)) return false;
+  const double reach_px = 2.0 * core.air_drag / (1.0 - left_part) * std::fabs(vx_px_per_s) * dt_s;
   return vx_px_per_s < 0.0 ? x_px - reach_px >= 0.0 && x_px <= right_px
                            : x_px >= 0.0 && x_px + reach_px <= right_px;
 }
@@ -181,7 +184,8 @@ class LanePlayer::Flying {
   // Frames left after those that need not be computed here.
   std::int64_t leave_out(const Leg& leg, std::size_t lane, std::int64_t steps, std::int64_t left) {
     if (is_in(lanes_.is_at_rest, lane) &&
-        stays_inside(lanes_.x_px[lane], lanes_.vx_px_per_s[lane], leg.dt_s, lanes_.right_px[lane])) {
+        stays_inside(lanes_.constants, lanes_.x_px[lane], lanes_.vx_px_per_s[lane], leg.dt_s,
+                     lanes_.right_px[lane])) {
       if (left % 2 != 0) lanes_.vy_px_per_s[lane] = lanes_.vy_before_px_per_s[lane];
       lanes_.walls[lane] = wall_bit(wall_index(Wall::ground));
       player_.slides_.push_back({leg.member, leg.dt_s, left});

@@ -11,6 +11,7 @@
 #include "sim/motion/step.h"
 #include "sim/physics/physics.h"
 #include "sim/replay/core_constants.h"
+#include "sim/scenario/split_mix64.h"
 #include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
@@ -60,6 +61,39 @@ bool is_listing_on_grid() {
             for (const double vy_px_per_s : speeds)
               if (!steps_as_listing({x_px, y_px, vx_px_per_s, vy_px_per_s}, dt_s, bounds)) return false;
     }
+  return true;
+}
+
+// Bodies in rooms and at rates of all sizes, set anew to places and speeds of all sizes: what limits a speed,
+// or remembers what was, is seen only in these.
+bool is_listing_in_flings() {
+  constexpr std::uint64_t kSeed = 1;
+  constexpr int kFlings = 100, kFrames = 1000, kFramesOfOne = 100;
+  std::uint64_t draws = 0;
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * split_mix64_unit(kSeed, draws++);
+  };
+  const auto speed_px_per_s = [&] {
+    return std::copysign(std::pow(10.0, between(-3.0, 6.0)), between(-1.0, 1.0));
+  };
+  for (int fling = 0; fling < kFlings; ++fling) {
+    const Bounds bounds{std::floor(between(0.0, 4000.0)), std::floor(between(0.0, 3000.0))};
+    const double dt_s = std::pow(10.0, between(-3.0, -0.5));
+    const ListingStep step(core_constants(), AllParts{}, bounds);
+    physics moving;
+    State listed;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      if (frame % kFramesOfOne == 0) {
+        listed = {between(0.0, bounds.right_px), between(0.0, bounds.bottom_px), speed_px_per_s(),
+                  speed_px_per_s()};
+        moving.setPos(listed.x_px, listed.y_px);
+        moving.setVelocity(listed.vx_px_per_s, listed.vy_px_per_s);
+      }
+      step(listed, dt_s);
+      moving.update(dt_s, static_cast<int>(bounds.right_px), static_cast<int>(bounds.bottom_px), 0, 0);
+      if (!same_bits(out(moving), listed)) return false;
+    }
+  }
   return true;
 }
 
@@ -127,7 +161,8 @@ State core_flight(const State& body, double dt_s) {
 }
 
 bool core_is_listing() {
-  static const bool is_listing = is_paper_model(core_model()) && sets_as_listing() && is_listing_on_grid();
+  static const bool is_listing =
+      is_paper_model(core_model()) && sets_as_listing() && is_listing_on_grid() && is_listing_in_flings();
   return is_listing;
 }
 

@@ -11,7 +11,7 @@ from program import AGREED, ProgramTest, fling, main
 
 # One of each kind of change that a step or a setter can have; `ground_not_strict` differs on a bound alone.
 CORES = ("gravity_stronger", "two_constants", "drag_before_gravity", "y_before_x", "ground_not_strict", "rest_not_strict",
-         "friction_on_vy", "bounds_without_sprite", "fling_adds", "reset_does_nothing")
+         "friction_on_vy", "friction_none", "speed_limited", "bounds_without_sprite", "fling_adds", "reset_does_nothing")
 EVENTS = [{"step": 20, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -800}}, {"step": 90, "stop": {}},
           {"step": 120, "resize": {"window": {"width_px": 900, "height_px": 700}}}]
 

@@ -24,7 +24,8 @@ struct AlteredStep {
   /// X, Y: vx, vy *= drag. d: both, if dt > 0. D: both by time, drag^(60 dt).
   /// E: both times 1 - 60 dt.
   /// x, y: x += vx dt, y += vy dt. <, ^: x -= vx dt, y -= vy dt. a, b: x += vy dt, y += vx dt.
-  /// v: x and y by the mean of the speeds before and after. s: y += vy dt + 1e-9 vx.
+  /// l: vx within -1500 .. 1500. v: x and y by the mean of the speeds before and after. s: y += vy dt + 1e-9
+  /// vx.
   std::string_view fly = "gXYxy";
   /// x: left wall, else right. y: top, else ground. L, R, T, B: left, right, top, ground alone.
   /// Y: ground, else top.

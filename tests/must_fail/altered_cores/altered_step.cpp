@@ -1,4 +1,5 @@
 // The listing's step, its operations taken from the altered core in use.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -124,6 +125,9 @@ void fly(AlteredBody& body, double dt) {
         break;
       case 'y':
         y += vy * dt;
+        break;
+      case 'l':
+        vx = std::clamp(vx, -1500.0, 1500.0);
         break;
       case '<':
         x -= vx * dt;
