@@ -15,7 +15,6 @@ class LargestDistance {
   void add(double dx, double dy) {
     const double squared = dx * dx + dy * dy;
     if (!(squared > squared_) && squared == squared) return;
-    if (squared_ != squared_) return;
     squared_ = squared;
     dx_ = dx;
     dy_ = dy;

@@ -141,7 +141,7 @@ constexpr AlteredCore kCores[] = {
      "constants",
      "no drag, no friction, restitution 1, no rest rule",
      {.restitution = 1.0, .air_drag = 1.0, .ground_friction = 1.0, .rest_threshold = 0.0}},
-    {"speed_limited", "drag", "and |vx| at most 1500 px/s", {.fly = "gXYlxy"}},
+    {"speed_limited", "drag", "vx limited to 1500 px/s as well", {.fly = "gXYlxy"}},
     {"y_sees_x", "position", "y += vy dt + 1e-9 vx", {.fly = "gXYxs"}},
     {"update_alone", "update", "x to the next double after both halves", {.update = "FCn"}},
     {"hidden_state", "update", "halves vx in every 1009th step", {.update = "FCh"}},
