@@ -70,13 +70,15 @@ std::string summary_text(const FreshRun& fresh, const std::string& reason, const
 // are written and be the same all the same, and the physics model's name sets no class, so all are taken from
 // the .h5 file.
 std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept, FreshRun fresh,
-                                    const std::string& h5_checksum, const GoldenPlace& place) {
+                                    const std::string& h5_checksum, bool is_blessed_file,
+                                    const GoldenPlace& place) {
   fresh.run.scenario.name = kept.scenario.name;
   fresh.run.physics = kept.physics;
   const GoldenChecksums checksums{contents_checksum(kept), h5_checksum};
   if (const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums)))
     return place.txt_path + ": " + *fault;
-  return attribute_difference(place.h5_path, kept);
+  // Files of earlier versions have fewer attributes; those that they have must be the same.
+  return attribute_difference(place.h5_path, kept, is_blessed_file);
 }
 
 void refuse_pair(Comparison& comparison, const std::string& fault) {
@@ -107,13 +109,14 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
   PairComparison pair{
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
   const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
+  const bool is_blessed_file = blessed_checksum == h5_checksum;
   if (has_other_run(pair.comparison, kept, scenario))
-    pair.runs = std::make_shared<const PairRuns>(
-        PairRuns{std::move(kept), std::move(fresh.run), blessed_checksum == h5_checksum});
+    pair.runs =
+        std::make_shared<const PairRuns>(PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file});
   if (!pair.comparison.agrees) return pair;
-  if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, place))
+  if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, is_blessed_file, place))
     refuse_pair(pair.comparison, *fault);
-  else if (blessed_checksum != h5_checksum)
+  else if (!is_blessed_file)
     pair.note = place.h5_path + ": agrees, but does not have the checksum in " + place.txt_path +
                 ": its provenance or its layout differs";
   else
@@ -149,7 +152,7 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
 bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
   const StoredRun kept = read_golden(place.h5_path);
   return kept.scenario.name == scenario.name && kept.physics == core_model() && has_core_constants(kept) &&
-         compare_with(kept, scenario).comparison.agrees && has_all_attributes(place.h5_path, kept);
+         compare_with(kept, scenario).comparison.agrees && !attribute_difference(place.h5_path, kept, false);
 }
 
 }  // namespace hyrax
