@@ -38,6 +38,13 @@ class Bless(ProgramTest):
         self.expect(AGREED, "check")
         self.expect(AGREED, "check", "--quick")
 
+    def test_an_expectation_that_does_not_hold_is_refused_though_nothing_changed(self):
+        self.write("scenarios/fling.json", fling(expect={"finite": False}))
+        self.expect(DISAGREED, "check", "scenarios/fling.json", says="")
+        outcome = self.expect(DISAGREED, "bless", "scenarios/fling.json", "--reason", "x")
+        self.assertIn("not blessed: its expectations do not hold; finite: wanted false, measured true", outcome.err)
+        self.assert_golden_untouched()
+
     def test_the_summary_has_the_run_and_the_reason(self):
         self.expect(AGREED, "bless", "scenarios/new.json", "--reason", "because of the\ntest")
         text = (self.folder / "golden/new.txt").read_text()

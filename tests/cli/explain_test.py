@@ -4,6 +4,7 @@
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
 """
 
+import json
 import os
 import re
 import xml.etree.ElementTree
@@ -142,6 +143,32 @@ class Text(ExplainTest):
             environment = {**os.environ, "HYRAX_ALTERED_CORE": "drag_before_gravity"}
             outcome = run(ALTERED, *words[1:], cwd=self.folder, env=environment)
             self.assertIn(outcome.exit_code, (AGREED, DISAGREED), outcome)
+
+    def expecting(self, expect):
+        """Gives the third scenario these expectations."""
+        path = self.folder / "scenarios/third.json"
+        path.write_text(json.dumps({**json.loads(path.read_text()), "expect": expect}))
+
+    def test_the_suggested_bless_updates_the_hashes_that_keep_it_from_working(self):
+        outcome = self.expect(AGREED, "run", "scenarios/third.json", "--json", "-o", "now.h5")
+        self.expecting({"state_hash": outcome.json["runs"][0]["state_hash"]})
+        command = re.search("  to accept it +(.*)", self.altered("gravity_by_one_ulp").out)[1].replace("TEXT", "again")
+        self.assertTrue(command.endswith(" --update-hash"), command)
+        self.altered("gravity_by_one_ulp", command=command.split()[1:], exit_code=AGREED)
+        self.altered("gravity_by_one_ulp", exit_code=AGREED)
+
+    def test_expectations_that_keep_bless_from_working_are_to_be_edited_first(self):
+        self.expecting({"contacts": {"right": 7}})
+        text = self.altered("gravity_by_one_ulp").out
+        self.assertIn("  to edit first   expect of 1 scenario: bless refuses a run for which it does not hold\n"
+                      "  to accept it    hyrax-sim bless scenarios --reason TEXT\n", text)
+
+    def test_a_missing_golden_file_does_not_hide_an_expectation(self):
+        self.expecting({"contacts": {"right": 7}})
+        (self.folder / "golden/third.h5").unlink()
+        (self.folder / "golden/third.txt").unlink()
+        self.assertRegex(self.expect(GOLDEN_MISSING, "check").out,
+                         "scenarios/third.json: missing: .*third.h5.*; expect contacts/right: wanted 7, measured 1\n")
 
     def test_quiet_prints_the_counts_alone(self):
         self.assertEqual(self.altered("gravity_stronger", "-q").out,

@@ -123,11 +123,10 @@ void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& gu
   const RunSummary summary = compare(scenario, blessing);
   if (options.updates_hash) update_hash(summary, scenario, blessing);
   if (blessing.scenario_text) require_writable(blessing.path);
-  if (!blessing.writes()) return;
+  require_expected(blessing.path, scenario, summary);
   if (blessing.writes_golden_file())
     for (const std::string& path : {blessing.place.h5_path, blessing.place.txt_path}) require_writable(path);
-  require_expected(blessing.path, scenario, summary);
-  if (!blessing.differs_in || *blessing.differs_in <= options.accepted) return;
+  if (!blessing.writes() || !blessing.differs_in || *blessing.differs_in <= options.accepted) return;
   blessing.status = BlessStatus::refused;
   blessing.exit_code = ExitCode::disagreed;
 }

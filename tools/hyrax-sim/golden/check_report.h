@@ -55,6 +55,12 @@ class CheckReport {
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
 [[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
 
+/// How to accept what these scenarios give: the command that blesses them, and before it what in their
+/// `expect` keeps bless from doing so. Complete lines, indented by two.
+/// @param bless the command without --update-hash, which is added if a state hash is the only reason.
+[[nodiscard]] std::string acceptance_text(const std::string& bless,
+                                          const std::vector<const CheckVerdict*>& verdicts);
+
 /// A paragraph for each cause, a line for all that is wrong otherwise, the commands that show more, and the
 /// counts (verbose: every scenario first; quiet: counts only, failures on standard error).
 void print_check(const CheckReport& report, const Printing& printing);

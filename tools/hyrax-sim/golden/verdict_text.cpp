@@ -1,6 +1,8 @@
 // One verdict of `check` as text.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tools/files/golden_place.h"
 #include "tools/files/unreferenced_golden.h"
 #include "tools/hyrax-replay/judged_run.h"
@@ -17,6 +19,7 @@ using Status = CheckVerdict::Status;
 }  // namespace
 
 std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict) {
+  const std::string broken = broken_sentence(verdict.broken);
   switch (verdict.status) {
     case Status::agreed:
       return "";
@@ -25,13 +28,14 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
     case Status::unreferenced:
       return kUnreferencedSentence;
     case Status::missing:
-      return fmt::format("{}; to create it: {}", missing_golden_sentence(verdict.golden),
-                         bless_command_for({verdict.path}, verdict.golden_folder));
+      return fmt::format("{}; {}", missing_golden_sentence(verdict.golden),
+                         !broken.empty()
+                             ? broken
+                             : "to create it: " + bless_command_for({verdict.path}, verdict.golden_folder));
     case Status::disagreed:
       break;
   }
   const DifferenceGroup* const group = report.group_of(verdict);
-  const std::string broken = broken_sentence(verdict.broken);
   if (group == nullptr) return broken.empty() ? "the state is not finite" : broken;
   return fmt::format("{}{}: {}{}", group->reproduced() == 0 ? "cause unknown: " : "", group->cause.detail,
                      scenario_consequence({verdict.path, &verdict.comparison, verdict.runs.get()}),
@@ -50,11 +54,24 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
     return text + fmt::format("  {}\n  to create it: {}\n", missing_golden_sentence(verdict.golden), bless);
   if (verdict.comparison.agrees) return text;
   return text + difference_text(verdict.comparison, lists_all) +
-         fmt::format(
-             "  to see more     {}; {}\n"
-             "  to accept it    {}\n",
-             program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
-             program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"}), bless);
+         fmt::format("  to see more     {}; {}\n",
+                     program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
+                     program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
+         acceptance_text(bless, {&verdict});
+}
+
+std::string acceptance_text(const std::string& bless, const std::vector<const CheckVerdict*>& verdicts) {
+  const auto is_hash = [](const Expectation& broken) { return broken.rule == "state_hash"; };
+  const bool updates_hash = std::ranges::any_of(
+      verdicts, [&](const CheckVerdict* verdict) { return std::ranges::any_of(verdict->broken, is_hash); });
+  const auto edits = std::ranges::count_if(
+      verdicts, [&](const CheckVerdict* verdict) { return !std::ranges::all_of(verdict->broken, is_hash); });
+  return (edits == 0 ? ""
+                     : fmt::format(
+                           "  to edit first   expect of {} scenario{}: bless refuses a run for which it does "
+                           "not hold\n",
+                           edits, edits == 1 ? "" : "s")) +
+         fmt::format("  to accept it    {}{}\n", bless, updates_hash ? " --update-hash" : "");
 }
 
 }  // namespace hyrax
