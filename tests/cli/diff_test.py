@@ -278,6 +278,10 @@ class Diff(ProgramTest):
     def test_rows_that_are_not_recorded_differ_in_the_hash(self):
         self.expect(AGREED, "run", "fling.json", "-o", "a.h5", "--set", "/record/every=100")
         shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+        agree = "a.h5 and b.h5: agree, 4 rows compared, the others "
+        self.assertEqual(self.expect(AGREED, "diff", "a.h5", "b.h5").out, agree + "by the state hashes in the files\n")
+        self.assertEqual(self.expect(AGREED, "diff", "a.h5", "b.h5", "--abs", "1").out,
+                         agree + "not: a file does not hold them\n")
         with h5py.File(self.folder / "b.h5", "r+") as file:
             file.attrs["state_hash"] = "0" * 32
         document = self.diff(DISAGREED)

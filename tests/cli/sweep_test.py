@@ -307,6 +307,19 @@ class Where(SweepTest):
         self.assertEqual(sorted(last + self.listed(f"clock.jitter.seed < {2**64 - 1}")), list(range(100)))
         self.assertTrue(0 < len(last) < 100)
 
+    def test_whole_numbers_are_compared_exactly_with_all_others(self):
+        self.write("sweep.json", document(
+            base=base(clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.1, "seed": 1}}), members=6,
+            vary={"/clock/jitter/seed": {"choice": [2**53 + 1, 2**64 - 1, 2**53]}}, keep=["final"]))
+        whole = list(range(6))
+        for expression in (f"< {2**64}", f"< {float(2**64)!r}", "> -1.5", f">= {2**53}", f">= {float(2**53)!r}", "!= 0.5",
+                           "> -1e300", "< 1e300"):
+            self.assertEqual(self.listed(f"clock.jitter.seed {expression}"), whole, expression)
+        for expression in (f">= {2**64}", "== 0.5", f"< {float(2**53)!r}"):
+            self.assertEqual(self.listed(f"clock.jitter.seed {expression}"), [], expression)
+        self.assertEqual(self.listed(f"clock.jitter.seed == {float(2**53)!r}"), self.listed(f"clock.jitter.seed == {2**53}"))
+        self.assertEqual(self.listed("x > -9007199254740993 and x < 9007199254740993"), whole)
+
     def test_a_part_lists_its_members(self):
         self.write("sweep.json", document())
         out = self.sweep("sweep.json", "--part", "1/3", "--where", "x > -1").out

@@ -21,8 +21,12 @@ void print_difference(const TrajectoryDiff& diff, const TrajectoryFile& a, const
                       const DiffRequest& request) {
   const Comparison& comparison = diff.comparison;
   const VerdictWord verdict{comparison.agrees ? "agree" : "DIFFER", comparison.agrees};
-  print_text("{} and {}: {}, {} rows compared\n", request.files[0], request.files[1], verdict,
-             diff.rows_compared);
+  const bool has_others = comparison.agrees && diff.rows_compared <= a.head().steps;
+  print_text("{} and {}: {}, {} rows compared{}\n", request.files[0], request.files[1], verdict,
+             diff.rows_compared,
+             !has_others                    ? ""
+             : request.tolerance.is_exact() ? ", the others by the state hashes in the files"
+                                            : ", the others not: a file does not hold them");
   if (request.printing.is_quiet()) return;
   if (diff.has_differences())
     print_text("{}{}", consequence_text(diff), values_text(diff, request.printing.is_verbose()));

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
+#include <concepts>
 #include <cstring>
 #include <utility>
 
@@ -66,16 +68,31 @@ SweepNumber parse_number(const std::string& text) {
   refuse_filter("must compare with a number (found " + text + ")");
 }
 
-// Whole numbers are compared exactly.
+std::partial_ordering compare(std::integral auto a, std::integral auto b) {
+  if (std::cmp_less(a, b)) return std::partial_ordering::less;
+  return std::cmp_equal(a, b) ? std::partial_ordering::equivalent : std::partial_ordering::greater;
+}
+
+// Not as doubles, which do not hold all whole numbers.
+std::partial_ordering compare(std::integral auto whole, double real) {
+  if (std::isnan(real)) return std::partial_ordering::unordered;
+  if (real >= 0x1p64) return std::partial_ordering::less;
+  if (real < -0x1p63) return std::partial_ordering::greater;
+  const double below = std::floor(real);
+  const auto order = below < 0.0 ? compare(whole, static_cast<std::int64_t>(below))
+                                 : compare(whole, static_cast<std::uint64_t>(below));
+  return order == 0 && real > below ? std::partial_ordering::less : order;
+}
+
 std::partial_ordering compare(const SweepNumber& a, const SweepNumber& b) {
   return std::visit(
       [](auto x, auto y) -> std::partial_ordering {
-        if constexpr (std::is_integral_v<decltype(x)> && std::is_integral_v<decltype(y)>) {
-          if (std::cmp_less(x, y)) return std::partial_ordering::less;
-          return std::cmp_equal(x, y) ? std::partial_ordering::equivalent : std::partial_ordering::greater;
-        } else {
-          return static_cast<double>(x) <=> static_cast<double>(y);
-        }
+        if constexpr (std::is_integral_v<decltype(x)>)
+          return compare(x, y);
+        else if constexpr (std::is_integral_v<decltype(y)>)
+          return 0 <=> compare(y, x);
+        else
+          return x <=> y;
       },
       a, b);
 }
