@@ -145,6 +145,12 @@ class UpdateHash(ProgramTest):
         self.write("scenarios/fling.json", f"{self.text} ,\n\n\t\"expect\":{expect}  }}\n ")
         return (self.folder / "scenarios/fling.json").read_text()
 
+    def test_the_mode_of_the_file_is_kept(self):
+        self.scenario('{"state_hash": "%s"}' % (32 * "0"))
+        (self.folder / "scenarios/fling.json").chmod(0o600)
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
+        self.assertEqual((self.folder / "scenarios/fling.json").stat().st_mode & 0o777, 0o600)
+
     def test_a_stale_hash_is_replaced(self):
         before = self.scenario('{"finite": true , "state_hash":"' + 32 * "0" + '"}')
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", says="state_hash: wanted 0000")
@@ -208,7 +214,7 @@ class Prune(ProgramTest):
         kept = {path: state for path, state in before.items() if not path.endswith(tuple(document["pruned"]))}
         self.assertEqual(self.state_of("."), kept)
         self.expect(AGREED, "check")
-        self.assertEqual(self.expect(AGREED, "bless", "--prune").out, "")
+        self.assertEqual(self.expect(AGREED, "bless", "--prune").out, "no golden file without a scenario\n")
 
     def test_only_in_the_folders_given(self):
         for name in ("fling", "a/other"):

@@ -124,7 +124,10 @@ void AtomicFile::write(std::string_view text) const {
   if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);
 }
 
+// Who may read the old file may read the new one, and nobody else.
 void AtomicFile::commit() {
+  struct stat replaced {};
+  if (stat(path_.c_str(), &replaced) == 0) fchmod(lock_, replaced.st_mode & 07777);
   if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
   part_path_.clear();
 }

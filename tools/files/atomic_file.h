@@ -24,7 +24,7 @@ class AtomicFile {
   [[nodiscard]] const std::string& part_path() const { return part_path_; }
   /// Writes the content of the part file. ERRORS: Failure(cannot_access).
   void write(std::string_view text) const;
-  /// Replaces the target by the part file. ERRORS: Failure(cannot_access).
+  /// Replaces the target by the part file, which gets the target's mode. ERRORS: Failure(cannot_access).
   void commit();
   /// Renames the part file to the target. ERRORS: Failure(cannot_access), also if the target exists already;
   /// it is then unchanged.

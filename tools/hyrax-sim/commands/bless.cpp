@@ -62,6 +62,8 @@ ExitCode bless(BlessRequest& request) {
     print_text("{}\n", to_text(bless_json(report, groups), {.depth_indented = 2}));
   else
     print_done(report, request.is_dry_run);
+  if (request.prunes && report.pruned.empty() && !request.printing.is_json)
+    print_text("no golden file without a scenario\n");
   ExitCode exit_code = ExitCode::agreed;
   for (const Blessing& blessing : report.blessings) exit_code = more_serious(exit_code, blessing.exit_code);
   return exit_code;

@@ -51,6 +51,18 @@ class AtomicFileTest : public testing::Test {
   const fs::path folder_ = fs::path(testing::TempDir()) / ("hyrax-atomic-file-" + std::to_string(getpid()));
 };
 
+TEST_F(AtomicFileTest, KeepsTheModeOfTheFileThatItReplaces) {
+  for (const mode_t mode : {0600u, 0640u, 0444u, 0666u}) {
+    const std::string path = old_file("a.txt");
+    ASSERT_EQ(chmod(path.c_str(), mode), 0);
+    write_text_file(path, "new");
+    struct stat found {};
+    ASSERT_EQ(stat(path.c_str(), &found), 0);
+    EXPECT_EQ(found.st_mode & 07777, mode);
+    fs::remove(path);
+  }
+}
+
 TEST_F(AtomicFileTest, WritesACompleteFile) {
   const std::string text = std::string("a\0b\r\n", 5) + std::string(200'000, 'x');
   write_text_file(path("new.txt"), text);
