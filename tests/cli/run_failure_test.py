@@ -151,6 +151,13 @@ class UnwritableOutput(ProgramTest):
         self.expect(AGREED, "run", self.scenario, umask=0o027)
         self.assertEqual((self.folder / "fling.h5").stat().st_mode & 0o777, 0o640)
 
+    def test_rows_that_do_not_fit_on_the_disk_are_refused_at_once(self):
+        self.write("endless.json", fling(steps=1_000_000_000_000))
+        for name in ("out.h5", "out.csv"):
+            self.expect(CANNOT_ACCESS, "run", "endless.json", "-o", name,
+                        says=(f"{name}: cannot be written: its rows need ", "record fewer with /record/every"))
+        self.assertEqual([name for name in self.names() if "out" in name], [])
+
     def test_standard_output_that_cannot_be_written_is_exit_3(self):
         if not os.path.exists("/dev/full"):
             self.skipTest("there is no /dev/full here")

@@ -32,13 +32,20 @@ bool is_part_of_golden_file(const fs::directory_entry& entry) {
 
 // By their path without suffix, so that both parts count once.
 void add_unreferenced(const FolderPair& folders, std::map<std::string, UnreferencedGolden>& found) {
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folders.golden)) {
-    if (!is_part_of_golden_file(entry)) continue;
-    const fs::path stem = fs::path(entry.path()).replace_extension();
-    fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
-    scenario += ".json";
-    if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
-    found[stem.lexically_normal().string()] = {stem.generic_string(), ""};
+  fs::path reached = folders.golden;
+  try {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folders.golden)) {
+      reached = entry.path();
+      if (!is_part_of_golden_file(entry)) continue;
+      const fs::path stem = fs::path(reached).replace_extension();
+      fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
+      scenario += ".json";
+      if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
+      found[stem.lexically_normal().string()] = {stem.generic_string(), ""};
+    }
+  } catch (const fs::filesystem_error& error) {
+    const std::string folder = reached.generic_string();
+    found[folder] = {folder, folder + ": cannot be read: " + error.code().message()};
   }
 }
 
@@ -50,12 +57,7 @@ std::vector<UnreferencedGolden> find_unreferenced(const std::vector<std::string>
   for (const std::string& argument : arguments) {
     const auto folders = folders_of(argument, golden_folder);
     if (!folders || !is_folder(folders->golden.string())) continue;
-    try {
-      add_unreferenced(*folders, found);
-    } catch (const fs::filesystem_error& error) {
-      const std::string folder = folders->golden.generic_string();
-      found[folder] = {folder, folder + ": cannot be read: " + error.code().message()};
-    }
+    add_unreferenced(*folders, found);
   }
   std::vector<UnreferencedGolden> golden_files;
   for (auto& [key, golden] : found) golden_files.push_back(std::move(golden));

@@ -21,8 +21,8 @@ std::uint64_t contact_bytes_max(std::int64_t steps) {
 }
 
 // Fails at once if the disk is too small, instead of filling it first.
-std::uint64_t require_disk_space(const std::string& path, std::int64_t rows) {
-  const std::uint64_t bytes = kRowBytes * static_cast<std::uint64_t>(rows);
+std::uint64_t require_disk_space(const std::string& path, std::int64_t rows, std::uint64_t row_bytes) {
+  const std::uint64_t bytes = row_bytes * static_cast<std::uint64_t>(rows);
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
@@ -48,8 +48,9 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scen
     : path_(path),
       rows_every_(scenario.record_every),
       target_(path),
-      file_(h5::create_file(target_.part_path(), require_disk_space(path, row_count(steps, rows_every_)) +
-                                                     contact_bytes_max(steps))),
+      file_(h5::create_file(
+          target_.part_path(),
+          require_disk_space(path, row_count(steps, rows_every_), kRowBytes) + contact_bytes_max(steps))),
       trajectory_(h5::create_group(file_, "trajectory")),
       contacts_(h5::create_group(file_, "contacts")),
       row_table_(trajectory_, row_count(steps, rows_every_)),
@@ -85,11 +86,14 @@ void TrajectoryWriter::require(bool is_written) const {
   if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
 }
 
-TrajectoryCsv::TrajectoryCsv(const std::string& path, std::int64_t rows_every)
+TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, std::int64_t steps)
     : path_(path),
-      rows_every_(rows_every),
+      rows_every_(scenario.record_every),
       target_(path),
       file_(std::fopen(target_.part_path().c_str(), "wb")) {
+  constexpr std::uint64_t kCsvRowBytesMin =
+      2 * (kRowColumns.size() + 2);  // A digit and a comma for each number.
+  require_disk_space(path, TrajectoryWriter::row_count(steps, rows_every_), kCsvRowBytesMin);
   if (!file_) fail_to_write(path_, errno);
   std::string header = "step";
   for (const RowColumn& column : kRowColumns) header.append(",").append(header_of(column));

@@ -61,7 +61,8 @@ class TrajectoryWriter : public RowSink {
 /// Failure(cannot_access) "PATH: cannot be written: REASON".
 class TrajectoryCsv : public RowSink {
  public:
-  TrajectoryCsv(const std::string& path, std::int64_t rows_every);
+  /// @param steps of the run.
+  TrajectoryCsv(const std::string& path, const Scenario& scenario, std::int64_t steps);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = false}; }
   void rows(const Columns& batch) override;

@@ -148,6 +148,16 @@ class Place(Unwritable):
         self.assertEqual((done.exit_code, done.err),
                          (CANNOT_ACCESS, "scenarios/secret: cannot be read: Permission denied\n"))
 
+    def test_a_folder_of_golden_files_without_read_permission(self):
+        command = self.unprivileged()
+        secret = self.folder / "golden/secret"
+        secret.mkdir()
+        secret.chmod(0)
+        done = run(*command, PROGRAM, "check", cwd=self.folder)
+        secret.chmod(0o755)
+        self.assertEqual(done.exit_code, CANNOT_ACCESS)
+        self.assertIn("golden/secret: failed: golden/secret: cannot be read: Permission denied\n", done.out)
+
 
 class FullDisk(Unwritable):
     """golden/ on a disk that has room for the digest, and not for the rows."""

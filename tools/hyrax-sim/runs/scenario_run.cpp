@@ -88,7 +88,7 @@ WrittenRun write_trajectory(const std::string& output, const Scenario& scenario,
 }
 
 WrittenRun write_csv(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
-  TrajectoryCsv csv(output, scenario.record_every);
+  TrajectoryCsv csv(output, scenario, step_count(scenario));
   std::vector<RowSink*> sinks = {&csv};
   append(sinks, options.also);
   std::optional<DriftRecorder> drift;
