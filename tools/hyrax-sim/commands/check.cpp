@@ -140,7 +140,8 @@ Command check_command() {
                        {"github"});
         options.text(request->summary,
                      {"--summary", "FILE.md",
-                      "also write the report in Markdown, with a picture of each cause beside it"});
+                      "also write the report in Markdown; beside it, the worst scenario of each of the first "
+                      "three causes as a picture (FILE-1.svg ...), and of the first as a page (FILE.html)"});
         options.flag(request->is_quick,
                      {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
         options.printing(request->printing,

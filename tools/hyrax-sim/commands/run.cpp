@@ -215,7 +215,8 @@ Command run_command() {
       .summary = "replay scenarios, write their trajectories and compare them with golden files",
       .example =
           "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
-          "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 -o at-144-hz.h5",
+          "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 --set /steps=1440 "
+          "--set /expect={} -o at-144-hz.h5",
       .is_common = true,
       .declare = [](Options& options) {
         const auto request = std::make_shared<RunRequest>();

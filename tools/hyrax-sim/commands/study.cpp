@@ -246,7 +246,8 @@ ExitCode run_study_command(const StudyArguments& arguments) {
 Command study_command() {
   return {
       .name = "study",
-      .summary = "measure speed against error, what a scene needs, hard cases, rest, and the paper's claims",
+      .summary =
+          "measure error against cost, needs, hard cases, frame rates, rest, subnormals, the paper's claims",
       .example =
           "hyrax-sim study speed-error -o studies\n"
           "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
