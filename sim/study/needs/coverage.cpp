@@ -16,9 +16,9 @@ const std::vector<std::string>& coverage_columns() {
   return columns;
 }
 
-std::vector<Need> coverage_of(const SceneNeeds& scene) {
+std::vector<Need> coverage_of(const ScenarioNeeds& needs) {
   std::vector<Need> coverage(coverage_columns().size(), Need::not_exercised);
-  for (const PartNeed& part : scene.parts) {
+  for (const PartNeed& part : needs.parts) {
     const std::string kind = part.part.substr(0, part.part.find(','));
     const auto at =
         std::find(coverage_columns().begin(), coverage_columns().end(), kind) - coverage_columns().begin();
@@ -28,48 +28,49 @@ std::vector<Need> coverage_of(const SceneNeeds& scene) {
   return coverage;
 }
 
-std::vector<std::string> never_exercised(const std::vector<SceneNeeds>& scenes) {
+std::vector<std::string> never_exercised(const std::vector<ScenarioNeeds>& scenarios) {
   std::vector<std::string> never;
   for (std::size_t column = 0; column < coverage_columns().size(); ++column)
-    if (std::all_of(scenes.begin(), scenes.end(), [column](const SceneNeeds& scene) {
-          return coverage_of(scene)[column] == Need::not_exercised;
+    if (std::all_of(scenarios.begin(), scenarios.end(), [column](const ScenarioNeeds& needs) {
+          return coverage_of(needs)[column] == Need::not_exercised;
         }))
       never.push_back(coverage_columns()[column]);
   return never;
 }
 
-Table coverage_table(const std::vector<SceneNeeds>& scenes) {
-  Table table{"coverage",
-              "which scenario exercises what: 2 needed, 1 below the tolerance, 0 not exercised",
-              {column_of<std::string>("scenario", "", "what is played", scenes, &SceneNeeds::scenario)}};
+Table coverage_table(const std::vector<ScenarioNeeds>& scenarios) {
+  Table table{
+      "coverage",
+      "which scenario exercises what: 2 needed, 1 below the tolerance, 0 not exercised",
+      {column_of<std::string>("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario)}};
   for (std::size_t index = 0; index < coverage_columns().size(); ++index) {
     std::string name = coverage_columns()[index];
     std::replace(name.begin(), name.end(), ' ', '_');
     table.columns.push_back(column_of<std::int64_t>(
-        name, "1", coverage_columns()[index] + ": 2 needed, 1 below the tolerance, 0 not exercised", scenes,
-        [index](const SceneNeeds& scene) {
-          const Need need = coverage_of(scene)[index];
+        name, "1", coverage_columns()[index] + ": 2 needed, 1 below the tolerance, 0 not exercised",
+        scenarios, [index](const ScenarioNeeds& needs) {
+          const Need need = coverage_of(needs)[index];
           return need == Need::not_exercised ? 0 : need == Need::below ? 1 : 2;
         }));
   }
   return table;
 }
 
-Verdict coverage_verdict(const std::vector<SceneNeeds>& scenes, double within_px) {
+Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
   std::vector<std::int64_t> exercised(coverage_columns().size()), needed(coverage_columns().size());
   std::vector<std::string> examples(coverage_columns().size());
   std::size_t agreeing = 0;
-  for (const SceneNeeds& scene : scenes) {
-    const std::vector<Need> coverage = coverage_of(scene);
+  for (const ScenarioNeeds& needs : scenarios) {
+    const std::vector<Need> coverage = coverage_of(needs);
     for (std::size_t column = 0; column < coverage.size(); ++column) {
       if (coverage[column] != Need::not_exercised) ++exercised[column];
       if (is_unneeded(coverage[column])) continue;
-      if (++needed[column] == 1) examples[column] = scene.scenario;
+      if (++needed[column] == 1) examples[column] = needs.scenario;
     }
-    agreeing += scene.broken.empty();
+    agreeing += needs.broken.empty();
   }
-  const std::vector<std::string> never = never_exercised(scenes);
-  return {{fmt::format("What {} scenarios exercise, within {:g} px:", scenes.size(), within_px),
+  const std::vector<std::string> never = never_exercised(scenarios);
+  return {{fmt::format("What {} scenarios exercise, within {:g} px:", scenarios.size(), within_px),
            Table{"coverage",
                  "",
                  {{"part", "", "", coverage_columns()},
@@ -78,7 +79,7 @@ Verdict coverage_verdict(const std::vector<SceneNeeds>& scenes, double within_px
                   {"for_example_by", "", "", std::move(examples)}}},
            never.empty() ? "Every part is exercised by some scenario."
                          : fmt::format("Exercised by no scenario: {}.", fmt::join(never, ", ")),
-           fmt::format("{} of {} scenes agree with the replay.", agreeing, scenes.size())},
+           fmt::format("{} of {} scenarios agree with the replay.", agreeing, scenarios.size())},
           {}};
 }
 

@@ -1,4 +1,4 @@
-// Many scenes at once: which scenario exercises, and which needs, which part of model and scene.
+// Many scenarios at once: which of them exercises, and which needs, which part of the model and which input.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ namespace hyrax {
 /// The parts of the model, jitter, and the kinds of input.
 [[nodiscard]] const std::vector<std::string>& coverage_columns();
 
-/// What a scene needs of each of coverage_columns(): the most that it needs of any part of that kind.
-[[nodiscard]] std::vector<Need> coverage_of(const SceneNeeds& scene);
+/// What a scenario needs of each of coverage_columns(): the most that it needs of any part of that kind.
+[[nodiscard]] std::vector<Need> coverage_of(const ScenarioNeeds& needs);
 
-/// Those of coverage_columns() that no scene exercises.
-[[nodiscard]] std::vector<std::string> never_exercised(const std::vector<SceneNeeds>& scenes);
+/// Those of coverage_columns() that no scenario exercises.
+[[nodiscard]] std::vector<std::string> never_exercised(const std::vector<ScenarioNeeds>& scenarios);
 
-/// A row for each scene, a column for each of coverage_columns().
-[[nodiscard]] Table coverage_table(const std::vector<SceneNeeds>& scenes);
+/// A row for each scenario, a column for each of coverage_columns().
+[[nodiscard]] Table coverage_table(const std::vector<ScenarioNeeds>& scenarios);
 
-/// The verdict's text: for each column, how many scenes exercise and need it.
-[[nodiscard]] Verdict coverage_verdict(const std::vector<SceneNeeds>& scenes, double within_px);
+/// The verdict's text: for each column, how many scenarios exercise and need it.
+[[nodiscard]] Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double within_px);
 
 }  // namespace hyrax

@@ -148,7 +148,7 @@ std::vector<Omission> omissions_of(const Script& script) {
   return omissions;
 }
 
-void take_times(SceneNeeds& needs, const Script& script, const std::vector<Omission>& omissions,
+void take_times(ScenarioNeeds& needs, const Script& script, const std::vector<Omission>& omissions,
                 const CostOptions& options, const NanosecondClock& now_ns) {
   if (needs.steps == 0) return;
   std::vector<std::function<void()>> works{timed(script, {}, AllParts())};
@@ -185,7 +185,7 @@ PathDifference difference_without_all(const Script& script, const Rows& complete
 // Small differences add up, and one part may replace another. So if leaving out all unneeded parts moves the
 // path by more than the tolerance, they are left out one by one, the smallest difference first, and one that
 // moves the path too far is put back.
-void leave_out_unneeded(SceneNeeds& needs, const Script& script, const Rows& complete,
+void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& complete,
                         const std::vector<Omission>& omissions, double within_px) {
   std::vector<std::size_t> left_out;
   for (std::size_t index = 0; index < needs.parts.size(); ++index)
@@ -265,7 +265,7 @@ Evidence evidence_of(Part part, const ReplayedRows& replayed) {
   return {};
 }
 
-void find_methods(SceneNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
+void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
                   const NanosecondClock& now_ns) {
   const ScenarioProblem made = problem_of(scenario);
   needs.why_no_methods = made.why_not;
@@ -317,11 +317,12 @@ Need need_of(const PathDifference& difference, double within_px) {
   return difference.path_px <= within_px ? Need::below : Need::needed;
 }
 
-SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options, const NanosecondClock& now_ns) {
+ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
+                          const NanosecondClock& now_ns) {
   const Script script = script_of(scenario);
   const std::vector<Omission> omissions = omissions_of(script);
   const Rows complete = play_rows(script, {}, AllParts());
-  SceneNeeds needs;
+  ScenarioNeeds needs;
   needs.scenario = scenario.name;
   needs.steps = static_cast<std::int64_t>(script.frames_s.size());
   needs.is_cut = script.is_cut;

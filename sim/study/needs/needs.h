@@ -1,5 +1,5 @@
-// Which parts of model and scene a scenario needs: each is left out in turn (ablation), then all that are not
-// needed at once.
+// Which parts of the model and which inputs a scenario needs: each is left out in turn (ablation), then all
+// that are not needed at once.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ struct PartNeed {
   [[nodiscard]] bool saves() const { return saved_ns_per_step.low > 0.0; }
 };
 
-struct SceneNeeds {
+struct ScenarioNeeds {
   std::string scenario;
   std::int64_t steps = 0;
   bool is_cut = false;          ///< Only the first kScriptFramesMax frames were played.
@@ -67,8 +67,8 @@ struct NeedsOptions {
 };
 
 /// Plays the scenario with each part left out in turn, and times it.
-[[nodiscard]] SceneNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
-                                     const NanosecondClock& now_ns);
+[[nodiscard]] ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
+                                        const NanosecondClock& now_ns);
 
 /// Checks the result of a scenario against the replay, which knows nothing of parts:
 /// 1. with all parts the script's run has the same bits as the replay's;

@@ -51,9 +51,9 @@ struct DistanceAxis {
   double longest = 0.0;
   Axis axis = {};
 
-  DistanceAxis(const SceneNeeds& scene, double within_px)
+  DistanceAxis(const ScenarioNeeds& needs, double within_px)
       : low(within_px > 0.0 ? within_px / 10.0 : 1e-3), longest(std::max(100.0, 10.0 * within_px)) {
-    for (const PartNeed& part : scene.parts) {
+    for (const PartNeed& part : needs.parts) {
       const double path_px = part.difference.path_px;
       if (path_px > 0.0) low = std::min(low, path_px / 2.0);
       if (std::isfinite(path_px)) longest = std::max(longest, path_px);
@@ -75,14 +75,14 @@ std::string length_text(double length_px) {
   return length_px >= 1000.0 ? fmt::format("{:.0f} px", length_px) : fmt::format("{:.3g} px", length_px);
 }
 
-Figure needs_figure(const SceneNeeds& scene, double within_px) {
-  const std::size_t count = std::min(scene.parts.size(), kPartsDrawnMax);
-  const DistanceAxis x(scene, within_px);
+Figure needs_figure(const ScenarioNeeds& needs, double within_px) {
+  const std::size_t count = std::min(needs.parts.size(), kPartsDrawnMax);
+  const DistanceAxis x(needs, within_px);
   Plot plot{.x = x.axis};
   for (const Group& group : kGroups)
     plot.series.push_back({.name = group.text, .look = {.form = Form::bars, .tone = group.tone}});
   for (std::size_t index = 0; index < count; ++index) {
-    const PartNeed& part = scene.parts[index];
+    const PartNeed& part = needs.parts[index];
     const auto y = static_cast<double>(index);
     const double end_px = std::clamp(part.difference.path_px, x.low, x.longest);
     plot.y.categories.push_back(part.part);
@@ -94,34 +94,34 @@ Figure needs_figure(const SceneNeeds& scene, double within_px) {
   }
   if (within_px > 0.0) plot.marks.push_back({.at = within_px, .text = "tolerance", .tone = Tone::vermilion});
   return {
-      .suffix = "-" + scene.scenario,
-      .title = "What " + scene.scenario + " needs",
+      .suffix = "-" + needs.scenario,
+      .title = "What " + needs.scenario + " needs",
       .subtitle = fmt::format("How far its path moves when a part is left out; tolerance {:g} px", within_px),
-      .note = count < scene.parts.size() ? fmt::format("the first {} of {} parts", count, scene.parts.size())
+      .note = count < needs.parts.size() ? fmt::format("the first {} of {} parts", count, needs.parts.size())
                                          : "",
       .body = std::vector{std::move(plot)},
       .legend = legend()};
 }
 
-Figure coverage_figure(const std::vector<SceneNeeds>& scenes, double within_px) {
-  const std::vector<std::string> never = never_exercised(scenes);
+Figure coverage_figure(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
+  const std::vector<std::string> never = never_exercised(scenarios);
   Grid grid;
   for (const std::string& column : coverage_columns()) {
     const bool is_never = std::find(never.begin(), never.end(), column) != never.end();
     grid.columns.emplace_back(column + (is_never ? " (never)" : ""), is_never ? Tone::vermilion : Tone::ink);
   }
-  for (const SceneNeeds& scene : scenes) {
-    const std::vector<Need> coverage = coverage_of(scene);
+  for (const ScenarioNeeds& needs : scenarios) {
+    const std::vector<Need> coverage = coverage_of(needs);
     for (std::size_t column = 0; column < coverage.size(); ++column)
       grid.cells.push_back(
           {.row = grid.rows.size(), .column = column, .tone = kGroups[group_of(coverage[column])].tone});
-    grid.rows.push_back(scene.scenario);
+    grid.rows.push_back(needs.scenario);
   }
-  return {
-      .title = "What the scenarios exercise",
-      .subtitle = fmt::format("Each part of model and scene left out in turn; tolerance {:g} px", within_px),
-      .body = std::move(grid),
-      .legend = legend()};
+  return {.title = "What the scenarios exercise",
+          .subtitle = fmt::format("Each part of the model and each input left out in turn; tolerance {:g} px",
+                                  within_px),
+          .body = std::move(grid),
+          .legend = legend()};
 }
 
 }  // namespace hyrax

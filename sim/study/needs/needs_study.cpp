@@ -12,24 +12,24 @@ namespace hyrax {
 namespace {
 
 constexpr double kWithin_px = 1.0;
-// The cheapest method is only searched for up to so many scenes: each takes a second or more.
-constexpr std::size_t kScenesWithMethodsMax = 4;
+// The cheapest method is only searched for up to so many scenarios: each takes a second or more.
+constexpr std::size_t kScenariosWithMethodsMax = 4;
 constexpr std::size_t kPartsPrintedMax = 30;
 
-using Scene = const SceneNeeds&;
+using Needs = const ScenarioNeeds&;
 
-Column scenario_column(const std::vector<SceneNeeds>& scenes) {
-  return column_of<std::string>("scenario", "", "what is played", scenes, &SceneNeeds::scenario);
+Column scenario_column(const std::vector<ScenarioNeeds>& scenarios) {
+  return column_of<std::string>("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario);
 }
 
-Table part_table(const std::vector<SceneNeeds>& scenes) {
+Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
   struct PartOfScene {
-    const SceneNeeds* scene;
+    const ScenarioNeeds* needs;
     const PartNeed* part;
   };
   std::vector<PartOfScene> rows;
-  for (const SceneNeeds& scene : scenes)
-    for (const PartNeed& part : scene.parts) rows.push_back({&scene, &part});
+  for (const ScenarioNeeds& needs : scenarios)
+    for (const PartNeed& part : needs.parts) rows.push_back({&needs, &part});
   using R = const PartOfScene&;
   const auto saved_column = [&rows](const char* name, const char* what, double MedianEstimate::*end) {
     return column_of<double>(name, "ns", what, rows, [end](R r) { return r.part->saved_ns_per_step.*end; });
@@ -37,7 +37,7 @@ Table part_table(const std::vector<SceneNeeds>& scenes) {
   return {
       "parts",
       "every part of model and scene left out in turn",
-      {column_of<std::string>("scenario", "", "what is played", rows, [](R r) { return r.scene->scenario; }),
+      {column_of<std::string>("scenario", "", "what is played", rows, [](R r) { return r.needs->scenario; }),
        column_of<std::string>("part", "", "what is left out", rows, [](R r) { return r.part->part; }),
        column_of<std::string>("verdict", "",
                               "needed, alone or with others left out; below the tolerance; or not exercised",
@@ -54,40 +54,40 @@ Table part_table(const std::vector<SceneNeeds>& scenes) {
        saved_column("saved_low", "95 % interval of the median, low end", &MedianEstimate::low),
        saved_column("saved_high", "95 % interval of the median, high end", &MedianEstimate::high),
        column_of<double>("step", "ns", "time of a step with all parts, median", rows,
-                         [](R r) { return r.scene->step_ns.median; })}};
+                         [](R r) { return r.needs->step_ns.median; })}};
 }
 
-std::int64_t unneeded_count(const SceneNeeds& scene) {
-  return std::count_if(scene.parts.begin(), scene.parts.end(),
+std::int64_t unneeded_count(const ScenarioNeeds& needs) {
+  return std::count_if(needs.parts.begin(), needs.parts.end(),
                        [](const PartNeed& part) { return is_unneeded(part.need); });
 }
 
-Table control_table(const std::vector<SceneNeeds>& scenes, double within_px) {
+Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
   return {"control",
           "everything that is not needed left out at once",
-          {scenario_column(scenes),
-           column_of<std::int64_t>("steps", "1", "frames played", scenes, &SceneNeeds::steps),
-           column_of<std::int64_t>("left_out", "1", "parts left out", scenes, unneeded_count),
-           column_of<double>("path_difference", "px", "largest distance of two rows", scenes,
-                             [](Scene scene) { return scene.without_all_unneeded.path_px; }),
-           column_of<double>("tolerance", "px", "largest distance allowed", scenes,
-                             [within_px](Scene) { return within_px; }),
-           column_of<std::int64_t>("holds", "1", "1: the scene agrees with the replay", scenes,
-                                   [](Scene scene) { return scene.broken.empty(); })}};
+          {scenario_column(scenarios),
+           column_of<std::int64_t>("steps", "1", "frames played", scenarios, &ScenarioNeeds::steps),
+           column_of<std::int64_t>("left_out", "1", "parts left out", scenarios, unneeded_count),
+           column_of<double>("path_difference", "px", "largest distance of two rows", scenarios,
+                             [](Needs needs) { return needs.without_all_unneeded.path_px; }),
+           column_of<double>("tolerance", "px", "largest distance allowed", scenarios,
+                             [within_px](Needs) { return within_px; }),
+           column_of<std::int64_t>("holds", "1", "1: the scene agrees with the replay", scenarios,
+                                   [](Needs needs) { return needs.broken.empty(); })}};
 }
 
-// The cheapest point of a scene's methods, or of the paper's step; nullptr if there is none.
-const WorkPoint* cheapest_of(const SceneNeeds& scene, bool of_paper = false) {
-  if (!scene.methods || scene.methods->cheapest.empty()) return nullptr;
-  const CheapestBelow& answer = scene.methods->cheapest.front();
+// The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
+const WorkPoint* cheapest_of(const ScenarioNeeds& needs, bool of_paper = false) {
+  if (!needs.methods || needs.methods->cheapest.empty()) return nullptr;
+  const CheapestBelow& answer = needs.methods->cheapest.front();
   const std::optional<std::size_t>& point = of_paper ? answer.paper_point : answer.point;
-  return point ? &scene.methods->points[*point] : nullptr;
+  return point ? &needs.methods->points[*point] : nullptr;
 }
 
-Table cheapest_table(const std::vector<SceneNeeds>& scenes) {
-  std::vector<SceneNeeds> searched;
-  std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(searched),
-               [](Scene scene) { return scene.methods.has_value(); });
+Table cheapest_table(const std::vector<ScenarioNeeds>& scenarios) {
+  std::vector<ScenarioNeeds> searched;
+  std::copy_if(scenarios.begin(), scenarios.end(), std::back_inserter(searched),
+               [](Needs needs) { return needs.methods.has_value(); });
   const auto rate = [](const WorkPoint* point) { return point != nullptr ? point->rate_hz : kNotGiven; };
   const auto cost = [](const WorkPoint* point) {
     return point != nullptr ? point->cost.time_ns.median : kNotGiven;
@@ -96,66 +96,67 @@ Table cheapest_table(const std::vector<SceneNeeds>& scenes) {
           "the cheapest method and rate within the tolerance of the exact motion",
           {scenario_column(searched),
            column_of<std::string>("method", "", "the cheapest", searched,
-                                  [](Scene scene) {
-                                    const WorkPoint* const point = cheapest_of(scene);
-                                    return point != nullptr ? scene.methods->methods[point->method].name
+                                  [](Needs needs) {
+                                    const WorkPoint* const point = cheapest_of(needs);
+                                    return point != nullptr ? needs.methods->methods[point->method].name
                                                             : "none";
                                   }),
            column_of<double>("rate", "Hz", "its frames per second", searched,
-                             [&](Scene scene) { return rate(cheapest_of(scene)); }),
+                             [&](Needs needs) { return rate(cheapest_of(needs)); }),
            column_of<double>("cost", "ns/s", "its median cost", searched,
-                             [&](Scene scene) { return cost(cheapest_of(scene)); }),
+                             [&](Needs needs) { return cost(cheapest_of(needs)); }),
            column_of<double>("paper_rate", "Hz", "of the paper's step; missing: at no rate", searched,
-                             [&](Scene scene) { return rate(cheapest_of(scene, true)); }),
+                             [&](Needs needs) { return rate(cheapest_of(needs, true)); }),
            column_of<double>("paper_cost", "ns/s", "its median cost", searched,
-                             [&](Scene scene) { return cost(cheapest_of(scene, true)); })}};
+                             [&](Needs needs) { return cost(cheapest_of(needs, true)); })}};
 }
 
-// The JSON member `parts` of a scene.
-Table parts_summary(const SceneNeeds& scene) {
+// The JSON member `parts` of a scenario.
+Table parts_summary(const ScenarioNeeds& needs) {
   using P = const PartNeed&;
   return {"parts",
           "",
-          {column_of<std::string>("part", "", "", scene.parts, &PartNeed::part),
-           column_of<std::string>("verdict", "", "", scene.parts, [](P part) { return name_of(part.need); }),
-           column_of<double>("path", "px", "", scene.parts, [](P part) { return part.difference.path_px; }),
-           column_of<std::int64_t>("contacts_moved", "1", "", scene.parts,
+          {column_of<std::string>("part", "", "", needs.parts, &PartNeed::part),
+           column_of<std::string>("verdict", "", "", needs.parts, [](P part) { return name_of(part.need); }),
+           column_of<double>("path", "px", "", needs.parts, [](P part) { return part.difference.path_px; }),
+           column_of<std::int64_t>("contacts_moved", "1", "", needs.parts,
                                    [](P part) { return part.difference.contacts_moved; }),
-           column_of<double>("end", "px", "", scene.parts, [](P part) { return part.difference.end_px; }),
-           column_of<double>("saved", "ns/step", "", scene.parts,
+           column_of<double>("end", "px", "", needs.parts, [](P part) { return part.difference.end_px; }),
+           column_of<double>("saved", "ns/step", "", needs.parts,
                              [](P part) { return part.saved_ns_per_step.median; }),
-           column_of<bool>("saves", "", "", scene.parts, &PartNeed::saves)}};
+           column_of<bool>("saves", "", "", needs.parts, &PartNeed::saves)}};
 }
 
-// The JSON member `cheapest` of a scene.
-Table cheapest_summary(const SceneNeeds& scene) {
+// The JSON member `cheapest` of a scenario.
+Table cheapest_summary(const ScenarioNeeds& needs) {
   Table table{"cheapest", "", {}, JsonShape::one};
-  if (const WorkPoint* const point = cheapest_of(scene))
-    table.columns = {{"method", "", "", std::vector{scene.methods->methods[point->method].name}},
+  if (const WorkPoint* const point = cheapest_of(needs))
+    table.columns = {{"method", "", "", std::vector{needs.methods->methods[point->method].name}},
                      {"rate", "Hz", "", std::vector{point->rate_hz}},
                      {"cost", "ns/s", "", std::vector{point->cost.time_ns.median}}};
   return table;
 }
 
-std::vector<Table> summary_of(const std::vector<SceneNeeds>& scenes, double within_px) {
+std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
   return {{"", "", {{"within", "px", "", std::vector{within_px}}}, JsonShape::members},
           {"scenes",
            "",
-           {scenario_column(scenes), column_of<std::int64_t>("steps", "1", "", scenes, &SceneNeeds::steps),
-            column_of<double>("step", "ns", "", scenes, [](Scene scene) { return scene.step_ns.median; }),
-            column_of<Table>("parts", "", "", scenes, parts_summary),
-            column_of<double>("without_all_unneeded", "px", "", scenes,
-                              [](Scene scene) { return scene.without_all_unneeded.path_px; }),
-            column_of<bool>("holds", "", "", scenes, [](Scene scene) { return scene.broken.empty(); }),
-            column_of<Table>("cheapest", "", "", scenes, cheapest_summary)}},
-          {"exercised_by_none", "", {{"part", "", "", never_exercised(scenes)}}, JsonShape::values}};
+           {scenario_column(scenarios),
+            column_of<std::int64_t>("steps", "1", "", scenarios, &ScenarioNeeds::steps),
+            column_of<double>("step", "ns", "", scenarios, [](Needs needs) { return needs.step_ns.median; }),
+            column_of<Table>("parts", "", "", scenarios, parts_summary),
+            column_of<double>("without_all_unneeded", "px", "", scenarios,
+                              [](Needs needs) { return needs.without_all_unneeded.path_px; }),
+            column_of<bool>("holds", "", "", scenarios, [](Needs needs) { return needs.broken.empty(); }),
+            column_of<Table>("cheapest", "", "", scenarios, cheapest_summary)}},
+          {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
 }
 
-// A scene's parts as they are printed; what is not exercised has no difference.
-Table printed_parts(const SceneNeeds& scene) {
+// A scenario's parts as they are printed; what is not exercised has no difference.
+Table printed_parts(const ScenarioNeeds& needs) {
   const std::vector<PartNeed> parts(
-      scene.parts.begin(),
-      scene.parts.begin() + std::min(std::ssize(scene.parts), std::ptrdiff_t{kPartsPrintedMax}));
+      needs.parts.begin(),
+      needs.parts.begin() + std::min(std::ssize(needs.parts), std::ptrdiff_t{kPartsPrintedMax}));
   const auto column = [&](const char* name, const char* unit, const auto& value) {
     return column_of<double>(
         name, unit, "", parts,
@@ -181,20 +182,20 @@ Table printed_parts(const SceneNeeds& scene) {
                                   [](const PartNeed& part) { return name_of(part.need); })}};
 }
 
-std::string cheapest_text(const SceneNeeds& scene, double within_px) {
-  if (!scene.methods)
-    return scene.why_no_methods.empty() ? "" : "\nNo cheapest method: " + scene.why_no_methods + ".";
-  const WorkPoint* const best = cheapest_of(scene);
-  const WorkPoint* const paper = cheapest_of(scene, true);
+std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {
+  if (!needs.methods)
+    return needs.why_no_methods.empty() ? "" : "\nNo cheapest method: " + needs.why_no_methods + ".";
+  const WorkPoint* const best = cheapest_of(needs);
+  const WorkPoint* const paper = cheapest_of(needs, true);
   const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
-  if (!scene.methods->probe.is_steady()) return head + unsteady_text(scene.methods->probe) + ".";
+  if (!needs.methods->probe.is_steady()) return head + unsteady_text(needs.methods->probe) + ".";
   if (best == nullptr) return head + "none of the methods gets that close.";
   std::string text =
       fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
-                  scene.methods->methods[best->method].label, best->rate_hz, best->cost.time_ns.median);
-  if (const std::vector<std::size_t>& as_cheap = scene.methods->cheapest.front().as_cheap; !as_cheap.empty())
-    text += fmt::format("\nNot told apart from it by the costs: {}{}.",
-                        point_text(*scene.methods, as_cheap.front()),
+                  needs.methods->methods[best->method].label, best->rate_hz, best->cost.time_ns.median);
+  if (const std::vector<std::size_t>& as_cheap = needs.methods->cheapest.front().as_cheap; !as_cheap.empty())
+    text += fmt::format("\nIts cost does not differ measurably from that of {}{}.",
+                        point_text(*needs.methods, as_cheap.front()),
                         as_cheap.size() > 1 ? fmt::format(" and {} more", as_cheap.size() - 1) : "");
   if (paper == nullptr) text += "\nThe paper's step does not get that close at any rate.";
   if (paper != nullptr && paper != best)
@@ -203,67 +204,67 @@ std::string cheapest_text(const SceneNeeds& scene, double within_px) {
   return text;
 }
 
-std::string step_text(const SceneNeeds& scene, const std::string& machine) {
-  if (!scene.probe.is_steady()) return "Times of steps: " + unsteady_text(scene.probe) + ".";
-  return fmt::format("A step with all parts takes {:.2f} ns ({:.2f} .. {:.2f}) on {}.", scene.step_ns.median,
-                     scene.step_ns.low, scene.step_ns.high, machine);
+std::string step_text(const ScenarioNeeds& needs, const std::string& machine) {
+  if (!needs.probe.is_steady()) return "Times of steps: " + unsteady_text(needs.probe) + ".";
+  return fmt::format("A step with all parts takes {:.2f} ns ({:.2f} .. {:.2f}) on {}.", needs.step_ns.median,
+                     needs.step_ns.low, needs.step_ns.high, machine);
 }
 
-void add_scene(Verdict& verdict, const SceneNeeds& scene, double within_px, const std::string& machine) {
+void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, const std::string& machine) {
   verdict.text.push_back(
       fmt::format("{}What {} needs, within {:g} px, over {}{} steps ({}):", verdict.text.empty() ? "" : "\n",
-                  scene.scenario, within_px, scene.is_cut ? "its first " : "", scene.steps,
-                  scene.comes_to_rest ? "settles" : "does not settle"));
-  verdict.text.push_back(printed_parts(scene));
-  if (scene.parts.size() > kPartsPrintedMax)
-    verdict.text.push_back(fmt::format("  and {} more, in the files", scene.parts.size() - kPartsPrintedMax));
+                  needs.scenario, within_px, needs.is_cut ? "its first " : "", needs.steps,
+                  needs.comes_to_rest ? "settles" : "does not settle"));
+  verdict.text.push_back(printed_parts(needs));
+  if (needs.parts.size() > kPartsPrintedMax)
+    verdict.text.push_back(fmt::format("  and {} more, in the files", needs.parts.size() - kPartsPrintedMax));
   verdict.text.push_back(fmt::format(
       "{}\n"
       "With all {} parts that are not needed left out at once, the path moves {}, {} {:g} px.{}",
-      step_text(scene, machine), unneeded_count(scene), length_text(scene.without_all_unneeded.path_px),
-      scene.without_all_unneeded.path_px <= within_px ? "within" : "more than", within_px,
-      cheapest_text(scene, within_px)));
+      step_text(needs, machine), unneeded_count(needs), length_text(needs.without_all_unneeded.path_px),
+      needs.without_all_unneeded.path_px <= within_px ? "within" : "more than", within_px,
+      cheapest_text(needs, within_px)));
 }
 
-std::vector<SceneNeeds> study_all(const StudyRequest& request, const NeedsOptions& options) {
-  std::vector<SceneNeeds> scenes;
+std::vector<ScenarioNeeds> study_all(const StudyRequest& request, const NeedsOptions& options) {
+  std::vector<ScenarioNeeds> scenarios;
   for (const NamedScenario& named : request.scenarios) {
     if (request.report_progress)
-      request.report_progress("scenarios", std::ssize(scenes), std::ssize(request.scenarios));
-    scenes.push_back(study_needs(named.scenario, options, request.now_ns));
+      request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
+    scenarios.push_back(study_needs(named.scenario, options, request.now_ns));
   }
-  return scenes;
+  return scenarios;
 }
 
 StudyResult run_needs(const StudyRequest& request) {
   if (request.scenarios.empty())
     throw RequestRefused(
         "hyrax-sim study needs: a scenario must be given; `hyrax-sim study needs scenarios` takes all");
-  const bool has_few_scenes = request.scenarios.size() <= kScenesWithMethodsMax;
+  const bool has_few_scenarios = request.scenarios.size() <= kScenariosWithMethodsMax;
   NeedsOptions options;
   options.within_px = request.within_px.value_or(kWithin_px);
   if (request.is_quick) options.cost.sample_ns = 5'000;
-  if (has_few_scenes)
+  if (has_few_scenarios)
     options.rates_hz =
         request.is_quick ? std::vector{15.0, 60.0, 240.0}
                          : std::vector{15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
-  const std::vector<SceneNeeds> scenes = study_all(request, options);
+  const std::vector<ScenarioNeeds> scenarios = study_all(request, options);
   const double within_px = options.within_px;
-  StudyResult result{.tables = {part_table(scenes), coverage_table(scenes), control_table(scenes, within_px),
-                                cheapest_table(scenes)},
-                     .summary = summary_of(scenes, within_px)};
-  if (has_few_scenes) {
-    for (const SceneNeeds& scene : scenes) {
-      add_scene(result.verdict, scene, within_px, request.machine);
-      result.figures.push_back(needs_figure(scene, within_px));
+  StudyResult result{.tables = {part_table(scenarios), coverage_table(scenarios),
+                                control_table(scenarios, within_px), cheapest_table(scenarios)},
+                     .summary = summary_of(scenarios, within_px)};
+  if (has_few_scenarios) {
+    for (const ScenarioNeeds& needs : scenarios) {
+      add_needs(result.verdict, needs, within_px, request.machine);
+      result.figures.push_back(needs_figure(needs, within_px));
     }
   } else {
-    result.verdict = coverage_verdict(scenes, within_px);
-    result.figures = {coverage_figure(scenes, within_px)};
+    result.verdict = coverage_verdict(scenarios, within_px);
+    result.figures = {coverage_figure(scenarios, within_px)};
   }
-  for (const SceneNeeds& scene : scenes)
-    for (const std::string& sentence : scene.broken)
-      result.verdict.broken.push_back(fmt::format("{}: {}", scene.scenario, sentence));
+  for (const ScenarioNeeds& needs : scenarios)
+    for (const std::string& sentence : needs.broken)
+      result.verdict.broken.push_back(fmt::format("{}: {}", needs.scenario, sentence));
   return result;
 }
 

@@ -1,4 +1,4 @@
-// What scenes need: parts that are known to matter, and not to.
+// What scenarios need: parts that are known to matter, and not to.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,15 +23,15 @@ Scenario scenario_named(const std::string& name) {
 }
 
 // With a fake clock on which every part costs the same: no time is saved.
-SceneNeeds needs_of(const Scenario& scenario, double within_px = 1.0) {
+ScenarioNeeds needs_of(const Scenario& scenario, double within_px = 1.0) {
   NeedsOptions options;
   options.within_px = within_px;
   options.cost.repetitions = 1;
   return study_needs(scenario, options, [now_ns = std::int64_t{0}]() mutable { return now_ns += 100'000; });
 }
 
-Need need_of_part(const SceneNeeds& scene, const std::string& part) {
-  for (const PartNeed& need : scene.parts)
+Need need_of_part(const ScenarioNeeds& needs, const std::string& part) {
+  for (const PartNeed& need : needs.parts)
     if (need.part == part) return need.need;
   ADD_FAILURE() << "no part " << part;
   return Need::needed;
@@ -63,42 +63,42 @@ TEST(Script, WithAllPartsIsTheReplayBitForBit) {
 }
 
 TEST(Needs, OfAFlingAreThePartsItExercises) {
-  const SceneNeeds scene = needs_of(scenario_named("flings/first-fling"));
+  const ScenarioNeeds needs = needs_of(scenario_named("flings/first-fling"));
   for (const char* part : {"gravity", "drag", "right wall", "ground", "friction", "restitution"})
-    EXPECT_EQ(need_of_part(scene, part), Need::needed) << part;
+    EXPECT_EQ(need_of_part(needs, part), Need::needed) << part;
   for (const char* part : {"left wall", "top"})
-    EXPECT_EQ(need_of_part(scene, part), Need::not_exercised) << part;
-  EXPECT_TRUE(scene.broken.empty());
-  EXPECT_TRUE(scene.comes_to_rest);
+    EXPECT_EQ(need_of_part(needs, part), Need::not_exercised) << part;
+  EXPECT_TRUE(needs.broken.empty());
+  EXPECT_TRUE(needs.comes_to_rest);
 }
 
 TEST(Needs, IncludeEventsAndJitter) {
-  const SceneNeeds scene = needs_of(scenario_named("flings/corner-fling"));
-  EXPECT_EQ(need_of_part(scene, "jitter"), Need::needed);
-  EXPECT_EQ(need_of_part(scene, "fling, frame 120"), Need::needed);
-  EXPECT_EQ(need_of_part(scene, "hold, frame 300"), Need::needed);
+  const ScenarioNeeds needs = needs_of(scenario_named("flings/corner-fling"));
+  EXPECT_EQ(need_of_part(needs, "jitter"), Need::needed);
+  EXPECT_EQ(need_of_part(needs, "fling, frame 120"), Need::needed);
+  EXPECT_EQ(need_of_part(needs, "hold, frame 300"), Need::needed);
   // It stops a sprite that has almost settled.
-  EXPECT_EQ(need_of_part(scene, "stop, frame 517"), Need::below);
+  EXPECT_EQ(need_of_part(needs, "stop, frame 517"), Need::below);
 }
 
 TEST(Needs, GrowAsTheToleranceShrinks) {
   const Scenario scenario = scenario_named("flings/corner-fling");
   const auto needed = [&](double within_px) {
-    const SceneNeeds scene = needs_of(scenario, within_px);
-    return std::count_if(scene.parts.begin(), scene.parts.end(),
+    const ScenarioNeeds needs = needs_of(scenario, within_px);
+    return std::count_if(needs.parts.begin(), needs.parts.end(),
                          [](const PartNeed& part) { return part.need == Need::needed; });
   };
   EXPECT_LT(needed(1e6), needed(1.0));
   EXPECT_LT(needed(1.0), needed(0.0));
 }
 
-// Neither the fling nor the restitution of this scene is needed alone, but one of them is.
+// Neither the fling nor the restitution of this scenario is needed alone, but one of them is.
 TEST(Needs, FindPartsThatReplaceEachOther) {
-  const SceneNeeds scene = needs_of(scenario_named("paper/rest-threshold"));
+  const ScenarioNeeds needs = needs_of(scenario_named("paper/rest-threshold"));
   const auto is_joint = [](const PartNeed& part) { return part.need == Need::needed_jointly; };
-  EXPECT_GT(std::count_if(scene.parts.begin(), scene.parts.end(), is_joint), 0);
-  EXPECT_TRUE(scene.broken.empty());
-  EXPECT_LE(scene.without_all_unneeded.path_px, 1.0);
+  EXPECT_GT(std::count_if(needs.parts.begin(), needs.parts.end(), is_joint), 0);
+  EXPECT_TRUE(needs.broken.empty());
+  EXPECT_LE(needs.without_all_unneeded.path_px, 1.0);
 }
 
 TEST(Needs, TheControlFailsWhereSomethingNeededIsLeftOut) {
@@ -142,8 +142,8 @@ TEST(Needs, CountContactsThatMove) {
 }
 
 TEST(Coverage, IsTheMostThatASceneNeeds) {
-  const SceneNeeds scene = needs_of(scenario_named("flings/corner-fling"));
-  const std::vector<Need> coverage = coverage_of(scene);
+  const ScenarioNeeds needs = needs_of(scenario_named("flings/corner-fling"));
+  const std::vector<Need> coverage = coverage_of(needs);
   ASSERT_EQ(coverage.size(), coverage_columns().size());
   const auto at = [&](const char* name) {
     return coverage[static_cast<std::size_t>(
@@ -224,18 +224,18 @@ TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
 
 TEST(NeedsStudy, WithoutAScenarioItIsRefused) { EXPECT_THROW(studied({}), RequestRefused); }
 
-SceneNeeds some_scene() {
-  SceneNeeds scene;
-  scene.scenario = "some-fling";
-  scene.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
+ScenarioNeeds some_needs() {
+  ScenarioNeeds needs;
+  needs.scenario = "some-fling";
+  needs.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
                  {"drag", Part::drag, {false, 0.5, 0.5, 1, 1}, Need::below},
                  {"top", Part::top_wall, {}, Need::not_exercised},
                  {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed}};
-  return scene;
+  return needs;
 }
 
 TEST(NeedsFigure, HasABarForEachPartUpToItsDistance) {
-  const Figure figure = needs_figure(some_scene(), 1.0);
+  const Figure figure = needs_figure(some_needs(), 1.0);
   EXPECT_EQ(figure.title, "What some-fling needs");
   const Plot& plot = std::get<std::vector<Plot>>(figure.body).front();
   EXPECT_EQ(plot.y.categories, (std::vector<std::string>{"gravity", "drag", "top", "ground"}));
@@ -253,11 +253,11 @@ TEST(NeedsFigure, HasABarForEachPartUpToItsDistance) {
   for (std::size_t index = 0; index < 4; ++index) EXPECT_EQ(plot.texts[index].text, texts[index]);
   ASSERT_EQ(plot.marks.size(), 1u);
   EXPECT_EQ(plot.marks[0].at, 1.0);
-  EXPECT_TRUE(std::get<std::vector<Plot>>(needs_figure(some_scene(), 0.0).body).front().marks.empty());
+  EXPECT_TRUE(std::get<std::vector<Plot>>(needs_figure(some_needs(), 0.0).body).front().marks.empty());
 }
 
 TEST(CoverageFigure, MarksWhatNoScenarioExercises) {
-  const Figure figure = coverage_figure({some_scene()}, 1.0);
+  const Figure figure = coverage_figure({some_needs()}, 1.0);
   const Grid& grid = std::get<Grid>(figure.body);
   EXPECT_EQ(grid.rows, std::vector<std::string>{"some-fling"});
   EXPECT_EQ(grid.columns[0], (std::pair<std::string, Tone>{"gravity", Tone::ink}));
