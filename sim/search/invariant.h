@@ -31,7 +31,7 @@ inline constexpr std::size_t kInvariantCount = 16;
 struct InvariantText {
   std::string_view name;  ///< In tables and in JSON.
   std::string_view rule;  ///< What must hold, in a few words.
-  std::string_view unit;  ///< Of its margin.
+  std::string_view unit;  ///< Of its slack.
 };
 
 inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
@@ -53,19 +53,19 @@ inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
     {"expectations", "what the scenario itself expects", "1"},
 }};
 
-/// An invariant over a run. A margin is what was left to its bound: it holds with 0 or more.
+/// An invariant over a run. Its slack is the distance to its bound: it holds with 0 or more.
 struct InvariantMeasure {
   bool is_checked = false;
   bool holds = true;
-  double margin = std::numeric_limits<double>::infinity();  ///< The smallest.
-  std::int64_t worst_step = -1;                             ///< Row number of the smallest.
+  double slack = std::numeric_limits<double>::infinity();  ///< The smallest.
+  std::int64_t worst_step = -1;                            ///< Row number of the smallest.
 
   /// A NaN does not hold, and nothing is worse than it.
-  void add(double step_margin, std::int64_t step) {
+  void add(double step_slack, std::int64_t step) {
     is_checked = true;
-    if (!(step_margin >= 0.0)) holds = false;
-    if (margin != margin || step_margin >= margin) return;
-    margin = step_margin + 0.0;  // No -0.
+    if (!(step_slack >= 0.0)) holds = false;
+    if (slack != slack || step_slack >= slack) return;
+    slack = step_slack + 0.0;  // No -0.
     worst_step = step;
   }
 };

@@ -89,8 +89,8 @@ CheckedRun check_run(const Scenario& scenario, std::span<const std::int64_t> sto
                  .last_speed_px_per_s = watch.last_speed_px_per_s(),
                  .knife_edges = watch.knife_edges()};
   const auto record_equal = [&run](Invariant invariant, const Digest& hash) {
-    const double margin = hash == run.summary.state_hash ? 0.0 : -1.0;
-    run.measures[static_cast<std::size_t>(invariant)].add(margin, run.summary.steps);
+    const double slack = hash == run.summary.state_hash ? 0.0 : -1.0;
+    run.measures[static_cast<std::size_t>(invariant)].add(slack, run.summary.steps);
   };
   RowSink discard;
   record_equal(Invariant::repeated, replay(scenario, discard).state_hash);

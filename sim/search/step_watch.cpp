@@ -73,7 +73,7 @@ void StepWatch::start_from(const State& body, Bounds bounds) {
   alone_ = {bounds.right_px / 2.0, body.y_px, 0.0, body.vy_px_per_s};
 }
 
-// The margin is how many decades the largest number is from overflow. The time rule sums frames with a few
+// The slack is how many decades the largest number is from overflow. The time rule sums frames with a few
 // roundings (sim/scenario/frame_clock.h): a frame that adds less may seem to take some of them back.
 void StepWatch::check_finite(const Row& row) {
   const double largest = std::max({std::fabs(row.x_px), std::fabs(row.y_px), std::fabs(row.vx_px_per_s),
@@ -86,7 +86,7 @@ void StepWatch::check_finite(const Row& row) {
   record(Invariant::finite, std::log10(std::numeric_limits<double>::max()) - std::log10(largest), row.step);
 }
 
-// 0 <= x <= right where right >= 0, and the same in y. The margin is minus the way outside.
+// 0 <= x <= right where right >= 0, and the same in y. The slack is minus the distance outside.
 void StepWatch::check_bounds(const Step& step) {
   const auto outside_px = [](double at_px, double bound_px) {
     return bound_px >= 0.0 ? std::max({0.0, -at_px, at_px - bound_px}) : 0.0;
@@ -175,10 +175,10 @@ void StepWatch::check_position(const Step& step) {
 
 // Where the flight without walls stays within a bound (on it, too), the step is that flight, bit for bit, but
 // for the friction that a ground contact takes from vx; where it does not, the step ends on the bound. The
-// margin is the overshoot of the nearest clamp.
+// slack is the overshoot of the nearest clamp.
 void StepWatch::check_clamp(const Step& step) {
   const auto& [from, flight, row, bounds] = step;
-  const auto axis_margin = [](double flight_px, double bound_px, double at_px, double speed_change) {
+  const auto axis_slack = [](double flight_px, double bound_px, double at_px, double speed_change) {
     if (bound_px < 0.0) return std::numeric_limits<double>::infinity();  // Both walls claim the sprite.
     if (flight_px >= 0.0 && flight_px <= bound_px) {
       const bool is_flight = same_bits(flight_px, at_px) && speed_change == 0.0;
@@ -191,11 +191,11 @@ void StepWatch::check_clamp(const Step& step) {
   };
   const bool is_ground = !(flight.y_px < 0.0) && flight.y_px > bounds.bottom_px;
   const double vx_flight = is_ground ? flight.vx_px_per_s * core_.ground_friction : flight.vx_px_per_s;
-  const double margin = std::min(
-      axis_margin(flight.x_px, bounds.right_px, row.x_px, minus_difference(row.vx_px_per_s, vx_flight)),
-      axis_margin(flight.y_px, bounds.bottom_px, row.y_px,
-                  minus_difference(row.vy_px_per_s, flight.vy_px_per_s)));
-  record(Invariant::clamp, margin, row.step);
+  const double slack = std::min(
+      axis_slack(flight.x_px, bounds.right_px, row.x_px, minus_difference(row.vx_px_per_s, vx_flight)),
+      axis_slack(flight.y_px, bounds.bottom_px, row.y_px,
+                 minus_difference(row.vy_px_per_s, flight.vy_px_per_s)));
+  record(Invariant::clamp, slack, row.step);
 }
 
 // A clamp turns the speed with which the flight met the wall, in x before y; the ground then takes its
@@ -252,9 +252,9 @@ void StepWatch::check_mirror(const Step& step) {
 // The same y and vy from another x, without motion in x: at every step the same bits.
 void StepWatch::check_y_alone(const Step& step) {
   alone_ = core_step(alone_, step.row.dt_s, step.bounds);
-  const double margin = std::min(minus_difference(alone_.y_px, step.row.y_px),
-                                 minus_difference(alone_.vy_px_per_s, step.row.vy_px_per_s));
-  record(Invariant::y_alone, margin, step.row.step);
+  const double slack = std::min(minus_difference(alone_.y_px, step.row.y_px),
+                                minus_difference(alone_.vy_px_per_s, step.row.vy_px_per_s));
+  record(Invariant::y_alone, slack, step.row.step);
   alone_.y_px = step.row.y_px;
   alone_.vy_px_per_s = step.row.vy_px_per_s;
 }

@@ -51,8 +51,8 @@ class StepWatch : public RowSink {
   void check_mirror(const Step& step);
   void check_y_alone(const Step& step);
   void check_no_time(const Step& step);
-  void record(Invariant invariant, double margin, std::int64_t step) {
-    measures_[static_cast<std::size_t>(invariant)].add(margin, step);
+  void record(Invariant invariant, double slack, std::int64_t step) {
+    measures_[static_cast<std::size_t>(invariant)].add(slack, step);
   }
   void mirror(const State& body, Bounds bounds);
 

@@ -15,7 +15,7 @@ namespace {
 double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
 
 // Settled, and both speeds 0.
-double rest_margin(const RunSummary& summary, double speed_px_per_s) {
+double rest_slack(const RunSummary& summary, double speed_px_per_s) {
   return summary.at_rest_since_s ? -speed_px_per_s : -std::max(speed_px_per_s, 1.0);
 }
 
@@ -58,7 +58,7 @@ HardCaseResult play_hard_case(const HardCase& hard_case,
                         .broken_expectation = {}};
   if (hard_case.must_come_to_rest)
     result.measures[static_cast<std::size_t>(Invariant::comes_to_rest)].add(
-        rest_margin(run.summary, run.last_speed_px_per_s), run.summary.steps);
+        rest_slack(run.summary, run.last_speed_px_per_s), run.summary.steps);
   judge_expectations(hard_case, run.summary, result);
   return result;
 }
@@ -93,14 +93,14 @@ InvariantCount count(const std::vector<Judgement>& judgements, Invariant invaria
     if (judgement.invariant != invariant || (!made_from.empty() && hard_case.made_from != made_from))
       continue;
     ++count.cases;
-    const double margin = judgement.measure().margin;
+    const double slack = judgement.measure().slack;
     if (judgement.verdict == CaseVerdict::expected_failure)
       ++count.expected_failures;
     else if (judgement.verdict != CaseVerdict::held)
       ++count.broken;
-    else if (++count.held == 1 || margin < count.margin) {
-      count.margin = margin;
-      count.least_margin_case = hard_case.name;
+    else if (++count.held == 1 || slack < count.slack) {
+      count.slack = slack;
+      count.least_slack_case = hard_case.name;
     }
   }
   return count;

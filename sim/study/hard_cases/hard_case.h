@@ -80,8 +80,8 @@ struct InvariantCount {
   std::int64_t held = 0;
   std::int64_t expected_failures = 0;
   std::int64_t broken = 0;  ///< With the expected failures that did not occur.
-  double margin = std::numeric_limits<double>::quiet_NaN();  ///< The smallest of the cases in which it held.
-  std::string least_margin_case;                             ///< The first one with that margin.
+  double slack = std::numeric_limits<double>::quiet_NaN();  ///< The smallest of the cases in which it held.
+  std::string least_slack_case;                             ///< The first one with that slack.
 };
 
 /// @param made_from name of a scenario: counts only the cases made from it; empty: all.

@@ -51,9 +51,9 @@ Column verdict_column(const std::vector<Judgement>& judgements) {
       "verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)", judgements,
       [](const Judgement& judgement) { return name_of(judgement.verdict); });
 }
-Column margin_column(const std::vector<Judgement>& judgements) {
+Column slack_column(const std::vector<Judgement>& judgements) {
   return column_of<double>("margin", "", "smallest margin to the bound, below 0 if broken", judgements,
-                           [](const Judgement& judgement) { return judgement.measure().margin; });
+                           [](const Judgement& judgement) { return judgement.measure().slack; });
 }
 Column worst_step_column(const std::vector<Judgement>& judgements) {
   return column_of<std::int64_t>("worst_step", "1", "row number of the smallest margin", judgements,
@@ -66,7 +66,7 @@ Table verdict_table(const std::vector<Judgement>& judgements) {
       "every case against every invariant that was checked in it",
       {column_of<std::string>("case", "", "case", judgements,
                               [](const Judgement& judgement) { return judgement.played->hard_case.name; }),
-       invariant_column(judgements), verdict_column(judgements), margin_column(judgements),
+       invariant_column(judgements), verdict_column(judgements), slack_column(judgements),
        column_of<std::string>("margin_unit", "", "unit of the margin", judgements,
                               [](const Judgement& judgement) { return judgement.text().unit; }),
        worst_step_column(judgements)}};
@@ -108,8 +108,8 @@ Table summary_of(const std::vector<PlayedCase>& cases) {
              const std::vector<Judgement> judgements = judgements_of({&played, 1});
              return Table{"invariants",
                           "",
-                          {invariant_column(judgements), verdict_column(judgements),
-                           margin_column(judgements), worst_step_column(judgements)},
+                          {invariant_column(judgements), verdict_column(judgements), slack_column(judgements),
+                           worst_step_column(judgements)},
                           JsonShape::by_first};
            })}};
 }
@@ -129,11 +129,11 @@ Table invariant_table(const std::vector<Judgement>& judgements) {
                                    [](C each) { return each.second.expected_failures; }),
            column_of<std::int64_t>("broken", "1", "", counts, [](C each) { return each.second.broken; }),
            column_of<double>(
-               "least_margin", "1", "", counts, [](C each) { return each.second.margin; }, 3),
+               "least_slack", "1", "", counts, [](C each) { return each.second.slack; }, 3),
            column_of<std::string>("unit", "", "", counts,
                                   [](C each) { return each.first->unit == "1" ? "" : each.first->unit; }),
            column_of<std::string>("in_case", "", "", counts,
-                                  [](C each) { return each.second.least_margin_case; })}};
+                                  [](C each) { return each.second.least_slack_case; })}};
 }
 
 // The expected failures that occurred, those of the same text together.
@@ -162,7 +162,7 @@ std::string broken_sentence(const Judgement& judgement) {
   if (measure.holds) return head + " holds: its expected failure is out of date";
   if (judgement.invariant == Invariant::expectations)
     return fmt::format("{}: {}", head, judgement.played->result.broken_expectation);
-  return fmt::format("{} is broken by {:.3g} {} in row {} ({})", head, -measure.margin, text.unit,
+  return fmt::format("{} is broken by {:.3g} {} in row {} ({})", head, -measure.slack, text.unit,
                      measure.worst_step, text.rule);
 }
 

@@ -53,7 +53,7 @@ std::optional<BrokenRule> broken_invariant(const Scenario& scenario, const Check
   if (!invariant) return std::nullopt;
   const InvariantMeasure& measure = run.measures[static_cast<std::size_t>(*invariant)];
   return BrokenRule{.invariant = invariant,
-                    .found = fmt::format("{:.3g} {} at step {}", measure.margin, text_of(*invariant).unit,
+                    .found = fmt::format("{:.3g} {} at step {}", measure.slack, text_of(*invariant).unit,
                                          measure.worst_step),
                     .other_end = {}};
 }
