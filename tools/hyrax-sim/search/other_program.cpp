@@ -82,27 +82,27 @@ Json parsed(const std::string& output) {
 OtherProgram::OtherProgram(std::string program, const std::string& option) : program_(std::move(program)) {
   const Scenario scenario = probe();
   ChildEnd end;
-  const std::string hash = ask(Asked::run, {&scenario, 1}, end).front();
+  const std::string hash = query(Query::run, {&scenario, 1}, end).front();
   if (hash.empty())
     throw Failure(ExitCode::bad_input,
                   option + ": `" + program_ + " run FILE --json` printed no state hash (" +
                       end_text(end, kProcessLimit_s) + "): " + end.err.substr(0, end.err.find('\n')));
-  uses_check_ = ask(Asked::check, {&scenario, 1}, end).front() == hash;
+  uses_check_ = query(Query::check, {&scenario, 1}, end).front() == hash;
 }
 
 std::vector<std::string> OtherProgram::state_hashes(std::span<const Scenario> scenarios) const {
   ChildEnd end;
-  std::vector<std::string> hashes = ask(uses_check_ ? Asked::check : Asked::run, scenarios, end);
+  std::vector<std::string> hashes = query(uses_check_ ? Query::check : Query::run, scenarios, end);
   for (std::size_t index = 0; index < scenarios.size(); ++index) {
-    if (hashes[index].empty()) hashes[index] = ask(Asked::run, scenarios.subspan(index, 1), end).front();
+    if (hashes[index].empty()) hashes[index] = query(Query::run, scenarios.subspan(index, 1), end).front();
     if (hashes[index].empty()) hashes[index] = end_text(end, kProcessLimit_s);
   }
   return hashes;
 }
 
 // The hash of each; empty where it printed none.
-std::vector<std::string> OtherProgram::ask(Asked command, std::span<const Scenario> scenarios,
-                                           ChildEnd& end) const {
+std::vector<std::string> OtherProgram::query(Query command, std::span<const Scenario> scenarios,
+                                             ChildEnd& end) const {
   const TemporaryFolder folder;
   const std::string inputs = folder.path() + "/in";
   std::filesystem::create_directory(inputs);
@@ -110,15 +110,15 @@ std::vector<std::string> OtherProgram::ask(Asked command, std::span<const Scenar
   Expect another_hash;
   another_hash.state_hash = kNoHash;
   for (Scenario scenario : scenarios) {
-    scenario.expect = command == Asked::check ? std::optional(another_hash) : std::nullopt;
+    scenario.expect = command == Query::check ? std::optional(another_hash) : std::nullopt;
     paths.push_back(folder.write("in/" + scenario.name + ".json", scenario_file_text(scenario)));
   }
   end =
-      command == Asked::run
+      command == Query::run
           ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kProcessLimit_s)
           : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kProcessLimit_s);
   const Json document = parsed(end.out);
-  Hashes printed = command == Asked::run ? hashes_of_runs(document) : hashes_of_checks(document);
+  Hashes printed = command == Query::run ? hashes_of_runs(document) : hashes_of_checks(document);
   std::vector<std::string> hashes;
   for (const std::string& path : paths) hashes.push_back(printed[path]);
   return hashes;

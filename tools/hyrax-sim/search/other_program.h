@@ -1,4 +1,4 @@
-// Another build of hyrax-sim, asked for the state hash of scenarios.
+// Another build of hyrax-sim, which computes the state hash of scenarios.
 #pragma once
 
 #include <map>
@@ -28,9 +28,9 @@ class OtherProgram {
   [[nodiscard]] std::vector<std::string> state_hashes(std::span<const Scenario> scenarios) const;
 
  private:
-  enum class Asked { run, check };
-  [[nodiscard]] std::vector<std::string> ask(Asked command, std::span<const Scenario> scenarios,
-                                             ChildEnd& end) const;
+  enum class Query { run, check };
+  [[nodiscard]] std::vector<std::string> query(Query command, std::span<const Scenario> scenarios,
+                                               ChildEnd& end) const;
 
   std::string program_;
   bool uses_check_ = false;
