@@ -26,8 +26,8 @@ class Fuzz(ProgramTest):
 
     def test_the_text_says_what_was_played(self):
         outcome = self.expect(AGREED, "fuzz", "--runs", "100")
-        self.assertRegex(outcome.out, r"\Aseed 1: 100 runs in [0-9.]+ s \(.* per minute\)\nall rules hold\n\Z")
-        self.assertEqual(self.expect(AGREED, "fuzz", "--runs", "100", "-q").out, "all rules hold\n")
+        self.assertRegex(outcome.out, r"\Aseed 1: 100 runs in [0-9.]+ s \(.* per minute\)\nall invariants hold\n\Z")
+        self.assertEqual(self.expect(AGREED, "fuzz", "--runs", "100", "-q").out, "all invariants hold\n")
 
     def test_parts_are_a_partition(self):
         runs = [self.fuzz("--runs", "100", "--part", f"{index}/3") for index in range(3)]

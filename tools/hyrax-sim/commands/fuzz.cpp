@@ -62,7 +62,7 @@ std::string numbered(const std::string& name, int number) {
   return number == 1 ? name : fmt::format("{}-{}", name, number);
 }
 
-// The failing scenario as a file, and what was told of it.
+// The file of the failing scenario, and what is printed about it.
 struct Written {
   std::string path;
   std::int64_t steps = 0;
@@ -147,7 +147,8 @@ void print_outcome(const FuzzRequest& request, const FuzzLimits& limits, const F
 
 void print_failure(const FuzzRequest& request, const FuzzFailure& failure, const Written& written) {
   const BrokenRule& broken = failure.broken;
-  print_text("run {} {}: {} ({}): {}\n", failure.run, VerdictWord{"breaks a rule", false}, broken.name(),
+  print_text("run {} {}: {} ({}): {}\n", failure.run,
+             VerdictWord{broken.invariant ? "breaks an invariant" : "differs", false}, broken.name(),
              broken.rule(), broken.found);
   print_text("written: {} ({} frames and {} events; found with {} and {})\n", written.path, written.steps,
              written.events, step_count(failure.scenario), failure.scenario.events.size());
@@ -172,7 +173,9 @@ ExitCode run_fuzz(const FuzzRequest& request) {
     failures.push_back(failure_json(failure, written));
     if (!request.printing.is_json) print_failure(request, failure, written);
   } else if (!request.printing.is_json) {
-    print_text("{}\n", VerdictWord{"all rules hold", true});
+    print_text("{}\n", VerdictWord{request.against.empty() ? "all invariants hold"
+                                                           : "all invariants hold, all state hashes agree",
+                                   true});
   }
   if (request.printing.is_json) print_json(request, limits, outcome, std::move(failures));
   return outcome.failure ? ExitCode::disagreed : ExitCode::agreed;
