@@ -1,4 +1,4 @@
-// A fling by the fixed laws, from impact to impact: the truth that methods are measured against.
+// A fling by the fixed laws, from impact to impact: the reference that methods are measured against.
 #pragma once
 
 #include <vector>

@@ -36,7 +36,7 @@ struct Convergent {   ///< ... goes as this power of the frame.
 };
 struct Exact {                       ///< ... is rounding, at every frame,
   bool meets_walls_exactly = false;  ///< and of whole flings as well.
-  bool is_truth = false;  ///< It is the truth that all are measured against: their limit, not one of them.
+  bool is_reference = false;         ///< All others are measured against it; it is not ranked.
 };
 struct Adaptive {  ///< ... is set by a tolerance: the method chooses steps of its own within the frame.
   double tolerance = 0.0;
@@ -53,9 +53,9 @@ struct MethodKind {
   std::function<std::unique_ptr<Method>()> make = {};
 
   [[nodiscard]] bool is_adaptive() const { return std::holds_alternative<Adaptive>(accuracy); }
-  [[nodiscard]] bool is_truth() const {
+  [[nodiscard]] bool is_reference() const {
     const auto* const exact = std::get_if<Exact>(&accuracy);
-    return exact != nullptr && exact->is_truth;
+    return exact != nullptr && exact->is_reference;
   }
 };
 

@@ -140,25 +140,25 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
   ExactFling exact;
   ErrorMeter meter{FixedLaws()};
   State run = problem.start;
-  State truth = problem.start;
+  State reference = problem.start;
   std::size_t frames = 0;
   for (std::size_t index = 0; index < problem.stages.size(); ++index) {
     const Stage& stage = problem.stages[index];
     run = with_inputs(stage, run);
-    truth = with_inputs(stage, truth);
+    reference = with_inputs(stage, reference);
     if (stage.is_held) continue;
-    meter.add_exact(truth);
+    meter.add_exact(reference);
     const std::vector<double>& frames_s = stage_frames_s[index];
     frames += frames_s.size();
     method->start(run, stage.bounds);
-    exact.start(truth, stage.bounds);
+    exact.start(reference, stage.bounds);
     const bool watches = !problem.is_free_flight && method->impacts() == nullptr;
     if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter))
       return {.is_failed = true, .contact_time_s = kNone};
     run = method->motion();
     Timeline time;
     for (const double frame_s : frames_s) time.play(frame_s);
-    truth = exact.at(time.time_s());
+    reference = exact.at(time.time_s());
   }
   return meter.finish(frames);
 }

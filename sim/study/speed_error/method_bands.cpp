@@ -76,7 +76,7 @@ std::vector<MethodBands> method_bands(const Problem& problem, const std::vector<
     const std::vector<MethodErrors> paper = errors_of(flings, methods.front(), rate_hz);
     for (std::size_t method = 0; method < methods.size(); ++method) {
       const MethodKind& kind = methods[method];
-      if (!kind.meets_walls || kind.is_adaptive() || kind.is_truth()) continue;
+      if (!kind.meets_walls || kind.is_adaptive() || kind.is_reference()) continue;
       std::optional<MethodBands> bands =
           bands_of(method == 0 ? paper : errors_of(flings, kind, rate_hz), paper);
       if (!bands) continue;

@@ -36,7 +36,7 @@ struct MethodBands {
   std::int64_t beyond_rounding = 0;  ///< Flings whose distance is more than rounding.
 };
 
-/// Of all methods that meet walls, but adaptive ones and the truth; `problem` is left 0.
+/// Of all methods that meet walls, but adaptive ones and the reference; `problem` is left 0.
 /// REQUIRES: the first method is the paper's step.
 [[nodiscard]] std::vector<MethodBands> method_bands(const Problem& problem,
                                                     const std::vector<MethodKind>& methods,

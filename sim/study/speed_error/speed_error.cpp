@@ -33,7 +33,7 @@ class Measurer {
       for (std::size_t method = 0; method < study_.methods.size(); ++method) {
         const MethodKind& kind = study_.methods[method];
         if (!suits(kind, study_.problems[problem])) continue;
-        if (kind.is_adaptive() || kind.is_truth())
+        if (kind.is_adaptive() || kind.is_reference())
           add_point(problem, method, kRowRate_hz);
         else
           for (const double rate_hz : options_.rates_hz) add_point(problem, method, rate_hz);
@@ -217,7 +217,8 @@ PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>
 }
 
 bool is_ranked(const SpeedError& study, const WorkPoint& point) {
-  return point.cost.is_measured() && point.rate_hz >= kRowRate_hz && !study.methods[point.method].is_truth();
+  return point.cost.is_measured() && point.rate_hz >= kRowRate_hz &&
+         !study.methods[point.method].is_reference();
 }
 
 std::vector<bool> pareto_front(const std::vector<Cost>& costs, const std::vector<double>& errors) {

@@ -21,7 +21,7 @@ namespace hyrax {
 struct WorkPoint {
   std::size_t problem = 0;  ///< Index into SpeedError::problems,
   std::size_t method = 0;   ///< and into its methods.
-  double rate_hz = 0.0;     ///< Of the frames; of the truth and of adaptive methods kRowRate_hz.
+  double rate_hz = 0.0;     ///< Of the frames; of the reference and of adaptive methods kRowRate_hz.
   MethodErrors errors;
   Cost cost = {};  ///< Of a simulated second, without the run's set-up; not measured if it failed.
   bool is_pareto =
@@ -97,7 +97,7 @@ struct SpeedErrorOptions {
 };
 
 /// Costs are compared like with like: with kRowRate_hz rows a second. A slower rate gives fewer, and the
-/// truth's own method is the limit: neither is ranked. REQUIRES: as above; it did not fail.
+/// reference method is the limit: neither is ranked. REQUIRES: as above; it did not fail.
 [[nodiscard]] bool is_ranked(const SpeedError& study, const WorkPoint& point);
 
 /// Methods that know no walls play the problems of free flight only. SpeedError::paper is empty if the first

@@ -63,9 +63,9 @@ class Diagram {
     Series front{.name = "Pareto front", .look = kFrontLook};
     for (const Curve* const curve : in_drawing_order()) {
       const MethodKind& method = study_.methods[curve->method];
-      if (method.is_truth()) {
+      if (method.is_reference()) {
         plot.marks.push_back({.at = curve->points.front()->cost.time_ns.median,
-                              .text = "the truth itself: " + method.label,
+                              .text = "the reference: " + method.label,
                               .tone = Tone::quiet});
         continue;
       }
@@ -93,7 +93,7 @@ class Diagram {
     for (const int rate_hz : {15, 60, 240, 960, 3840})
       plot.x.ticks.push_back({1.0 / rate_hz, fmt::format("1/{}", rate_hz)});
     for (const Curve* const curve : in_drawing_order()) {
-      if (is_adaptive(*curve) || study_.methods[curve->method].is_truth()) continue;
+      if (is_adaptive(*curve) || study_.methods[curve->method].is_reference()) continue;
       Series series = series_of(*curve);
       for (const WorkPoint* const point : curve->points) series.x.push_back(1.0 / point->rate_hz);
       plot.series.push_back(std::move(series));
@@ -107,7 +107,7 @@ class Diagram {
     for (const Curve& curve : curves_) {
       if (is_adaptive(curve))
         has_adaptive = true;
-      else if (!study_.methods[curve.method].is_truth())
+      else if (!study_.methods[curve.method].is_reference())
         entries.push_back(
             {study_.methods[curve.method].label + ": " + order_text(curve), series_of(curve).look});
     }
@@ -162,7 +162,7 @@ class Diagram {
     std::vector<PointText> texts;
     const WorkPoint* zero = nullptr;
     for (const Curve& curve : curves_) {
-      if (study_.methods[curve.method].is_truth()) continue;
+      if (study_.methods[curve.method].is_reference()) continue;
       const WorkPoint* last = nullptr;
       for (const WorkPoint* const point : curve.points) {
         if (point->errors.is_failed || point->rate_hz < kRowRate_hz) continue;

@@ -61,7 +61,7 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
   };
   std::vector<Line> lines;
   for (std::size_t method = 0; method < study.methods.size(); ++method) {
-    if (study.methods[method].is_adaptive() || study.methods[method].is_truth()) continue;
+    if (study.methods[method].is_adaptive() || study.methods[method].is_reference()) continue;
     const WorkPoint* best = nullptr;
     for (const WorkPoint& point : study.points)
       if (point.problem == problem && point.method == method && !point.errors.is_failed &&
@@ -178,7 +178,7 @@ Verdict verdict_of(const SpeedError& study, const StudyRequest& request) {
     verdict.text.push_back(methods_text(study, problem));
     if (study.probe.is_steady()) {
       verdict.text.push_back(
-          "  cheapest of those that give 60 rows a second, \"or\": not told apart by the costs");
+          "  cheapest of those that give 60 rows a second (\"or\": its cost does not differ measurably)");
       verdict.text.push_back(cheapest_text(study, problem));
     }
     add_bands(verdict, study, problem);

@@ -1,4 +1,4 @@
-// The truth of the studies against motions whose impacts are known in closed form.
+// The reference of the studies against motions whose impacts are known in closed form.
 #include <gtest/gtest.h>
 
 #include <array>

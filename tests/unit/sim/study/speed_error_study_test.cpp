@@ -89,7 +89,7 @@ TEST(SpeedErrorFigure, TheTruthIsALimitAndNoCurve) {
   const std::vector<Plot> plots = plots_of(study);
   ASSERT_EQ(plots[0].marks.size(), 1u);
   EXPECT_EQ(plots[0].marks[0].at, 700.0);
-  EXPECT_EQ(plots[0].marks[0].text, "the truth itself: event-driven");
+  EXPECT_EQ(plots[0].marks[0].text, "the reference: event-driven");
   EXPECT_EQ(plots[0].series.size(), 3u) << "two methods and the front";
   EXPECT_EQ(plots[1].series.size(), 2u);
 }

@@ -225,9 +225,9 @@ TEST(SpeedError, RanksNothingOnAnUnsteadyClock) {
 TEST(SpeedError, RanksWhatGivesSixtyRowsASecondAndNotTheTruth) {
   const SpeedError study = some_study();
   for (const WorkPoint& point : study.points) {
-    const bool is_truth = study.methods[point.method].name == "event-driven";
-    EXPECT_EQ(is_ranked(study, point), point.rate_hz >= 60.0 && !is_truth);
-    EXPECT_TRUE(!is_truth || point.rate_hz == 60.0) << "frames are nothing to it";
+    const bool is_reference = study.methods[point.method].name == "event-driven";
+    EXPECT_EQ(is_ranked(study, point), point.rate_hz >= 60.0 && !is_reference);
+    EXPECT_TRUE(!is_reference || point.rate_hz == 60.0) << "frames are nothing to it";
   }
 }
 
@@ -293,7 +293,7 @@ TEST(MethodBands, AreThoseOfTheErrorsOneByOne) {
   const Problem fling = study_problems()[4];
   const std::vector<MethodKind> methods = frame_methods();
   const std::vector<MethodBands> bands = method_bands(fling, methods, {60.0});
-  ASSERT_EQ(bands.size(), methods.size() - 1) << "all but the truth";
+  ASSERT_EQ(bands.size(), methods.size() - 1) << "all but the reference";
   std::vector<double> ends_px;
   std::int64_t nearer = 0;
   for (const Problem& like : problems_like(fling, kBandFlings, kBandSeed)) {
