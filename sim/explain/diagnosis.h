@@ -12,7 +12,7 @@
 namespace hyrax {
 
 struct Diagnosis {
-  /// Set where it is not the step, or nothing can be told; else candidates for the step are tried.
+  /// Set where it is not the step, or the cause cannot be determined; else candidates for the step are tried.
   std::optional<Cause> cause;
   /// Steps of the run; those that the listing does not give come first.
   std::vector<ObservedStep> evidence;
@@ -22,8 +22,8 @@ struct Diagnosis {
 /// @param program the core that played the run.
 [[nodiscard]] Diagnosis diagnose(const DifferingRun& run, const Kernel& program);
 
-/// Kind unknown: the first operation whose result differs, if the evidence tells it; input, where only steps
-/// after inputs differ.
+/// Kind unknown: the first operation whose result differs, if the evidence determines it; input, where only
+/// steps after inputs differ.
 [[nodiscard]] Cause unexplained(const DifferingRun& run, const std::vector<ObservedStep>& evidence);
 
 }  // namespace hyrax

@@ -17,7 +17,7 @@ struct DifferingRun {
   const StoredRun& fresh;       ///< The run of this program.
   std::string scenario_change;  ///< As "/start/vx_px_per_s 40000 -> 40001"; empty: both play the same.
   bool is_golden_as_blessed =
-      true;  ///< Else somebody changed the golden file: clock and inputs tell nothing.
+      true;  ///< Else somebody changed the golden file: its clock and inputs prove nothing.
 };
 
 /// Runs of one cause.

@@ -16,7 +16,8 @@ namespace hyrax {
 
 /// Whether the scenario, played with this step, gives the run's rows: as many, of the same state hash. Ends
 /// at the first block that differs.
-/// @param observed the constants by which the replay tells which walls clamped: those of the run's program.
+/// @param observed the constants by which the replay detects which walls clamped: those of the run's
+/// program.
 [[nodiscard]] bool reproduces(const StepStatements& step, const Constants& observed, const Scenario& scenario,
                               const StoredRun& run);
 

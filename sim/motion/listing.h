@@ -1,5 +1,5 @@
-// The paper's listing as data: the base of what is varied. Physics::update bit for bit, to which a test holds
-// it.
+// The paper's listing as data: the base of what is varied. A test compares it with physics::update bit for
+// bit.
 #pragma once
 
 #include "sim/motion/statement.h"

@@ -30,7 +30,7 @@ void pair_grabs(std::vector<Event>& events) {
   events = std::move(paired);
 }
 
-// In order, before the end, and what they ask of the hand possible.
+// In order, before the end, each `grab` while not held and each `release` while held.
 bool are_good(const std::vector<Event>& events, std::int64_t steps) {
   bool is_held = false;
   std::int64_t frame = 0;

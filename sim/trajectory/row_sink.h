@@ -39,7 +39,7 @@ class RowSink {
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
 
-  /// Asked when a replay begins, and of rows again after every batch: a sink may want fewer from there on.
+  /// Called when a replay begins, and for rows again after every batch: a sink may want fewer from then on.
   [[nodiscard]] virtual Wants wants() const { return {}; }
 
   /// Wanted rows, in batches of any size.

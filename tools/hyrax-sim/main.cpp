@@ -66,8 +66,8 @@ std::string about_core() {
 }
 
 std::string first_screen(const std::vector<Command>& commands) {
-  return "hyrax-sim replays flings of the hyrax bit for bit, and reports what changed and how exact they "
-         "are.\n\n" +
+  return "hyrax-sim replays flings of the hyrax bit for bit, and reports what changed and how large the "
+         "errors are.\n\n" +
          about_core() +
          "  hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
          "  hyrax-sim check\n\n"

@@ -129,7 +129,7 @@ Table shown_scores(const std::vector<Independence>& scores) {
                                     return fmt::format("{:.0f} ({:.0f} .. {:.0f})", score.spreads_px.median,
                                                        score.spreads_px.low, score.spreads_px.high);
                                   }),
-           column_of<double>("way", "px", "", scores, &Independence::way_px),
+           column_of<double>("path", "px", "", scores, &Independence::way_px),
            column_of<double>("score", "1", "", scores, &Independence::score)}};
 }
 

@@ -87,7 +87,7 @@ std::vector<HardCase> any_speed_family(const Scenario& base) {
        {4.9406564584124654e-324, 1e-310, 1e-300, 1e-150, 1e-9, 1.0, 1e4, 1e6, 1e9, kSpeedMax_px_per_s}) {
     Scenario scenario = family.base();
     scenario.start_velocity = {speed_px_per_s, -speed_px_per_s};
-    family.add("v-" + text_of(speed_px_per_s), "a speed that no hand gives", scenario);
+    family.add("v-" + text_of(speed_px_per_s), "a speed far from that of any throw", scenario);
   }
   return family.take();
 }
@@ -101,7 +101,7 @@ std::vector<HardCase> far_outside_family(const Scenario& base) {
       (side < 2 ? scenario.start.x_px : scenario.start.y_px) = sign * away_px;
       family.add(std::string(side < 2 ? (side == 0 ? "left" : "right") : (side == 2 ? "above" : "below")) +
                      "-" + text_of(away_px) + "-px",
-                 "a start that no window holds", scenario);
+                 "a start far outside the window", scenario);
     }
   return family.take();
 }

@@ -10,7 +10,7 @@ namespace hyrax {
 namespace {
 
 constexpr char kDiffersFromListing[] =
-    "this core's step is not the listing's, so nothing can be asked of it without drag";
+    "this core's step is not the listing's, so it cannot be measured without drag";
 
 // The core's laws without loss.
 Constants lossless() {

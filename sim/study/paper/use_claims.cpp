@@ -64,7 +64,7 @@ Claim stopping() {
   const double moved_px = std::hypot(after.x_px - stopped.x_px, after.y_px - stopped.y_px);
   return {"6.1-reset",
           "resetVelocity sets both velocity components to zero, stopping all motion",
-          "way that a sprite stopped in the air goes in the second after",
+          "distance that a sprite stopped in the air moves in the next second",
           "0",
           moved_px,
           "px",

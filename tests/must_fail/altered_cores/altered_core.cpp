@@ -83,7 +83,7 @@ constexpr AlteredCore kCores[] = {
      "order",
      "speed before position at every wall",
      {.left = "tc", .right = "tc", .top = "tc", .ground = "tcfr"}},
-    {"ground_before_top", "order", "y > bottom is asked before y < 0", {.collide = "xY"}},
+    {"ground_before_top", "order", "y > bottom is tested before y < 0", {.collide = "xY"}},
     {"walls_each_asked", "order", "if for else if: both walls of an axis may act", {.collide = "LRTB"}},
 
     // Signs.

@@ -240,7 +240,7 @@ void declare_options(Options& options, SweepRequest& request) {
 
 Command sweep_command() {
   return {.name = "sweep",
-          .summary = "play many flings that differ in some numbers, and keep what became of each",
+          .summary = "play many flings that differ in some numbers, and store selected results of each",
           .example =
               "hyrax-sim sweep sweep.json --where \"at_rest_since > 9\"\n"
               "  hyrax-sim sweep sweep.json --member 17 -o member.json\n"

@@ -75,8 +75,7 @@ std::string causes_text(const DriftSummary& summary) {
 
 std::string exact_law_text(const DriftSummary& summary) {
   if (!summary.exact_law_px) return "";
-  return fmt::format("  exact law    of the step followed to {} px by every arc\n",
-                     number(summary.exact_law_px));
+  return fmt::format("  exact law    every arc is within {} px of it\n", number(summary.exact_law_px));
 }
 
 std::string arcs_text(const DriftRun& run, std::size_t lines_max) {

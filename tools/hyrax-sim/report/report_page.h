@@ -16,10 +16,10 @@ struct ReportRequest {
   std::string against;             ///< The trajectory that they are compared with; empty: none.
   std::string output;              ///< FILE.html.
   std::string command;             ///< What made it, for the page.
-  std::string cause = {};          ///< What is known of why it differs, a sentence; empty: nothing.
+  std::string cause = {};          ///< Why it differs, a sentence; empty: unknown.
 };
 
-/// What the page is told: the runs, their verdicts, and what of their rows it must replay bit for bit.
+/// The data of the page: the runs, their verdicts, and the rows that it must replay bit for bit.
 /// ERRORS: as TrajectoryFile::open's.
 [[nodiscard]] Json report_data(const ReportRequest& request);
 
