@@ -1,5 +1,6 @@
 // Frame times and inputs that are wrong on purpose. The linker passes each call from another source file
 // through these (--wrap): what is fed to the step is altered, the step is not.
+#include <algorithm>
 #include <cstring>
 
 #include "sim/scenario/frame_clock.h"
@@ -32,10 +33,9 @@ double altered_jitter(double dt_s, const Jitter& jitter, std::int64_t frame) {
 
 namespace {
 
-// No later than the last frame.
+// No later than the last frame. Inputs stay in their order.
 std::int64_t late(std::int64_t frame, std::int64_t steps) {
-  const std::int64_t moved = frame + altered_step().inputs_late;
-  return frame >= 0 && moved < steps ? moved : frame;
+  return frame >= 0 && frame < steps ? std::min(frame + altered_step().inputs_late, steps - 1) : frame;
 }
 
 }  // namespace
