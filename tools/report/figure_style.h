@@ -39,7 +39,7 @@ inline constexpr std::string_view kShade = "#eaeef2";
 inline constexpr std::string_view kBeads = "#26828e";  ///< The middle of viridis.
 
 inline constexpr double kLabelSize = 11;  ///< Of letters among data, in px: in no other text.
-inline constexpr double kMargin = 28;  ///< From the card's edge to text, in px.
+inline constexpr double kMargin = 28;     ///< From the card's edge to text, in px.
 
 }  // namespace style
 
