@@ -1,6 +1,7 @@
 #include "sim/card/card.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <numeric>
 
@@ -120,6 +121,7 @@ ClaimLine measure_claims(const CoreFunctions& base, const CoreFunctions& candida
     return std::any_of(timings.begin(), timings.end(),
                        [&claim](const Claim& timing) { return timing.id == claim.id; });
   };
+  assert(before.size() == after.size());
   ClaimLine line{.claims = std::ssize(before), .changed = {}};
   for (std::size_t index = 0; index < before.size(); ++index) {
     const Claim& from = before[index];

@@ -135,6 +135,9 @@ class Seal(CheckTest):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         first = self.check(DISAGREED)["results"][2]["first_divergence"]
         self.assertEqual((first["step"], first["field"]), (5, "y"))
+        said = self.expect(DISAGREED, "check").out
+        self.assertIn("cause unknown: the golden file was changed after it was blessed, so its rows are no evidence.", said)
+        self.assertIn("  to restore it   take golden/third.h5 from version control\n", said)
 
     def assert_not_as_blessed(self, text, says):
         """With this digest and an agreeing golden file, `check` names the line; blessing repairs it."""

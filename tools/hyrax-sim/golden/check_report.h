@@ -56,8 +56,9 @@ class CheckReport {
 [[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
 
 /// How to accept what these scenarios give: the command that blesses them, and before it what in their
-/// `expect` keeps bless from doing so. Complete lines, indented by two.
-/// @param bless the command without --update-hash, which is added if a state hash is the only reason.
+/// `expect` keeps bless from doing so, and which golden file was changed after it was blessed. Complete
+/// lines, indented by two.
+/// @param bless the command without --update-hash, which is added where a state hash does not hold.
 [[nodiscard]] std::string acceptance_text(const std::string& bless,
                                           const std::vector<const CheckVerdict*>& verdicts);
 

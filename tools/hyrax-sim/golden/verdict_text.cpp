@@ -66,7 +66,17 @@ std::string acceptance_text(const std::string& bless, const std::vector<const Ch
       verdicts, [&](const CheckVerdict* verdict) { return std::ranges::any_of(verdict->broken, is_hash); });
   const auto edits = std::ranges::count_if(
       verdicts, [&](const CheckVerdict* verdict) { return !std::ranges::all_of(verdict->broken, is_hash); });
-  return (edits == 0 ? ""
+  const auto is_damaged = [](const CheckVerdict* verdict) {
+    return verdict->runs && !verdict->runs->is_golden_as_blessed;
+  };
+  const auto first_damaged = std::ranges::find_if(verdicts, is_damaged);
+  const auto others = std::ranges::count_if(verdicts, is_damaged) - 1;
+  return (first_damaged == verdicts.end()
+              ? ""
+              : fmt::format("  to restore it   take {}{} from version control\n",
+                            (*first_damaged)->golden->h5_path,
+                            others == 0 ? "" : fmt::format(" and {} more", others))) +
+         (edits == 0 ? ""
                      : fmt::format(
                            "  to edit first   expect of {} scenario{}: bless refuses a run for which it does "
                            "not hold\n",
