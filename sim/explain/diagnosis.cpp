@@ -70,7 +70,8 @@ constexpr const char* kGoldenNotReproduced =
 std::optional<Cause> cause_of_playback(const DifferingRun& run, const Kernel& program,
                                        const StepStatements& base, bool gives_golden) {
   const auto& [golden, fresh, scenario_change, is_as_blessed] = run;
-  if (!is_as_blessed) return unknown("the golden file was changed after it was blessed, so its rows are no evidence");
+  if (!is_as_blessed)
+    return unknown("the golden file was changed after it was blessed, so its rows are no evidence");
   if (!reproduces(base, *program.constants(), fresh.scenario, fresh))
     return {{kInputCause,
              CauseKind::unknown,

@@ -1,4 +1,4 @@
-# The target `page`: the report pages, one file each, ${hyrax_page_files}, from tools/report/page and tools/report/wasm.
+# The targets `page_packages`, what has to be fetched, and `page`: the report pages, one file each, ${hyrax_page_files}, from tools/report/page and tools/report/wasm.
 # Packages come by `npm ci` into the build folder, once for each lock file.
 set(page_sources ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
 set(page_folder ${PROJECT_BINARY_DIR}/page)
@@ -18,6 +18,7 @@ add_custom_command(
   COMMENT "npm ci"
   VERBATIM)
 file(MAKE_DIRECTORY ${page_folder})
+add_custom_target(page_packages DEPENDS ${page_folder}/packages.stamp)
 
 # A build of its own, for another processor: it finds out itself what to build.
 set(core ${page_folder}/wasm/page_core.wasm)
@@ -41,4 +42,4 @@ add_custom_command(
   COMMENT "The report pages"
   VERBATIM)
 add_custom_target(page DEPENDS ${hyrax_page_files})
-add_dependencies(page page_core)
+add_dependencies(page page_packages page_core)
