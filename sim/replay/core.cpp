@@ -80,7 +80,7 @@ bool is_listing_in_flings() {
     const Bounds bounds{std::floor(between(0.0, 4000.0)), std::floor(between(0.0, 3000.0))};
     const double dt_s = std::pow(10.0, between(-3.0, -0.5));
     const ListingStep step(core_constants(), AllParts{}, bounds);
-    physics moving;
+    physics moving = in(State{});
     State listed;
     for (int frame = 0; frame < kFrames; ++frame) {
       if (frame % kFramesOfOne == 0) {

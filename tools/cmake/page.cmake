@@ -1,5 +1,6 @@
-# The targets `page_packages`, what has to be fetched, and `page`: the report pages, one file each, ${hyrax_page_files}, from tools/report/page and tools/report/wasm.
-# Packages come by `npm ci` into the build folder, once for each lock file.
+# The target `page`: the report pages, one file each, ${hyrax_page_files}, from tools/report/page and tools/report/wasm. The
+# target `page_packages`: what they need of the npm registry. It comes by `npm ci` into the build folder, once for each
+# lock file.
 set(page_sources ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
 set(page_folder ${PROJECT_BINARY_DIR}/page)
 set(hyrax_page_files ${page_folder}/runs.html ${page_folder}/results.html)
