@@ -74,7 +74,7 @@ bool is_listing_in_flings() {
     return low + (high - low) * split_mix64_unit(kSeed, draws++);
   };
   const auto speed_px_per_s = [&] {
-    return std::copysign(std::pow(10.0, between(-3.0, 6.0)), between(-1.0, 1.0));
+    return std::copysign(std::pow(10.0, between(-3.0, 12.0)), between(-1.0, 1.0));
   };
   for (int fling = 0; fling < kFlings; ++fling) {
     const Bounds bounds{std::floor(between(0.0, 4000.0)), std::floor(between(0.0, 3000.0))};

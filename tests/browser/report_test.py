@@ -172,11 +172,19 @@ class ReportTest(browser.BrowserTest):
             for step, value in expected.items():
                 self.assertAlmostEqual(shown[step], value, delta=1e-9)
         self.assertIn("gravity", page["values"][-1])
-        end = int(next(row[0] for row in rows["drift"][2:] if row[2]))
-        (page,) = self.open({**self.report("fling"), "hash": f"#step={end // 2}", "actions": [
-            ["evaluate", "document.querySelector('#chart-drift output').textContent.replace('−', '-')"]]})
-        self.assertAlmostEqual(float(page["values"][0]), drift["arcs"][0]["energy_parts"]["gravity"] / 1200 * (end // 2) / end,
-                               delta=0.006, msg="half way of the first arc")
+
+    def test_drift_by_cause_is_read_off_its_line(self):
+        for name, events in (("even", []), ("uneven", [{"step": 10, "hitch": {"dt_s": 0.2}}])):
+            self.played(name, program.fling(events=events))
+            path = self.folder / "drift.csv"
+            self.open({**self.report(name), "actions": [["download", "#chart-drift button", str(path)]]})
+            rows = [line.split(",") for line in path.read_text(encoding="utf-8").splitlines()][1:]
+            end = next(index for index in range(1, len(rows)) if rows[index][2])
+            (page,) = self.open({**self.report(name), "hash": f"#step={end // 2}", "actions": [
+                ["evaluate", "document.querySelector('#chart-drift output').textContent.replace('−', '-')"]]})
+            expected = float(rows[end][2]) * float(rows[end // 2][1]) / float(rows[end][1])
+            self.assertLess(expected, -1)
+            self.assertAlmostEqual(float(page["values"][0]), expected, delta=0.006, msg=name)
 
     def test_a_million_rows(self):
         self.played("long", program.fling(name="long", steps=1_000_000, clock={

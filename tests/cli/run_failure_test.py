@@ -2,6 +2,7 @@
 """`run` when something is wrong: the message, the exit code, and that no file is damaged."""
 
 import os
+import shutil
 import signal
 import time
 
@@ -152,6 +153,8 @@ class UnwritableOutput(ProgramTest):
         self.assertEqual((self.folder / "fling.h5").stat().st_mode & 0o777, 0o640)
 
     def test_rows_that_do_not_fit_on_the_disk_are_refused_at_once(self):
+        if shutil.disk_usage(self.folder).free >= 16e12:
+            self.skipTest("this disk has room for the rows")
         self.write("endless.json", fling(steps=1_000_000_000_000))
         for name in ("out.h5", "out.csv"):
             self.expect(CANNOT_ACCESS, "run", "endless.json", "-o", name,

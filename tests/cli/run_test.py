@@ -179,14 +179,6 @@ class Output(ProgramTest):
         self.expect(AGREED, "run", "in/fling.json", "in/other.json", "-o", "out")
         self.assertEqual(self.names("out"), ["fling.h5", "other.h5"])
 
-    def test_the_name_of_a_file_is_refused_for_several_scenarios(self):
-        for name in ("out.h5", "out.csv"):
-            self.expect(BAD_INPUT, "run", "in", "-o", name,
-                        says=f"hyrax-sim run: -o: must be a folder for several scenarios (found {name})")
-            self.assertEqual(self.names(), ["in"])
-        self.expect(AGREED, "run", "in", "-o", "out.h5/")
-        self.assertEqual(self.names("out.h5"), ["fling.h5", "other.h5"])
-
     def test_a_folder_means_the_scenarios_in_it_in_name_order(self):
         for path in ("b/2.json", "b/10.json", "a.json", "c/d/e.json"):
             self.write(f"all/{path}", fling(name=path.replace("/", "-").removesuffix(".json")))

@@ -426,6 +426,12 @@ class Outputs(SweepTest):
         self.assertEqual(self.state_of("."), before)
         self.sweep("sweep.json", "-o", "no/folder.h5", exit_code=CANNOT_ACCESS, says="no/folder.h5")
 
+    def test_the_mode_of_a_replaced_result_is_kept(self):
+        self.computed(document())
+        (self.folder / "sweep.h5").chmod(0o600)
+        self.computed(document(seed=9))
+        self.assertEqual((self.folder / "sweep.h5").stat().st_mode & 0o777, 0o600)
+
     def test_memory_does_not_grow_with_the_members(self):
         self.write("sweep.json", document(members=400_000, base=base(steps=1)))
         self.expect_below(100e6, AGREED, "sweep", "sweep.json")

@@ -40,7 +40,7 @@ foreach(
   ITEMS motion/state.h motion/step.h
         replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h replay/row_walls.h
         replay/stuck_speed.h
-        scenario/apply.h scenario/frame_clock.h scenario/scenario.h
+        scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
         trajectory/state_hash.h)
   cmake_path(GET source PARENT_PATH folder)

@@ -110,6 +110,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)) {
   PartFile part = create_part_file(path_);
   part_path_ = std::move(part.path);
   lock_ = part.descriptor;
+  take_mode(lock_, path_, S_IRUSR | S_IWUSR);
 }
 
 AtomicFile::~AtomicFile() {
@@ -124,10 +125,13 @@ void AtomicFile::write(std::string_view text) const {
   if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);
 }
 
-// Who may read the old file may read the new one, and nobody else.
+void take_mode(int descriptor, const std::string& replaced, unsigned more) {
+  struct stat state {};
+  if (stat(replaced.c_str(), &state) == 0) fchmod(descriptor, (state.st_mode & 0777) | more);
+}
+
 void AtomicFile::commit() {
-  struct stat replaced {};
-  if (stat(path_.c_str(), &replaced) == 0) fchmod(lock_, replaced.st_mode & 07777);
+  take_mode(lock_, path_, 0);
   if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
   part_path_.clear();
 }

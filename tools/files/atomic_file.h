@@ -36,6 +36,10 @@ class AtomicFile {
   [[maybe_unused]] int lock_ = -1;  // Shows other writers that the part file is in use.
 };
 
+/// Gives an open file the mode of the file that it will replace, if there is one, and these bits more: who
+/// may not read the old file may not read the new one, nor while it is written. Not on Windows.
+void take_mode(int descriptor, const std::string& replaced, unsigned more);
+
 /// "PATH: cannot be written: REASON" for the error number that the system gave.
 [[noreturn]] void fail_to_write(const std::string& path, int error_number);
 

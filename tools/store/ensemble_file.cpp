@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tools/files/atomic_file.h"
@@ -97,6 +98,7 @@ EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head
   if (is_folder(path)) fail_to_write(path, EISDIR);
   const bool existed = is_there(partial_path_);
   lock_ = lock_file(partial_path_, path);
+  take_mode(lock_, path_, S_IRUSR | S_IWUSR);
   try {
     if (!resumes || !existed || !resume(head)) create(head, head.part.rows(head.members));
   } catch (...) {
@@ -186,6 +188,7 @@ void EnsembleWriter::commit() {
   errno = 0;
   datasets_.clear();
   if (done_.close() < 0 || H5Adelete(file_, kRowsDone) < 0 || file_.close() < 0) fail();
+  take_mode(lock_, path_, 0);
   if (std::rename(partial_path_.c_str(), path_.c_str()) != 0) fail();
 }
 
@@ -202,8 +205,10 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
     if (!head) refuse(path, "is no result file of a sweep (" + std::string(kEnsembleFormat) + ")");
     head_ = *head;
     if (const auto done = h5::read_integer_attribute(file_, kRowsDone))
-      refuse(path, fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
-                               rows()));
+      refuse(path,
+             fmt::format("is not complete: {} of {} members are done; continue it with --resume, or merge "
+                         "the parts again",
+                         *done, rows()));
     sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
     columns_ = columns_of(sweep_);
     datasets_ = open_datasets(file_, columns_, rows());

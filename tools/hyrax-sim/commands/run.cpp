@@ -74,13 +74,6 @@ bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
 
 // Sets the output of each run.
 void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
-  const std::string_view extension = file_name(request.output).extension;
-  if (candidates.size() > 1 && (extension == ".h5" || extension == ".csv") && !is_folder(request.output))
-    throw Failure(
-        ExitCode::bad_input,
-        fmt::format("hyrax-sim run: -o: must be a folder for several scenarios (found {}); a folder of "
-                    "that name: {}/",
-                    request.output, request.output));
   for (Candidate& candidate : candidates) {
     if (!candidate.scenario) continue;
     const std::string name = candidate.scenario->name + ".h5";

@@ -61,17 +61,13 @@ std::string commands_text(const CheckReport& report) {
   for (const std::string& argument : report.arguments()) verbose.push_back(as_argument(argument));
   if (!report.golden_folder().empty())
     verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
-  std::vector<const CheckVerdict*> differing;
-  for (const DifferenceGroup& group : report.groups())
-    for (const DifferingScenario& scenario : group.scenarios)
-      differing.push_back(&report.verdict_on(scenario));
+  std::vector<const CheckVerdict*> blessed;
+  for (const CheckVerdict& each : report.verdicts())
+    if (each.status != Status::unreferenced && (!is_alone || &each == &verdict)) blessed.push_back(&each);
   return fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
                      program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
                      program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
-         acceptance_text(
-             bless_command_for(is_alone ? std::vector{worst.path} : checked, verdict.golden_folder) +
-                 accept_option(report),
-             differing);
+         acceptance_text(is_alone ? std::vector{worst.path} : checked, accept_option(report), blessed);
 }
 
 void print_every(const CheckReport& report) {

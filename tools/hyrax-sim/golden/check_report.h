@@ -55,11 +55,12 @@ class CheckReport {
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
 [[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
 
-/// How to accept what these scenarios give: the command that blesses them, and before it what in their
-/// `expect` keeps bless from doing so, and which golden file was changed after it was blessed. Complete
-/// lines, indented by two.
-/// @param bless the command without --update-hash, which is added where a state hash does not hold.
-[[nodiscard]] std::string acceptance_text(const std::string& bless,
+/// How to accept what differs: the commands that bless it, and before them what in `expect` keeps bless from
+/// doing so, and which golden file was changed after it was blessed. Complete lines, indented by two.
+/// @param paths scenarios, or folders of them, that are blessed.
+/// @param options of bless, each with a blank before it; --update-hash is added where a state hash needs it.
+/// @param verdicts on all scenarios of `paths`; one of them differs.
+[[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
                                           const std::vector<const CheckVerdict*>& verdicts);
 
 /// A paragraph for each cause, a line for all that is wrong otherwise, the commands that show more, and the

@@ -16,6 +16,8 @@ namespace {
 
 using Status = CheckVerdict::Status;
 
+bool is_hash(const Expectation& expectation) { return expectation.rule == "state_hash"; }
+
 }  // namespace
 
 std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict) {
@@ -49,39 +51,48 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
   std::string text;
   for (const Expectation& broken : verdict.broken)
     text += fmt::format("  expect     {}\n", expectation_text(broken));
-  const std::string bless = bless_command_for({verdict.path}, verdict.golden_folder);
   if (verdict.status == Status::missing)
-    return text + fmt::format("  {}\n  to create it: {}\n", missing_golden_sentence(verdict.golden), bless);
+    return text + fmt::format("  {}\n", missing_golden_sentence(verdict.golden)) +
+           (verdict.broken.empty() ? fmt::format("  to create it: {}\n",
+                                                 bless_command_for({verdict.path}, verdict.golden_folder))
+                                   : "");
   if (verdict.comparison.agrees) return text;
   return text + difference_text(verdict.comparison, lists_all) +
          fmt::format("  to see more     {}; {}\n",
                      program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
                      program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
-         acceptance_text(bless, {&verdict});
+         acceptance_text({verdict.path}, "", {&verdict});
 }
 
-std::string acceptance_text(const std::string& bless, const std::vector<const CheckVerdict*>& verdicts) {
-  const auto is_hash = [](const Expectation& broken) { return broken.rule == "state_hash"; };
-  const bool updates_hash = std::ranges::any_of(
-      verdicts, [&](const CheckVerdict* verdict) { return std::ranges::any_of(verdict->broken, is_hash); });
-  const auto edits = std::ranges::count_if(
-      verdicts, [&](const CheckVerdict* verdict) { return !std::ranges::all_of(verdict->broken, is_hash); });
-  const auto is_damaged = [](const CheckVerdict* verdict) {
-    return verdict->runs && !verdict->runs->is_golden_as_blessed;
-  };
-  const auto first_damaged = std::ranges::find_if(verdicts, is_damaged);
-  const auto others = std::ranges::count_if(verdicts, is_damaged) - 1;
-  return (first_damaged == verdicts.end()
-              ? ""
-              : fmt::format("  to restore it   take {}{} from version control\n",
-                            (*first_damaged)->golden->h5_path,
-                            others == 0 ? "" : fmt::format(" and {} more", others))) +
-         (edits == 0 ? ""
-                     : fmt::format(
-                           "  to edit first   expect of {} scenario{}: bless refuses a run for which it does "
-                           "not hold\n",
-                           edits, edits == 1 ? "" : "s")) +
-         fmt::format("  to accept it    {}{}\n", bless, updates_hash ? " --update-hash" : "");
+std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
+                            const std::vector<const CheckVerdict*>& verdicts) {
+  const std::string& golden_folder = verdicts.front()->golden_folder;
+  std::vector<std::string> of_other_hash;
+  std::vector<std::string> damaged;
+  std::int64_t to_edit = 0;
+  bool has_others = false;
+  for (const CheckVerdict* const verdict : verdicts) {
+    const bool has_other_hash = std::ranges::any_of(verdict->broken, is_hash);
+    if (has_other_hash) of_other_hash.push_back(verdict->path);
+    if (!std::ranges::all_of(verdict->broken, is_hash)) ++to_edit;
+    if (verdict->runs && !verdict->runs->is_golden_as_blessed) damaged.push_back(verdict->golden->h5_path);
+    has_others |= !has_other_hash && verdict->status == Status::disagreed && !verdict->comparison.agrees;
+  }
+  std::string text;
+  if (!damaged.empty())
+    text += fmt::format("  to restore it   take {}{} from version control\n", damaged.front(),
+                        damaged.size() == 1 ? "" : fmt::format(" and {} more", damaged.size() - 1));
+  if (to_edit > 0)
+    text += fmt::format(
+        "  to edit first   expect of {} scenario{}: bless refuses a run for which it does not hold\n",
+        to_edit, to_edit == 1 ? "" : "s");
+  // Of others than these, --update-hash would write a hash where there is none.
+  const std::string first =
+      of_other_hash.empty() ? ""
+                            : bless_command_for(of_other_hash, golden_folder) + options + " --update-hash";
+  const std::string second = has_others ? bless_command_for(paths, golden_folder) + options : "";
+  return text +
+         fmt::format("  to accept it    {}{}{}\n", first, !first.empty() && has_others ? "; " : "", second);
 }
 
 }  // namespace hyrax

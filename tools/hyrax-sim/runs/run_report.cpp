@@ -131,8 +131,9 @@ void print_expectations(const std::vector<Expectation>& expectations) {
 void print_golden(const ScenarioRun& run) {
   if (run.golden_path.empty()) return;
   if (!run.comparison)
-    print_text("  golden         missing: {}; to create it: {}\n", run.golden_path,
-               bless_command_for({run.path}, run.golden_folder));
+    print_text(
+        "  golden         missing: {}{}\n", run.golden_path,
+        run.is_as_expected() ? "; to create it: " + bless_command_for({run.path}, run.golden_folder) : "");
   else if (run.comparison->agrees)
     print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden_path);
   else

@@ -256,7 +256,9 @@ export class Charts {
     if (!known) return values[index];
     const step = this.result.rows.step[index], at = lastAtMost(known.steps, step);
     if (!known.isJoined || !(at + 1 < known.steps.length)) return known.values[at] ?? null;
-    const part = (step - known.steps[at]) / (known.steps[at + 1] - known.steps[at]);
+    const { rows } = this.result;
+    const time = i => rows.t[Math.min(firstAtLeast(rows.step, known.steps[i]), rows.t.length - 1)];
+    const part = time(at + 1) > time(at) ? (rows.t[index] - time(at)) / (time(at + 1) - time(at)) : 1;
     return known.values[at] + part * (known.values[at + 1] - known.values[at]);
   }
 

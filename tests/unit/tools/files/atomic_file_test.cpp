@@ -55,8 +55,14 @@ TEST_F(AtomicFileTest, KeepsTheModeOfTheFileThatItReplaces) {
   for (const mode_t mode : {0600u, 0640u, 0444u, 0666u}) {
     const std::string path = old_file("a.txt");
     ASSERT_EQ(chmod(path.c_str(), mode), 0);
-    write_text_file(path, "new");
     struct stat found {};
+    {
+      AtomicFile file(path);
+      ASSERT_EQ(stat(file.part_path().c_str(), &found), 0);
+      EXPECT_EQ(found.st_mode & 07777, mode | 0600u) << "while it is written";
+      file.write("new");
+      file.commit();
+    }
     ASSERT_EQ(stat(path.c_str(), &found), 0);
     EXPECT_EQ(found.st_mode & 07777, mode);
     fs::remove(path);
