@@ -64,8 +64,8 @@ bool is_listing_on_grid() {
   return true;
 }
 
-// Bodies in rooms and at rates of all sizes, set anew to places and speeds of all sizes: what limits a speed,
-// or remembers what was, is seen only in these.
+// Bodies in windows of many sizes, at many rates, moved to random places at random speeds: only these show a
+// limit of speed, or state that a step keeps.
 bool is_listing_in_flings() {
   constexpr std::uint64_t kSeed = 1;
   constexpr int kFlings = 100, kFrames = 1000, kFramesOfOne = 100;

@@ -27,7 +27,7 @@ namespace hyrax {
 
 /// Whether class physics does what the listing of sim/motion does with its constants: in a step from every
 /// state of a grid on, beside and far from the bounds, in random flings at speeds of up to 1e12 px/s, and in
-/// its setters. Then the listing's steps may stand for the core's. Found out once.
+/// its setters. Then the listing's steps may replace the core's. Found out once.
 [[nodiscard]] bool core_is_listing();
 
 }  // namespace hyrax
