@@ -138,25 +138,23 @@ class Place(Unwritable):
         self.assertEqual((done.exit_code, done.err),
                          (CANNOT_ACCESS, "golden/fling.h5: cannot be read: Permission denied\n"))
 
-    def test_a_folder_without_read_permission(self):
+    def checked_without(self, folder):
+        """The outcome of `check` by a user who may not read this folder."""
         command = self.unprivileged()
-        secret = self.folder / "scenarios/secret"
+        secret = self.folder / folder
         secret.mkdir()
         secret.chmod(0)
         done = run(*command, PROGRAM, "check", cwd=self.folder)
         secret.chmod(0o755)
-        self.assertEqual((done.exit_code, done.err),
-                         (CANNOT_ACCESS, "scenarios/secret: cannot be read: Permission denied\n"))
+        self.assertEqual(done.exit_code, CANNOT_ACCESS, done)
+        return done
 
-    def test_a_folder_of_golden_files_without_read_permission(self):
-        command = self.unprivileged()
-        secret = self.folder / "golden/secret"
-        secret.mkdir()
-        secret.chmod(0)
-        done = run(*command, PROGRAM, "check", cwd=self.folder)
-        secret.chmod(0o755)
-        self.assertEqual(done.exit_code, CANNOT_ACCESS)
-        self.assertIn("golden/secret: failed: golden/secret: cannot be read: Permission denied\n", done.out)
+    def test_a_folder_without_read_permission(self):
+        self.assertEqual(self.checked_without("scenarios/secret").err,
+                         "scenarios/secret: cannot be read: Permission denied\n")
+        (self.folder / "scenarios/secret").rmdir()
+        self.assertIn("golden/secret: failed: golden/secret: cannot be read: Permission denied\n",
+                      self.checked_without("golden/secret").out)
 
 
 class FullDisk(Unwritable):

@@ -1,0 +1,188 @@
+#!/usr/bin/python3
+"""sweep in parts, and interrupted: the file is that of one process."""
+
+import os
+import random
+import resource
+import signal
+import time
+
+import h5py
+import numpy
+
+from process import Process
+from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, main
+from sweep_members import ALL, assert_same_bits, datasets
+from sweep_program import NO_CLUSTER, SEED, SweepTest, document
+
+
+class Parts(SweepTest):
+    """Parts, and their merging."""
+
+    def merged(self, parts):
+        """The datasets of a sweep in that many parts, more than the files that may be open unless a program asks."""
+        for part in range(parts):
+            self.sweep("sweep.json", "--part", f"{part}/{parts}", "-o", "out.h5")
+        names = [f"out.part-{part}-of-{parts}.h5" for part in reversed(range(parts))]
+        limits = 32, resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        self.sweep("--merge", *names, "-o", f"merged-{parts}.h5",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, limits))
+        return datasets(self.folder / f"merged-{parts}.h5")
+
+    def test_parts_give_the_file_of_one_process(self):
+        whole = self.computed(document(members=70, keep=ALL))
+        for parts in (1, 3, 64, 100):
+            assert_same_bits(self, self.merged(parts), whole, f"{parts} parts")
+            self.assertEqual((self.folder / f"merged-{parts}.h5").read_bytes(),
+                             (self.folder / "sweep.h5").read_bytes())
+
+    def test_missing_parts_are_named(self):
+        self.write("sweep.json", document())
+        for part in (0, 2):
+            self.sweep("sweep.json", "--part", f"{part}/4", "-o", "out.h5")
+        outcome = self.sweep("--merge", "out.part-0-of-4.h5", "out.part-2-of-4.h5", "-o", "merged.h5",
+                             exit_code=GOLDEN_MISSING)
+        for part in (1, 3):
+            self.assertIn(f"out.part-{part}-of-4.h5: is missing", outcome.err)
+        self.assertNotIn("merged.h5", self.names())
+
+    def test_parts_of_another_sweep_are_refused(self):
+        self.write("sweep.json", document())
+        self.write("other.json", document(seed=8))
+        self.sweep("sweep.json", "--part", "0/2", "-o", "out.h5")
+        self.sweep("other.json", "--part", "1/2", "-o", "other.h5")
+        self.sweep("sweep.json", "--part", "1/3", "-o", "out.h5")
+        self.sweep("sweep.json", "-o", "whole.h5")
+        for other, says in (("other.part-1-of-2.h5", "is a part of another sweep"),
+                            ("out.part-1-of-3.h5", "is one of 3 parts"), ("out.part-0-of-2.h5", "given twice"),
+                            ("whole.h5", "is no part of a sweep"), ("sweep.json", "is no result file")):
+            self.sweep("--merge", "out.part-0-of-2.h5", other, "-o", "merged.h5", exit_code=BAD_INPUT,
+                       says=(other, says))
+        self.sweep("--merge", "out.part-0-of-2.h5", "nowhere.h5", "-o", "merged.h5", exit_code=CANNOT_ACCESS)
+        self.assertNotIn("merged.h5", self.names())
+
+    def two_parts(self):
+        """The names of a sweep's two parts."""
+        self.write("sweep.json", document())
+        for part in ("0/2", "1/2"):
+            self.sweep("sweep.json", "--part", part, "-o", "out.h5")
+        return "out.part-0-of-2.h5", "out.part-1-of-2.h5"
+
+    def test_an_unfinished_part_is_refused(self):
+        first, second = self.two_parts()
+        os.rename(self.folder / second, self.folder / f"{second}.partial")
+        with h5py.File(self.folder / f"{second}.partial", "a") as file:
+            file.attrs["rows_done"] = numpy.int64(7)
+        says = (f"{second}.partial", "is not complete: 7 of 50 members are done", "--resume")
+        self.sweep("--merge", first, f"{second}.partial", "-o", "merged.h5", exit_code=BAD_INPUT, says=says)
+        self.assertEqual(self.names(), [first, f"{second}.partial", "sweep.json"])
+        self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume")
+        self.sweep("--merge", first, second, "-o", "merged.h5")
+
+    def test_a_part_of_another_physics_model_is_neither_merged_nor_continued(self):
+        first, second = self.two_parts()
+        with h5py.File(self.folder / second, "a") as file:
+            file.attrs["physics"] = "other-physics/9"
+        self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
+                   says=(second, "was computed by the physics model other-physics/9, the first file by hyrax-physics/1"))
+        self.assertNotIn("merged.h5", self.names())
+        with h5py.File(self.folder / second, "a") as file:
+            file.attrs["rows_done"] = numpy.int64(7)
+        os.rename(self.folder / second, self.folder / f"{second}.partial")
+        self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume", exit_code=BAD_INPUT,
+                   says="is of another sweep, part or physics model")
+
+    def test_a_result_of_another_physics_model_is_computed_again(self):
+        self.computed(document())
+        with h5py.File(self.folder / "sweep.h5", "a") as file:
+            file.attrs["physics"] = "other-physics/9"
+        self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 100)
+
+    def test_a_bad_expression_is_refused_before_parts_are_merged(self):
+        parts = self.two_parts()
+        self.sweep("--merge", *parts, "-o", "merged.h5", "--where", "z > 1", exit_code=BAD_INPUT, says="unknown field")
+        self.assertNotIn("merged.h5", self.names())
+        self.sweep("--merge", *parts, "-o", "merged.h5", "--where", "x > 1")
+
+    def test_a_scheduler_names_the_part(self):
+        self.write("sweep.json", document())
+        for variables, arguments, part in (
+                ({"SLURM_ARRAY_TASK_ID": "11", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY_TASK_COUNT": "4"}, (),
+                 "1-of-4"),
+                ({"OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"}, (), "2-of-3"),
+                ({"JOB_COMPLETION_INDEX": "0"}, ("--parts", "2"), "0-of-2")):
+            outcome = self.sweep("sweep.json", "-o", "out.h5", *arguments, env={**NO_CLUSTER, **variables})
+            self.assertIn(next(iter(variables)), outcome.err)
+            self.assertIn(f"out.part-{part}.h5", self.names())
+        self.sweep("sweep.json", "-o", "out.h5", "--part", "0/9",
+                   env={**NO_CLUSTER, "OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"})
+        self.assertIn("out.part-0-of-9.h5", self.names())
+
+    def test_bad_parts_are_refused(self):
+        self.write("sweep.json", document())
+        for part in ("1", "2/2", "-1/2", "0/0", "a/b", "/", "1/", "/2", "0/2/3"):
+            self.sweep("sweep.json", "--part", part, exit_code=BAD_INPUT, says=("--part", part))
+        self.sweep("sweep.json", "--parts", "2", exit_code=BAD_INPUT, says="JOB_COMPLETION_INDEX")
+        for variables in ({"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "3"},
+                          {"SLURM_ARRAY_TASK_ID": "x", "SLURM_ARRAY_TASK_COUNT": "3"}):
+            self.sweep("sweep.json", exit_code=BAD_INPUT, says=next(iter(variables)), env={**NO_CLUSTER, **variables})
+        self.assertEqual(self.names(), ["sweep.json"])
+
+
+class Interrupted(SweepTest):
+    """Killed, and resumed."""
+
+    def test_after_kills_at_random_moments_the_file_is_the_same(self):
+        draws = random.Random(SEED)
+        sweep = document(members=200_000, keep=["final", "contacts"])
+        self.write("sweep.json", sweep)
+        begin = time.monotonic()
+        self.sweep("sweep.json", "-o", "whole.h5")
+        duration_s = time.monotonic() - begin
+        kills = 0
+        while kills < 20 and not (self.folder / "out.h5").exists():
+            with Process(PROGRAM, "sweep", "sweep.json", "--resume", "-o", "out.h5", cwd=self.folder,
+                         env=NO_CLUSTER) as process:
+                time.sleep(draws.uniform(0.02, max(0.05, duration_s / 3)))
+                process.send(signal.SIGKILL)
+                process.wait()
+            kills += 1
+        self.sweep("sweep.json", "--resume", "-o", "out.h5")
+        self.assertEqual((self.folder / "out.h5").read_bytes(), (self.folder / "whole.h5").read_bytes(),
+                         f"HYRAX_SEED={SEED}")
+        self.assertEqual(self.names(), ["out.h5", "sweep.json", "whole.h5"])
+
+    def test_what_is_complete_is_not_computed_again(self):
+        self.computed(document())
+        before = self.state_of(".")
+        self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
+        self.assertEqual(self.state_of("."), before)
+
+    def test_only_the_same_sweep_is_resumed(self):
+        self.computed(document())
+        os.rename(self.folder / "sweep.h5", self.folder / "kept.h5")
+        self.write("kept.json", document())
+        with h5py.File(self.folder / "kept.h5", "a") as file:  # As if nothing was done yet.
+            file.attrs["rows_done"] = numpy.int64(0)
+        for name in ("out.h5.partial", "other.h5.partial"):
+            (self.folder / name).write_bytes((self.folder / "kept.h5").read_bytes())
+        self.write("other.json", document(seed=8))
+        self.sweep("other.json", "--resume", exit_code=BAD_INPUT, says=("other.h5.partial", "another sweep"))
+        self.assertEqual(self.sweep("sweep.json", "--resume", "-o", "out.h5", "--json").json["resumed"], 0)
+
+    def test_a_part_with_fewer_than_no_rows_or_more_than_all_is_damaged(self):
+        self.computed(document())
+        os.rename(self.folder / "sweep.h5", self.folder / "sweep.h5.partial")
+        for rows in (-1, 101):
+            with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
+                file.attrs["rows_done"] = numpy.int64(rows)
+            self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; start over without --resume")
+            self.assertEqual(self.names(), ["sweep.h5.partial", "sweep.json"])
+        with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
+            file.attrs["rows_done"] = numpy.int64(100)
+        self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
+
+
+if __name__ == "__main__":
+    print(f"HYRAX_SEED={SEED}", flush=True)
+    main()
