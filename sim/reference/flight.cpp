@@ -20,10 +20,13 @@ AxisMotion motion(const Approach& approach, double t_s) {
   return now;
 }
 
-// Where v' = a - k v has turned the speed to 0: t = ln(1 - k v / a) / k. REQUIRES: v / a < 0.
+// Where v' = a - k v has turned the speed to 0: t = ln(1 - k v / a) / k. REQUIRES: v and a have
+// opposite signs; v / a may be too small for a double.
 double turning_time_s(const Approach& approach) {
-  assert(approach.speed_px_per_s / approach.acceleration_px_per_s2 < 0.0);
-  const double undamped_s = -approach.speed_px_per_s / approach.acceleration_px_per_s2;
+  const double v = approach.speed_px_per_s;
+  const double a = approach.acceleration_px_per_s2;
+  assert((v < 0.0 && a > 0.0) || (v > 0.0 && a < 0.0));
+  const double undamped_s = -v / a;
   const double damping = approach.drag_rate_per_s * undamped_s;
   return damping > 0.0 ? undamped_s * (std::log1p(damping) / damping) : undamped_s;
 }
