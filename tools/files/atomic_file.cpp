@@ -12,6 +12,7 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
+#include "tools/files/signal_cleanup.h"
 
 namespace hyrax {
 namespace {
@@ -110,11 +111,13 @@ AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)) {
   PartFile part = create_part_file(path_);
   part_path_ = std::move(part.path);
   lock_ = part.descriptor;
+  remove_on_signal(part_path_);
   take_mode(lock_, path_, S_IRUSR | S_IWUSR);
 }
 
 AtomicFile::~AtomicFile() {
   if (!part_path_.empty()) unlink(part_path_.c_str());
+  keep_on_signal(part_path_);
   close(lock_);
 }
 
@@ -133,6 +136,7 @@ void take_mode(int descriptor, const std::string& replaced, unsigned more) {
 void AtomicFile::commit() {
   take_mode(lock_, path_, 0);
   if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
+  keep_on_signal(part_path_);
   part_path_.clear();
 }
 

@@ -9,8 +9,9 @@ namespace hyrax {
 /// The content is written to a part file beside the target, which replaces the target on commit. Without a
 /// commit, because of an exception or a killed process too, the target is unchanged.
 ///
-/// The part file is `.NAME.part`, or `.NAME.2.part` and so on while others write theirs. One left by a killed
-/// writer is recognised by the lock that it lost, and is replaced. (On Windows its name has the process id.)
+/// The part file is `.NAME.part`, or `.NAME.2.part` and so on while others write theirs. SIGINT, SIGTERM and
+/// SIGHUP remove it; one left by a killed writer is recognised by the lock that it lost, and is replaced. (On
+/// Windows its name has the process id.)
 class AtomicFile {
  public:
   /// Creates the part file, empty. A symbolic link at `path` is followed: its target is replaced.

@@ -23,7 +23,4 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// Removes the folders of all that exist. For a handler of a signal that ends the program: allocates nothing.
-void remove_temporary_folders() noexcept;
-
 }  // namespace hyrax

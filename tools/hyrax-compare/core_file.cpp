@@ -12,6 +12,7 @@
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/child_process.h"
 #include "tools/files/printable.h"
+#include "tools/files/signal_cleanup.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -34,7 +35,7 @@ void end_as_refused(int signal) {
   crash_sentence[length - 3] = static_cast<char>('0' + signal / 10);
   crash_sentence[length - 2] = static_cast<char>('0' + signal % 10);
   static_cast<void>(!write(STDERR_FILENO, crash_sentence.data(), length));
-  remove_temporary_folders();
+  clean_up_for_signal();
   _exit(static_cast<int>(ExitCode::bad_input));
 }
 

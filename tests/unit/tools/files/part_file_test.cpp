@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -52,6 +54,47 @@ TEST_F(PartFileTest, MakesRoomWhereItsWriterWasKilled) {
   EXPECT_EQ(part.part_path(), path(".a.h5.part"));
   EXPECT_EQ(fs::file_size(part.part_path()), 0u);
   EXPECT_TRUE(fs::exists(path(".b.h5.part"))) << "another output's";
+}
+
+TEST_F(PartFileTest, IsRemovedByASignalThatEndsTheProgram) {
+  std::ofstream(path("a.h5")) << "old";
+  const auto end_by = [&](int signal) {
+    const AtomicFile part(path("a.h5"));
+    part.write("half");
+    std::raise(signal);
+    std::_Exit(0);
+  };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    EXPECT_EXIT(end_by(signal), testing::KilledBySignal(signal), "");
+    EXPECT_FALSE(fs::exists(path(".a.h5.part"))) << signal;
+    EXPECT_EQ(fs::file_size(path("a.h5")), 3u) << signal;
+  }
+}
+
+TEST_F(PartFileTest, OutlivesASignalThatIsIgnored) {
+  const auto ignore_hangup = [&] {
+    std::signal(SIGHUP, SIG_IGN);
+    AtomicFile part(path("a.h5"));
+    part.write("whole");
+    std::raise(SIGHUP);
+    part.commit();
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(ignore_hangup(), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(fs::file_size(path("a.h5")), 5u);
+}
+
+// A path that is kept is the next writer's, who may be in another process.
+TEST_F(PartFileTest, IsAnothersAfterItsCommit) {
+  const auto end_after_commit = [&] {
+    AtomicFile part(path("a.h5"));
+    const std::string part_path = part.part_path();
+    part.commit();
+    std::ofstream(part_path) << "another's";
+    std::raise(SIGTERM);
+  };
+  EXPECT_EXIT(end_after_commit(), testing::KilledBySignal(SIGTERM), "");
+  EXPECT_EQ(fs::file_size(path(".a.h5.part")), 9u);
 }
 
 TEST_F(PartFileTest, SkipsNamesThatAreNotItsPartFiles) {
