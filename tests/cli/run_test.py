@@ -304,6 +304,7 @@ class Golden(ProgramTest):
     def test_without_a_place_for_one_it_says_so(self):
         outcome = self.expect(AGREED, "run", self.write("alone.json", fling()))
         self.assertIn("comparison with a golden file (no folder `scenarios` above it; --golden DIR", outcome.out)
+        self.assertNotIn("  golden ", outcome.out)
 
     def test_a_missing_golden_file_is_reported_and_is_not_a_failure(self):
         (self.folder / "golden/fling.h5").unlink()

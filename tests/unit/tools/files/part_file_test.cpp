@@ -107,8 +107,12 @@ TEST_F(PartFileTest, SkipsNamesThatAreNotItsPartFiles) {
 }
 
 TEST_F(PartFileTest, AreNotWithoutNumber) {
-  for (int number = 1; number <= 100; ++number)
+  const auto take = [&](int number) {
     fs::create_directory(path(number == 1 ? ".a.h5.part" : ".a.h5." + std::to_string(number) + ".part"));
+  };
+  for (int number = 1; number < 100; ++number) take(number);
+  EXPECT_EQ(AtomicFile(path("a.h5")).part_path(), path(".a.h5.100.part"));
+  take(100);
   try {
     const AtomicFile part(path("a.h5"));
     FAIL() << "should have refused";
