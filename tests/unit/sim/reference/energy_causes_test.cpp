@@ -1,0 +1,54 @@
+#include "sim/reference/energy_causes.h"
+
+#include <gtest/gtest.h>
+
+namespace hyrax {
+namespace {
+
+ArcErrors arc_with(double gravity_px2_per_s2, double drag_px2_per_s2) {
+  ArcErrors arc;
+  arc.energy_parts = {.gravity = gravity_px2_per_s2, .drag = drag_px2_per_s2};
+  return arc;
+}
+
+ImpactErrors contact_at(std::int64_t step, Wall wall, double lift_px2_per_s2) {
+  ImpactErrors contact;
+  contact.step = step;
+  contact.wall = wall;
+  contact.energy_parts = {.lift = lift_px2_per_s2};
+  contact.late_bounce_px2_per_s2 = 600.0;
+  return contact;
+}
+
+TEST(EnergyCauseSum, IsTheHeightThatEachEnergyLiftsBy) {
+  EnergyCauseSum causes;
+  causes.fly(arc_with(1.0, -12.0));
+  causes.fly(arc_with(2.0, -12.0));
+  causes.meet(contact_at(7, Wall::ground, 120.0));
+  EXPECT_DOUBLE_EQ(causes.now().gravity, 3.0 / 1200.0);
+  EXPECT_DOUBLE_EQ(causes.now().drag, -0.02);
+  EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
+  EXPECT_DOUBLE_EQ(causes.now().bounce, 0.5);
+  EXPECT_DOUBLE_EQ(causes.now().sum(), 3.0 / 1200.0 - 0.02 + 0.1 + 0.5);
+}
+
+TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnce) {
+  EnergyCauseSum causes;
+  causes.meet(contact_at(7, Wall::left, 120.0));
+  causes.meet(contact_at(7, Wall::ground, 120.0));
+  EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
+  EXPECT_DOUBLE_EQ(causes.now().bounce, 1.0);
+  causes.meet(contact_at(8, Wall::ground, 120.0));
+  EXPECT_DOUBLE_EQ(causes.now().lift, 0.2);
+}
+
+TEST(EnergyCauseSum, CountsNoBounceThatHasNoTimeOfImpact) {
+  EnergyCauseSum causes;
+  ImpactErrors contact = contact_at(7, Wall::ground, 120.0);
+  contact.late_bounce_px2_per_s2.reset();
+  causes.meet(contact);
+  EXPECT_EQ(causes.now().bounce, 0.0);
+}
+
+}  // namespace
+}  // namespace hyrax
