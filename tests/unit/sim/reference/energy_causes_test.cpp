@@ -22,14 +22,14 @@ ImpactErrors contact_at(std::int64_t step, Wall wall, double lift_px2_per_s2) {
 
 TEST(EnergyCauseSum, IsTheHeightThatEachEnergyLiftsBy) {
   EnergyCauseSum causes;
-  causes.fly(arc_with(1.0, -12.0));
-  causes.fly(arc_with(2.0, -12.0));
+  causes.fly(arc_with(1.1, -12.3));
+  causes.fly(arc_with(2.2, -12.3));
   causes.meet(contact_at(7, Wall::ground, 120.0));
-  EXPECT_DOUBLE_EQ(causes.now().gravity, 3.0 / 1200.0);
-  EXPECT_DOUBLE_EQ(causes.now().drag, -0.02);
+  EXPECT_DOUBLE_EQ(causes.now().gravity, 3.3 / 1200.0);
+  EXPECT_DOUBLE_EQ(causes.now().drag, -0.0205);
   EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
   EXPECT_DOUBLE_EQ(causes.now().bounce, 0.5);
-  EXPECT_DOUBLE_EQ(causes.now().sum(), 3.0 / 1200.0 - 0.02 + 0.1 + 0.5);
+  EXPECT_DOUBLE_EQ(causes.now().sum(), 0.00275 - 0.0205 + 0.1 + 0.5);
 }
 
 TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnce) {
