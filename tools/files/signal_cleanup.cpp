@@ -25,8 +25,10 @@ void end_by(int signal) {
   std::raise(signal);
 }
 
+// A signal that is ignored is never handled, not for a moment either.
 void clean_up_on(int signal) {
-  if (const auto before = std::signal(signal, end_by); before != SIG_DFL) std::signal(signal, before);
+  struct sigaction now {};
+  if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(signal, end_by);
 }
 
 void remove_folder(const char* path) {
@@ -50,7 +52,8 @@ void keep_on_signal(const std::string& path) { replace_path(path.c_str(), nullpt
 void clean_up_for_signal() noexcept {
   for (const std::atomic<const char*>& removed : removed_paths) {
     const char* const path = removed.load();
-    if (path != nullptr && unlink(path) != 0 && errno != ENOENT) remove_folder(path);
+    if (path == nullptr || unlink(path) == 0) continue;
+    if (errno == EISDIR || errno == EPERM) remove_folder(path);  // Linux and POSIX say so of a folder.
   }
 }
 
