@@ -120,6 +120,20 @@ void make_scales_equal(AxisRange& x, AxisRange& y, const PlotBox& box) {
   widened.high += space;
 }
 
+bool is_empty(const Plot& plot) {
+  return std::all_of(plot.series.begin(), plot.series.end(),
+                     [](const Series& series) { return series.x.empty(); });
+}
+
+// Instead of axes without points. The only tick is beyond the end of its axis: `unset xtics` would also
+// unset how the next plot's look.
+std::string empty_script(std::string_view reason) {
+  return fmt::format(
+      "set xtics ('' 2)\nset ytics ('' 2)\nset xrange [0:1]\nset yrange [0:1]\n"
+      "set label {} at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
+      in_quotes(reason), style::kQuietInk);
+}
+
 // One plot in its box, between the commands of the head and of the legend.
 class PlotScript {
  public:
@@ -144,12 +158,15 @@ class PlotScript {
   [[nodiscard]] std::string script() const {
     std::string text = fmt::format(
         "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
-        "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"
+        "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n",
+        box_.left / canvas_.width, box_.right / canvas_.width, 1 - kBodyTop / canvas_.height,
+        1 - box_.bottom / canvas_.height);
+    if (is_empty(plot_)) return text + empty_script(plot_.when_empty);
+    text += fmt::format(
         "set object rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n"
         "set xtics out font ',12' offset 0,0.3\nset ytics out font ',12' offset 0.5,0\n"
         "set grid {}tics back lt 1 lw 1 lc rgb '{}'\n",
-        box_.left / canvas_.width, box_.right / canvas_.width, 1 - kBodyTop / canvas_.height,
-        1 - box_.bottom / canvas_.height, style::kPaper, grid_axis(), style::kHairline);
+        style::kPaper, grid_axis(), style::kHairline);
     text += axis_script('x', plot_.x, x_ends_) + axis_script('y', plot_.y, y_ends_);
     text += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", in_quotes(plot_.y.label),
                         screen(canvas_, std::max(style::kMargin, box_.left - 48), kBodyTop - 32),
@@ -333,13 +350,6 @@ double left_of(const Plot& plot) {
   return std::max(kLeft, style::kMargin + kLetter_px * static_cast<double>(letters));
 }
 
-bool is_empty(const std::vector<Plot>& plots) {
-  return std::all_of(plots.begin(), plots.end(), [](const Plot& plot) {
-    return std::all_of(plot.series.begin(), plot.series.end(),
-                       [](const Series& series) { return series.x.empty(); });
-  });
-}
-
 }  // namespace
 
 std::string power_of_ten(int exponent) {
@@ -363,11 +373,8 @@ Canvas body_size(const std::vector<Plot>& plots) {
 
 std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
   const double bottom = kBodyTop + body_size(plots).height - kBelow;
-  if (is_empty(plots))
-    return fmt::format(
-        "unset xtics\nunset ytics\nset xrange [0:1]\nset yrange [0:1]\n"
-        "set label {} at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
-        in_quotes(plots.empty() ? "nothing to show" : plots.front().when_empty), style::kQuietInk);
+  if (std::all_of(plots.begin(), plots.end(), [](const Plot& plot) { return is_empty(plot); }))
+    return empty_script(plots.empty() ? "nothing to show" : plots.front().when_empty);
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
   const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
                                         [](double sum, const Plot& plot) { return sum + plot.share; });

@@ -111,6 +111,7 @@ class Diagram {
         entries.push_back(
             {study_.methods[curve.method].label + ": " + order_text(curve), series_of(curve).look});
     }
+    if (!study_.probe.is_steady()) return entries;
     if (has_adaptive) entries.push_back({"GSL's steppers, over tolerances", kAdaptiveLook});
     entries.push_back({"Pareto front: none as near is cheaper beyond the noise", kFrontLook});
     return entries;
@@ -205,12 +206,12 @@ Figure speed_error_figure(const SpeedError& study, std::size_t problem, const st
   Figure figure{
       .suffix = "-" + played.name,
       .title = "Speed against error: " + played.label + (played.remark.empty() ? "" : ", " + played.remark),
-      .subtitle = fmt::format(
-          "Distance from the fixed laws (drag as at 60 Hz, exact impacts); bars: 95 % interval of "
-          "the median of {} repetitions on {}",
-          study.repetitions, machine),
+      .subtitle = "Distance from the fixed laws (drag as at 60 Hz, exact impacts)",
       .body = std::vector{diagram.cost_plot(), diagram.dt_plot()},
       .legend = diagram.legend()};
+  if (study.probe.is_steady())
+    figure.subtitle += fmt::format("; bars: 95 % interval of the median of {} repetitions on {}",
+                                   study.repetitions, machine);
   if (problem == 0) figure.remarks = convergence_sentences(study);  // They are about its free flight.
   return figure;
 }

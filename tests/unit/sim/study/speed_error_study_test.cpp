@@ -75,7 +75,11 @@ TEST(SpeedErrorFigure, AFailureIsAGapInItsLine) {
 
 TEST(SpeedErrorFigure, WithoutASteadyClockItHasNoCosts) {
   SpeedError study = some_study();
+  EXPECT_EQ(speed_error_figure(study, 0, "m").legend.size(), 3u);
   study.probe.drift_rel = 0.4;
+  const Figure figure = speed_error_figure(study, 0, "m");
+  EXPECT_FALSE(has(figure.subtitle, "median"));
+  EXPECT_EQ(figure.legend.size(), 2u) << "no Pareto front";
   const std::vector<Plot> plots = plots_of(study);
   EXPECT_TRUE(plots[0].series.empty());
   EXPECT_EQ(plots[0].when_empty, "not measured: clock unsteady (drift 40 %, at most 25 %)");

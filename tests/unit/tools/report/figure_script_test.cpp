@@ -85,6 +85,20 @@ TEST(PlotScript, PlotsShareTheWidthAsTheyAsk) {
   EXPECT_NEAR(second_left(figure_script({.title = "t", .body = std::vector{wide, plot}})), even + 0.25, 1e-6);
 }
 
+TEST(PlotScript, APlotWithoutPointsSaysWhyAndHasNoAxes) {
+  const Plot drawn{.y = {.label = "distance, px"}, .series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
+  const Plot empty{.y = {.label = "cost, ns"}, .when_empty = "not measured"};
+  for (const std::vector<Plot>& plots : {std::vector{empty, drawn}, {drawn, empty}}) {
+    const std::string script = figure_script({.title = "t", .body = plots});
+    EXPECT_TRUE(has(script, "set label 'not measured' at graph 0.5,0.5 center"));
+    EXPECT_TRUE(has(script, "1 1\n2 2\n"));
+    EXPECT_TRUE(has(script, "'distance, px'"));
+    EXPECT_FALSE(has(script, "'cost, ns'"));
+  }
+  const std::string script = figure_script({.title = "t", .body = std::vector{drawn, drawn}});
+  EXPECT_FALSE(has(script, "at graph 0.5,0.5 center"));
+}
+
 TEST(Legend, IsARowIfItFitsAndElseColumnsReadDownwards) {
   const auto place = [](const std::string& script, const std::string& text) {
     std::smatch match;
