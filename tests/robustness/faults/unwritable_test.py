@@ -100,12 +100,16 @@ class Place(Unwritable):
                     says="a.h5: cannot be written: Too many levels of symbolic links")
         self.assert_untouched()
 
+    def set_modes(self, folders, files):
+        for path in [self.folder, *self.folder.rglob("*")]:
+            path.chmod(folders if path.is_dir() else files)
+
     def unprivileged(self):
         """The start of a command line that runs the program as another user; skips where that is not possible."""
         if os.geteuid() != 0:
             return []
         command = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
-        self.folder.chmod(0o755)
+        self.set_modes(0o755, 0o644)
         if shutil.which("setpriv") is None or run(*command, PROGRAM, "--version", cwd="/").exit_code != 0:
             self.skipTest("the program cannot run as another user here (setpriv --reuid=65534)")
         return command
@@ -113,13 +117,11 @@ class Place(Unwritable):
     def as_other(self, *arguments):
         """Runs it as a user who may write nothing here."""
         command = self.unprivileged()
-        for path in [self.folder, *self.folder.rglob("*")]:
-            path.chmod(0o555 if path.is_dir() else 0o444)
+        self.set_modes(0o555, 0o444)
         try:
             return run(*command, PROGRAM, *arguments, cwd=self.folder, env=ENVIRONMENT)
         finally:
-            for path in [self.folder, *self.folder.rglob("*")]:
-                path.chmod(0o755 if path.is_dir() else 0o644)
+            self.set_modes(0o755, 0o644)
 
     def test_a_folder_without_the_right_to_write(self):
         for arguments, place in ((("run", "scenarios/fling.json"), "fling.h5"),
