@@ -26,8 +26,8 @@ FramePowers::FramePowers(const Model& model) : air_drag_(model.air_drag), log_(w
   phi1_ = frame.one;
   phi2_ = frame.two;
   kappa_ = quotient(model.air_drag, phi1_);  // -a ln(a) / (1 - a), for a = 1 as well.
-  kappa_squared_ = kappa_ * kappa_;
-  shift_ = -(kappa_squared_ * phi2_) + model.air_drag;
+  if (model.air_drag < 1.0) kappa_by_log_ = kappa_ * quotient(1.0, log_);
+  shift_ = -(kappa_ * kappa_ * phi2_) + model.air_drag;
   rounded_.reserve(kFramesMax + 1);
   wide_.reserve(kFramesMax + 1);
   constexpr DoubleDouble kOne{1.0, 0.0};
@@ -44,13 +44,20 @@ void FramePowers::extend() {
   next.matched.power = next.discrete.power;
   next.matched.sum = last.matched.sum * air_drag_ + phi1_;
   next.matched.sum_of_sums = last.matched.sum_of_sums + (last.matched.sum * phi1_ + phi2_);
-  next.exact_law = exact_law_of(next.matched, static_cast<double>(wide_.size()));
+  next.exact_law = exact_law_after(static_cast<double>(wide_.size()), next.discrete.power);
   push(next);
 }
 
-FramePower<DoubleDouble> FramePowers::exact_law_of(const FramePower<DoubleDouble>& matched,
-                                                   double frames) const {
-  return {matched.power, kappa_ * matched.sum, kappa_squared_ * matched.sum_of_sums + shift_ * frames};
+// phi1 = (e^z - 1) / z and phi2 = (e^z - 1 - z) / z^2; near 0, where these cancel, their series.
+FramePower<DoubleDouble> FramePowers::exact_law_after(double frames, DoubleDouble power) const {
+  constexpr double kCancels = -1.0 / 8192;
+  const DoubleDouble z = log_ * frames;
+  if (z.hi > kCancels) {
+    const WidePhi p = wide_phi(z);
+    return {power, kappa_ * p.one * frames, (kappa_ * kappa_ * p.two * frames + shift_) * frames};
+  }
+  const DoubleDouble gone = power + -1.0;
+  return {power, kappa_by_log_ * gone, kappa_by_log_ * kappa_by_log_ * (gone + -z) + shift_ * frames};
 }
 
 void FramePowers::push(const Forms<DoubleDouble>& forms) {

@@ -123,6 +123,20 @@ TEST(ExactLaw, IsWhatTheStepDoesToSixtyDigits) {
   }
 }
 
+// As functions of z = n ln a, and as sums over n frames: nothing but a and a^n is common to both.
+TEST(ExactLaw, HasTheCoefficientsOfTheStepInEveryFrame) {
+  for (const double air_drag : {0.5, 0.9, 0.999, 1.0 - 1e-4, 1.0 - 1e-5, 1.0 - 1e-9, 1.0}) {
+    FramePowers powers(Model{.air_drag = air_drag});
+    powers.reach(FramePowers::kFramesMax);
+    for (std::size_t n = 1; n <= FramePowers::kFramesMax; ++n) {
+      const FramePower<DoubleDouble>&law = powers.wide_exact_law(n), &step = powers.wide_discrete(n);
+      EXPECT_LT(std::fabs((law.sum + -step.sum).hi), 1e-21 * step.sum.hi) << air_drag << ", " << n;
+      EXPECT_LT(std::fabs((law.sum_of_sums + -step.sum_of_sums).hi), 1e-21 * step.sum_of_sums.hi)
+          << air_drag << ", " << n;
+    }
+  }
+}
+
 TEST(ExactLaw, IsFollowedByTheSolutionOverAHundredSeconds) {
   for (const double rate_hz : {24.0, 60.0, 240.0}) {
     const std::vector<double> frames_s(static_cast<std::size_t>(100 * rate_hz), 1.0 / rate_hz);
