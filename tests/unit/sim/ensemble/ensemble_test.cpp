@@ -103,6 +103,25 @@ TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {
   expect_same_in_all_details(sweep, "lengths and rates");
 }
 
+// Rounding keeps such a speed from becoming 0: in a long frame it moves the sprite by the least number there
+// is.
+TEST(Ensemble, EqualsTheReplayWhereASubnormalSpeedMoves) {
+  constexpr double kLeast = 4.94065645841246544e-324;
+  for (const double rate_hz : {0.5, 2.0, 60.0})
+    for (const int width_px : {128, 1920}) {
+      Scenario base = fling_at(rate_hz, 3000);
+      base.window.width_px = width_px;
+      base.start.y_px = base.window.height_px - base.sprite.height_px;
+      base.start_velocity.vy_px_per_s = 0.0;
+      Sweep sweep = sweep_over(base, 150);
+      sweep.vary = {{"/start/vx_px_per_s", NumberKind::real,
+                     ChoiceDraw{{kLeast, -kLeast, 2.0 * kLeast, -2.0 * kLeast, -1e-320}}},
+                    {"/start/x_px", NumberKind::real,
+                     ChoiceDraw{{0.0, kLeast, 20.0 * kLeast, 200.0 * kLeast, 1e-310, 1e-290, 9.0}}}};
+      expect_same_in_all_details(sweep, "subnormal speeds at " + std::to_string(rate_hz) + " Hz");
+    }
+}
+
 TEST(Ensemble, EqualsTheReplayWithEvents) {
   Scenario base = eventful_fling();
   base.clock.jitter.reset();
