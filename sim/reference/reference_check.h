@@ -48,6 +48,8 @@ class ReferenceCheck {
     double energy_px2_per_s2 = 0.0;
     double impact_px = 0.0;  // Time times speed.
     double impact_px_per_s = 0.0;
+    double flown_px = 0.0;  // From the last row to an impact: at most.
+    double impact_speed_px_per_s = 0.0;
     double speed_largest_squared = 0.0;
     double energy_largest_px2_per_s2 = 0.0;
     double elapsed_s = 0.0;
@@ -55,6 +57,7 @@ class ReferenceCheck {
   };
   [[nodiscard]] double drag_loss(const Velocity& from, const Velocity& to, double dt_s) const;
   void include_sizes(double speed_squared, double energy_px2_per_s2);
+  void include_flown(const Impact& impact);
 
   FlightSolver& solver_;
   double gravity_;

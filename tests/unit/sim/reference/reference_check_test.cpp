@@ -24,6 +24,8 @@ struct Closed {
   double height_sign = 1.0;       // In the energy.
   double gain_height_sign = 1.0;  // In its change.
   double model_rate_hz = 60.0;
+  double thrown_px_per_s = -600.0;
+  double clamped_dt_s = kFrame_s;
   std::function<void(std::optional<Impact>&)> impact = [](std::optional<Impact>&) {};
 };
 
@@ -33,7 +35,7 @@ double kinetic(const Flight& flight) {
 
 // A throw up from the floor and to the right, until it comes down again.
 std::string_view fault_of(const Closed& closed) {
-  ArcStart start{.row = {.y_px = kHeight_px, .vx_px_per_s = 300.0, .vy_px_per_s = -600.0},
+  ArcStart start{.row = {.y_px = kHeight_px, .vx_px_per_s = 300.0, .vy_px_per_s = closed.thrown_px_per_s},
                  .bounds = {1000.0, kHeight_px}};
   GslFlight gsl;
   ReferenceCheck check({}, gsl);
@@ -54,9 +56,9 @@ std::string_view fault_of(const Closed& closed) {
     walls.add(flight, kFrame_s, solution.elapsed_s());
   }
   check.check_model(solution.model(), solution.elapsed_s());
-  std::optional<Impact> impact = walls.impact(Wall::ground, kFrame_s);
+  std::optional<Impact> impact = walls.impact(Wall::ground, closed.clamped_dt_s);
   closed.impact(impact);
-  check.check_impact(Wall::ground, kFrame_s, impact);
+  check.check_impact(Wall::ground, closed.clamped_dt_s, impact);
   return check.fault(kHeight_px);
 }
 
@@ -97,6 +99,18 @@ TEST(ReferenceCheck, NoticesTheSpeedOfImpact) {
   EXPECT_EQ(
       fault_of({.impact = [](std::optional<Impact>& impact) { impact.value().speed_px_per_s *= 1.001; }}),
       "time of impact differs");
+}
+
+// As after minutes of suspend: between the last row and the ground it rises up to 1e7 px.
+TEST(ReferenceCheck, MeasuresALongClampedFrameByTheWayFlownInIt) {
+  for (int number = 0; number < 60; ++number) {
+    Closed closed{.thrown_px_per_s = -2.5e5 - 997.0 * number, .clamped_dt_s = 600.0};
+    EXPECT_EQ(fault_of(closed), "") << closed.thrown_px_per_s << " px/s";
+    closed.impact = [](std::optional<Impact>& impact) { impact.value().t_s *= 1.0 + 1e-11; };
+    EXPECT_EQ(fault_of(closed), "time of impact differs") << closed.thrown_px_per_s << " px/s";
+    closed.impact = [](std::optional<Impact>& impact) { impact.value().t_s = HUGE_VAL; };
+    EXPECT_EQ(fault_of(closed), "time of impact differs") << closed.thrown_px_per_s << " px/s";
+  }
 }
 
 TEST(ReferenceCheck, NoticesTheModelsRate) {
