@@ -30,22 +30,24 @@ bool is_part_of_golden_file(const fs::directory_entry& entry) {
   return (suffix == ".h5" || suffix == ".txt") && !is_folder(entry.path().string());
 }
 
-// By their path without suffix, so that both parts count once.
-void add_unreferenced(const FolderPair& folders, std::map<std::string, UnreferencedGolden>& found) {
-  fs::path reached = folders.golden;
+// Those in this folder and below, by their path without suffix, so that both parts count once.
+void add_unreferenced(const FolderPair& folders, const fs::path& folder,
+                      std::map<std::string, UnreferencedGolden>& found) {
   try {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folders.golden)) {
-      reached = entry.path();
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      std::error_code no_status;  // Then it is no folder.
+      if (entry.is_directory(no_status) && !entry.is_symlink(no_status))
+        add_unreferenced(folders, entry.path(), found);
       if (!is_part_of_golden_file(entry)) continue;
-      const fs::path stem = fs::path(reached).replace_extension();
+      const fs::path stem = fs::path(entry.path()).replace_extension();
       fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
       scenario += ".json";
       if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
       found[stem.lexically_normal().string()] = {stem.generic_string(), ""};
     }
   } catch (const fs::filesystem_error& error) {
-    const std::string folder = reached.generic_string();
-    found[folder] = {folder, folder + ": cannot be read: " + error.code().message()};
+    const std::string path = folder.generic_string();
+    found[path] = {path, path + ": cannot be read: " + error.code().message()};
   }
 }
 
@@ -57,7 +59,7 @@ std::vector<UnreferencedGolden> find_unreferenced(const std::vector<std::string>
   for (const std::string& argument : arguments) {
     const auto folders = folders_of(argument, golden_folder);
     if (!folders || !is_folder(folders->golden.string())) continue;
-    add_unreferenced(*folders, found);
+    add_unreferenced(*folders, folders->golden, found);
   }
   std::vector<UnreferencedGolden> golden_files;
   for (auto& [key, golden] : found) golden_files.push_back(std::move(golden));
