@@ -110,7 +110,7 @@ class UnwritableOutput(ProgramTest):
         self.assertIn("exit 3", done.out)
 
     def test_a_read_only_folder_is_exit_3(self):
-        done = self.in_private_mount("-o size=1m", "printf before > disk/fling.h5", "mount -o remount,ro disk",
+        done = self.in_private_mount("-o size=1m", "printf before > disk/fling.h5", 'mount -o remount,ro tmpfs "$PWD/disk"',
                                      "code=0", '"$1" run fling.json -o disk/fling.h5 || code=$?', "echo",
                                      "echo exit $code: $(cat disk/fling.h5)")
         self.assertIn("exit 3: before\n", done.out, done.err)

@@ -65,7 +65,7 @@ class HelpPages(ProgramTest):
     def completed(self, *words):
         """What bash offers for the last word."""
         line = " ".join(map(shlex.quote, words))
-        script = (f"source {self.folder}/pages/hyrax-sim; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; "
+        script = (f"source {shlex.quote(str(self.folder))}/pages/hyrax-sim; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; "
                   "_hyrax_sim; printf '%s\\n' \"${COMPREPLY[@]}\"")
         return set(succeed("bash", "-euc", script).out.split())
 
