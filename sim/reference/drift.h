@@ -13,7 +13,8 @@ namespace hyrax {
 /// The two solutions of an arc may differ by kSolversApart_px + kSolversApart_rel times the arc's
 /// largest coordinate, their velocities by kSolversApart_px_per_s + kSolversApart_rel times its largest
 /// speed, and the energy of the closed form from what drag leaves of it by kSolversApartEnergy_rel of
-/// the sum of kEnergyScaleMin, the largest v^2 and the largest energy. More is a fault of the
+/// the sum of kEnergyScaleMin, the largest v^2 and the largest energy. Impacts may differ by
+/// kSolversApart_rel of the way flown in the clamped frame more. Beyond that it is a fault of the
 /// reference, never of the run.
 inline constexpr double kSolversApart_px = 1e-9;
 inline constexpr double kSolversApart_px_per_s = 1e-9;
