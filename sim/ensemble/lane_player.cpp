@@ -89,7 +89,6 @@ double time_after_s(Timeline timeline, double dt_s, std::int64_t frames) {
 bool stays_inside(const Constants& core, double x_px, double vx_px_per_s, double dt_s, double right_px) {
   // Such a vx is below 5e-324 / (1 - left_part), at most 5e-308 px/s; 1e12 frames of 1e9 s, and some room.
   constexpr double kStuckWay_px = 1e-285;
-  if (vx_px_per_s == 0.0) return x_px >= 0.0 && x_px <= right_px;
   const double left_part = core.air_drag * core.ground_friction;
   if (!(core.air_drag >= 0.0 && core.ground_friction >= 0.0 && left_part < 1.0)) return false;
   const double reach_px =

@@ -49,7 +49,6 @@ class ReferenceCheck {
     double impact_px = 0.0;  // Time times speed.
     double impact_px_per_s = 0.0;
     double flown_px = 0.0;  // From the last row to an impact: at most.
-    double impact_speed_px_per_s = 0.0;
     double speed_largest_squared = 0.0;
     double energy_largest_px2_per_s2 = 0.0;
     double elapsed_s = 0.0;

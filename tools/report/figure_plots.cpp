@@ -373,8 +373,7 @@ Canvas body_size(const std::vector<Plot>& plots) {
 
 std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
   const double bottom = kBodyTop + body_size(plots).height - kBelow;
-  if (std::all_of(plots.begin(), plots.end(), [](const Plot& plot) { return is_empty(plot); }))
-    return empty_script(plots.empty() ? "nothing to show" : plots.front().when_empty);
+  if (plots.empty()) return empty_script("nothing to show");
   std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
   const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
                                         [](double sum, const Plot& plot) { return sum + plot.share; });

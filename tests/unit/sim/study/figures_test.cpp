@@ -3,15 +3,10 @@
 
 #include "sim/study/study.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/study/clocks.h"
 
 namespace hyrax {
 namespace {
-
-// A clock on which every piece of work takes the same time.
-std::int64_t steady_ns() {
-  static std::int64_t now_ns = 0;
-  return now_ns += 100'000;
-}
 
 StudyResult quick(const Study& study) {
   StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = steady_ns};

@@ -13,6 +13,7 @@
 #include "sim/study/study.h"
 #include "sim/trajectory/row.h"
 #include "tests/unit/sim/replay/trace_sink.h"
+#include "tests/unit/sim/study/clocks.h"
 #include "tools/files/scenario_reader.h"
 
 namespace hyrax {
@@ -154,13 +155,8 @@ TEST(Coverage, IsTheMostThatASceneNeeds) {
   EXPECT_EQ(at("stop"), Need::below);
 }
 
-std::int64_t stopped_clock_ns() {
-  static std::int64_t now_ns = 0;
-  return now_ns += 100'000;
-}
-
 StudyResult studied(const std::vector<std::string>& names) {
-  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = stopped_clock_ns};
+  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = steady_ns};
   for (const std::string& name : names) {
     request.scenarios.push_back({name, scenario_named(name)});
     Scenario& scenario = request.scenarios.back().scenario;
@@ -207,10 +203,7 @@ TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
 }
 
 TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
-  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = [] {
-                         static std::int64_t now_ns = 0, tick_ns = 100'000;
-                         return now_ns += tick_ns += 1'000;
-                       }};
+  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = unsteady_ns};
   request.scenarios = {{"first", scenario_named("flings/first-fling")}};
   for (const Study& study : studies()) {
     if (study.name != "needs") continue;

@@ -6,6 +6,7 @@
 
 #include "sim/study/speed_error/speed_error.h"
 #include "sim/study/study.h"
+#include "tests/unit/sim/study/clocks.h"
 
 namespace hyrax {
 namespace {
@@ -177,12 +178,7 @@ const Study& the_study() {
                        [](const Study& study) { return study.name == "speed-error"; });
 }
 
-StudyRequest quick_request() {
-  return {.is_quick = true, .machine = "some machine", .now_ns = [] {
-            static std::int64_t now_ns = 0;
-            return now_ns += 100'000;
-          }};
-}
+StudyRequest quick_request() { return {.is_quick = true, .machine = "some machine", .now_ns = steady_ns}; }
 
 TEST(SpeedErrorStudy, HasTablesFiguresAndAVerdictThatHolds) {
   const StudyResult result = the_study().run(quick_request());

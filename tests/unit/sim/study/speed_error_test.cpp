@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/study/speed_error/speed_error.h"
+#include "tests/unit/sim/study/clocks.h"
 
 namespace hyrax {
 namespace {
@@ -194,12 +195,6 @@ TEST(SpeedErrorRules, FindAFlingInWhichAnExactMethodIsNot) {
   study.bands.back().method = 7;  // Exact flight and impacts.
   study.bands.back().beyond_rounding = 1;
   EXPECT_TRUE(is_broken(study, "flings in which the error of an exact method is more than rounding"));
-}
-
-// The clock of a machine that does other things, too.
-std::int64_t unsteady_ns() {
-  static std::int64_t now_ns = 0, tick_ns = 100'000;
-  return now_ns += tick_ns += 1'000;
 }
 
 TEST(SpeedErrorRules, JudgeNoCosts) {
