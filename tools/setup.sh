@@ -187,8 +187,8 @@ build() {
   fi
 }
 
-# build_page FOLDER: builds the report page from npm packages, which are fetched once. On failure hyrax-sim is built
-# without it, as before.
+# build_page FOLDER: builds the report page with the core as it is now, from npm packages, which are fetched once. On
+# failure hyrax-sim is built without it, as before.
 build_page() { timed "build report page" logged build "$1" page; }
 
 # build_program FOLDER [page]: builds hyrax-sim, or the program named by `program_name`, if a source file changed, and
@@ -200,7 +200,7 @@ build_program() {
   hold "$1"
   is_configured "$1" || configure "$1" CMAKE_BUILD_TYPE=Release HYRAX_TESTS=OFF ||
     stop "CMake could not configure $name; see the output above."
-  if [[ ${2:-} == page ]] && ! is_configured "$1" HYRAX_PAGE=ON; then
+  if [[ ${2:-} == page ]]; then
     build_page "$1" || stop "The report page could not be built; see the output above. Is the network available?"
     configure "$1" HYRAX_PAGE=ON || stop "CMake could not configure hyrax-sim; see the output above."
   fi

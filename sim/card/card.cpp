@@ -1,8 +1,9 @@
 #include "sim/card/card.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cassert>
-#include <map>
+#include <functional>
 #include <numeric>
 
 #include "sim/card/core_in_use.h"
@@ -17,19 +18,28 @@ namespace {
 
 constexpr std::uint64_t kRandomRuns = 500;
 
-Digest rows_digest(const CoreFunctions& core, const std::vector<NamedScenario>& library) {
+std::string place_of(const NamedScenario& named) { return "scenario " + named.path; }
+
+}  // namespace
+
+std::string rows_hash(const CoreFunctions& core, const CardRequest& request) {
   StateHash hash;
-  for (const NamedScenario& named : library)
-    for (const Row& row : play_by(core, named.scenario).rows) hash.add(row);
-  return hash.value();
+  for (const NamedScenario& named : request.library)
+    for (const Row& row : play_by(core, named.scenario, place_of(named)).rows) hash.add(row);
+  return hex(hash.value());
 }
+
+namespace {
 
 void measure_library(const CoreFunctions& base, const CoreFunctions& candidate, const CardRequest& request,
                      Card& card) {
   for (const NamedScenario& named : request.library) {
-    CoreRun from = play_by(base, named.scenario);
-    CoreRun to = play_by(candidate, named.scenario);
+    const std::string place = place_of(named);
+    CoreRun from = play_by(base, named.scenario, place);
+    CoreRun to = play_by(candidate, named.scenario, place);
     RunChange change = compare_runs(named.scenario, from, to);
+    change.no_longer_settles =
+        !settles(candidate, named.scenario, to, place) && settles(base, named.scenario, from, place);
     card.library.classes.add(change);
     if (change.is_cut) ++card.library.cut;
     card.contacts.contacts.before += change.contacts_before;
@@ -51,40 +61,88 @@ RecordingLine recordings_of(const CardRequest& request, const LibraryLine& libra
   return line;
 }
 
-// Names of what is broken, in the cases' order.
-std::vector<std::string> broken_by(const CoreFunctions& core, const std::vector<HardCase>& cases) {
-  const CoreInUse in_use(core);
-  std::vector<PlayedCase> played;
-  played.reserve(cases.size());
-  for (const HardCase& hard_case : cases) played.push_back({hard_case, play_hard_case(hard_case)});
-  std::vector<std::string> broken;
-  for (const Judgement& judgement : judgements_of(played))
-    if (judgement.verdict == CaseVerdict::broken || judgement.verdict == CaseVerdict::expected_failure_gone)
-      broken.push_back(judgement.played->hard_case.name + ": " + std::string(judgement.text().name));
-  return broken;
-}
+using InvariantSet = std::bitset<kInvariantCount>;
 
-Share random_runs_broken_by(const CoreFunctions& core, const std::vector<RandomRun>& runs) {
-  const CoreInUse in_use(core);
-  Share share{.count = 0, .of = std::ssize(runs)};
-  for (const RandomRun& run : runs)
-    if (first_broken(run.scenario, check_run(run.scenario, run.stops).measures)) ++share.count;
-  return share;
-}
+// A hard case or a random run, as one core plays it.
+struct HeldRun {
+  std::string name;
+  Digest state_hash{};
+  InvariantSet held = {};     // Where they were checked.
+  InvariantSet failing = {};  // Do not hold,
+  InvariantSet broken = {};   // and are not expected to fail.
 
-std::vector<RandomRun> random_runs(std::uint64_t seed) {
-  std::vector<RandomRun> runs;
-  for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(seed, run));
+  void add(Invariant invariant, const InvariantMeasure& measure, bool is_expected_to_fail) {
+    const auto index = static_cast<std::size_t>(invariant);
+    held[index] = measure.is_checked && measure.holds;
+    failing[index] = !measure.holds;
+    broken[index] = failing[index] && !is_expected_to_fail;
+  }
+};
+
+std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<HardCase>& cases) {
+  std::vector<HeldRun> runs;
+  for (const HardCase& hard_case : cases) {
+    const CoreInUse in_use(core, "hard case " + hard_case.name);
+    const HardCaseResult result = play_hard_case(hard_case);
+    HeldRun run{.name = hard_case.name, .state_hash = result.state_hash};
+    for (std::size_t index = 0; index < kInvariantCount; ++index) {
+      const auto invariant = static_cast<Invariant>(index);
+      run.add(invariant, result.measures[index],
+              judge(hard_case, result, invariant) == CaseVerdict::expected_failure);
+    }
+    runs.push_back(std::move(run));
+  }
   return runs;
 }
 
-std::vector<std::string> missing_in(const std::vector<std::string>& names,
-                                    const std::vector<std::string>& others) {
-  std::vector<std::string> missing;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(missing), [&others](const std::string& name) {
-    return std::find(others.begin(), others.end(), name) == others.end();
-  });
-  return missing;
+std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<RandomRun>& random) {
+  std::vector<HeldRun> runs;
+  for (const RandomRun& each : random) {
+    const CoreInUse in_use(core, "random run " + each.scenario.name);
+    const CheckedRun checked = check_run(each.scenario, each.stops);
+    HeldRun run{.name = each.scenario.name, .state_hash = checked.summary.state_hash};
+    for (std::size_t index = 0; index < kInvariantCount; ++index) {
+      const auto invariant = static_cast<Invariant>(index);
+      run.add(invariant, checked.measures[index], is_broken_by_listing(invariant, each.scenario));
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+using HeldRuns = BeforeAfter<std::vector<HeldRun>>;
+
+std::int64_t other_bits(const HeldRuns& runs) {
+  return std::inner_product(
+      runs.before.begin(), runs.before.end(), runs.after.begin(), std::int64_t{0}, std::plus(),
+      [](const HeldRun& a, const HeldRun& b) { return a.state_hash != b.state_hash ? 1 : 0; });
+}
+
+InvariantLine invariant_line(bool is_general, const HeldRuns& cases, const HeldRuns& random) {
+  InvariantSet kind;
+  for (std::size_t index = 0; index < kInvariantCount; ++index)
+    kind[index] = kInvariantTexts[index].is_general == is_general;
+  const auto breaking = [&kind](const std::vector<HeldRun>& runs) {
+    return std::count_if(runs.begin(), runs.end(),
+                         [&kind](const HeldRun& run) { return (run.broken & kind).any(); });
+  };
+  InvariantLine line{.cases = {breaking(cases.before), breaking(cases.after)},
+                     .random_runs = {{breaking(random.before), std::ssize(random.before)},
+                                     {breaking(random.after), std::ssize(random.after)}},
+                     .newly_broken = {},
+                     .mended = {}};
+  for (const HeldRuns* const runs : {&cases, &random})
+    for (std::size_t run = 0; run < runs->before.size(); ++run) {
+      const HeldRun& from = runs->before[run];
+      const HeldRun& to = runs->after[run];
+      for (std::size_t index = 0; index < kInvariantCount; ++index) {
+        if (!kind[index]) continue;
+        const std::string name = from.name + ": " + std::string(kInvariantTexts[index].name);
+        if (to.broken[index] && !from.broken[index]) line.newly_broken.push_back(name);
+        if (from.failing[index] && to.held[index]) line.mended.push_back(name);
+      }
+    }
+  return line;
 }
 
 HardCaseLine measure_hard_cases(const CoreFunctions& base, const CoreFunctions& candidate,
@@ -93,14 +151,15 @@ HardCaseLine measure_hard_cases(const CoreFunctions& base, const CoreFunctions& 
   for (const NamedScenario& named : request.hard)
     for (HardCase& hard_case : hard_cases_of(named.scenario))
       if (!hard_case.is_long) cases.push_back(std::move(hard_case));
-  const std::vector<std::string> before = broken_by(base, cases);
-  const std::vector<std::string> after = broken_by(candidate, cases);
-  const std::vector<RandomRun> runs = random_runs(request.seed);
+  std::vector<RandomRun> runs;
+  for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(request.seed, run));
+  const HeldRuns held{held_runs_of(base, cases), held_runs_of(candidate, cases)};
+  const HeldRuns random{held_runs_of(base, runs), held_runs_of(candidate, runs)};
   return {.cases = std::ssize(cases),
-          .broken = {std::ssize(before), std::ssize(after)},
-          .newly_broken = missing_in(after, before),
-          .mended = missing_in(before, after),
-          .random_runs = {random_runs_broken_by(base, runs), random_runs_broken_by(candidate, runs)}};
+          .other_cases = other_bits(held),
+          .other_random_runs = {other_bits(random), std::ssize(runs)},
+          .general = invariant_line(true, held, random),
+          .listing = invariant_line(false, held, random)};
 }
 
 struct Claims {
@@ -109,7 +168,7 @@ struct Claims {
 };
 
 Claims claims_by(const CoreFunctions& core, double step_s) {
-  const CoreInUse in_use(core);
+  const CoreInUse in_use(core, "the paper's claims");
   return {paper_claims(step_s), speed_claims(step_s)};
 }
 
@@ -122,11 +181,14 @@ ClaimLine measure_claims(const CoreFunctions& base, const CoreFunctions& candida
                        [&claim](const Claim& timing) { return timing.id == claim.id; });
   };
   assert(before.size() == after.size());
-  ClaimLine line{.claims = std::ssize(before), .changed = {}};
+  ClaimLine line{.claims = std::ssize(before), .changed = {}, .not_measured = {}};
   for (std::size_t index = 0; index < before.size(); ++index) {
     const Claim& from = before[index];
     const Claim& to = after[index];
-    if (from.verdict != to.verdict)
+    const auto is_measured = [](const Claim& claim) { return claim.verdict != ClaimVerdict::not_measured; };
+    if (is_measured(from) != is_measured(to))
+      line.not_measured.push_back(from.id);
+    else if (from.verdict != to.verdict)
       line.changed.push_back({from.id,
                               {std::string(name_of(from.verdict)), std::string(name_of(to.verdict))},
                               {from.number, to.number},
@@ -152,24 +214,26 @@ std::int64_t ClassCounts::total() const {
 
 Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate, const CardRequest& request) {
   const CoreInUse in_use(
-      base);  // Random runs and hard cases depend on a core: both cores play those of the base.
+      base,
+      "the hard cases");  // Random runs and hard cases depend on a core: both cores play those of the base.
   Card card{.seed = request.seed,
             .flings = request.flings,
             .scenarios = std::ssize(request.library),
             .cost = measure_cost(base, candidate, request.seed, request.now_ns)};
-  const Digest first = rows_digest(candidate, request.library);
   measure_library(base, candidate, request, card);
   FlingLines flings = measure_flings(base, candidate, request.seed, request.flings);
   card.random = flings.random;
   card.energy = flings.energy;
   card.exact = std::move(flings.exact);
   card.displays = measure_displays(base, candidate, request.seed, request.flings);
-  if (!request.hard.empty()) card.hard_cases = measure_hard_cases(base, candidate, request);
+  card.hard_cases = measure_hard_cases(base, candidate, request);
   card.claims = measure_claims(base, candidate, card.cost);
   if (!request.recordings.empty()) card.recordings = recordings_of(request, card.library);
   // Some state shows only after many calls.
-  if (rows_digest(candidate, request.library) != first)
-    throw CoreRefused("does not repeat: the scenarios played again give other rows");
+  for (const auto& [core, hash] :
+       {std::pair(&base, &request.rows_hash.before), {&candidate, &request.rows_hash.after}})
+    if (rows_hash(*core, request) != *hash)
+      throw CoreRefused(core->number, "does not repeat: scenarios played again by another process differ");
   return card;
 }
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sim/card/core_functions.h"
 #include "sim/card/core_run.h"
+#include "sim/reference/model.h"
 #include "sim/result/interval.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/study.h"
@@ -30,12 +30,11 @@ struct CardRequest {
   std::uint64_t seed = 1;                      ///< Of the random flings and runs.
   std::int64_t flings = 1000;
   NanosecondClock now_ns = {};
+  BeforeAfter<std::string> rows_hash = {};  ///< Of each core (hyrax::rows_hash), found by another process.
 };
 
-/// The candidate cannot be compared: why, a sentence without its full stop.
-struct CoreRefused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+/// Energy of 1 px of height by the paper's gravity.
+inline constexpr double kHeight_px2_per_s2 = Model{}.gravity_px_per_s2;
 
 /// How many scenarios have which class of difference.
 struct ClassCounts {
@@ -74,8 +73,9 @@ struct FlingLine {
   ClassCounts classes = {};
   Share changed_contacts = {};
   BeforeAfter<std::int64_t> settled = {};
-  std::optional<Band> shift_px;     ///< Of x, signed: candidate minus base, where both settle.
-  std::optional<Band> distance_px;  ///< Distance of the two places.
+  std::int64_t no_longer_settle = 0;  ///< They settle with the base alone.
+  std::optional<Band> shift_px;       ///< Of x, signed: candidate minus base, where both settle.
+  std::optional<Band> distance_px;    ///< Distance of the two places.
   double distance_max_px = 0.0;
   std::vector<double> distances_px;  ///< All of them, in ascending order.
 };
@@ -83,7 +83,8 @@ struct FlingLine {
 /// Where the first kDisplayFlings of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.
 struct DisplayLine {
   std::int64_t flings = 0;
-  BeforeAfter<std::optional<Band>> spread_px = {};   ///< Of the flings that settle on every display.
+  double distance_max_px = 0.0;                     ///< Between the places of both cores on the same display.
+  BeforeAfter<std::optional<Band>> spread_px = {};  ///< Of the flings that settle on all with both cores.
   BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them, in ascending order.
 };
 
@@ -96,8 +97,9 @@ struct WallEnergy {
   double friction = 0.0;  ///< Speed along them.
 };
 
-/// Energy of a fling by cause, px^2/s^2. In flight: the run minus the exact flight of the paper's laws from
-/// the same start, summed over its flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
+/// Energy of a fling by cause, px^2/s^2, of the flings that stay finite with both cores. In flight: the run
+/// minus the exact flight of the paper's laws from the same start, summed over its flight arcs
+/// (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
 struct EnergyLine {
   BeforeAfter<std::optional<Band>> drift_px2_per_s2 = {};
   BeforeAfter<std::optional<Band>> lift_px2_per_s2 = {};
@@ -105,7 +107,8 @@ struct EnergyLine {
   BeforeAfter<std::optional<Band>> friction_px2_per_s2 = {};
 };
 
-/// Distance from the exact motion of the paper's laws, frames left out, after whole seconds.
+/// Distance from the exact motion of the paper's laws, frames left out, after whole seconds; of the same
+/// flings as EnergyLine.
 struct ExactLine {
   double t_s = 0.0;
   BeforeAfter<std::optional<Band>> distance_px = {};
@@ -117,13 +120,21 @@ struct CostLine {
   Band ratio = {};  ///< Candidate / base, of each pair.
 };
 
-/// Invariants of `study hard-cases`, cases of the long run left out.
+/// Invariants of one kind (InvariantText::is_general) in hard cases and random runs.
+struct InvariantLine {
+  BeforeAfter<std::int64_t> cases = {};   ///< Hard cases that break one, expected failures left out.
+  BeforeAfter<Share> random_runs = {};    ///< Random runs (sim/search) that do.
+  std::vector<std::string> newly_broken;  ///< "CASE: INVARIANT", held by the base or expected to fail there.
+  std::vector<std::string> mended;        ///< Fails with the base alone.
+};
+
+/// Hard cases of `study hard-cases`, that of the long run left out, and random runs.
 struct HardCaseLine {
-  std::int64_t cases = 0;
-  BeforeAfter<std::int64_t> broken = {};  ///< Invariants of cases.
-  std::vector<std::string> newly_broken;  ///< "CASE: INVARIANT", held by the base.
-  std::vector<std::string> mended;        ///< Broken by the base alone.
-  BeforeAfter<Share> random_runs = {};    ///< Random runs (sim/search) with a broken invariant.
+  std::int64_t cases = 0;        ///< 0 without scenarios to make them from.
+  std::int64_t other_cases = 0;  ///< With other bits.
+  Share other_random_runs = {};  ///< Likewise.
+  InvariantLine general = {};
+  InvariantLine listing = {};
 };
 
 struct ChangedClaim {
@@ -135,8 +146,9 @@ struct ChangedClaim {
 
 struct ClaimLine {
   std::int64_t claims = 0;
-  std::vector<ChangedClaim> changed;  ///< With another verdict.
-  std::int64_t other_numbers = 0;     ///< Same verdict, other measured value; timings left out.
+  std::vector<ChangedClaim> changed;      ///< With another verdict; both cores were measured.
+  std::vector<std::string> not_measured;  ///< With one of the cores alone.
+  std::int64_t other_numbers = 0;         ///< Same verdict, other measured value; timings left out.
 };
 
 /// A recording that ends elsewhere: more than half a pixel away.
@@ -161,10 +173,13 @@ struct Card {
   EnergyLine energy = {};
   std::vector<ExactLine> exact = {};
   CostLine cost = {};
-  std::optional<HardCaseLine> hard_cases = {};  ///< None without scenarios to make them from.
+  HardCaseLine hard_cases = {};
   ClaimLine claims = {};
   std::optional<RecordingLine> recordings = {};  ///< None without recordings.
 };
+
+/// Of all rows of the library. ERRORS: CoreRefused.
+[[nodiscard]] std::string rows_hash(const CoreFunctions& core, const CardRequest& request);
 
 /// Measures both cores. Everything but the cost is the same on every machine.
 /// REQUIRES: cores without CoreFunctions::defect.

@@ -11,7 +11,6 @@ namespace {
 
 constexpr Tone kBefore = Tone::quiet;
 constexpr Tone kAfter = Tone::vermilion;
-constexpr double kHeight_px2_per_s2 = 1200.0;  // Energy of 1 px of height by the paper's gravity.
 
 // How each core is drawn, and its part of a line.
 struct DrawnCore {
@@ -55,14 +54,18 @@ Table scenario_table(const std::vector<ScenarioChange>& changed) {
 Table invariant_table(const HardCaseLine& hard) {
   struct Change {
     std::string name;
+    std::string kind;
     std::string change;
   };
   std::vector<Change> changes;
-  for (const std::string& name : hard.newly_broken) changes.push_back({name, "newly broken"});
-  for (const std::string& name : hard.mended) changes.push_back({name, "no longer broken"});
+  for (const auto& [line, kind] : {std::pair(&hard.general, "general"), {&hard.listing, "listing"}}) {
+    for (const std::string& name : line->newly_broken) changes.push_back({name, kind, "newly broken"});
+    for (const std::string& name : line->mended) changes.push_back({name, kind, "no longer broken"});
+  }
   return {"invariants",
-          "invariants of hard cases that differ",
+          "invariants of hard cases and random runs that differ",
           {column_of<std::string>("invariant", "", "case and invariant", changes, &Change::name),
+           column_of<std::string>("kind", "", "general, or the listing's own", changes, &Change::kind),
            column_of<std::string>("change", "", "what changed", changes, &Change::change)}};
 }
 
@@ -117,8 +120,8 @@ Figure display_figure(const DisplayLine& line) {
             .when_empty = "no fling settles on every display"};
   return {.suffix = "-displays",
           .title = "The same fling on many displays",
-          .subtitle =
-              fmt::format("Largest minus smallest x where it lands at 24 to 1000 Hz, {} flings", line.flings),
+          .subtitle = fmt::format("Largest minus smallest x where it lands at 24 to 1000 Hz, {} of {} flings",
+                                  line.spreads_px.before.size(), line.flings),
           .body = std::vector{std::move(plot)},
           .legend = both_cores(Form::line)};
 }
@@ -179,7 +182,7 @@ Figure energy_figure(const EnergyLine& energy) {
 
 std::vector<Table> card_tables(const Card& card) {
   std::vector<Table> tables = {scenario_table(card.library.changed)};
-  if (card.hard_cases) tables.push_back(invariant_table(*card.hard_cases));
+  tables.push_back(invariant_table(card.hard_cases));
   tables.push_back(claim_table(card.claims.changed));
   if (card.recordings) tables.push_back(recording_table(card.recordings->moved));
   std::erase_if(tables, [](const Table& table) { return row_count(table) == 0; });

@@ -23,8 +23,9 @@ std::string display_sentence(const DisplayLine& line) {
   const Band& before = *line.spread_px.before;
   const Band& after = *line.spread_px.after;
   return fmt::format(
-      "The same fling on displays of 24 to 1000 Hz lands {:.3g} px apart instead of {:.3g} px (median).",
-      after.median, before.median);
+      "The same fling on displays of 24 to 1000 Hz lands {:.3g} px apart instead of {:.3g} px (median of "
+      "{}).",
+      after.median, before.median, after.samples);
 }
 
 // What does not end well at all comes first.
@@ -37,17 +38,32 @@ std::string breakdown(const Card& card) {
   if (non_finite > 0)
     return fmt::format("The sprite vanishes in {} of {} scenarios: its state is no longer finite.",
                        non_finite, card.scenarios);
-  const std::int64_t lost = card.random.settled.before - card.random.settled.after;
-  if (lost > 0) return fmt::format("{} of {} flings no longer settle within 20 s.", lost, card.flings);
+  if (const std::int64_t lost = card.random.no_longer_settle; lost > 0)
+    return fmt::format("{} of {} flings no longer settle within 20 s.", lost, card.flings);
   if (restless > 0)
     return fmt::format("The sprite no longer settles in {} of {} scenarios.", restless, card.scenarios);
   return "";
 }
 
-}  // namespace
+// Where most flings show nothing: what is farthest from where it was. Empty: nothing that can be seen.
+std::string farthest(const Card& card, double& far_px) {
+  const ScenarioChange* largest = nullptr;
+  for (const ScenarioChange& changed : card.library.changed)
+    if (changed.change.largest && changed.change.largest->px > far_px) {
+      largest = &changed;
+      far_px = changed.change.largest->px;
+    }
+  if (far_px > RestAnchor::kStill_px)
+    return fmt::format("Most flings look the same; in {} the sprite is up to {:.3g} px from where it was.",
+                       largest->path, far_px);
+  far_px = std::max({far_px, card.random.distance_max_px, card.displays.distance_max_px});
+  if (far_px > RestAnchor::kStill_px)
+    return fmt::format("Most flings look the same; the farthest of {} lands {:.3g} px from where it did.",
+                       card.flings, far_px);
+  return "";
+}
 
-std::string consequence_of(const Card& card) {
-  if (std::string sentence = breakdown(card); !sentence.empty()) return sentence;
+std::string visible_sentence(const Card& card, double& far_px) {
   std::vector<Visible> visible;
   if (card.random.distance_px)
     visible.push_back({card.random.distance_px->median, landing_sentence(card.random)});
@@ -58,26 +74,43 @@ std::string consequence_of(const Card& card) {
   const auto widest = std::max_element(visible.begin(), visible.end(),
                                        [](const Visible& a, const Visible& b) { return a.px < b.px; });
   if (widest != visible.end() && widest->px > RestAnchor::kStill_px) return widest->sentence;
+  return farthest(card, far_px);
+}
 
-  // Nothing that most flings show: the scenario that differs most.
-  const ScenarioChange* largest = nullptr;
-  double largest_px = 0.0;
-  for (const ScenarioChange& changed : card.library.changed)
-    if (changed.change.largest && changed.change.largest->px > largest_px) {
-      largest = &changed;
-      largest_px = changed.change.largest->px;
-    }
-  if (largest_px > RestAnchor::kStill_px)
-    return fmt::format("Most flings look the same; in {} the sprite is up to {:.3g} px from where it was.",
-                       largest->path, largest_px);
-  const double far_px = std::max(largest_px, card.random.distance_max_px);
-  if (far_px > RestAnchor::kStill_px)
-    return fmt::format("Most flings look the same; the farthest of {} lands {:.3g} px from where it did.",
-                       card.flings, far_px);
-  const bool differs = !card.library.changed.empty() || card.random.classes.same_bits < card.flings;
-  if (!differs) return "None: every row has the same bits.";
-  if (far_px == 0.0) return "None that can be seen: only speeds differ.";
-  return fmt::format("None that can be seen: no sprite is more than {:.2g} px from where it was.", far_px);
+// Empty where nothing is newly broken that holds for any core.
+std::string broken_sentence(const HardCaseLine& hard) {
+  const auto& [cases, runs, newly_broken, mended] = hard.general;
+  if (newly_broken.empty()) return "";
+  return fmt::format(
+      "Invariants of any core break in {} -> {} of {} hard cases and {} -> {} of {} random runs.",
+      cases.before, cases.after, hard.cases, runs.before.count, runs.after.count, runs.after.of);
+}
+
+// What is left to say where no sprite of a scenario or fling is seen elsewhere.
+std::string unseen_sentence(const Card& card, double far_px) {
+  const HardCaseLine& hard = card.hard_cases;
+  if (far_px > 0.0)
+    return fmt::format("None that can be seen: no sprite is more than {:.2g} px from where it was.", far_px);
+  if (!card.library.changed.empty() || card.random.classes.same_bits < card.flings)
+    return "None that can be seen: only speeds differ.";
+  if (hard.other_cases > 0 || hard.other_random_runs.count > 0)
+    return fmt::format("None in scenarios and flings; {} of {} hard cases and {} of {} random runs differ.",
+                       hard.other_cases, hard.cases, hard.other_random_runs.count, hard.other_random_runs.of);
+  const ClaimLine& claims = card.claims;
+  if (!claims.changed.empty() || !claims.not_measured.empty() || claims.other_numbers > 0)
+    return "None in scenarios, flings, hard cases and random runs; claims of the paper change.";
+  return "None: every row has the same bits.";
+}
+
+}  // namespace
+
+std::string consequence_of(const Card& card) {
+  double far_px = 0.0;
+  std::string sentence = breakdown(card);
+  if (sentence.empty()) sentence = visible_sentence(card, far_px);
+  const std::string broken = broken_sentence(card.hard_cases);
+  if (sentence.empty()) return broken.empty() ? unseen_sentence(card, far_px) : broken;
+  return broken.empty() ? sentence : sentence + " " + broken;
 }
 
 }  // namespace hyrax

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -54,6 +55,21 @@ std::size_t common_length(const CoreRun& base, const CoreRun& candidate, std::in
   return std::min(length, static_cast<std::size_t>(rows_of_run));
 }
 
+// The scenario with kPlayedOn_s more of its last frame; nothing where that adds no time, or too many frames.
+std::optional<Scenario> played_on(const Scenario& scenario) {
+  Scenario longer = scenario;
+  const std::int64_t steps = step_count(scenario);
+  auto* const recorded = std::get_if<RecordedSteps>(&longer.clock.base);
+  const double dt_s = recorded != nullptr ? recorded->dt_s.back() : base_dt_s(scenario.clock);
+  const double frames = std::ceil(kPlayedOn_s / dt_s);
+  if (!(frames + static_cast<double>(steps) <= static_cast<double>(kCoreRunStepsMax))) return std::nullopt;
+  if (recorded != nullptr)
+    recorded->dt_s.insert(recorded->dt_s.end(), static_cast<std::size_t>(frames), dt_s);
+  else
+    longer.length = steps + static_cast<std::int64_t>(frames);
+  return longer;
+}
+
 bool is_same_row(const Row& a, const Row& b) {
   return same_bits(a.dt_s, b.dt_s) && same_bits(state_of(a), state_of(b));
 }
@@ -70,7 +86,8 @@ void CoreRun::extend(std::size_t length) {
   }
 }
 
-CoreRun play_core(const Scenario& scenario) {
+CoreRun play_by(const CoreFunctions& core, const Scenario& scenario, const std::string& place) {
+  const CoreInUse in_use(core, place);
   CoreRun run;
   RowCollector collector(run);
   Replay replay(scenario, collector);
@@ -86,9 +103,14 @@ CoreRun play_core(const Scenario& scenario) {
   return run;
 }
 
-CoreRun play_by(const CoreFunctions& core, const Scenario& scenario) {
-  const CoreInUse in_use(core);
-  return play_core(scenario);
+bool settles(const CoreFunctions& core, const Scenario& scenario, const CoreRun& run,
+             const std::string& place) {
+  if (run.at_rest_since_s || !run.is_finite) return run.at_rest_since_s.has_value();
+  const std::optional<Scenario> longer = played_on(scenario);
+  if (!longer) return false;
+  const CoreInUse in_use(core, place);
+  RowSink discard;
+  return replay(*longer, discard).at_rest_since_s.has_value();
 }
 
 std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows) {
@@ -129,8 +151,7 @@ RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candida
   const std::size_t length = common_length(base, candidate, step_count(scenario) + 1);
   for (CoreRun* const run : {&base, &candidate})
     if (run->repetition) run->extend(length);
-  RunChange change{.became_non_finite = base.is_finite && !candidate.is_finite,
-                   .no_longer_settles = base.at_rest_since_s && !candidate.at_rest_since_s};
+  RunChange change{.became_non_finite = base.is_finite && !candidate.is_finite};
   const std::vector<Contact> before = set_contacts(scenario, base.rows);
   const std::vector<Contact> after = set_contacts(scenario, candidate.rows);
   change.contacts_before = std::ssize(before);

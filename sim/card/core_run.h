@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/card/core_functions.h"
@@ -34,10 +35,16 @@ struct CoreRun {
   void extend(std::size_t length);
 };
 
-/// Plays the scenario by the core in use (core_in_use.h).
-[[nodiscard]] CoreRun play_core(const Scenario& scenario);
-/// The same by this core.
-[[nodiscard]] CoreRun play_by(const CoreFunctions& core, const Scenario& scenario);
+/// Plays the scenario. @param place what it is called where the core is refused (core_in_use.h).
+/// ERRORS: CoreRefused.
+[[nodiscard]] CoreRun play_by(const CoreFunctions& core, const Scenario& scenario,
+                              const std::string& place = "");
+
+/// Whether a run settles, played on by the core for kPlayedOn_s where it moved within the last second of its
+/// file. Not if its clock adds no time.
+[[nodiscard]] bool settles(const CoreFunctions& core, const Scenario& scenario, const CoreRun& run,
+                           const std::string& place = "");
+inline constexpr double kPlayedOn_s = 20.0;
 
 /// Sets every row's contact byte by one rule for all cores, which knows nothing of their step (RowWalls), and
 /// returns the contacts. `before` of a contact is the velocity of the row before (with the frame's inputs),
@@ -55,7 +62,7 @@ struct RunChange {
   double end_shift_px = 0.0;       ///< Distance of the final rows; infinite where it is not a number.
   bool is_cut = false;             ///< Rows past kCoreRunRowsMax differ, but were not compared.
   bool became_non_finite = false;  ///< In the candidate, not in the base.
-  bool no_longer_settles = false;  ///< It settled in the base.
+  bool no_longer_settles = false;  ///< Played on as well (settles), but it does with the base.
 };
 
 /// Extends the runs to a common length and sets their contacts.

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "sim/card/core_in_use.h"
 #include "sim/reference/drift_meter.h"
+#include "sim/reference/exact_fling.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/model.h"
+#include "sim/replay/core.h"
 #include "sim/scenario/schedule.h"
 #include "sim/scenario/split_mix64.h"
-#include "sim/study/methods/exact_fling.h"
 
 namespace hyrax {
 namespace {
@@ -31,6 +33,10 @@ Scenario fling_scenario(const State& start) {
   scenario.clock.base = FixedRate{static_cast<double>(kRate_hz)};
   scenario.length = kRate_hz * kDuration_s;
   return scenario;
+}
+
+std::string place_of(std::uint64_t seed, std::int64_t number) {
+  return "random fling " + std::to_string(number) + " of seed " + std::to_string(seed);
 }
 
 // Sums the energy drift of flight arcs.
@@ -86,7 +92,6 @@ struct FlingSamples {
   std::array<std::vector<double>, kExactSeconds> distance_px;
 
   void add(const Scenario& scenario, CoreRun& run) {
-    if (!run.is_finite) return;
     drift_px2_per_s2.push_back(energy_drift_px2_per_s2(scenario, run));
     const WallEnergy walls = wall_energy(run);
     lift_px2_per_s2.push_back(walls.lift);
@@ -124,13 +129,6 @@ State random_fling(std::uint64_t seed, std::int64_t number) {
           draw(3, -2000.0, 500.0)};
 }
 
-Digest fling_digest(const CoreFunctions& core, std::uint64_t seed, std::int64_t flings) {
-  StateHash hash;
-  for (std::int64_t number = 0; number < flings; ++number)
-    for (const Row& row : play_by(core, fling_scenario(random_fling(seed, number))).rows) hash.add(row);
-  return hash.value();
-}
-
 FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
                           std::int64_t flings) {
   FlingLines lines;
@@ -139,21 +137,23 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
   FlingSamples before, after;
   for (std::int64_t number = 0; number < flings; ++number) {
     const Scenario scenario = fling_scenario(random_fling(seed, number));
-    CoreRun from = play_by(base, scenario);
-    CoreRun to = play_by(candidate, scenario);
-    if (!is_same_run(to, play_by(candidate, scenario)))
-      throw CoreRefused("does not repeat: random fling " + std::to_string(number) + " of seed " +
-                        std::to_string(seed) + " played twice differs");
+    const std::string place = place_of(seed, number);
+    CoreRun from = play_by(base, scenario, place);
+    CoreRun to = play_by(candidate, scenario, place);
+    if (!is_same_run(to, play_by(candidate, scenario, place)))
+      throw CoreRefused(candidate.number, "does not repeat: " + place + " played twice differs");
     const RunChange change = compare_runs(scenario, from, to);
     lines.random.classes.add(change);
     if (!change.contacts.is_none()) ++lines.random.changed_contacts.count;
     if (from.at_rest_since_s) ++lines.random.settled.before;
     if (to.at_rest_since_s) ++lines.random.settled.after;
+    if (from.at_rest_since_s && !to.at_rest_since_s) ++lines.random.no_longer_settle;
     if (from.at_rest_since_s && to.at_rest_since_s) {
       shift_px.push_back(to.final.x_px - from.final.x_px);
       distances_px.push_back(change.end_shift_px);
       lines.random.distance_max_px = std::max(lines.random.distance_max_px, change.end_shift_px);
     }
+    if (!from.is_finite || !to.is_finite) continue;
     before.add(scenario, from);
     after.add(scenario, to);
   }
@@ -174,10 +174,10 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
 namespace {
 
 // Where a fling is after kDuration_s, if it moved less than half a pixel in the last second.
-std::optional<double> landing_x_px(const CoreFunctions& core, const State& start, double rate_hz) {
+std::optional<double> landing_x_px(const State& start, double rate_hz) {
   const Bounds bounds = bounds_of(kWindow, kSprite);
   const auto seconds = [&](const State& from, double duration_s) {
-    return core.steps(from, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(duration_s * rate_hz));
+    return core_steps(from, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(duration_s * rate_hz));
   };
   const State earlier = seconds(start, static_cast<double>(kDuration_s - 1));
   const State end = seconds(earlier, 1.0);
@@ -185,19 +185,20 @@ std::optional<double> landing_x_px(const CoreFunctions& core, const State& start
   return end.x_px;
 }
 
-std::vector<double> spreads_over_displays(const CoreFunctions& core, std::uint64_t seed,
-                                          std::int64_t flings) {
-  std::vector<double> spreads_px;
-  for (std::int64_t number = 0; number < flings; ++number) {
-    std::vector<double> landings_px;
-    for (const double rate_hz : kDisplayRates_hz)
-      if (const auto x_px = landing_x_px(core, random_fling(seed, number), rate_hz))
-        landings_px.push_back(*x_px);
-    if (landings_px.size() < kDisplayRates_hz.size()) continue;
-    const auto [least, most] = std::minmax_element(landings_px.begin(), landings_px.end());
-    spreads_px.push_back(*most - *least);
-  }
-  return sorted(std::move(spreads_px));
+// On each display.
+using Landings = std::array<std::optional<double>, kDisplayRates_hz.size()>;
+Landings landings_of(const CoreFunctions& core, const State& start, const std::string& place) {
+  const CoreInUse in_use(core, place + " on displays of 24 to 1000 Hz");
+  Landings landings_px;
+  std::transform(kDisplayRates_hz.begin(), kDisplayRates_hz.end(), landings_px.begin(),
+                 [&](double rate_hz) { return landing_x_px(start, rate_hz); });
+  return landings_px;
+}
+
+// Nothing if the fling does not settle on every display.
+std::optional<double> spread_of(const Landings& landings_px) {
+  const auto [least, most] = std::minmax_element(landings_px.begin(), landings_px.end());
+  return *least ? std::optional(**most - **least) : std::nullopt;  // No value is less than any.
 }
 
 }  // namespace
@@ -205,8 +206,20 @@ std::vector<double> spreads_over_displays(const CoreFunctions& core, std::uint64
 DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
                              std::int64_t flings) {
   DisplayLine line{.flings = std::min(flings, kDisplayFlings)};
-  line.spreads_px = {spreads_over_displays(base, seed, line.flings),
-                     spreads_over_displays(candidate, seed, line.flings)};
+  for (std::int64_t number = 0; number < line.flings; ++number) {
+    const State start = random_fling(seed, number);
+    const Landings from = landings_of(base, start, place_of(seed, number));
+    const Landings to = landings_of(candidate, start, place_of(seed, number));
+    for (std::size_t display = 0; display < from.size(); ++display)
+      if (from[display] && to[display])
+        line.distance_max_px = std::max(line.distance_max_px, std::fabs(*to[display] - *from[display]));
+    const std::optional<double> before_px = spread_of(from);
+    const std::optional<double> after_px = spread_of(to);
+    if (!before_px || !after_px) continue;
+    line.spreads_px.before.push_back(*before_px);
+    line.spreads_px.after.push_back(*after_px);
+  }
+  line.spreads_px = {sorted(std::move(line.spreads_px.before)), sorted(std::move(line.spreads_px.after))};
   line.spread_px = {band_of(line.spreads_px.before), band_of(line.spreads_px.after)};
   return line;
 }
@@ -221,12 +234,17 @@ CostLine measure_cost(const CoreFunctions& base, const CoreFunctions& candidate,
   const auto sample_ns = [&](const CoreFunctions& core) {
     const std::int64_t from_ns = now_ns();
     for (int number = 0; number < kFlings; ++number)
-      used = core.steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
+      used = core.timed_steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
     return static_cast<double>(now_ns() - from_ns) / static_cast<double>(kFlings * kSteps);
   };
   std::vector<double> before_ns, after_ns, ratios;
-  sample_ns(base);
-  sample_ns(candidate);
+  for (const CoreFunctions* const core : {&base, &candidate}) {
+    for (int number = 0; number < kFlings; ++number) {  // Counted: the fling is named if the core ends.
+      const CoreInUse in_use(*core, place_of(seed, number));
+      used = core_steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
+    }
+    sample_ns(*core);
+  }
   for (int pair = 0; pair < kPairs; ++pair) {
     const bool is_base_first = pair % 2 == 0;
     const double first_ns = sample_ns(is_base_first ? base : candidate);

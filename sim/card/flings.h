@@ -11,9 +11,6 @@ namespace hyrax {
 /// Start of random fling `number` of a seed: its four numbers are draws 4 number .. 4 number + 3.
 [[nodiscard]] State random_fling(std::uint64_t seed, std::int64_t number);
 
-/// Of the rows of the first `flings` of a seed.
-[[nodiscard]] Digest fling_digest(const CoreFunctions& core, std::uint64_t seed, std::int64_t flings);
-
 struct FlingLines {
   FlingLine random;
   EnergyLine energy;

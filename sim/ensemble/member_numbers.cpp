@@ -14,7 +14,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::int64_t kSamplesMax = 20'000;
 constexpr std::int64_t kPointsMax = 1'000;
 constexpr std::size_t kResultsAgainstInputsMax = 3;
 constexpr std::size_t kInputsShownMax = 8;

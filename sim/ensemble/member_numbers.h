@@ -10,6 +10,9 @@
 
 namespace hyrax {
 
+/// So many values make the figures and quantiles of a number.
+inline constexpr std::int64_t kSamplesMax = 20'000;
+
 /// The member whose number, and every multiple of it, is in a sample of at most `samples_max` of `members`: a
 /// prime, so that the sample meets every value of a grid. REQUIRES: members >= 0, samples_max > 0.
 [[nodiscard]] std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max);
@@ -20,6 +23,7 @@ enum class MemberRole : std::uint8_t { result, input, grid };  ///< A grid is an
 class MemberNumbers {
  public:
   /// @param name as "x" or "contacts.left"; unit as "px", empty if there is none.
+  /// @param members how many will be added; if they are a sample already, at most kSamplesMax.
   MemberNumbers(std::string name, std::string unit, std::string long_name, MemberRole role,
                 std::int64_t members);
 
@@ -35,6 +39,7 @@ class MemberNumbers {
   }
   [[nodiscard]] MemberRole role() const { return role_; }
   [[nodiscard]] bool is_whole() const { return is_whole_; }
+  [[nodiscard]] std::int64_t known() const { return known_; }
   [[nodiscard]] std::int64_t missing() const { return count_ - known_; }
   /// NaN if no member has one.
   [[nodiscard]] double smallest() const;

@@ -90,7 +90,8 @@ void ArcCutter::open(const Row& start) {
 void ArcCutter::close(ArcEnd ended_by, const Row* clamped) {
   if (steps_ < 2) ++skipped_arcs_;
   if (steps_ >= 2) visitor_.end(ended_by, clamped);
-  if (steps_ == 1 && clamped != nullptr) visitor_.bounce(start_, first_row_, *clamped);
+  if (steps_ == 1 || (steps_ == 0 && clamped != nullptr))
+    visitor_.short_arc(start_, steps_ == 1 ? &first_row_ : nullptr, clamped);
   is_open_ = false;
 }
 

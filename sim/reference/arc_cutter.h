@@ -29,7 +29,7 @@ struct ArcStart {
   Bounds bounds;  ///< In force.
 };
 
-/// Receives arcs of two steps and more, one after the other, and bounces between them.
+/// Receives arcs of two steps and more, one after the other, and the short ones between them.
 class ArcVisitor {
  public:
   ArcVisitor() = default;
@@ -42,11 +42,13 @@ class ArcVisitor {
   virtual void fly(const Row& row) = 0;
   /// @param clamped the row that the wall's clamp made, null where no wall ended the arc.
   virtual void end(ArcEnd ended_by, const Row* clamped) = 0;
-  /// An arc of one step that a clamp ended.
-  virtual void bounce(const ArcStart& start, const Row& flown, const Row& clamped) = 0;
+  /// An arc of fewer than two steps: of one, `flown`, or of none where the frame after the start is clamped.
+  /// Each may be null, not both. The walls of the start's own row go on clamping, if they clamp again at
+  /// once.
+  virtual void short_arc(const ArcStart& start, const Row* flown, const Row* clamped) = 0;
 };
 
-/// Holds one row of an arc at most; costs next to nothing where a sprite rests.
+/// Holds one row of an arc at most.
 class ArcCutter final : public RowSink {
  public:
   /// @param inputs of the scenario, as they were applied. Refers to the visitor.

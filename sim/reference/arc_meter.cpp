@@ -1,6 +1,9 @@
 #include "sim/reference/arc_meter.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "sim/result/interval.h"
 
 namespace hyrax {
 namespace {
@@ -24,9 +27,18 @@ std::optional<double> LineFit::slope_per_s() const {
   return (count_ * t_value_ - t_ * value_) / spread;
 }
 
-double Spread::standard_deviation() const {
-  return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1));
+void Spread::add(double value) {
+  smallest_ = std::min(smallest_, value);
+  largest_ = std::max(largest_, value);
+  if (count_++ % kept_every_ != 0) return;
+  kept_.push_back(value);
+  if (kept_.size() < kKeptMax) return;
+  for (std::size_t index = 0; 2 * index < kept_.size(); ++index) kept_[index] = kept_[2 * index];
+  kept_.resize(kept_.size() / 2);
+  kept_every_ *= 2;
 }
+
+double Spread::median() const { return quantile(kept_, 0.5); }
 
 ArcEnergyParts& ArcEnergyParts::operator+=(const ArcEnergyParts& other) {
   gravity += other.gravity;
@@ -104,29 +116,42 @@ void ArcMeter::fly(const Row& row) {
 
 void ArcMeter::end(ArcEnd ended_by, const Row* clamped) {
   ArcErrors arc = arc_errors(ended_by);
-  const std::vector<ImpactErrors> met = contacts(clamped, arc);
+  const std::vector<ImpactErrors> met = contacts(clamped != nullptr ? clamped->contact : 0, clamped, arc);
   verify(arc);
   add_to_summary(arc);
   sink_.arc(arc);
   report_contacts(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
 }
 
-void ArcMeter::bounce(const ArcStart& start, const Row& flown, const Row& clamped) {
+// Walls that clamped the row before as well go on with a contact that is listed already.
+void ArcMeter::short_arc(const ArcStart& start, const Row* flown, const Row* clamped) {
+  const unsigned hit = clamped != nullptr ? clamped->contact & ~kRestBit : 0u;
+  const unsigned before = flown != nullptr ? 0u : start.row.contact;
+  const auto begun = static_cast<std::uint8_t>(hit & ~before);
+  if (flown == nullptr && begun == 0) {
+    start_ = start;
+    last_ = start.row;
+    const Flight from = seen_from_start(start.row);
+    summary_.unlisted_energy_px2_per_s2 += energy_gain(from, seen_from_start(*clamped));
+    return;
+  }
   open(start, false);
-  fly(flown);
+  if (flown != nullptr) {
+    fly(*flown);
+    summary_.unlisted_energy_px2_per_s2 += energy_gain(first_, seen_from_start(*flown));
+  }
   ArcErrors arc = arc_errors(ArcEnd::end);
-  const std::vector<ImpactErrors> met = contacts(&clamped, arc);
+  const std::vector<ImpactErrors> met = contacts(begun, clamped, arc);
   verify(arc);
   count_fault(arc);
-  report_contacts(met, (clamped.contact & kRestBit) != 0);
+  report_contacts(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
 }
 
 // In a corner x before y.
-std::vector<ImpactErrors> ArcMeter::contacts(const Row* clamped, const ArcErrors& arc) {
+std::vector<ImpactErrors> ArcMeter::contacts(std::uint8_t walls, const Row* clamped, const ArcErrors& arc) {
   std::vector<ImpactErrors> met;
-  if (clamped == nullptr) return met;
   for (const Wall wall : kWalls)
-    if (touches(clamped->contact, wall)) met.push_back(impact_errors(wall, *clamped, arc));
+    if (clamped != nullptr && touches(walls, wall)) met.push_back(impact_errors(wall, *clamped, arc));
   return met;
 }
 
@@ -207,7 +232,10 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   arc.energy_drift_end_px2_per_s2 = g.drift_last;
   arc.energy_drift_rel_max = g.drift_largest / scale;
   arc.energy_drift_rel_end = g.drift_last / scale;
-  if (const auto slope = g.drift_fit.slope_per_s()) arc.energy_drift_slope_per_s = *slope / scale;
+  if (const auto slope = g.drift_fit.slope_per_s()) {
+    arc.energy_drift_slope_per_s = *slope / scale;
+    if (model_.gravity_px_per_s2 > 0.0) arc.energy_drift_slope_px_per_s = *slope / model_.gravity_px_per_s2;
+  }
   const double by_gravity = solution_.gravity_energy_px2_per_s2();
   arc.energy_parts = {by_gravity, g.drift_last - by_gravity};
   arc.coordinate_largest_px = g.coordinate_largest_px;
@@ -323,12 +351,17 @@ void ArcMeter::add_to_summary(const ArcErrors& arc) {
   s.differing_steps += arc.differing_steps;
   count_fault(arc);
   s.arc_energy += arc.energy_parts;
+  s.reference_energy_px2_per_s2 += energy_gain(first_, solution_.matched());
+  drift_of_all_arcs_.add_line(gathered_.drift_fit);
+  if (const auto slope = drift_of_all_arcs_.slope_per_s(); slope && model_.gravity_px_per_s2 > 0.0)
+    s.secular_px_per_s = *slope / model_.gravity_px_per_s2;
   include_worst(s.implementation_px, arc.implementation_px, arc.first_step);
   include_worst(s.truncation_px, arc.truncation_px, arc.first_step);
   include_worst(s.model_px, arc.model_px, arc.first_step);
   include_worst(s.exact_law_px, arc.exact_law_px, arc.first_step);
   include_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
   include_worst(s.energy_drift_max_px2_per_s2, arc.energy_drift_max_px2_per_s2, arc.first_step);
+  include_worst(s.energy_drift_slope_px_per_s, arc.energy_drift_slope_px_per_s, arc.first_step);
   include_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
   include_worst(s.gsl_vs_closed_px, arc.gsl_vs_closed_px, arc.first_step);
 }

@@ -22,6 +22,13 @@ class LineFit {
     t_t_ += t_s * t_s;
     t_value_ += t_s * value;
   }
+  /// Adds the values of another line, whose intercept is its own.
+  void add_line(const LineFit& other) {
+    if (other.count_ == 0.0) return;
+    t_t_ += other.t_t_ - other.t_ * other.t_ / other.count_;
+    t_value_ += other.t_value_ - other.t_ * other.value_ / other.count_;
+    count_ = 1.0;
+  }
   /// None where all t are equal.
   [[nodiscard]] std::optional<double> slope_per_s() const;
 
@@ -41,7 +48,7 @@ class ArcMeter final : public ArcVisitor {
   void begin(const ArcStart& start) override;
   void fly(const Row& row) override;
   void end(ArcEnd ended_by, const Row* clamped) override;
-  void bounce(const ArcStart& start, const Row& flown, const Row& clamped) override;
+  void short_arc(const ArcStart& start, const Row* flown, const Row* clamped) override;
 
   /// Without what the cutter knows: skipped arcs and the first row that is not finite.
   [[nodiscard]] const DriftSummary& summary() const { return summary_; }
@@ -73,7 +80,8 @@ class ArcMeter final : public ArcVisitor {
   void open(const ArcStart& start, bool tells_rows);
   void verify(ArcErrors& arc);
   [[nodiscard]] ArcErrors arc_errors(ArcEnd ended_by) const;
-  [[nodiscard]] std::vector<ImpactErrors> contacts(const Row* clamped, const ArcErrors& arc);
+  [[nodiscard]] std::vector<ImpactErrors> contacts(std::uint8_t walls, const Row* clamped,
+                                                   const ArcErrors& arc);
   [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc);
   [[nodiscard]] ContactEnergyParts contact_energy(const Row& clamped) const;
   [[nodiscard]] double late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const;
@@ -96,6 +104,7 @@ class ArcMeter final : public ArcVisitor {
   Flight first_;
   Row last_;
   Gathered gathered_;
+  LineFit drift_of_all_arcs_;
   DriftSummary summary_;
 };
 

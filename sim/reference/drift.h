@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "sim/motion/state.h"
 #include "sim/reference/arc_cutter.h"
+#include "sim/reference/model.h"
 
 namespace hyrax {
 
@@ -23,7 +26,7 @@ inline constexpr double kSolversApartEnergy_rel = 1e-9;
 
 /// Relative energies are divided by no less: the energy of 1 px of height, so that arcs of almost no
 /// energy do not drown the rest.
-inline constexpr double kEnergyScaleMin_px2_per_s2 = 1200.0;
+inline constexpr double kEnergyScaleMin_px2_per_s2 = Model{}.gravity_px_per_s2;
 
 /// How an arc's energy drift at its last row came about, px^2/s^2: by the discretisation of gravity, which
 /// costs the same whatever the speed, and by drag along the path that follows from it. Their sum is the
@@ -77,7 +80,10 @@ struct ArcErrors {
   double energy_drift_end_px2_per_s2 = 0.0;  ///< Signed, at last_step.
   double energy_drift_rel_max = 0.0;
   double energy_drift_rel_end = 0.0;
-  /// Least-squares slope with intercept of the signed relative drift; none where no time passes.
+  /// Least-squares slope with intercept of the signed drift, none where no time passes: as height (divided by
+  /// gravity; none without it), the same for every arc of a clock, and relative, which says how low an arc
+  /// is.
+  std::optional<double> energy_drift_slope_px_per_s;
   std::optional<double> energy_drift_slope_per_s;
   ArcEnergyParts energy_parts;
 
@@ -94,9 +100,9 @@ struct ArcErrors {
   }
 };
 
-/// A contact that ended an arc, against the true impact: the first time t* at which the matched ODE
-/// from the arc's first state goes out through that wall. It flies with each frame's own rate, and past
-/// the last row with that of the arc's last frame of positive dt (of the clamped frame, if there is
+/// A contact that ended an arc, of no step too, against the true impact: the first time t* at which the
+/// matched ODE from the arc's first state goes out through that wall. It flies with each frame's own rate,
+/// and past the last row with that of the arc's last frame of positive dt (of the clamped frame, if there is
 /// none). None where it does not cross within the clamped dt plus twice that last dt.
 struct ImpactErrors {
   std::int64_t step = 0;  ///< Of the clamped row.
@@ -129,7 +135,7 @@ struct RowErrors {
 };
 
 /// Receives what is measured: the rows of an arc, then the arc, then the contacts that ended it (two in
-/// a corner, x before y). Of an arc of one step, its contacts alone.
+/// a corner, x before y). Of a shorter arc, the contacts that begin after it alone.
 class DriftSink {
  public:
   DriftSink() = default;
@@ -150,26 +156,25 @@ struct Worst {
   std::int64_t step = 0;
 };
 
-/// Mean and standard deviation as values come in. Source: B. P. Welford, "Note on a method for
-/// calculating corrected sums of squares and products", Technometrics 4:419-420, 1962.
+/// Median and range as values come in, which one value, however far off, does not move.
 class Spread {
  public:
-  void add(double value) {
-    ++count_;
-    const double before = value - mean_;
-    mean_ += before / static_cast<double>(count_);
-    squares_ += before * (value - mean_);
-  }
+  void add(double value);
   [[nodiscard]] std::int64_t count() const { return count_; }
-  /// REQUIRES: count() > 0.
-  [[nodiscard]] double mean() const { return mean_; }
-  /// Of the sample, with count - 1; 0 for a single value.
-  [[nodiscard]] double standard_deviation() const;
+  /// REQUIRES: count() > 0, of all three. The median is that of every K-th value, K = 1 up to kKeptMax
+  /// values.
+  [[nodiscard]] double median() const;
+  [[nodiscard]] double smallest() const { return smallest_; }
+  [[nodiscard]] double largest() const { return largest_; }
+
+  static constexpr std::size_t kKeptMax = 1 << 16;
 
  private:
   std::int64_t count_ = 0;
-  double mean_ = 0.0;
-  double squares_ = 0.0;
+  double smallest_ = std::numeric_limits<double>::infinity();
+  double largest_ = -std::numeric_limits<double>::infinity();
+  std::vector<double> kept_;
+  std::int64_t kept_every_ = 1;
 };
 
 /// The run as a whole. What no arc or contact had is none.
@@ -190,7 +195,10 @@ struct DriftSummary {
   std::optional<Worst> exact_law_px;
   std::optional<Worst> energy_drift_rel_max;
   std::optional<Worst> energy_drift_max_px2_per_s2;
-  std::optional<Worst> energy_drift_slope_per_s;  ///< The steepest, with its sign.
+  std::optional<Worst> energy_drift_slope_px_per_s;  ///< The steepest, with its sign.
+  std::optional<Worst> energy_drift_slope_per_s;     ///< The same.
+  /// Least-squares slope of the drift as height over the rows of all arcs, each with an intercept of its own.
+  std::optional<double> secular_px_per_s;
   std::optional<Worst> gsl_vs_closed_px;
   std::optional<Worst> time_error_s;  ///< The largest in magnitude, with its sign.
   std::optional<Worst> overshoot_px;
@@ -198,6 +206,11 @@ struct DriftSummary {
   ArcEnergyParts arc_energy;             ///< Sums over the arcs,
   ContactEnergyParts contact_energy;     ///< the contacts (a corner counts once),
   double late_bounces_px2_per_s2 = 0.0;  ///< and those with a t*.
+  /// Energy changes: of the matched ODE along the arcs, and of the run in rows that no arc and no contact has
+  /// (arcs of one step, frames in which a contact goes on). With the parts of arcs and contacts they add up
+  /// to that of the run without its inputs.
+  double reference_energy_px2_per_s2 = 0.0;
+  double unlisted_energy_px2_per_s2 = 0.0;
   Spread effective_restitution;
 };
 

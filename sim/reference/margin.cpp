@@ -116,9 +116,10 @@ void MarginMeter::consider(Decision decision, const Row& row, bool is_taken, boo
                            double sign, const Slope& slope) {
   const double steepness = std::fabs(slope.by_position) + std::fabs(slope.by_speed);
   if (steepness == 0.0) return;
-  const double kept = std::max(0.0, distance);
-  if (!(kept < half_width_ * steepness)) return;
-  half_width_ = kept / steepness;
+  // As quotients: a product would be nearer, by its rounding, in each of many steps that decide alike.
+  const double half_width = std::max(0.0, distance) / steepness;
+  if (!(half_width < half_width_)) return;
+  half_width_ = half_width;
   nearest_ = {decision, row.step, is_taken, {}};
   const std::size_t axis = is_x ? 0 : 1;
   nearest_.towards[axis] = -sign * sign_of(slope.by_position);

@@ -9,6 +9,7 @@ namespace {
 
 struct ShippedCores {
   using Core = physics;
+  static constexpr bool kKeepsObject = sizeof(physics) != sizeof(State);
 
   [[nodiscard]] physics make(const State& state) const {
     return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};

@@ -16,6 +16,12 @@
 
 namespace hyrax {
 
+/// What moves. `object` as Keyframe::core_object.
+struct CoreBody {
+  State state;
+  std::vector<std::byte> object = {};
+};
+
 /// What to play.
 struct Stretch {
   Size window;
@@ -25,7 +31,8 @@ struct Stretch {
   const double* dt_s = nullptr;     ///< One dt, or one a frame.
   bool is_dt_fixed = true;
   std::int64_t frames = 0;
-  const State* anchor = nullptr;  ///< Ends the stretch early at the row whose state has these bits.
+  std::int64_t from_step = 0;        ///< The row before the first frame.
+  const CoreBody* anchor = nullptr;  ///< Ends the stretch early at the row whose body has these bits.
 };
 
 /// A wall begins or ceases to clamp in row `offset` of the stretch.
@@ -62,7 +69,7 @@ class Kernel {
 
   /// Plays the stretch: moves `body` and the anchor of rest, and appends a row a frame to `rows`.
   /// REQUIRES: stretch.frames <= rows.room().
-  virtual void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows,
+  virtual void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
                     StretchLog& log) const = 0;
   /// Nothing where the core is not the paper's model.
   [[nodiscard]] virtual std::optional<Constants> constants() const = 0;

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -34,16 +35,19 @@ template <class Cores>
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
 /// have another step than the listing's to tell the walls by: `listing(const Bounds&)`, with `fly` and
 /// `meet_walls_in_x`. Without `constants` the core is not the paper's model, and the rows alone tell
-/// (sim/replay/row_walls.h): then `before` is the velocity before the step, and `overshoot` is NaN. With
+/// (sim/replay/row_walls.h): then `before` is the velocity before the step, and `overshoot` is NaN; unless
+/// the core knows its contacts itself: `contact()` and `meeting(...)` as TracedBody has them
+/// (sim/trace/step_player.h). With
 /// `bool is_listing()`, which says whether the step is the listing's bit for bit, a stuck vx is not computed
-/// (sim/replay/stuck_speed.h).
+/// (sim/replay/stuck_speed.h). With `kKeepsObject` a core may have members that no row shows: what is
+/// trivially copyable goes on from stretch to stretch.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
   KernelOf() = default;
   explicit KernelOf(Cores cores) : cores_(std::move(cores)) {}
 
-  void play(const Stretch& stretch, State& body, RestAnchor& rest, RowBlock& rows,
+  void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
             StretchLog& log) const override {
     assert(stretch.frames >= 0 && static_cast<std::size_t>(stretch.frames) <= rows.room());
     log.frames = 0;
@@ -54,10 +58,12 @@ class KernelOf final : public Kernel {
     log.moved_offset = -1;
     const std::size_t rows_before = rows.size();
     std::byte* const row = rows.extend(static_cast<std::size_t>(stretch.frames));
-    if (skips_vx(stretch, body))
-      play_without_vx(stretch, body, rest, row, log);
-    else
-      body = state_of(play_any(stretch, cores_.make(body), rest, row, log));
+    if (skips_vx(stretch, body.state)) {
+      play_without_vx(stretch, body.state, rest, row, log);
+      body.object.clear();  // The listing has no further members.
+    } else {
+      body = body_of(play_any(stretch, core_of(body), rest, row, log));
+    }
     rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
   }
 
@@ -69,15 +75,18 @@ class KernelOf final : public Kernel {
   }
 
   void apply(const Action& action, Keyframe& now) const override {
-    Body body{cores_.make(state_of(now.row)), now.window, now.sprite, now.is_held};
+    Body body{core_of({state_of(now.row), now.core_object}), now.window, now.sprite, now.is_held};
     hyrax::apply(action, body);
     set_state(now.row, state_of(body));
+    now.core_object = body_of(static_cast<const Core&>(body)).object;
   }
 
  private:
   using Core = typename Cores::Core;
   using Listing = decltype(listing_of(std::declval<const Cores&>(), Bounds()));
   static constexpr bool kIsToldByRows = std::is_same_v<Listing, RowWalls>;
+  static constexpr bool kKeepsObject = requires { requires Cores::kKeepsObject; };
+  static constexpr bool kKnowsContacts = requires(const Core& core) { core.contact(); };
 
   // The core with the rest of the world, as hyrax::apply takes it.
   struct Body : Core {
@@ -88,6 +97,38 @@ class KernelOf final : public Kernel {
 
   static State state_of(const Core& core) { return {core.x(), core.y(), core.vx(), core.vy()}; }
   static State state_of(const Row& row) { return hyrax::state_of(row); }
+
+  // The object goes on from stretch to stretch, with all its members; from a keyframe of a file it is made
+  // anew.
+  [[nodiscard]] Core core_of(const CoreBody& body) const {
+    Core core = cores_.make(body.state);
+    if constexpr (kKeepsObject) {
+      if (body.object.size() != sizeof(Core)) return core;
+      Core kept = core;
+      std::memcpy(static_cast<void*>(&kept), body.object.data(), sizeof(Core));
+      if (same_bits(state_of(kept), body.state)) return kept;
+    }
+    return core;
+  }
+  static CoreBody body_of(Core core) {
+    CoreBody body{state_of(core)};
+    if constexpr (kKeepsObject) {
+#if __has_builtin(__builtin_clear_padding)
+      __builtin_clear_padding(&core);
+#endif
+      body.object.resize(sizeof(Core));
+      std::memcpy(body.object.data(), &core, sizeof(Core));
+    }
+    return body;
+  }
+  // The bits of all members.
+  [[nodiscard]] bool is_at(const Core& core, const CoreBody& anchor) const {
+    if (!same_bits(state_of(core), anchor.state)) return false;
+    if constexpr (kKeepsObject)
+      return body_of(core).object == body_of(core_of(anchor)).object;
+    else
+      return true;
+  }
 
   // Frames of one dt repeat themselves instead (Replay::Player), which looks at all of the state.
   [[nodiscard]] bool skips_vx(const Stretch& stretch, const State& body) const {
@@ -169,6 +210,26 @@ class KernelOf final : public Kernel {
     }
   }
 
+  // As log_change, by what the core says. REQUIRES: kKnowsContacts.
+  static void log_known_change(const Stretch& stretch, std::uint8_t contact_before, const Core& before,
+                               double dt_s, const Core& after, std::int64_t offset, StretchLog& log) {
+    for (const Wall wall : kWalls) {
+      if (touches(after.contact(), wall) == touches(contact_before, wall)) continue;
+      if (!touches(after.contact(), wall)) {
+        log.changes.push_back({offset, false, {.wall = wall}});
+        continue;
+      }
+      const auto meeting = before.meeting(wall, dt_s, stretch.window, stretch.sprite);
+      const State row = state_of(after);
+      const auto at = [&](const Velocity& v) {
+        return State{row.x_px, row.y_px, v.vx_px_per_s, v.vy_px_per_s};
+      };
+      log.changes.push_back(
+          {offset, true,
+           begun_contact(wall, at(meeting.before), at(meeting.after), row, meeting.overshoot_px)});
+    }
+  }
+
   // The constants are asked for here, where the compiler may know them: then the flight of a clamped step
   // shares its operations with update. State and anchor stay in locals, which nothing else points to, so that
   // they can live in registers.
@@ -192,7 +253,11 @@ class KernelOf final : public Kernel {
       const std::uint8_t contact_before = contact;
       body.update(dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
       contact = 0;
-      if constexpr (kIsToldByRows) {
+      if constexpr (kKnowsContacts) {
+        contact = body.contact();
+        if (contact != 0) ++log.rows[contact];
+        log.had_friction |= touches(contact, Wall::ground) && before.vx() != 0.0;
+      } else if constexpr (kIsToldByRows) {
         contact = listing.contact_of(state_of(before), dt_s, state_of(body));
         if (contact != 0) ++log.rows[contact];
       } else {
@@ -209,11 +274,15 @@ class KernelOf final : public Kernel {
       }
       pack_row(row, dt_s, body.x(), body.y(), body.vx(), body.vy(), contact);
       row += kPackedRowBytes;
-      if (is_change(contact_before, contact))
-        log_change(listing, contact_before, contact, state_of(before), dt_s, state_of(body), frame, log);
+      if (is_change(contact_before, contact)) {
+        if constexpr (kKnowsContacts)
+          log_known_change(stretch, contact_before, before, dt_s, body, frame, log);
+        else
+          log_change(listing, contact_before, contact, state_of(before), dt_s, state_of(body), frame, log);
+      }
       if (rest.moves_to(body.x(), body.y())) moved_offset = frame;
       ++frame;
-      if (kSeeksAnchor && same_bits(state_of(body), *stretch.anchor)) {
+      if (kSeeksAnchor && is_at(body, *stretch.anchor)) {
         log.met_anchor = true;
         break;
       }
@@ -236,7 +305,7 @@ class KernelOf final : public Kernel {
                body.vy(), 0);
       row += kPackedRowBytes;
       ++log.frames;
-      log.met_anchor = stretch.anchor != nullptr && same_bits(state_of(body), *stretch.anchor);
+      log.met_anchor = stretch.anchor != nullptr && is_at(body, *stretch.anchor);
     }
   }
 

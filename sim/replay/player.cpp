@@ -58,7 +58,7 @@ void Replay::Player::play_to(std::int64_t step_end) {
   }
 }
 
-State Replay::Player::body() const { return state_of(now_.row); }
+CoreBody Replay::Player::body() const { return {state_of(now_.row), now_.core_object}; }
 
 Stretch Replay::Player::stretch(std::int64_t frames) const {
   return {.window = now_.window,
@@ -67,7 +67,8 @@ Stretch Replay::Player::stretch(std::int64_t frames) const {
           .contact_before = now_.row.contact,
           .dt_s = dt_s_.data(),
           .is_dt_fixed = dt_s_.size() == 1,
-          .frames = frames};
+          .frames = frames,
+          .from_step = step()};
 }
 
 // Takes the row's dt at once, with the events of the frame to come.
@@ -141,9 +142,9 @@ void Replay::Player::play_uneven_stretch(std::int64_t end) {
 void Replay::Player::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
   const RestAnchor rest_before = rest_;
-  State moved = body();
+  CoreBody moved = body();
   kernel_.play(stretch, moved, rest_, block_, log_);
-  if (!is_finite(moved)) {
+  if (!is_finite(moved.state)) {
     rest_ = rest_before;
     cut_to_first_non_finite(stretch, rows_before);
   }
@@ -152,6 +153,7 @@ void Replay::Player::play_batch(const Stretch& stretch) {
     summary_.had_gravity |= std::any_of(dt_s_.begin(), dt_s_.end(), [](double dt_s) { return dt_s > 0.0; });
   }
   summary_.steps_computed += log_.frames;
+  now_.core_object = std::move(moved.object);
   pass_on(rows_before);
   if (block_.room() == 0) close_block();
 }
@@ -163,7 +165,7 @@ void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_b
   while (is_finite(state_of(block_.row(row)))) ++row;
   block_.shrink(rows_before);
   stretch.frames = static_cast<std::int64_t>(row - rows_before) + 1;
-  State moved = body();
+  CoreBody moved = body();
   kernel_.play(stretch, moved, rest_, block_, log_);
   summary_.non_finite_step = step() + stretch.frames;
 }

@@ -20,7 +20,8 @@ struct Cycle {
   std::int64_t period = 0;
   std::int64_t first_step = 0;  ///< Of the first row.
   RowBlock rows;
-  StretchLog log;  ///< Of one period.
+  StretchLog log;   ///< Of one period.
+  CoreBody before;  ///< Its first row.
 
   /// How many rows of a period come before row `step`. REQUIRES: step >= first_step.
   [[nodiscard]] std::int64_t phase(std::int64_t step) const {
@@ -46,13 +47,13 @@ class Replay::Player {
   // grows with the run, so that any period up to a block is found in the end. It lasts as long as a
   // stretch without input, however many calls of play_to that takes.
   struct Search {
-    State anchor;
+    CoreBody anchor;
     std::int64_t step = 0;
     std::int64_t window = 256;
   };
 
   [[nodiscard]] std::int64_t step() const { return now_.row.step; }
-  [[nodiscard]] State body() const;
+  [[nodiscard]] CoreBody body() const;
   [[nodiscard]] Stretch stretch(std::int64_t frames) const;
   [[nodiscard]] std::int64_t room() const;
   void apply_events();

@@ -49,7 +49,8 @@ Cycle Replay::Player::make_cycle(std::int64_t period) const {
   Cycle cycle;
   cycle.period = period;
   cycle.first_step = step() + 1;
-  State moving = body();
+  cycle.before = body();
+  CoreBody moving = cycle.before;
   RestAnchor unused;
   kernel_.play(stretch(period), moving, unused, cycle.rows, cycle.log);
   multiply(cycle.rows);
@@ -67,6 +68,14 @@ Keyframe Replay::Player::keyframe_in(const Cycle& cycle, std::int64_t at) const 
   Keyframe keyframe = now_;
   keyframe.row = row_in(cycle, at);
   keyframe.timeline.frames += at - step();
+  if (!cycle.before.object.empty()) {
+    CoreBody moved = cycle.before;
+    RestAnchor rest;
+    RowBlock rows;
+    StretchLog log;
+    kernel_.play(stretch(cycle.phase(at) + 1), moved, rest, rows, log);
+    keyframe.core_object = std::move(moved.object);
+  }
   return keyframe;
 }
 

@@ -132,12 +132,12 @@ Field in_events(std::vector<Event>& events, Tokens path) {
 
 }  // namespace
 
-NumberKind number_kind(std::string_view pointer) {
+ScenarioNumberKind number_kind(std::string_view pointer) {
   const std::string_view key = pointer.substr(pointer.rfind('/') + 1);
-  if (key == "seed") return NumberKind::seed;
+  if (key == "seed") return ScenarioNumberKind::seed;
   for (const std::string_view integer : {"width_px", "height_px", "step", "steps", "every"})
-    if (key == integer) return NumberKind::integer;
-  return NumberKind::real;
+    if (key == integer) return ScenarioNumberKind::integer;
+  return ScenarioNumberKind::real;
 }
 
 std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointer) {

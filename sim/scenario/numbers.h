@@ -14,7 +14,7 @@ namespace hyrax {
 
 /// What a key of the format `hyrax-scenario/1` holds: a real number, a whole number, or a seed, which may be
 /// up to 2^64 - 1.
-enum class NumberKind : std::uint8_t { real, integer, seed };
+enum class ScenarioNumberKind : std::uint8_t { real, integer, seed };
 
 /// A number of a scenario: where it is stored, and the limits of its key.
 struct NumberField {
@@ -36,7 +36,7 @@ struct NumberField {
 };
 
 /// Of the key that a pointer ends in.
-[[nodiscard]] NumberKind number_kind(std::string_view pointer);
+[[nodiscard]] ScenarioNumberKind number_kind(std::string_view pointer);
 
 /// The number at a pointer, as `/start/x_px` or `/events/0/fling/vx_px_per_s`. It refers to the scenario.
 /// Nothing if the scenario holds no number there, or in `expect`.

@@ -12,21 +12,21 @@ namespace hyrax {
 namespace {
 
 // A whole double in the type of the key; 2^64 is the largest seed.
-SweepNumber in_kind(NumberKind kind, double value) {
+SweepNumber in_kind(ScenarioNumberKind kind, double value) {
   switch (kind) {
-    case NumberKind::real:
+    case ScenarioNumberKind::real:
       break;
-    case NumberKind::integer:
+    case ScenarioNumberKind::integer:
       return static_cast<std::int64_t>(value);
-    case NumberKind::seed:
+    case ScenarioNumberKind::seed:
       return value >= 0x1p64 ? ~std::uint64_t{0} : static_cast<std::uint64_t>(value);
   }
   return value;
 }
 
-SweepNumber in_kind(NumberKind kind, std::int64_t value) {
-  if (kind == NumberKind::real) return static_cast<double>(value);
-  if (kind == NumberKind::seed) return static_cast<std::uint64_t>(value);
+SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value) {
+  if (kind == ScenarioNumberKind::real) return static_cast<double>(value);
+  if (kind == ScenarioNumberKind::seed) return static_cast<std::uint64_t>(value);
   return value;
 }
 
@@ -35,14 +35,14 @@ struct ValueOf {
   std::size_t key;
   std::int64_t member;
 
-  [[nodiscard]] NumberKind kind() const { return sweep.vary[key].kind; }
+  [[nodiscard]] ScenarioNumberKind kind() const { return sweep.vary[key].kind; }
   [[nodiscard]] double unit_draw() const {
     return split_mix64_unit(sweep.seed, static_cast<std::uint64_t>(member) * sweep.vary.size() + key);
   }
 
   SweepNumber operator()(const UniformDraw& range) const {
     const double u = unit_draw();
-    if (kind() == NumberKind::real) return range.low + (range.high - range.low) * u;
+    if (kind() == ScenarioNumberKind::real) return range.low + (range.high - range.low) * u;
     // Far from 0 the sum can round up to high + 1.
     return in_kind(kind(), std::min(std::floor(range.low + (range.high - range.low + 1.0) * u), range.high));
   }
@@ -56,7 +56,7 @@ struct ValueOf {
 };
 
 struct ExtremesOf {
-  NumberKind kind;
+  ScenarioNumberKind kind;
   std::int64_t members;
 
   std::vector<SweepNumber> operator()(const UniformDraw& range) const {

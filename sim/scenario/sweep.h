@@ -49,7 +49,7 @@ struct MemberNumber {};
 
 struct VariedKey {
   std::string pointer;  ///< JSON Pointer into the scenario.
-  NumberKind kind = NumberKind::real;
+  ScenarioNumberKind kind = ScenarioNumberKind::real;
   std::variant<UniformDraw, ChoiceDraw, GridAxis, MemberNumber> variation;
 };
 

@@ -29,26 +29,27 @@ enum class Invariant : std::uint8_t {
 inline constexpr std::size_t kInvariantCount = 16;
 
 struct InvariantText {
-  std::string_view name;  ///< In tables and in JSON.
-  std::string_view rule;  ///< What must hold, in a few words.
-  std::string_view unit;  ///< Of its slack.
+  std::string_view name;    ///< In tables and in JSON.
+  std::string_view rule;    ///< What must hold, in a few words.
+  std::string_view unit;    ///< Of its slack.
+  bool is_general = false;  ///< Of any core, whatever its arithmetic; else the listing's own.
 };
 
 inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
-    {"finite", "state and time are finite, time does not go back", "decades"},
-    {"in-bounds", "inside the window after a step, if the sprite fits into it", "px"},
-    {"step-energy", "flight loses energy, a clamp adds no more than its lift", "px2/s2"},
-    {"energy-ceiling", "energy never above that after the last input, or of residual speed", "px2/s2"},
+    {"finite", "state and time are finite, time does not go back", "decades", true},
+    {"in-bounds", "inside the window after a step, if the sprite fits into it", "px", true},
+    {"step-energy", "flight adds no energy, a clamp no more than its lift", "px2/s2", true},
+    {"energy-ceiling", "energy never above that after the last input, or of residual speed", "px2/s2", true},
     {"speed", "no faster than the same fling in endless free fall", "px/s"},
     {"velocity", "a flight changes vx to a vx, vy to a (vy + G dt), bit for bit", "px/s"},
     {"position", "a flight adds dt times the new velocity to x and y, bit for bit", "px"},
     {"clamp", "no clamp without overshoot, no overshoot without clamp", "px"},
     {"bounce", "a clamp turns the speed with the restitution, friction and rest rule on the ground", "px/s"},
-    {"mirror", "left and right exchanged: the same contacts, to rounding", "px"},
+    {"mirror", "left and right exchanged: the same contacts, to rounding", "px", true},
     {"y-alone", "y and vy are the same bits whatever x does", "px/s"},
     {"no-time", "a zero-length frame changes nothing", "px/s"},
-    {"resumed", "stopped and resumed: the same bits as without a stop", "1"},
-    {"repeated", "run twice: the same bits, repetition skipped or not", "1"},
+    {"resumed", "stopped and resumed: the same bits as without a stop", "1", true},
+    {"repeated", "run twice: the same bits, repetition skipped or not", "1", true},
     {"comes-to-rest", "left alone, it settles and ends at zero speed", "px/s"},
     {"expectations", "what the scenario itself expects", "1"},
 }};

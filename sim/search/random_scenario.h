@@ -33,9 +33,6 @@ enum class Feature : std::uint8_t {
   long_run,      ///< Once in eight such runs up to 2,000 frames, so that states repeat; else up to 80.
 };
 inline constexpr std::size_t kFeatureCount = 16;
-inline constexpr std::array<std::string_view, kFeatureCount> kFeatureNames = {
-    "corners", "on-bounds", "outside", "fast",   "small-window", "oversized",   "resizes",  "hitches",
-    "holds",   "throws",    "rest",    "jitter", "recorded",     "zero-frames", "any-rate", "long-run"};
 
 class Features {
  public:

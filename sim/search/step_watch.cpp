@@ -102,17 +102,16 @@ void StepWatch::check_bounds(const Step& step) {
 // vy' = a u, y' = y + h vy', and so
 //   e' - e <= (a^2 - 1) u^2 / 2 + (1 - a) G h u - (G h)^2 / 2,
 // which is largest at u = G h / (1 + a): a flight step loses at least a (G h)^2 / (1 + a), whatever its
-// speed. (a = 1: exactly (G h)^2 / 2, as symplectic Euler does in a constant field.)
+// speed. (a = 1: exactly (G h)^2 / 2, as symplectic Euler does in a constant field.) How much it loses is the
+// listing's own; that it gains nothing holds for any core.
 // A clamp turns speeds without raising them, and lifts by y_flight - y, which adds G times that.
 // Rounding: vy', vx' have a relative error of at most 3 roundings and y' of 3 in each of its terms; twice
 // that covers the two energies.
 void StepWatch::check_step_energy(const Step& step) {
   const auto& [from, flight, row, bounds] = step;
   const double gravity = core_.gravity_px_per_s2;
-  const double drag = std::min(core_.air_drag, 1.0);
   const bool is_clamped = flight.y_px < 0.0 || flight.y_px > bounds.bottom_px;
-  const double lift_px = is_clamped ? flight.y_px - row.y_px : 0.0;
-  const double allowed = -drag * square(gravity * row.dt_s) / (1.0 + drag) + gravity * lift_px;
+  const double allowed = is_clamped ? gravity * (flight.y_px - row.y_px) : 0.0;
   const double gained = (row.vx_px_per_s - from.vx_px_per_s) * (row.vx_px_per_s + from.vx_px_per_s) / 2 +
                         (row.vy_px_per_s - from.vy_px_per_s) * (row.vy_px_per_s + from.vy_px_per_s) / 2 -
                         gravity * (row.y_px - from.y_px);
@@ -122,14 +121,15 @@ void StepWatch::check_step_energy(const Step& step) {
   record(Invariant::step_energy, allowed - gained + 12 * kRounding * size, row.step);
 }
 
-// In y alone, e = vy^2 / 2 + G (bottom - y), and c = restitution * drag < 1. Flight and ceiling lower it. A
+// In y alone, e = vy^2 / 2 + G (bottom - y), and c = restitution < 1 (drag, whenever a core applies it, only
+// lowers the speed; a factor above 1 would raise it once a step). Flight and ceiling lower e. A
 // step that ends on the ground has at most (c (v + G h))^2 / 2 with v^2 / 2 <= e; and c (v + G h) <= v
 // as soon as v >= c G h / (1 - c). So e never exceeds the larger of what it was after the last input and
 //   (c G h / (1 - c))^2 / 2, the energy of the residual speed, h the longest frame since.
 // A core of c >= 1 must stay below its start. Rounding adds up over the steps.
 void StepWatch::check_energy_ceiling(const Step& step) {
   const double gravity = core_.gravity_px_per_s2;
-  const double c = core_.restitution * core_.air_drag;
+  const double c = core_.restitution * std::max(1.0, core_.air_drag);
   const double residual_px_per_s = c < 1.0 ? c * gravity * dt_max_s_ / (1.0 - c) : 0.0;
   const double ceiling = std::max(energy_y_start_px2_per_s2_, square(residual_px_per_s) / 2);
   const double energy = square(step.row.vy_px_per_s) / 2 +

@@ -1,7 +1,9 @@
 // The state after a frame: what is recorded, and what a replay needs to go on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "sim/motion/state.h"
 #include "sim/scenario/frame_clock.h"
@@ -38,6 +40,8 @@ struct Keyframe {
   Size window;
   Size sprite;
   bool is_held = false;
+  /// The core's object, where it has members that no row shows; empty: made from the row. Not kept in files.
+  std::vector<std::byte> core_object = {};
 };
 
 }  // namespace hyrax

@@ -36,10 +36,10 @@ Sweep throws(std::int64_t steps, std::initializer_list<Keep> keep) {
   sweep.base.length = steps;
   sweep.members = kMembers;
   sweep.seed = 2026;
-  sweep.vary = {{"/start/vx_px_per_s", NumberKind::real, UniformDraw{-2000.0, 2000.0}},
-                {"/start/vy_px_per_s", NumberKind::real, UniformDraw{-2000.0, 2000.0}},
-                {"/start/x_px", NumberKind::real, UniformDraw{0.0, 1792.0}},
-                {"/start/y_px", NumberKind::real, UniformDraw{0.0, 952.0}}};
+  sweep.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 2000.0}},
+                {"/start/vy_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 2000.0}},
+                {"/start/x_px", ScenarioNumberKind::real, UniformDraw{0.0, 1792.0}},
+                {"/start/y_px", ScenarioNumberKind::real, UniformDraw{0.0, 952.0}}};
   for (const Keep each : keep) sweep.keep.add(each);
   return sweep;
 }
@@ -47,7 +47,7 @@ Sweep throws(std::int64_t steps, std::initializer_list<Keep> keep) {
 Sweep jittered_throws(std::initializer_list<Keep> keep) {
   Sweep sweep = throws(kSteps, keep);
   sweep.base.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 0};
-  sweep.vary.insert(sweep.vary.begin(), {"/clock/jitter/seed", NumberKind::seed, MemberNumber{}});
+  sweep.vary.insert(sweep.vary.begin(), {"/clock/jitter/seed", ScenarioNumberKind::seed, MemberNumber{}});
   return sweep;
 }
 

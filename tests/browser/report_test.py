@@ -1,15 +1,23 @@
 """The report page in Chromium: it replays what hyrax-sim played, bit for bit, and shows where a file differs."""
 
+import base64
 import json
+import math
+import os
 import pathlib
+import re
 import shutil
+import struct
 
 import h5py
 
 import browser
 import program
 from browser import HOSTILE
+from process import run
 from program import AGREED, DISAGREED, SOURCE
+
+PROGRAM_FAULT = 70
 
 # Fixed, jittered and recorded clocks, inputs, resizes, hard cases.
 SCENARIOS = ["flings/first-fling", "flings/sprite-grows-and-shrinks", "flings/grab-and-throw", "flings/signed-zeros",
@@ -17,6 +25,28 @@ SCENARIOS = ["flings/first-fling", "flings/sprite-grows-and-shrinks", "flings/gr
              "clocks/trace-144-hz", "clocks/hour-at-60-hz", "recorded/throw-to-the-right",
              "recorded/shaken-and-dropped", "edges/times-after-steps", "edges/no-frame", "hard/any-jitter",
              "hard/window-of-no-size", "hard/sprite-far-larger-than-window", "hard/trace-of-extremes"]
+
+# Altered cores that change no bit of any run.
+SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_moves_before_x"}
+
+# How many pixels of a canvas have the colour of what is wrong.
+MARKED = """(() => {{
+  const canvas = document.getElementById('{}'), probe = document.createElement('canvas').getContext('2d');
+  probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--vermilion').trim();
+  probe.fillRect(0, 0, 1, 1);
+  const wanted = probe.getImageData(0, 0, 1, 1).data;
+  const found = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  let count = 0;
+  for (let i = 0; i < found.length; i += 4) count += wanted.every((value, byte) => found[i + byte] === value);
+  return count;
+}})()"""
+
+
+def run_altered(core, *arguments):
+    """The program with an altered core of tests/must_fail, in the project's folder."""
+    return run(pathlib.Path(os.environ["HYRAX_CONTROLS"]) / "control_altered", *arguments, cwd=SOURCE,
+               env={**os.environ, "HYRAX_ALTERED_CORE": core})
+
 
 def number(name):
     """The value of a readout, as JavaScript."""
@@ -36,6 +66,50 @@ class ReportTest(browser.BrowserTest):
             self.assertEqual(page["attributes"]["replay"], "agrees", scenario)
             self.assertEqual(page["attributes"]["stateHash"], state_hash, scenario)
             self.assertEqual((page["errors"], page["requests"]), ([], []), scenario)
+
+    def rewritten(self, task, change):
+        """Changes the data in a page: change(data)."""
+        path = pathlib.Path(task["file"])
+        before, data, after = re.split(r'(?<=id="data">)(.*?)(?=</script>)', path.read_text(encoding="utf-8"), maxsplit=1)
+        data = json.loads(data)
+        change(data)
+        path.write_text(before + json.dumps(data).replace("<", "\\u003c") + after, encoding="utf-8")
+        return task
+
+    def test_a_page_of_another_core_says_so_and_report_fails(self):
+        self.played("fling", program.fling())
+        looks = {"actions": [["evaluate", "document.getElementById('other-core').checkVisibility()"], ["axe"]]}
+        (page,) = self.open({**self.report("fling"), **looks})
+        self.assertEqual((page["values"], page["attributes"].get("core")), ([False, []], None))
+        cores = dict(line.split("\t")[:2] for line in run_altered("list").out.splitlines())
+        for core in (core for core, operation in cores.items() if not re.search("clock|inputs", operation)):
+            with self.subTest(core=core):
+                outcome = run_altered(core, "report", self.folder / "fling.h5", "-o", self.folder / "altered.html")
+                self.assertEqual(outcome.exit_code, AGREED if core in SAME_BITS else PROGRAM_FAULT, outcome)
+        run_altered("gravity_by_one_ulp", "report", self.folder / "fling.h5", "-o", self.folder / "altered.html")
+        (page,) = self.open({"file": str(self.folder / "altered.html"), **looks})
+        self.assertEqual((page["values"], page["attributes"].get("core")), ([True, []], "differs"))
+
+    def test_a_run_that_becomes_non_finite_says_so_and_marks_the_place(self):
+        text = "vx is infinite from step 120 of 600 (2.00 s)"
+        run_altered("bounce_explodes", "run", "scenarios/flings/first-fling.json", "-o", self.folder / "broken.h5",
+                    "--report", self.folder / "broken.html")
+        self.assertIn(f'"non_finite":"{text}"', (self.folder / "broken.html").read_text(encoding="utf-8").replace(": ", ":"))
+
+        def make_infinite(data):
+            played, = data["runs"]
+            record = base64.b64decode(played["record"])
+            played["record"] = base64.b64encode(record.replace(struct.pack("<d", 1357), struct.pack("<d", math.inf))).decode()
+            played.update(non_finite=text, steps=121)
+        self.played("fling", program.fling(events=[{"step": 120, "fling": {"vx_px_per_s": 1357, "vy_px_per_s": 0}}]))
+        looks = {"actions": [["evaluate", MARKED.format(canvas)] for canvas in ("replay", "ticks")] +
+                            [["evaluate", "document.getElementById('verdict').innerText"]]}
+        (page,) = self.open({**self.report("fling"), **looks})
+        self.assertEqual(page["values"][:2], [0, 0])
+        (page,) = self.open({**self.rewritten(self.report("fling"), make_infinite), **looks})
+        self.assertGreater(min(page["values"][:2]), 10)
+        self.assertTrue(page["values"][2].startswith(f"{text}; the run ended there\n"), page["values"][2])
+        self.assertEqual(page["errors"], [])
 
     def test_asks_for_nothing_where_no_policy_forbids_it(self):
         self.played("fling", program.fling())

@@ -6,11 +6,12 @@ import os
 
 import h5py
 
-from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, Maybe,
-                     ProgramTest, fling, main)
+from process import run
+from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM,
+                     Maybe, ProgramTest, fling, main)
 
 BLESS = {"new": int, "changed": int, "unchanged": int, "refused": int, "failed": int, "written": bool, "pruned": [str],
-         "results": [object], "groups": [object]}
+         "results": [object], "cores": [object], "groups": [object]}
 BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)),
            "contacts_moved": Maybe(int), "first_divergence": Maybe(DIVERGENCE), "golden_file": Maybe(str),
            "summary": Maybe(str), "updates_hash": bool}
@@ -34,7 +35,7 @@ class Bless(ProgramTest):
         outcome = self.expect(AGREED, "bless", "scenarios/new.json", "--reason", "a first one")
         self.assertIn("scenarios/new.json: new golden file", outcome.out)
         self.assertIn("golden/new.h5", outcome.out)
-        self.assertEqual(self.names("golden"), ["a", "fling.h5", "fling.txt", "new.h5", "new.txt"])
+        self.assertEqual(self.names("golden"), ["a", "core", "fling.h5", "fling.txt", "new.h5", "new.txt"])
         self.expect(AGREED, "check")
         self.expect(AGREED, "check", "--quick")
 
@@ -69,8 +70,8 @@ class Bless(ProgramTest):
         arguments = ("bless", "scenarios/fling.json", "--reason", "further left", "--dry-run")
         outcome = self.expect(AGREED, *arguments)
         for part in ("scenarios/fling.json: changes golden/fling.h5\n",
-                     "1 of 1 scenario differs by one cause: the scenario changed since it was blessed: "
-                     "/start/x_px 1100 -> 1000 reproduces 1 of 1.\n", "(class shape)", "1 contact moved"):
+                     "1 of 1 scenario differs: the scenario changed since it was blessed: "
+                     "/start/x_px 1100 -> 1000.\n", "(class shape)", "1 contact moved"):
             self.assertIn(part, outcome.out)
         self.assertNotIn("class      shape", outcome.out)
         outcome = self.expect(AGREED, *arguments[:-1], "--verbose")
@@ -93,6 +94,23 @@ class Bless(ProgramTest):
         self.assertEqual(outcome.out.count("agrees with golden/"), 2)
         self.assert_golden_untouched()
 
+    def test_many_that_agree_are_counted(self):
+        self.project("b/one", "b/two", "b/three", "b/four")
+        self.assertEqual(self.expect(AGREED, "bless", "scenarios/b", "--reason", "once more").out,
+                         "4 scenarios: agree with their golden files already\n")
+
+    def test_on_a_full_disk_it_says_how_many_were_written(self):
+        self.write("scenarios/c/long.json", fling(name="long", steps=1990))
+        self.write("scenarios/c/short.json", fling(name="short", steps=5))
+        command = (PROGRAM, "bless", "scenarios/c", "--reason", "x")
+        outcome = run("sh", "-c", 'ulimit -f 180; exec "$@"', "sh", *command, cwd=self.folder)
+        self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
+        self.assertIn("golden/c/long.h5: cannot be written: File too large\nhyrax-sim bless: 1 of 2 scenarios blessed, "
+                      "1 could not be written; the same command completes it\n", outcome.err)
+        self.assertEqual(self.names("golden/c"), ["short.h5", "short.txt"])
+        self.expect(AGREED, *command[1:])
+        self.expect(AGREED, "check", "scenarios/c")
+
     def test_one_that_fails_keeps_all_from_being_written(self):
         self.write("scenarios/fling.json", fling(start=ANOTHER_START))
         for document, exit_code, says in (("{", BAD_INPUT, "zz.json: line 1"),
@@ -112,7 +130,7 @@ class Bless(ProgramTest):
 
     def test_it_takes_folders(self):
         self.expect(AGREED, "bless", "scenarios", "scenarios/new.json", "--reason", "all")
-        self.assertEqual(self.names("golden"), ["a", "fling.h5", "fling.txt", "new.h5", "new.txt"])
+        self.assertEqual(self.names("golden"), ["a", "core", "fling.h5", "fling.txt", "new.h5", "new.txt"])
 
     def test_it_refuses_two_scenarios_of_one_golden_file(self):
         for name in ("one", "two"):
@@ -232,7 +250,7 @@ class Bless(ProgramTest):
     def test_what_cannot_be_written_is_exit_3_and_leaves_no_part(self):
         (self.folder / "golden/new.txt").mkdir()
         self.expect(CANNOT_ACCESS, "bless", "scenarios/new.json", "--reason", "x", says="golden/new.txt")
-        self.assertEqual(self.names("golden"), ["a", "fling.h5", "fling.txt", "new.txt"])
+        self.assertEqual(self.names("golden"), ["a", "core", "fling.h5", "fling.txt", "new.txt"])
         self.write("file", "in the way")
         self.expect(CANNOT_ACCESS, "bless", "scenarios/new.json", "--reason", "x", "--golden", "file")
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The documents that report the verdicts of `check`."""
 
+import json
 import os
 import re
 import xml.etree.ElementTree
@@ -10,12 +11,14 @@ import numpy
 
 from check_program import CheckTest, nudge
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM, Maybe, fling, main
+from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM, Maybe,
+                     fling, main)
 
 CHECK = {"checked": int, "agreed": int, "disagreed": int, "missing": int, "failed": int,
-         "unreferenced": int, "results": [object], "groups": [object]}
-GROUP = {"operation": str, "kind": str, "detail": str, "from": Maybe((int, float)), "to": Maybe((int, float)),
-         "scenarios": [str], "reproduced": int, "class": str, "max_px": (int, float), "contacts_moved": int,
+         "unreferenced": int, "results": [object], "cores": [object], "groups": [object]}
+CORE = {"golden": str, "status": str, "why": Maybe(str), "paths": Maybe(int), "paths_taken": int, "changes": [object],
+        "unnoticed": [object]}
+GROUP = {"operation": str, "detail": str, "scenarios": [str], "class": str, "max_px": (int, float), "contacts_moved": int,
          "rest_shift_px": Maybe((int, float))}
 RESULT = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)), "contacts_moved": Maybe(int),
           "first_divergence": Maybe(DIVERGENCE)}
@@ -32,6 +35,8 @@ class Document(CheckTest):
             self.assert_shape(entry, RESULT)
         for group in document["groups"]:
             self.assert_shape(group, GROUP)
+        for core in document["cores"]:
+            self.assert_shape(core, CORE)
         self.assertEqual((document["checked"], len(document["groups"])), (3, 1))
 
     def test_json_has_non_finite_doubles_as_strings(self):
@@ -107,6 +112,24 @@ class Suggested(CheckTest):
             path = f"my folder/scenarios/{name}.json"
             self.write(path, fling())
             self.assert_mended(GOLDEN_MISSING, "check", path)
+
+    def test_for_expectations_that_do_not_hold_any_more(self):
+        expect = {"finite": True, "contacts": {"right": 1, "ground": [8, 8]}, "final_x_px": [990, 1000]}
+        for name in ("one", "two"):
+            self.write(f"scenarios/b/{name}.json", fling(name=name, expect=expect if name == "one" else None))
+        self.expect(AGREED, "bless", "scenarios/b", "--reason", "x", "--update-expect")
+        path = self.folder / "scenarios/b/one.json"
+        path.write_text(path.read_text().replace('"x_px": 1100', '"x_px": 1000'))
+        out = self.expect(DISAGREED, "check").out
+        self.assertIn("hyrax-sim bless scenarios/b/one.json --reason TEXT --update-expect", out)
+        self.assert_mended(DISAGREED, "check")
+        path.write_text(path.read_text().replace('"x_px": 1000', '"x_px": 1100').replace("true", "false"))
+        (self.folder / "scenarios/third.json").write_text(json.dumps(fling(name="third", start=ANOTHER_START)))
+        out = self.expect(DISAGREED, "check").out
+        self.assertIn("  to edit         expect of scenarios/b/one.json: bless changes no boolean", out)
+        suggested = out[out.index("to accept it    ") + 16:].splitlines()[0]
+        self.assertEqual(suggested, "hyrax-sim bless scenarios/third.json --reason TEXT")
+        self.assertEqual(self.paste(suggested), AGREED)
 
     def test_with_golden(self):
         for folder in ("else where", "-g"):

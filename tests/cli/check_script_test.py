@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""tools/check builds hyrax-sim and passes on its verdict; --watch repeats that after a change.
+"""tools/check builds hyrax-sim and passes on its verdict; --watch repeats that after a change. What tools/run refuses.
 
 Runs a copy of the scripts in a project whose build folder has a ninja file of one target: it copies the program.
 """
@@ -11,7 +11,7 @@ import time
 import unittest
 
 from process import Process, run
-from program import AGREED, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
 
 
 @unittest.skipUnless(shutil.which("ninja"), "ninja is not installed")
@@ -89,6 +89,20 @@ class CheckScript(ProgramTest):
         while log.read_text().count(text) < times:
             self.assertLess(time.monotonic(), end, log.read_text())
             time.sleep(0.05)
+
+
+class RunScript(ProgramTest):
+    """tools/run in a project without a build folder."""
+
+    def test_a_missing_scenario_is_reported_before_anything_is_built(self):
+        for script in ("run", "setup.sh"):
+            self.write(f"tools/{script}", (SOURCE / "tools" / script).read_text())
+        (self.folder / "tools/run").chmod(0o755)
+        for arguments in (("--report", "x.html"), ("--yes", "--set", "/steps=9", "-o", "a.h5"), ("--figure",)):
+            outcome = run("tools/run", *arguments, cwd=self.folder)
+            self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
+            self.assertIn("tools/run: SCENARIO is missing", outcome.err)
+        self.assertFalse((self.folder / "build").exists())
 
 
 if __name__ == "__main__":

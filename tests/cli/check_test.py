@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 """`check`: verdicts, and that it changes nothing."""
 
+import json
 import os
+import shutil
 import xml.etree.ElementTree
 
 import h5py
 
 from check_program import CheckTest, nudge
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, few_threads, fling, main
+from process import run, succeed
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, few_threads, fling, main
 
 
 class Verdict(CheckTest):
@@ -83,6 +86,23 @@ class Verdict(CheckTest):
         self.assertEqual(document["results"][1]["class"], "shape")
         self.assertIn("the scenario changed since it was blessed", self.expect(DISAGREED, "check", "scenarios/a/second.json").out)
 
+    def test_another_scenario_in_the_golden_file_is_no_edit_of_the_scenario(self):
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            scenario = json.loads(file.attrs["scenario"])
+            scenario["start"]["vx_px_per_s"] = 9
+            file.attrs.modify("scenario", json.dumps(scenario))
+        document = self.check(DISAGREED)
+        self.assertEqual((document["results"][2]["class"], document["groups"][0]["operation"]), ("shape", "golden"))
+        out = self.expect(DISAGREED, "check").out
+        self.assertIn("1 of 3 scenarios differs: the golden file was changed since it was blessed: golden/third.h5: "
+                      "its scenario does not give its rows; restore it", out)
+        self.assertNotIn("the scenario changed", out)
+        self.assertIn("--accept shape", out)
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run",
+                    says="nothing written: 1 of 3 scenarios differ by more than --accept allows; --accept shape")
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
+        self.check(AGREED)
+
     def test_a_longer_run_is_of_class_shape(self):
         self.write("scenarios/third.json", fling(name="third", steps=301))
         self.assertEqual(self.check(DISAGREED)["results"][2]["class"], "shape")
@@ -109,6 +129,50 @@ class Verdict(CheckTest):
         text = self.expect(GOLDEN_MISSING, "check").out
         self.assertIn("no golden file at golden/third.h5", text)
         self.assertIn("hyrax-sim bless scenarios/third.json --reason", text)
+
+    def test_many_missing_golden_files_are_one_line_and_one_command(self):
+        self.project("a/third", "fourth", "fifth", "sixth")
+        shutil.rmtree(self.folder / "golden")
+        out = self.expect(GOLDEN_MISSING, "check").out
+        self.assertEqual(out, "7 scenarios: missing: no golden file: scenarios/a/first.json, scenarios/a/second.json, "
+                              "scenarios/a/third.json and 4 more\n  to create them  hyrax-sim bless scenarios --reason TEXT\n"
+                              "7 checked: 0 agreed, 0 disagreed, 7 without golden file, 0 failed\n")
+        self.write("scenarios/bad.json", "{")
+        self.assertIn("hyrax-sim bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n",
+                      self.expect(BAD_INPUT, "check", "scenarios/a/first.json", "scenarios/a/second.json", "scenarios/bad.json").out)
+
+    def test_quiet_names_what_does_not_agree(self):
+        self.write("scenarios/new.json", fling(name="new", steps=7))
+        (self.folder / "scenarios/third.json").unlink()
+        nudge(self.folder / "golden/a/first.h5", "trajectory/y", 5)
+        self.assertEqual(self.expect(GOLDEN_MISSING, "check", "-q").out,
+                         "disagreed: scenarios/a/first.json\nmissing: scenarios/new.json\nunreferenced: golden/third\n"
+                         "3 checked: 1 agreed, 1 disagreed, 1 without golden file, 0 failed; 1 unreferenced\n")
+
+    def test_converted_line_ends_are_one_paragraph(self):
+        for path in self.summaries():
+            path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+        document = self.check(DISAGREED)
+        self.assertEqual([len(group["scenarios"]) for group in document["groups"]], [3])
+        self.assertIn("3 of 3 scenarios differ: the golden file was changed since it was blessed: golden/a/first.txt: its line "
+                      "ends were converted to CR LF; a line `golden/** -text` in .gitattributes keeps Git from it",
+                      self.expect(DISAGREED, "check").out)
+
+    def test_a_gross_difference_is_not_in_ulps(self):
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["trajectory/x"][150] += 0.5
+        out = self.expect(DISAGREED, "check", "--verbose").out
+        self.assertIn("  distance   0.5 px\n", out)
+        self.assertNotIn("ulp", out)
+
+    def test_without_memory_it_says_so(self):
+        if self.is_sanitized():
+            self.skipTest("a sanitizer takes memory of its own")
+        for limit_kb in (14000, 17000, 20000, 23000):
+            outcome = run("sh", "-c", f'ulimit -v {limit_kb}; exec "$@"', "sh", PROGRAM, "check", "--jobs", "4", cwd=self.folder)
+            self.assertIn(outcome.exit_code, (AGREED, 70, 127), outcome)  # 127: it could not be loaded.
+            if outcome.exit_code == 70:
+                self.assertIn("out of memory", outcome.out + outcome.err)
 
     def test_a_scenario_outside_of_scenarios_has_no_golden_file(self):
         self.expect(GOLDEN_MISSING, "check", self.write("alone.json", fling()))
@@ -173,7 +237,7 @@ class Verdict(CheckTest):
                 path.write_bytes(kept)
 
     def test_files_without_valid_checksums_are_read_with_any_number_of_workers(self):
-        for path in self.folder.glob("golden/**/*.txt"):
+        for path in self.summaries():
             path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
         for jobs in (1, 2, 8):
             self.assertEqual(self.counts(self.check(AGREED, "--jobs", str(jobs))), (3, 0, 0, 0))
@@ -187,6 +251,8 @@ class Verdict(CheckTest):
         self.check(GOLDEN_MISSING)
         self.check(AGREED, "--golden", "elsewhere")
         self.check(AGREED, "--golden", str(self.folder / "elsewhere"), "scenarios/a")
+        self.assertTrue(self.expect(GOLDEN_MISSING, "check", "scenarios", "--golden", "nowhere").out.startswith(
+            "3 scenarios: missing: no folder nowhere: scenarios/a/first.json, "))
 
 
 class Unreferenced(CheckTest):
@@ -203,6 +269,12 @@ class Unreferenced(CheckTest):
     def test_a_renamed_scenario_leaves_one_and_misses_one(self):
         os.replace(self.folder / "scenarios/a/first.json", self.folder / "scenarios/a/new.json")
         self.assertEqual(self.unreferenced(GOLDEN_MISSING), ["golden/a/first"])
+        command = "mv golden/a/first.h5 golden/a/new.h5 && mv golden/a/first.txt golden/a/new.txt"
+        out = self.expect(GOLDEN_MISSING, "check").out
+        self.assertEqual(out, "scenarios/a/new.json: missing: renamed: golden/a/first has the same run; to rename that: "
+                              f"{command}\n3 checked: 2 agreed, 0 disagreed, 1 without golden file, 0 failed; 1 unreferenced\n")
+        succeed("sh", "-c", command, cwd=self.folder)
+        self.check(AGREED)
 
     def test_that_of_a_deleted_scenario_is_a_disagreement(self):
         (self.folder / "scenarios/third.json").unlink()
@@ -238,6 +310,85 @@ class Unreferenced(CheckTest):
         self.assertEqual(self.unreferenced(DISAGREED, "scenarios", "--golden", "elsewhere"), ["elsewhere/third"])
         (self.folder / "scenarios/a").rename(self.folder / "outside")
         self.assertEqual(self.unreferenced(GOLDEN_MISSING, "outside", "--golden", "elsewhere"), [])
+
+
+    def test_without_any_scenario_they_are_reported_and_none_is_removed(self):
+        shutil.rmtree(self.folder / "scenarios/a")
+        (self.folder / "scenarios/third.json").unlink()
+        before = self.state_of(".")
+        self.assertEqual(self.unreferenced(BAD_INPUT), ["golden/a/first", "golden/a/second", "golden/third"])
+        outcome = self.expect(BAD_INPUT, "check")
+        self.assertEqual(outcome.err, "scenarios: no scenario found (*.json)\n")
+        self.assertIn("0 checked: 0 agreed, 0 disagreed, 0 without golden file, 0 failed; 3 unreferenced\n", outcome.out)
+        self.expect(BAD_INPUT, "bless", "--prune", says="nothing removed: scenarios: no scenario found (*.json); is it mounted")
+        self.assertEqual(self.state_of("."), before)
+
+    def test_the_accepted_core_has_no_scenario(self):
+        for name in ("core/accepted.txt", "core/physics.h5", "a/core/old.txt"):
+            self.write(f"golden/{name}", "")
+        self.assertEqual(self.unreferenced(DISAGREED), ["golden/a/core/old"])
+        self.write("scenarios/core/fourth.json", fling(name="fourth"))
+        says = "golden/core/fourth.h5: is where the accepted core is kept; `core` is a reserved name"
+        self.assertIn(says, self.check(BAD_INPUT)["results"][2]["error"])
+        self.expect(BAD_INPUT, "bless", "scenarios/core", "--reason", "x", says=says)
+        self.expect(BAD_INPUT, "run", "scenarios/core", says=says)
+        self.assertEqual(self.unreferenced(BAD_INPUT, "scenarios/core"), [])
+
+
+class Selection(CheckTest):
+    """Which scenarios are checked."""
+
+    def listed(self, *arguments, exit_code=AGREED, **options):
+        """The paths that `check --list` prints."""
+        return self.expect(exit_code, "check", "--list", *arguments, **options).out.splitlines()
+
+    def test_list_plays_nothing(self):
+        self.write("scenarios/bad.json", "{")
+        (self.folder / "golden/third.h5").unlink()
+        paths = ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/bad.json", "scenarios/third.json"]
+        self.assertEqual(self.listed(), paths)
+        self.assertEqual(self.expect(AGREED, "check", "--list", "--json").json, {"scenarios": paths})
+        self.assertEqual(self.listed("scenarios/a", "none.json"), [*paths[:2], "none.json"])
+
+    def test_filter_takes_the_paths_that_contain_a_text(self):
+        self.write("golden/a/old.txt", "")
+        self.assertEqual(self.listed("--filter", "ir"), ["scenarios/a/first.json", "scenarios/third.json"])
+        self.assertEqual(self.check(AGREED, "--filter", "third")["checked"], 1)
+        document = self.check(DISAGREED, "--filter", "a/")
+        self.assertEqual((document["checked"], document["unreferenced"]), (2, 1))
+        self.expect(BAD_INPUT, "check", "--filter", "[x]", says="--filter: no path contains it (found [x])")
+
+    def test_last_failed_takes_those_that_did_not_agree(self):
+        cache = self.folder / "cache"
+        env = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+        all_paths = self.listed()
+        says = "nothing failed when this folder was last checked; all are checked"
+        self.assertEqual(self.listed("--last-failed", env=env, says=says), all_paths)
+        self.check(AGREED, env=env)
+        self.assertFalse(cache.exists())
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        self.check(GOLDEN_MISSING, env=env)
+        self.assertEqual(self.listed("--last-failed", env=env), [all_paths[0], all_paths[2]])
+        self.assertEqual(self.listed("--last-failed", "--filter", "third", env=env), [all_paths[2]])
+        self.assertEqual(self.listed("--last-failed", "a", env=env, cwd=self.folder / "scenarios", says=says),
+                         ["a/first.json", "a/second.json"])
+        self.bless(all_paths[0])
+        self.assertEqual(self.counts(self.check(DISAGREED, "--last-failed", env=env)), (1, 1, 0, 0))
+        self.check(AGREED, "scenarios/a", env=env)
+        self.assertEqual(self.listed("--last-failed", env=env), [all_paths[2]])
+        self.bless(all_paths[2])
+        self.check(AGREED, "--last-failed", env=env)
+        self.assertEqual(self.listed("--last-failed", env=env, says=says), all_paths)
+        self.assertEqual(self.names(), ["cache", "golden", "scenarios"])
+
+    def test_without_a_folder_for_it_nothing_is_recorded(self):
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        before = self.state_of(".")
+        for place in ({"XDG_CACHE_HOME": str(self.folder / "golden"), "HOME": ""},
+                      {"XDG_CACHE_HOME": "cache", "HOME": "/dev/null"}, {"XDG_CACHE_HOME": "/dev/null/x"}):
+            self.check(DISAGREED, env={**os.environ, **place})
+        self.assertEqual(self.state_of("."), before)
 
 
 class Workers(CheckTest):

@@ -23,7 +23,7 @@ class Stored(DriftTest):
 
     def test_without_rows_arcs_and_contacts_are_stored(self):
         with self.groups() as file:
-            self.assertEqual(sorted(file["drift"]), ["arcs", "contacts"])
+            self.assertEqual(sorted(file["drift"]), ["arcs", "contacts", "whole"])
             self.assertEqual(sorted(file["reference"]), ["arcs"])
         self.expect(AGREED, "run", "fling.json")
         with h5py.File(self.folder / "fling.h5") as file:
@@ -33,7 +33,8 @@ class Stored(DriftTest):
         run = self.drift_of(fling())
         with self.groups("--reference", "gsl") as file:
             names = {"duration_s": "duration", "implementation_px": "implementation", "truncation_px": "truncation",
-                     "model_px": "model", "energy_drift_slope_per_s": "energy_drift_slope"}
+                     "model_px": "model", "energy_drift_slope_per_s": "energy_drift_slope",
+                     "energy_drift_slope_px_per_s": "energy_drift_slope_height"}
             for key in ("first_step", "last_step", "energy_drift_rel_max", "energy_drift_rel_end", "energy_drift_max",
                         "energy_drift_end", *names):
                 stored = file[f"drift/arcs/{names.get(key, key)}"][:].tolist()
@@ -47,6 +48,9 @@ class Stored(DriftTest):
                               ("effective_restitution", "effective_restitution")):
                 self.assertEqual(file[f"drift/contacts/{name}"][:].tolist(),
                                  [contact[key] for contact in run["contacts"]])
+            for key, value in run["whole"].items():
+                if name := {"max_px_step": "max_step", "reference": ""}.get(key, key.removesuffix("_px").removesuffix("_px_per_s")):
+                    self.assertEqual(file[f"drift/whole/{name}"][0], -1 if value is None else value, key)
             self.assertEqual(file["drift/arcs"].attrs["skipped"], run["skipped_arcs"])
             self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
             self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
@@ -60,7 +64,10 @@ class Stored(DriftTest):
                 apart = numpy.hypot(file["trajectory/x"][first:last + 1] - file["reference/x"][first:last + 1],
                                     file["trajectory/y"][first:last + 1] - file["reference/y"][first:last + 1])
                 numpy.testing.assert_allclose(file["drift/truncation"][first:last + 1], apart, atol=1e-9)
-            for name in ("reference/x", "reference/energy", "drift/implementation", "drift/model", "drift/energy_drift"):
+            speeds, heights = (file[f"trajectory/{v}"][:] for v in ("vx", "vy")), 1080 - 128 - file["trajectory/y"][:]
+            energy = sum(speed**2 for speed in speeds) / 2 + 1200 * heights
+            numpy.testing.assert_allclose(file["drift/energy"][flies], energy[flies], rtol=1e-12, atol=1e-6)
+            for name in ("reference/x", "reference/energy", "drift/implementation", "drift/energy", "drift/energy_drift"):
                 self.assertEqual(file[name].shape, (rows,))
                 numpy.testing.assert_array_equal(numpy.isnan(file[name][:]), ~flies, name)
             self.assertEqual(file["drift/t"][-1], file["trajectory/t"][-1])
@@ -187,7 +194,7 @@ class Margin(DriftTest):
         self.project("one")
         digest = (self.folder / "golden/one.txt").read_text(encoding="utf-8")
         self.assertRegex(digest, r"\nmargin: any start within ±[0-9.]+ px and px/s keeps all contacts; "
-                                 r"nearest decision: [a-z ]+, step [0-9]+\nreason: ")
+                                 r"nearest decision: [a-z ]+, step [0-9]+\n(core: [0-9a-f]+\n)?reason: ")
 
     def test_a_knife_edge_is_reported(self):
         edge = fling(start={"x_px": 0, "y_px": 100}, steps=50)

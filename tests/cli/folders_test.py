@@ -59,9 +59,34 @@ class Folders(ProgramTest):
         self.link("nowhere", "scenarios/notes.txt")
         self.assertEqual(self.listed(), ["scenarios/a/one.json"])
 
-    def test_a_pipe_is_not_a_scenario(self):
+    def test_what_cannot_be_read_does_not_keep_the_others_from_being_played(self):
+        self.write("scenarios/locked/two.json", fling(name="two"))
+        self.bless("scenarios")
+        (self.folder / "scenarios/locked").chmod(0)
+        self.addCleanup((self.folder / "scenarios/locked").chmod, 0o755)
         os.mkfifo(self.folder / "scenarios/pipe.json")
-        self.expect(CANNOT_ACCESS, "validate", "scenarios", says="scenarios/pipe.json: cannot be read: is a pipe")
+        says = ["scenarios/pipe.json: cannot be read: is a pipe or a device"]
+        if not os.access(self.folder / "scenarios/locked", os.R_OK):
+            says.append("scenarios/locked: cannot be read: Permission denied")
+        self.expect(CANNOT_ACCESS, "validate", "scenarios", says=says)
+        outcome = self.expect(CANNOT_ACCESS, "check")
+        for part in (*says, f"{3 - len(says)} agreed, 0 disagreed"):
+            self.assertIn(part, outcome.out)
+        self.expect(CANNOT_ACCESS, "run", "scenarios", "-o", "out/", says=says)
+        self.assertIn("one.h5", self.names("out"))
+        self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", says=["nothing written", *says])
+
+    def test_a_suffix_in_capitals_is_not_passed_over(self):
+        self.write("scenarios/a/TWO.JSON", fling(name="two"))
+        self.assertEqual(self.listed(BAD_INPUT), ["scenarios/a/TWO.JSON", "scenarios/a/one.json"])
+        self.expect(BAD_INPUT, "validate", "scenarios",
+                    says="scenarios/a/TWO.JSON: unknown suffix (found .JSON); allowed: .json")
+
+    def test_a_schema_beside_scenarios_is_none(self):
+        self.write("scenarios/scenario.schema.json", self.expect(AGREED, "schema").out)
+        self.assertEqual(self.listed(), ["scenarios/a/one.json"])
+        self.write("scenarios/two.schema.json", fling(name="two"))
+        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/two.schema.json"])
 
     def test_a_folder_may_be_named_like_a_scenario(self):
         self.write("scenarios/c.json/three.json", fling(name="three"))

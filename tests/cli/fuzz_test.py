@@ -50,6 +50,14 @@ class Fuzz(ProgramTest):
         self.assertEqual((document["against"], document["failures"]), (str(PROGRAM), []))
 
 
+    def test_another_program_that_does_not_end_is_not_waited_for(self):
+        (self.folder / "other").write_text(f'#!/bin/sh\nmkdir asked 2>&- && exec {PROGRAM} "$@"\nexec sleep 600\n')
+        (self.folder / "other").chmod(0o755)
+        outcome = self.expect(AGREED, "fuzz", "--time", "0.3s", "--against", "./other", "--json", timeout=20,
+                              says="runs were not compared: ./other did not end them")
+        self.assertEqual(outcome.json["not_compared"], outcome.json["runs"])
+
+
 class Refused(ProgramTest):
     """Bad options, before anything is played."""
 

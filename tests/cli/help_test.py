@@ -50,6 +50,10 @@ class Help(CommandTest):
                 self.assertIn(f"hyrax-sim {command}", outcome.out.split("Example:\n")[1])
                 self.assertEqual(outcome.err, "")
 
+    def test_help_about_a_command_is_that_command_s(self):
+        self.assertEqual(self.expect(AGREED, "help", "run").out, self.expect(AGREED, "run", "--help").out)
+        self.expect(BAD_INPUT, "help", "rum", says="(did you mean run?)")
+
     def test_help_names_every_option(self):
         options = {"run": ("--output", "--set", "--figure", "--json", "--no-skip"),
                    "check": ("--golden", "--jobs", "--junit", "--quick", "--json"),
@@ -92,6 +96,7 @@ class Usage(CommandTest):
     def test_missing_files_are_refused(self):
         for command in ("run", "bless", "validate", "diff"):
             self.refuse(command, says=(f"hyrax-sim {command}:", "--help"))
+        self.refuse("study", says="hyrax-sim study: NAME is missing; allowed: speed-error, needs, ")
         self.refuse("diff", "one.h5", says="hyrax-sim diff:")
         self.refuse("diff", "one.h5", "two.h5", "three.h5", says="hyrax-sim diff:")
 

@@ -2,15 +2,18 @@
 """new: a scenario to start from, and clocks from recorded frame times."""
 
 import json
+import os
 
 import jsonschema
 
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
 
-PRESENTMON = ("Application,ProcessID,MsBetweenPresents,PresentMode\r\n"
+PRESENTMON = ('"Application",ProcessID,MsBetweenPresents,PresentMode\r\n'
               "game.exe,42,16.6667,Hardware: Independent Flip\r\n"
-              '"a ""quoted"", name",42,33.25,"two\r\nlines"\r\n'
+              '"game.exe",42,33.25,"two\r\n""quoted"" lines"\r\n'
               "game.exe,42,0,\r\n")
+SEVERAL = ("Application, ProcessID,SwapChainAddress,Dropped,msBetweenPresents\n"
+           "game.exe,42,0xA,0,1\ngame.exe,42,0xB,0,2\ndwm.exe,7,0xC,0,4\ngame.exe,42,0xA,1,8\ngame.exe,43,0xA,0,16\n")
 
 
 class NewTest(ProgramTest):
@@ -86,6 +89,42 @@ class ClockFrom(NewTest):
         self.assertEqual(self.new("\ufeff" + PRESENTMON), wanted)
         self.assertEqual(self.new(PRESENTMON.replace("\r\n", "\n")), wanted)
         self.assertEqual(self.new(PRESENTMON.removesuffix("\r\n")), wanted)
+
+    def test_both_versions_of_presentmon_whatever_the_case(self):
+        for header in ("msBetweenPresents", "MsBetweenPresents", "FrameTime", "frametime", " Frame Time "):
+            self.assertEqual(self.new(f"n,{header}\n1,16\n"), [0.016])
+            self.assertEqual(self.new(f"n,{header}\n1,16\n", "--column", "N", "--unit", "s"), [1])
+        self.assertEqual(self.new("FrameTime\n16\n", "--column", "frametime"), [0.016])
+
+    def test_one_of_several_sources_has_to_be_picked(self):
+        self.write("frames.csv", SEVERAL)
+        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", says=(
+            "frames.csv: frames of several sources: application dwm.exe, process 7, swap chain 0xC, 1 frames; "
+            "application game.exe, process 42, swap chain 0xA, 2 frames; ",
+            "; pick one with --application or --process or --swap-chain"))
+        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "game.exe", "--process", "42",
+                    says="swap chain 0xB, 1 frames; pick one with --swap-chain\n")
+        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "gam",
+                    says="frames.csv: no such frame; found: application dwm.exe, ")
+        self.assertEqual(self.names(), ["frames.csv"])
+        self.assertEqual(self.new(SEVERAL, "--application", "DWM.exe"), [0.004])
+        self.assertEqual(self.new(SEVERAL, "--process", "43"), [0.016])
+        self.assertEqual(self.new(SEVERAL, "--application", "game.exe", "--process", "42", "--swap-chain", "0xa"), [0.001, 0.008])
+        self.expect(BAD_INPUT, "new", "a", "--clock-from", self.write("dt.csv", "FrameTime\n5\n"), "--process", "42",
+                    says="dt.csv: line 1: --process: the file has no column ProcessID")
+
+    def test_dropped_frames_are_said(self):
+        for text in ("Dropped,FrameTime\n0,5\n1,6\n", "FrameTime,DisplayedTime\n5,5\n6,NA\n"):
+            self.assertEqual(self.new(text), [0.005, 0.006])
+            again = ("new", "my-fling", "--clock-from", "frames.csv", "--force")
+            self.assertIn("\n1 of the 2 frames were dropped: ", self.expect(AGREED, *again).out)
+            self.assertEqual(self.expect(AGREED, *again, "--json").json["dropped"], 1)
+
+    def test_a_pipe_is_not_waited_for(self):
+        os.mkfifo(self.folder / "frames.csv")
+        for arguments in (("new", "a", "--clock-from"), ("run",), ("validate",), ("sweep",)):
+            self.expect(CANNOT_ACCESS, *arguments, "frames.csv", says="frames.csv: cannot be read: is a pipe or a device",
+                        timeout=10)
 
     def test_another_column_and_unit(self):
         text = 'n,"dt, s"\n1,0.5\n2,"1e-3"\n'

@@ -13,6 +13,10 @@ import unittest
 
 from process import Process, run, run_measured
 
+# `check` records there what did not agree: of tests, not in the user's own.
+CACHE = tempfile.TemporaryDirectory(prefix="hyrax-test-cache-")
+os.environ["XDG_CACHE_HOME"] = CACHE.name
+
 SOURCE = pathlib.Path(os.environ.get("HYRAX_SOURCE_DIR", pathlib.Path(__file__).parents[2])).resolve()
 PROGRAM = pathlib.Path(os.environ.get("HYRAX_SIM", SOURCE / "build/bin/hyrax-sim")).resolve()
 

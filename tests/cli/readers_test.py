@@ -192,8 +192,8 @@ class EveryGroup(Reader):
 
     def test_of_a_run_that_was_measured(self):
         self.expect(AGREED, "run", "fling.json", "--drift", "--rows", "-o", "measured.h5")
-        self.assertEqual(self.groups("measured.h5"), ["contacts", "drift", "drift/arcs", "drift/contacts", "events",
-                                                      "reference", "reference/arcs", "trajectory"])
+        self.assertEqual(self.groups("measured.h5"), ["contacts", "drift", "drift/arcs", "drift/contacts", "drift/whole",
+                                                      "events", "reference", "reference/arcs", "trajectory"])
         for group in self.groups("measured.h5"):
             self.open("measured.h5", group)
 
@@ -215,6 +215,16 @@ class EveryGroup(Reader):
             self.assertTrue(groups)
             for group in groups:
                 self.open(f"{study[0]}.h5", group)
+
+    def test_of_a_sweep(self):
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": fling(), "vary": {"/start/x_px": {"grid": [0, 9, 5]}},
+                                  "keep": ["final", "contacts", "state_hash"]})
+        self.expect(AGREED, "sweep", "sweep.json")
+        for group, sizes in (("members", {"member": 5, "wall": 4, "digest_byte": 16}), ("inputs", {"member": 5})):
+            with xarray.open_dataset(self.folder / "sweep.h5", group=group, engine="h5netcdf") as opened:
+                self.assertEqual(dict(opened.sizes), sizes)
+                self.assertEqual({name: opened[name].dims[0] for name in opened.variables},
+                                 dict.fromkeys(opened.variables, "member"))
 
     def test_codes_and_inputs_are_described(self):
         kinds = self.open("fling.h5", "events").kind

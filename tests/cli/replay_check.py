@@ -59,7 +59,7 @@ class ReplayCheckCases:
         self.check(DISAGREED, says="scenarios/third.json: disagreed: golden/third.txt: state hash differs")
 
     def test_a_damaged_summary_is_a_disagreement(self):
-        changed = "scenarios/third.json: disagreed: the golden file was changed after it was blessed: golden/third.txt: "
+        changed = "scenarios/third.json: disagreed: the golden file was changed since it was blessed: golden/third.txt: "
         whole = (self.folder / "golden/third.txt").read_text()
         for damaged, fault in ((re.sub("state hash: .*\n", "", whole), "has no line `state hash: ` with 32 hex digits"),
                                (re.sub("(state hash: .*).\n", r"\1\n", whole), "has no line `state hash: ` with 32 hex digits"),

@@ -62,6 +62,20 @@ class ReportTest(ProgramTest):
             (self.folder / name).write_bytes(whole[:len(whole) // 2])
             self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
 
+    def test_of_a_sweep_of_billions_a_sample_is_read(self):
+        sweep = {"format": "hyrax-sweep/1", "base": program.fling(), "members": 3, "seed": 1, "keep": ["final"],
+                 "vary": {"/start/vx_px_per_s": {"choice": [0]}}}
+        self.write("sweep.json", sweep)
+        self.expect(AGREED, "sweep", "sweep.json")
+        with h5py.File(self.folder / "sweep.h5", "a") as file:
+            members = 3_000_000_000
+            file.attrs["members"] = members
+            file.attrs["sweep"] = file.attrs["sweep"].replace('"members": 3', f'"members": {members}')
+            for name in [f"members/{each}" for each in file["members"]] + ["inputs/start.vx_px_per_s"]:
+                del file[name]
+                file.create_dataset(name, (members,), "<f8")
+        self.expect(CANNOT_ACCESS, "report", "sweep.h5", "-o", "a.html", says="HYRAX_PAGE", timeout=20)
+
     def test_replaces_neither_input_nor_golden_file_nor_scenario(self):
         shutil.copy(self.folder / "fling.h5", self.folder / "page.html")
         (self.folder / "link.html").symlink_to("page.html")

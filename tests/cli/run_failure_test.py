@@ -57,7 +57,7 @@ class BadInput(ProgramTest):
         outcome = self.expect(BAD_INPUT, "run", ".", "--json", "-o", "out", says="2-bad.json: line 1")
         one, two, three = outcome.json["runs"]
         self.assertEqual(self.names("out"), ["one.h5", "three.h5"])
-        self.assertEqual((one["status"], three["status"]), ("agreed", "disagreed"))
+        self.assertEqual((one["status"], three["status"]), ("played", "disagreed"))
         self.assertEqual(sorted(two), ["error", "scenario", "status"])
         self.assertEqual((two["scenario"], two["status"]), ("./2-bad.json", "failed"))
         self.assertIn("2-bad.json: line 1", two["error"])
@@ -102,7 +102,7 @@ class UnwritableOutput(ProgramTest):
         done = self.in_private_mount("-o size=4m", "code=0", '"$1" run long.json -o disk/long.h5 || code=$?', "echo",
                                      "echo exit $code, left: $(ls -A disk)")
         self.assertIn("exit 3, left:\n", done.out, done.err)
-        self.assertIn("disk/long.h5: cannot be written", done.err)
+        self.assertIn("disk/long.h5: cannot be written: its rows need 10.8 MiB (found 4.0 MiB free)", done.err)
 
     def test_a_full_disk_does_not_harm_other_scenarios_and_is_reported_in_json(self):
         done = self.in_private_mount("-o size=40k", '"$1" run fling.json -o disk/ --json || echo exit $?')

@@ -141,6 +141,28 @@ class Memory(ProgramTest):
             self.assertEqual(len(file["contacts/step"]), 1_000_000)
 
 
+class StandardOutput(ProgramTest):
+    """`-o -` writes CSV there, and nothing else."""
+
+    def test_it_is_the_csv_file(self):
+        self.write("fling.json", fling(expect={"finite": True}))
+        self.expect(AGREED, "run", "fling.json", "-o", "fling.csv")
+        rows = (self.folder / "fling.csv").read_text()
+        for name in ("-", "/dev/stdout"):
+            outcome = self.expect(AGREED, "run", "fling.json", "-o", name)
+            self.assertEqual((outcome.out, outcome.err), (rows, "fling: agreed\n"))
+        with open("/dev/full", "wb") as full:
+            self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "-", stdout=full, says="-: cannot be written")
+        self.assertEqual(self.names(), ["fling.csv", "fling.json"])
+
+    def test_it_is_for_one_scenario_alone(self):
+        self.write("fling.json", fling())
+        for others in (("fling.json",), ("--json",), ("--drift",), ("--report", "a.html")):
+            outcome = self.expect(BAD_INPUT, "run", "fling.json", *others, "-o", "-", says="one")
+            self.assertEqual(outcome.out, "")
+        self.assertEqual(self.names(), ["fling.json"])
+
+
 class Output(ProgramTest):
     """The path of a trajectory."""
 
@@ -261,6 +283,7 @@ class Override(ProgramTest):
         for setting, place in (("/clock/rate_hz=-60", "fling.json: /clock/rate_hz: must be greater than 0"),
                                ("/clock/rate_hz=sixty", "/clock/rate_hz: must be a number (found \"sixty\")"),
                                ("/steps=60.5", "/steps: must be a whole number"), ("/wind=3", "/wind: unknown key (found wind)"),
+                               ("/start/x_px=1e400", "fling.json: /start/x_px: number is too large (found 1e400)"),
                                ("clock/rate_hz=1", "clock/rate_hz=1"), ("/clock/rate_hz", "POINTER=VALUE"),
                                ("/steps/deeper=1", "/steps"), ("/name=No Good", "/name: must be 1 .. 64")):
             outcome = self.expect(BAD_INPUT, "run", "fling.json", "--set", setting, says=place)

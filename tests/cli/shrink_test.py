@@ -13,6 +13,15 @@ EVENTS = [{"step": 20, "hitch": {"dt_s": 0.25}}, {"step": 100, "grab": {}}, {"st
           {"step": 120, "release": {"vx_px_per_s": 12.25, "vy_px_per_s": 99}}]
 
 
+def runs(process):
+    """Whether it exists and has not ended."""
+    try:
+        with open(f"/proc/{process}/stat", encoding="utf-8") as file:
+            return file.read().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
 class Shrink(ProgramTest):
     """A throw of 300 frames and four events."""
 
@@ -28,10 +37,10 @@ class Shrink(ProgramTest):
 
     def test_a_contact_needs_one_frame(self):
         program = shlex.quote(str(PROGRAM))
-        document, small = self.shrink(f"{program} run {{}} --json -o run.h5 | grep -q '\"right\": 1'")
+        document, small = self.shrink(f"! {program} run {{}} --json -o run.h5 | grep -q '\"right\": 1'")
         self.assertEqual(document["before"], {"steps": 300, "events": 4})
         self.assertEqual(document["after"], {"steps": 1, "events": 0})
-        self.assertEqual((document["kept"], document["complete"]), ("the command's exit code 0", True))
+        self.assertEqual((document["kept"], document["complete"]), ("the command's exit code 1", True))
         self.assertEqual(small["steps"], 1)
         self.assertNotIn("expect", small)
         self.assertIn("Shrunk from fling, 300 frames", small["description"])
@@ -48,14 +57,14 @@ class Shrink(ProgramTest):
         self.assertEqual(small["steps"], 0, "a signal and its number as exit code are the same")
 
     def test_a_command_that_hangs_is_ended(self):
-        document, small = self.shrink("grep -q grab {} && sleep 600; exit 0", "--time-limit", "0.3")
+        document, small = self.shrink("grep -q grab {} && sleep 600; exit 1", "--time-limit", "0.3")
         self.assertEqual(document["kept"], "the command's no end within 0.3 s")
         self.assertEqual([list(event) for event in small["events"]], [["step", "grab"]])
 
     def test_an_interrupt_leaves_no_temporary_file(self):
         temporary = self.folder / "temporary"
         temporary.mkdir()
-        process = self.begin("shrink", "fling.json", "--fails", "touch {}.seen; sleep 60", "-o", "small.json",
+        process = self.begin("shrink", "fling.json", "--fails", "echo $$ > shell; touch {}.seen; sleep 60; true", "-o", "small.json",
                              env={**os.environ, "TMPDIR": str(temporary)})
         deadline = time.monotonic() + 30
         while not list(temporary.glob("*/*.seen")) and time.monotonic() < deadline:
@@ -64,17 +73,30 @@ class Shrink(ProgramTest):
         process.send(signal.SIGINT)
         self.assertEqual(process.wait().exit_code, -signal.SIGINT)
         self.assertEqual(list(temporary.iterdir()), [])
+        self.assertFalse(runs(int((self.folder / "shell").read_text())), "what the command started lives on")
+
+    def test_a_command_that_prints_without_end_takes_no_memory(self):
+        self.write("still.json", fling(name="still", steps=0))
+        self.expect_below(40e6, AGREED, "shrink", "still.json", "--fails", "yes {}", "--time-limit", "0.1", "-o", "small.json")
+
+    def test_the_copy_has_the_golden_file_of_the_original(self):
+        self.write("scenarios/deep/one.json", fling(name="one", steps=0))
+        self.bless("scenarios")
+        self.write("scenarios/deep/one.json", fling(name="one", steps=1))
+        document = self.expect(AGREED, "shrink", "scenarios/deep/one.json", "--fails",
+                               f"{shlex.quote(str(PROGRAM))} run {{}} -o run.h5", "-o", "small.json", "--json").json
+        self.assertEqual(document["kept"], "the command's exit code 1")
 
     def test_it_is_deterministic(self):
-        command = "test $(wc -c < {}) -gt 400"
+        command = "test $(wc -c < {}) -le 400"
         _, one = self.shrink(command)
         _, again = self.shrink(command, "--force")
         self.assertEqual(one, again)
 
     def test_the_text_says_what_is_left(self):
-        outcome = self.expect(AGREED, "shrink", "fling.json", "--fails", "grep -q fling {}", "-o", "small.json")
+        outcome = self.expect(AGREED, "shrink", "fling.json", "--fails", "grep -vq fling {}; exit 1", "-o", "small.json")
         self.assertIn("written: small.json (0 frames and 0 events, from 300 and 4)\n", outcome.out)
-        self.assertIn("kept: the command's exit code 0\n", outcome.out)
+        self.assertIn("kept: the command's exit code 1\n", outcome.out)
 
     def test_a_program_in_the_role_of_another(self):
         """A wrapper that plays at twice the gravity of time: hashes differ from the first frame."""
@@ -110,11 +132,15 @@ class Refused(ProgramTest):
     def test_a_command_that_does_not_exist(self):
         self.refuse("fling.json", "--fails", "./no-such-command {}", "-o", "small.json", says="the shell cannot run")
 
+    def test_a_command_that_does_not_fail(self):
+        self.refuse("fling.json", "--fails", "test -f {}", "-o", "small.json",
+                    says="fling.json: the command does not fail here: exit code 0")
+
     def test_two_programs_that_agree(self):
         self.refuse("fling.json", "--against", PROGRAM, "-o", "small.json", says="same state hash in both programs")
 
     def test_a_command_that_ends_differently_the_second_time(self):
-        self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "test -f {} && mkdir only-once 2>&-", "-o", "small.json",
+        self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "mkdir only-once 2>&- && exit 3; test -d {}", "-o", "small.json",
                     says="only what fails every time can be shrunk")
         self.assertEqual(self.names(), ["fling.json", "only-once"])
 
@@ -123,7 +149,7 @@ class Refused(ProgramTest):
         self.write("other.json", fling(name="other"))
         self.before = self.state_of(".")
         self.refuse("fling.json", "--fails", "test {}", "-o", "other.json", says="other.json: exists; `--force` replaces it")
-        self.expect(AGREED, "shrink", "fling.json", "--fails", "test {}", "-o", "other.json", "--force")
+        self.expect(AGREED, "shrink", "fling.json", "--fails", "test -d {}", "-o", "other.json", "--force")
         self.project("one")
         self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "test {}", "-o", "golden/x.json", says="golden")
 

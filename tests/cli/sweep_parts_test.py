@@ -12,7 +12,7 @@ import numpy
 
 from process import Process
 from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, main
-from sweep_members import ALL, assert_same_bits, datasets
+from sweep_members import ALL, assert_same_bits, base, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
 
@@ -98,11 +98,20 @@ class Parts(SweepTest):
             file.attrs["physics"] = "other-physics/9"
         self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 100)
 
-    def test_a_bad_expression_is_refused_before_parts_are_merged(self):
+    def test_altered_inputs_are_refused(self):
+        first, second = self.two_parts()
+        with h5py.File(self.folder / second, "a") as file:
+            file["inputs/start.vx_px_per_s"][4] += 1
+        self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
+                   says=f"{second}: inputs/start.vx_px_per_s: the input of member 9 is not the sweep's")
+        self.assertEqual(self.names(), [first, second, "sweep.json"])
+
+    def test_a_merged_file_replaces_no_link_of_another_name(self):
         parts = self.two_parts()
-        self.sweep("--merge", *parts, "-o", "merged.h5", "--where", "z > 1", exit_code=BAD_INPUT, says="unknown field")
-        self.assertNotIn("merged.h5", self.names())
-        self.sweep("--merge", *parts, "-o", "merged.h5", "--where", "x > 1")
+        self.write("precious.txt", "precious")
+        (self.folder / "merged.h5.partial").symlink_to("precious.txt")
+        self.sweep("--merge", *parts, "-o", "merged.h5")
+        self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
 
     def test_a_scheduler_names_the_part(self):
         self.write("sweep.json", document())
@@ -152,6 +161,53 @@ class Interrupted(SweepTest):
                          f"HYRAX_SEED={SEED}")
         self.assertEqual(self.names(), ["out.h5", "sweep.json", "whole.h5"])
 
+    def partial(self, sweep):
+        """The partial file that a signal leaves of it, and what the signal prints."""
+        self.write("sweep.json", sweep)
+        process = self.begin("sweep", "sweep.json", "-o", "out.h5", "--threads=1", env=NO_CLUSTER)
+        while process.is_running and not (self.folder / "out.h5.partial").exists():
+            time.sleep(0.001)
+        time.sleep(0.05)  # Until rows are done.
+        process.send(signal.SIGINT)
+        outcome = process.wait()
+        self.assertEqual(outcome.exit_code, -signal.SIGINT)
+        self.assertEqual(self.names(), ["out.h5.partial", "sweep.json"])
+        return outcome.err
+
+    def test_a_signal_says_what_is_left_and_a_resumed_file_of_many_columns_is_the_same(self):
+        flings = [{"step": step, "fling": {"vx_px_per_s": 1, "vy_px_per_s": -3.5}} for step in range(1, 290)]
+        vary = {f"/events/{each}/fling/vx_px_per_s": {"uniform": [-500, 500]} for each in range(12)}
+        said = self.partial(document(base=base(events=flings), members=6000, vary=vary, keep=ALL))
+        self.assertRegex(said, r"^out.h5.partial: \d+ of 6000 members are done, [\d.]+ [KM]iB; the same command with "
+                               r"`--resume` continues\n$")
+        self.sweep("sweep.json", "--resume", "-o", "out.h5")
+        self.sweep("sweep.json", "-o", "whole.h5")
+        self.assertEqual((self.folder / "out.h5").read_bytes(), (self.folder / "whole.h5").read_bytes())
+
+    def test_what_is_left_is_neither_discarded_nor_another_file_unsaid(self):
+        self.computed(document())
+        os.rename(self.folder / "sweep.h5", self.folder / "sweep.h5.partial")
+        before = self.state_of(".")
+        for sweep in ("sweep.json", self.write("other.json", document(seed=8))):
+            self.sweep(sweep, "-o", "sweep.h5", exit_code=BAD_INPUT,
+                       says=("sweep.h5.partial: exists", "`--resume`", "`--force`"))
+        self.sweep("sweep.json", "--force", "--resume", exit_code=BAD_INPUT, says="--force: not with --resume")
+        (self.folder / "other.json").unlink()
+        self.assertEqual(self.state_of("."), before)
+        self.assertEqual(self.sweep("sweep.json", "--force", "--json").json["computed"], 100)
+        self.assertEqual(self.names(), ["sweep.h5", "sweep.json"])
+
+    def test_no_file_is_written_through_a_link(self):
+        self.write("sweep.json", document())
+        for link in (os.symlink, os.link):
+            self.write("precious.txt", "precious")
+            link(self.folder / "precious.txt", self.folder / "sweep.h5.partial")
+            for option in ((), ("--resume",)):
+                self.sweep("sweep.json", *option, exit_code=BAD_INPUT, says=("sweep.h5.partial", "`--force`"))
+            self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
+            self.sweep("sweep.json", "--force")
+            self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
+
     def test_what_is_complete_is_not_computed_again(self):
         self.computed(document())
         before = self.state_of(".")
@@ -176,7 +232,7 @@ class Interrupted(SweepTest):
         for rows in (-1, 101):
             with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
                 file.attrs["rows_done"] = numpy.int64(rows)
-            self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; start over without --resume")
+            self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; `--force` starts over")
             self.assertEqual(self.names(), ["sweep.h5.partial", "sweep.json"])
         with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
             file.attrs["rows_done"] = numpy.int64(100)

@@ -79,65 +79,6 @@ class EveryMember(SweepTest):
             self.assertNotIn("expect", json.loads(file.attrs["sweep"])["base"])
 
 
-class Where(SweepTest):
-    """Members that meet an expression."""
-
-    def listed(self, expression):
-        """The members that are listed."""
-        out = self.sweep("sweep.json", "--where", expression).out
-        return [int(line) for line in out.splitlines()]
-
-    def test_members_are_listed(self):
-        found = self.computed(document())
-        rate, vx = found["inputs/clock.rate_hz"], found["inputs/start.vx_px_per_s"]
-        ground, settled = found["members/contacts"][:, 3], found["members/at_rest_since"]
-        for expression, holds in (
-                ("contacts.ground > 10", ground > 10), ("clock.rate_hz==144", rate == 144),
-                ("start.vx_px_per_s<0 and clock.rate_hz != 60", (vx < 0) & (rate != 60)),
-                ("clock.rate_hz == 60 or clock.rate_hz == 144 and start.vx_px_per_s >= 0",
-                 (rate == 60) | ((rate == 144) & (vx >= 0))),
-                ("at_rest_since <= 4e0", settled <= 4), ("at_rest_since != 0", settled != 0)):
-            self.assertEqual(self.listed(expression), list(numpy.flatnonzero(holds)), expression)
-        self.assertEqual(self.sweep("sweep.json", "--where", "contacts.ground > 10", "--json").json["where"],
-                         list(numpy.flatnonzero(ground > 10)))
-
-    def test_seeds_are_compared_exactly(self):
-        clock = {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.1, "seed": 1}}
-        self.computed(document(base=base(clock=clock),
-                               vary={"/clock/jitter/seed": {"choice": [2**64 - 1, 2**64 - 2]}}, keep=["final"]))
-        last = self.listed(f"clock.jitter.seed == {2**64 - 1}")
-        self.assertEqual(sorted(last + self.listed(f"clock.jitter.seed < {2**64 - 1}")), list(range(100)))
-        self.assertTrue(0 < len(last) < 100)
-
-    def test_whole_numbers_are_compared_exactly_with_all_others(self):
-        self.write("sweep.json", document(
-            base=base(clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.1, "seed": 1}}), members=6,
-            vary={"/clock/jitter/seed": {"choice": [2**53 + 1, 2**64 - 1, 2**53]}}, keep=["final"]))
-        whole = list(range(6))
-        for expression in (f"< {2**64}", f"< {float(2**64)!r}", "> -1.5", f">= {2**53}", f">= {float(2**53)!r}", "!= 0.5",
-                           "> -1e300", "< 1e300"):
-            self.assertEqual(self.listed(f"clock.jitter.seed {expression}"), whole, expression)
-        for expression in (f">= {2**64}", "== 0.5", f"< {float(2**53)!r}"):
-            self.assertEqual(self.listed(f"clock.jitter.seed {expression}"), [], expression)
-        self.assertEqual(self.listed(f"clock.jitter.seed == {float(2**53)!r}"), self.listed(f"clock.jitter.seed == {2**53}"))
-        self.assertEqual(self.listed("x > -9007199254740993 and x < 9007199254740993"), whole)
-
-    def test_a_part_lists_its_members(self):
-        self.write("sweep.json", document())
-        out = self.sweep("sweep.json", "--part", "1/3", "--where", "x > -1").out
-        self.assertEqual([int(line) for line in out.splitlines()], list(range(1, 100, 3)))
-
-    def test_bad_expressions_are_refused_before_anything_is_computed(self):
-        self.write("sweep.json", document())
-        for expression, says in (("x", "FIELD ORDER NUMBER"), ("z > 1", "unknown field"), ("x ~ 1", "unknown order"),
-                                 ("x => 1", "unknown order (found =>); allowed: <, <=, >, >=, ==, != (did you mean >=?)"),
-                                 ("x > y", "must compare with a number"),
-                                 ("x > 1 xor y > 1", "unknown word"), ("x > 1 and", "FIELD ORDER NUMBER"),
-                                 ("state_hash > 1", "unknown field"), ("contacts > 1", "unknown field")):
-            self.sweep("sweep.json", "--where", expression, exit_code=BAD_INPUT, says=("--where", says))
-        self.assertEqual(self.names(), ["sweep.json"])
-
-
 class Refused(SweepTest):
     """Bad sweeps, with the place named."""
 

@@ -46,7 +46,7 @@ class OneCore(unittest.TestCase):
     def test_each_source_that_includes_the_core_is_compiled_with_the_altered_one(self):
         commands = json.loads(pathlib.Path(os.environ["HYRAX_BUILD"], "compile_commands.json").read_text())
         users = {path for folder in ("sim", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.cpp")
-                 if includes_core(path)}
+                 if includes_core(path) and path.name != "core_library.cpp"}
         self.assertTrue(users)
         for control in ("altered", "contracted"):
             recompiled = {pathlib.Path(entry["file"]) for entry in commands

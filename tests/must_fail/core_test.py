@@ -8,11 +8,12 @@ import tempfile
 
 from altered import CONTROLS, run_altered
 from process import run, succeed
-from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, main
+from program import AGREED, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
 
 FIELDS = {"t", "dt", "x", "y", "vx", "vy", "contact"}
 # Of 1e7 steps and more: a core whose runs never repeat plays them all.
 LONG = {"scenarios/hard/ten-million-steps.json", "scenarios/edges/frames-past-a-float.json"}
+FIRST_FLING = "scenarios/flings/first-fling.json"
 CLASSES = {"rounding", "values", "contacts", "shape"}
 
 
@@ -88,6 +89,31 @@ class ChangedCore(ProgramTest):
     def test_a_comparison_that_is_not_strict(self):
         """It changes a step that ends on the bound to the bit; few do."""
         self.assertIn("scenarios/paper/exact-bounds.json", self.red("ground_not_strict"))
+
+    def test_runs_that_become_infinite_come_first_and_are_not_blessed(self):
+        of_first = "vx is infinite from step 120 of 600 (2.00 s)"
+        for options, wanted in (((), f"1 of 1 scenario becomes non-finite: {of_first}.\n"), (("--verbose",), f"  not finite {of_first}\n"),
+                                (("--annotate", "github"), f"::{of_first}; expect finite")):
+            outcome = self.check("bounce_explodes", *options, FIRST_FLING)
+            self.assertEqual(outcome.exit_code, DISAGREED)
+            self.assertIn(wanted, outcome.out)
+            self.assertNotIn("bless scenarios", outcome.out)
+            self.assertNotIn("inf px", outcome.out)
+        (group,) = self.check("bounce_explodes", "--json", FIRST_FLING).json["groups"]
+        self.assertEqual((group["operation"], group["detail"], group["scenarios"]), ("non_finite", of_first, [FIRST_FLING]))
+        outcome = self.check("bounce_explodes", "scenarios/flings")
+        self.assertRegex(outcome.out, r"^15 of 16 scenarios become non-finite: in the worst, v[xy] is infinite from step \d+ of 600 ")
+        for command in (("bless", FIRST_FLING, "--reason", "none"), ("run", FIRST_FLING, "-o", self.folder / "a.h5")):
+            outcome = run_altered("bounce_explodes", *command)
+            self.assertEqual(outcome.exit_code, DISAGREED)
+            self.assertIn(of_first, outcome.out + outcome.err)
+
+    def test_one_without_golden_file_is_not_offered_to_bless(self):
+        scenario = self.write("scenarios/fling.json", fling())
+        outcome = run_altered("bounce_explodes", "check", self.folder / scenario)
+        self.assertEqual(outcome.exit_code, GOLDEN_MISSING)
+        self.assertRegex(outcome.out, "fling.json: missing: v[xy] is infinite from step .*; no golden file at ")
+        self.assertNotIn("hyrax-sim bless", outcome.out)
 
     def test_update_alone(self):
         self.assertEqual(that_exercise("drag") - self.red("update_alone"), set())

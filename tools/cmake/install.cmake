@@ -4,6 +4,14 @@ include(CMakePackageConfigHelpers)
 
 set(hyrax_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hyrax)
 
+# First: who built hyrax-sim alone, as tools/run does, has not all of what is installed.
+set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
+install(CODE "
+  if(NOT EXISTS \"${hyrax_program_object}\")
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target hyrax_program
+                    COMMAND_ERROR_IS_FATAL ANY)
+  endif()")
+
 # The headers keep the path that the source includes them by, "sim/physics/physics.h".
 target_include_directories(hyrax_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hyrax>)
 set_target_properties(hyrax_physics PROPERTIES EXPORT_NAME physics)
@@ -19,10 +27,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
 # core compiles two sources and needs no library but the compiler's own.
-set(hyrax_rooms physics replay compare expectations explain reference reference_gsl search study ensemble trajectory
+set(hyrax_rooms physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
                 scenario store golden judged_run report child_process page_record pages no_page files fmt)
 list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:hyrax_\\1>")
-set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
 add_custom_command(
   OUTPUT ${hyrax_program_object}
   COMMAND
@@ -34,7 +41,8 @@ add_custom_command(
   COMMENT "hyrax-sim without its core"
   VERBATIM)
 add_custom_target(hyrax_program ALL DEPENDS ${hyrax_program_object})
-install(FILES ${hyrax_program_object} DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
+add_dependencies(hyrax_program hyrax_trace_host)
+install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
 foreach(
   source IN
   ITEMS motion/state.h motion/step.h
@@ -42,7 +50,10 @@ foreach(
         replay/stuck_speed.h
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
-        trajectory/state_hash.h)
+        trajectory/state_hash.h
+        trace/core_record.h trace/operation.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
+        trace/host/number.h trace/host/number_functions.h
+        trace/host/programs/check_core.cpp trace/host/programs/record_step.cpp)
   cmake_path(GET source PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/sim/${source} DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/sim/${folder})
 endforeach()
@@ -63,5 +74,6 @@ set(PREFIX_FROM_PACKAGE /)
 cmake_path(RELATIVE_PATH PREFIX_FROM_PACKAGE BASE_DIRECTORY /${hyrax_package_folder})
 configure_file(${PROJECT_SOURCE_DIR}/tools/own_core/hyrax_add_scenarios.cmake
                ${PROJECT_BINARY_DIR}/hyrax_add_scenarios.cmake @ONLY)
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/core_record.cmake ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
               ${PROJECT_BINARY_DIR}/hyrax_add_scenarios.cmake DESTINATION ${hyrax_package_folder})

@@ -16,7 +16,7 @@ ExitCode exit_code_of(CheckStatus status) {
   return status == CheckStatus::missing ? ExitCode::golden_missing : ExitCode::disagreed;
 }
 
-std::string counts_sentence(const std::vector<CheckStatus>& statuses) {
+std::string counts_sentence(const std::vector<CheckStatus>& statuses, std::int64_t folders_failed) {
   const auto count = [&](CheckStatus status) { return std::ranges::count(statuses, status); };
   const auto part = [&](const char* separator, CheckStatus status, const char* name) {
     return separator + std::to_string(count(status)) + " " + name;
@@ -28,6 +28,9 @@ std::string counts_sentence(const std::vector<CheckStatus>& statuses) {
   sentence += part(", ", CheckStatus::missing, "without golden file");
   sentence += part(", ", CheckStatus::failed, "failed");
   if (unreferenced > 0) sentence += part("; ", CheckStatus::unreferenced, "unreferenced");
+  if (folders_failed > 0)
+    sentence +=
+        "; " + std::to_string(folders_failed) + (folders_failed == 1 ? " folder" : " folders") + " failed";
   return sentence;
 }
 

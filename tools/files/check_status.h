@@ -1,6 +1,7 @@
 // The verdicts of `check` on scenarios, in the words and exit codes of every program that checks.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,8 @@ enum class CheckStatus { agreed, disagreed, missing, failed, unreferenced };
 [[nodiscard]] ExitCode exit_code_of(CheckStatus status);
 
 /// "3 checked: 2 agreed, 1 disagreed, 0 without golden file, 0 failed". One line. Unreferenced golden files
-/// are no scenarios; they are counted at its end, if there are any.
-[[nodiscard]] std::string counts_sentence(const std::vector<CheckStatus>& statuses);
+/// are no scenarios; they are counted at its end, if there are any, and so are folders that failed.
+[[nodiscard]] std::string counts_sentence(const std::vector<CheckStatus>& statuses,
+                                          std::int64_t folders_failed = 0);
 
 }  // namespace hyrax

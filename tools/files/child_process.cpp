@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -15,6 +21,8 @@
 extern "C" {
 #include <sys/pidfd.h>  // Debian 12's declares C functions without saying so.
 }
+
+#include "tools/files/signal_cleanup.h"
 
 extern char** environ;
 
@@ -35,36 +43,65 @@ class Descriptor {
   int number_;
 };
 
+// What the child reads.
 class MemoryFile : public Descriptor {
  public:
-  explicit MemoryFile(const std::string& program)
-      : Descriptor(memfd_create("hyrax-child", MFD_CLOEXEC), program) {}
-  MemoryFile(const std::string& program, std::string_view text) : MemoryFile(program) {
+  MemoryFile(const std::string& program, std::string_view text)
+      : Descriptor(memfd_create("hyrax-child", MFD_CLOEXEC), program) {
     for (std::size_t at = 0; at < text.size();) {
       const ssize_t count = pwrite(number(), text.data() + at, text.size() - at, static_cast<off_t>(at));
       if (count < 0 && errno != EINTR) throw CannotStart(program, errno);
       if (count > 0) at += static_cast<std::size_t>(count);
     }
   }
+};
 
-  [[nodiscard]] std::string text() const {
-    std::string text;
-    char buffer[1 << 14];
-    for (ssize_t count = 0;
-         (count = pread(number(), buffer, sizeof buffer, static_cast<off_t>(text.size()))) > 0;)
-      text.append(buffer, static_cast<std::size_t>(count));
-    return text;
+// What the child prints: the first bytes are kept, the others are read, so that it never waits.
+class Capture {
+ public:
+  Capture(const std::string& program, std::size_t bytes_max) : bytes_max_(bytes_max) {
+    if (pipe2(ends_, O_CLOEXEC) != 0) throw CannotStart(program, errno);
+    fcntl(ends_[0], F_SETFL, O_NONBLOCK);
   }
+  Capture(const Capture&) = delete;
+  Capture& operator=(const Capture&) = delete;
+  ~Capture() {
+    close(ends_[0]);
+    close_child_end();
+  }
+
+  [[nodiscard]] int child_end() const { return ends_[1]; }
+  void close_child_end() { close(std::exchange(ends_[1], -1)); }
+  /// For poll; none any more if all was read.
+  [[nodiscard]] pollfd watched() const {
+    return {.fd = is_at_end_ ? -1 : ends_[0], .events = POLLIN, .revents = 0};
+  }
+  /// Reads what is there. False if nothing was.
+  bool read_some() {
+    char buffer[1 << 16];
+    const ssize_t count = is_at_end_ ? 0 : read(ends_[0], buffer, sizeof buffer);
+    is_at_end_ = is_at_end_ || count == 0;
+    if (count <= 0) return false;
+    text_.append(buffer, std::min(static_cast<std::size_t>(count), bytes_max_ - text_.size()));
+    return true;
+  }
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  int ends_[2] = {-1, -1};
+  std::size_t bytes_max_;
+  bool is_at_end_ = false;
+  std::string text_;
 };
 
 // The child's streams, and a process group of its own, so that all of it can be killed.
 class SpawnSettings {
  public:
-  SpawnSettings(const MemoryFile& in, const MemoryFile& out, const MemoryFile& err) {
+  SpawnSettings(const MemoryFile& in, const Capture& out, const Capture& err) {
     posix_spawn_file_actions_init(&files_);
     posix_spawn_file_actions_adddup2(&files_, in.number(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&files_, out.number(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&files_, err.number(), STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files_, out.child_end(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files_, err.child_end(), STDERR_FILENO);
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes_, 0);
@@ -96,13 +133,35 @@ pid_t start(const std::vector<std::string>& arguments, const SpawnSettings& sett
   return child;
 }
 
-// Whether the child ended within the time.
-bool wait_for(const Descriptor& child, std::optional<double> limit_s) {
-  pollfd ended{.fd = child.number(), .events = POLLIN, .revents = 0};
-  int count = 0;
-  while ((count = poll(&ended, 1, limit_s ? static_cast<int>(*limit_s * 1e3) : -1)) < 0 && errno == EINTR) {
+using SteadyClock = std::chrono::steady_clock;
+
+// Reads what the child prints until it ends. Whether it ended within the time.
+bool wait_for(const Descriptor& child, Capture& out, Capture& err, std::optional<double> limit_s) {
+  constexpr double kLimitMax_s = 1e6;
+  const SteadyClock::time_point begin = SteadyClock::now();
+  while (true) {
+    int left_ms = -1;
+    if (limit_s) {
+      const std::chrono::duration<double> passed = SteadyClock::now() - begin;
+      const double left_s = std::min(*limit_s, kLimitMax_s) - passed.count();
+      if (left_s <= 0.0) return false;
+      left_ms = static_cast<int>(std::ceil(left_s * 1e3));
+    }
+    std::array<pollfd, 3> watched = {
+        {{.fd = child.number(), .events = POLLIN, .revents = 0}, out.watched(), err.watched()}};
+    if (poll(watched.data(), watched.size(), left_ms) <= 0) continue;
+    if (watched[1].revents != 0) out.read_some();
+    if (watched[2].revents != 0) err.read_some();
+    if (watched[0].revents != 0) return true;
   }
-  return count > 0;
+}
+
+// What a pipe can hold; another process may keep filling it.
+std::string rest_of(Capture& capture) {
+  constexpr int kReadsMax = 64;
+  for (int reads = 0; reads < kReadsMax && capture.read_some(); ++reads) {
+  }
+  return capture.take();
 }
 
 int reap(pid_t child, const std::string& program) {
@@ -121,21 +180,26 @@ CannotStart::CannotStart(const std::string& program, int error_number)
 bool CannotStart::is_missing() const { return error_number_ == ENOENT; }
 
 ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view input,
-                   std::optional<double> limit_s) {
+                   std::optional<double> limit_s, std::size_t out_bytes_max) {
   const std::string& program = arguments.front();
+  constexpr std::size_t kErrBytesMax = 64 << 10;
   const MemoryFile in(program, input);
-  const MemoryFile out(program);
-  const MemoryFile err(program);
+  Capture out(program, out_bytes_max);
+  Capture err(program, kErrBytesMax);
   const pid_t child = start(arguments, SpawnSettings(in, out, err));
+  kill_group_on_signal(child);
+  out.close_child_end();
+  err.close_child_end();
   ChildEnd end;
   {
     const Descriptor watched(pidfd_open(child, 0), program);
-    end.is_timed_out = !wait_for(watched, limit_s);
+    end.is_timed_out = !wait_for(watched, out, err, limit_s);
   }
   kill(-child, SIGKILL);  // The child is not reaped yet: no other process can have its group's number.
+  spare_group_on_signal(child);
   end.exit_code = reap(child, program);
-  end.out = out.text();
-  end.err = err.text();
+  end.out = rest_of(out);
+  end.err = rest_of(err);
   return end;
 }
 

@@ -49,7 +49,7 @@ ScenarioPlace scenario_place(const std::string& scenario_path) {
 
 GoldenPlace place_at(fs::path path) {
   const std::string h5_path = path.replace_extension(".h5").generic_string();
-  return {h5_path, path.replace_extension(".txt").generic_string()};
+  return {.h5_path = h5_path, .txt_path = path.replace_extension(".txt").generic_string()};
 }
 
 }  // namespace
@@ -59,7 +59,10 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
   if (!scenarios.empty()) {
     const fs::path golden =
         golden_folder.empty() ? scenarios.parent_path() / "golden" : fs::path(golden_folder);
-    return place_at(golden / path.lexically_relative(scenarios));
+    const fs::path below = path.lexically_relative(scenarios);
+    GoldenPlace place = place_at(golden / below);
+    place.is_reserved = below.has_parent_path() && *below.begin() == "core";
+    return place;
   }
   if (!golden_folder.empty()) return place_at(fs::path(golden_folder) / path.filename());
   return std::nullopt;
@@ -70,7 +73,20 @@ std::string golden_folder_of(const std::string& scenario_path) {
   return scenarios.empty() ? "" : (scenarios.parent_path() / "golden").string();
 }
 
+std::string golden_folder_for(const std::string& scenario_path, const std::string& golden_folder) {
+  return golden_folder.empty() ? golden_folder_of(scenario_path) : golden_folder;
+}
+
+std::string scenarios_folder_of(const std::string& scenario_path) {
+  return scenario_place(scenario_path).scenarios.string();
+}
+
 bool has_golden_file(const GoldenPlace& place) {
+  if (place.is_reserved)
+    throw Failure(ExitCode::bad_input,
+                  place.h5_path +
+                      ": is where the accepted core is kept; `core` is a reserved name at "
+                      "the top of scenarios: rename that folder");
   for (const std::string& path : {place.h5_path, place.txt_path})
     if (is_device_or_pipe(path))
       throw Failure(ExitCode::bad_input,

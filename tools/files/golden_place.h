@@ -9,8 +9,9 @@
 namespace hyrax {
 
 struct GoldenPlace {
-  std::string h5_path;   ///< The trajectory file.
-  std::string txt_path;  ///< Its summary, for review in a diff.
+  std::string h5_path;       ///< The trajectory file.
+  std::string txt_path;      ///< Its summary, for review in a diff.
+  bool is_reserved = false;  ///< In golden/core/, which holds the accepted core.
 };
 
 /// The scenario's path relative to the nearest folder named `scenarios`, in `golden_folder` or in the
@@ -24,9 +25,16 @@ struct GoldenPlace {
 /// The `golden` beside the nearest folder named `scenarios` above the file; empty without such a folder.
 [[nodiscard]] std::string golden_folder_of(const std::string& scenario_path);
 
+/// The golden folder of a scenario: `golden_folder` if one was given, else golden_folder_of.
+[[nodiscard]] std::string golden_folder_for(const std::string& scenario_path,
+                                            const std::string& golden_folder);
+
+/// The nearest folder named `scenarios` above the file; empty without one.
+[[nodiscard]] std::string scenarios_folder_of(const std::string& scenario_path);
+
 /// Whether both files exist. One without the other is a missing golden file.
 /// ERRORS: Failure(bad_input) "PATH: is a pipe or a device ..." if one of them is, since reading it might
-/// never end.
+/// never end; and if the place is reserved.
 [[nodiscard]] bool has_golden_file(const GoldenPlace& place);
 
 /// Why a scenario without golden file has none: "no golden file at golden/a.h5: ...". For a terminal.

@@ -1,5 +1,6 @@
 #include "tools/files/printable.h"
 
+#include <array>
 #include <cassert>
 #include <cstdio>
 
@@ -58,6 +59,15 @@ std::string shortened(std::string_view text) {
   std::size_t size = kBytesMax;
   while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
   return std::string(text.substr(0, size)) + "...";
+}
+
+std::string size_text(std::uint64_t bytes) {
+  constexpr std::array kUnits = {" KiB", " MiB", " GiB", " TiB", " PiB", " EiB"};
+  if (bytes < 1024) return std::to_string(bytes) + " bytes";
+  std::size_t unit = 0;
+  while (unit + 1 < kUnits.size() && bytes >> (10 * (unit + 2)) > 0) ++unit;
+  const std::uint64_t tenths = (bytes >> (10 * unit)) * 10 >> 10;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + kUnits.at(unit);
 }
 
 void print_text(std::string_view text) { std::fputs(printable_lines(text).c_str(), stdout); }

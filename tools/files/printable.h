@@ -28,6 +28,9 @@ struct Utf8Character {
 /// The text, or its first 60 bytes, cut where a character of UTF-8 begins, and "...": for a message.
 [[nodiscard]] std::string shortened(std::string_view text);
 
+/// "812 bytes", "3.4 MiB": a size to one decimal, in the largest binary unit that it reaches.
+[[nodiscard]] std::string size_text(std::uint64_t bytes);
+
 /// Prints text on standard output, control characters escaped. A failure is not reported: the command
 /// completes, and main asks is_all_printed at the end.
 void print_text(std::string_view text);

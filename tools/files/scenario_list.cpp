@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
+#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
@@ -12,6 +14,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kEntriesMax = 1'000'000;
+
+// Whether it is what `hyrax-sim schema` prints, which editors find beside the scenarios.
+bool is_schema(const fs::path& path) {
+  constexpr std::string_view kSuffix = ".schema.json";
+  const std::string name = path.filename().string();
+  if (!name.ends_with(kSuffix) || !is_regular_file(path.string())) return false;
+  try {
+    return read_text_file(path.string()).find("\"$schema\": \"https://json-schema.org/") != std::string::npos;
+  } catch (const Failure&) {
+    return false;  // Reading it as a scenario reports why.
+  }
+}
 
 // Collects the scenarios below a folder, links to folders followed.
 class Walk {
@@ -26,8 +40,7 @@ class Walk {
     above_.push_back(real);
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
       add(entry->path());
-    if (error)
-      throw Failure(ExitCode::cannot_access, folder.string() + ": cannot be read: " + error.message());
+    if (error) paths.push_back(folder.generic_string());  // Reading it reports why.
     above_.pop_back();
   }
 
@@ -38,14 +51,13 @@ class Walk {
                                              " files; name the folders one by one");
     std::error_code unknown;
     const fs::file_status status = fs::status(path, unknown);
-    const bool is_named_scenario = path.extension() == ".json";
     if (fs::is_directory(status)) return enter(path);
-    // Reading a broken link reports it; without a suffix it may have been a folder of scenarios.
-    const bool is_broken_link = !fs::exists(status) && (is_named_scenario || !path.has_extension());
-    if (is_broken_link || (is_named_scenario && fs::is_regular_file(status)))
-      paths.push_back(path.generic_string());
-    else if (is_named_scenario)
-      throw Failure(ExitCode::cannot_access, path.string() + ": cannot be read: is a pipe or a device");
+    // Without a suffix, a broken link may have been a folder of scenarios. Reading one reports it, as it does
+    // a pipe, and a suffix in capitals.
+    const std::string suffix = path.extension().string();
+    const bool is_listed =
+        suffix == ".json" ? !is_schema(path) : suffix == ".JSON" || (suffix.empty() && !fs::exists(status));
+    if (is_listed) paths.push_back(path.generic_string());
   }
 
   std::vector<fs::path> above_;
@@ -62,16 +74,27 @@ std::vector<std::string> scenarios_in(const std::string& folder) {
 
 }  // namespace
 
-std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments) {
+std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
+                                        std::vector<UnlistedFolder>& unlisted) {
   std::vector<std::string> paths;
   for (const std::string& argument : arguments) {
     if (!is_folder(argument)) {
       paths.push_back(argument);
       continue;
     }
-    const std::vector<std::string> inside = scenarios_in(argument);
-    paths.insert(paths.end(), inside.begin(), inside.end());
+    try {
+      std::ranges::move(scenarios_in(argument), std::back_inserter(paths));
+    } catch (const Failure& failure) {
+      unlisted.push_back({argument, failure});
+    }
   }
+  return paths;
+}
+
+std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments) {
+  std::vector<UnlistedFolder> unlisted;
+  std::vector<std::string> paths = list_scenarios(arguments, unlisted);
+  if (!unlisted.empty()) throw unlisted.front().failure;
   return paths;
 }
 

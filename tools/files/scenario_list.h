@@ -4,13 +4,27 @@
 #include <string>
 #include <vector>
 
+#include "tools/files/failure.h"
+
 namespace hyrax {
 
-/// Files as they are; of a folder every *.json in it, recursively, through links, in name order. A broken
-/// link is listed if it is named *.json or has no suffix: reading it fails. ERRORS: Failure(bad_input) if a
-/// folder has no scenario, or more than a million files; Failure(cannot_access) if a folder cannot be read,
-/// or a *.json in it is a pipe or a device.
+/// Files as they are; of a folder every *.json in it, recursively, through links, in name order, but for JSON
+/// Schemas named *.schema.json. What could hide a scenario is listed as well, and reading it fails: a folder
+/// that cannot be read, a link that leads nowhere and is named *.json or has no suffix, a pipe or device
+/// named
+/// *.json, and *.JSON.
+/// ERRORS: Failure(bad_input) if a folder has no scenario, or more than a million files.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments);
+
+/// A folder that list_scenarios refuses.
+struct UnlistedFolder {
+  std::string path;
+  Failure failure;
+};
+
+/// As above, but folders that it would refuse are added to `unlisted`, and the others are listed.
+[[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
+                                                      std::vector<UnlistedFolder>& unlisted);
 
 /// With no arguments: `scenarios` of the current folder, and its `golden` if no golden folder was given.
 /// ERRORS: Failure(bad_input) if there are no arguments and no folder `scenarios`.

@@ -186,7 +186,11 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
 Json value_of(const Override& given) {
   try {
     return parse_json(given.value, given.pointer);
-  } catch (const Failure&) {
+  } catch (const Failure& failure) {
+    // The parser's words. Not every C++ library has std::from_chars for double.
+    if (std::string_view(failure.what()).find("number overflow") != std::string_view::npos)
+      throw Failure(ExitCode::bad_input,
+                    given.pointer + ": number is too large (found " + shortened(given.value) + ")");
     return given.value;
   }
 }
@@ -215,9 +219,18 @@ void replace_value(Json& document, const Override& given, const std::string& sou
   }
 }
 
+std::string read_scenario_text(const std::string& path) {
+  const std::string_view suffix = file_name(path).extension;
+  if (suffix == ".json" && is_device_or_pipe(path))
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: is a pipe or a device");
+  if (suffix == ".JSON")
+    throw Failure(ExitCode::bad_input, path + ": unknown suffix (found .JSON); allowed: .json");
+  return read_text_file(path == "-" ? "/dev/stdin" : path);
+}
+
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {
   const bool is_stdin = path == "-";
-  Json document = parse_json(read_text_file(is_stdin ? "/dev/stdin" : path), path);
+  Json document = parse_json(read_scenario_text(path), path);
   for (const Override& given : overrides) replace_value(document, given, path);
   return to_scenario(document, path, is_stdin ? "stdin" : std::string(file_name(path).stem));
 }

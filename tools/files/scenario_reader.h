@@ -29,6 +29,11 @@ struct Override {
 /// ERRORS: Failure(bad_input) "SOURCE: POINTER: ..." if it is not a pointer or does not exist.
 void replace_value(Json& document, const Override& given, const std::string& source);
 
+/// The text of a scenario file, or of standard input for the path "-".
+/// ERRORS: as read_text_file's; Failure(cannot_access) for a pipe or device named *.json (of another name, as
+/// a shell's <(...) has, it is read), Failure(bad_input) for *.JSON, whose golden file would not be found.
+[[nodiscard]] std::string read_scenario_text(const std::string& path);
+
 /// Reads a scenario file, or standard input (named "stdin" if it gives no name) for the path "-"; overrides
 /// applied.
 /// ERRORS: Failure(cannot_access) if the file cannot be read; Failure(bad_input) as above.

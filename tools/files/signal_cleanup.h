@@ -1,4 +1,4 @@
-// What a signal that ends the program must not leave behind.
+// What a signal that ends the program must not leave behind, and what it says.
 #pragma once
 
 #include <string>
@@ -11,6 +11,15 @@ namespace hyrax {
 void remove_on_signal(const std::string& path);
 /// Takes back remove_on_signal(path): the same object, not an equal one.
 void keep_on_signal(const std::string& path);
+
+/// From now on those signals kill this process group first. At most 256 groups.
+void kill_group_on_signal(int group);
+/// Takes it back. Before its leader is reaped: another group may get the number then.
+void spare_group_on_signal(int group);
+
+/// Until say_on_signal(nullptr), those signals print this text on standard error before they end the program.
+/// It must stay unchanged until the next call. Only the thread that calls may take signals.
+void say_on_signal(const char* text);
 
 /// Removes all that a signal would. For a handler that ends the program: allocates nothing.
 void clean_up_for_signal() noexcept;

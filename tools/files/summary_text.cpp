@@ -17,14 +17,22 @@ std::string value_of(const std::string& text, std::string_view key) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
+std::string hash_of(const std::string& text, std::string_view key) {
+  const std::string hash = value_of(text, key);
+  return is_hash(hash) ? hash : "";
+}
+
 }  // namespace
+
+bool is_summary(const std::string& text) {
+  return text.starts_with("scenario: ") && !summary_state_hash(text).empty() && summary_file_checksum(text);
+}
 
 std::string summary_reason(const std::string& text) { return value_of(text, kReasonKey); }
 
-std::string summary_state_hash(const std::string& text) {
-  const std::string hash = value_of(text, kStateHashKey);
-  return is_hash(hash) ? hash : "";
-}
+std::string summary_state_hash(const std::string& text) { return hash_of(text, kStateHashKey); }
+
+std::string summary_core(const std::string& text) { return hash_of(text, kCoreKey); }
 
 std::optional<std::string> summary_file_checksum(const std::string& text) {
   const std::size_t line_length = kChecksumsKey.size() + 2 * kHashDigits + 2;

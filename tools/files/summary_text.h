@@ -8,14 +8,25 @@
 namespace hyrax {
 
 inline constexpr std::string_view kStateHashKey = "state hash: ";
+inline constexpr std::string_view kCoreKey = "core: ";
 inline constexpr std::string_view kReasonKey = "reason: ";
 inline constexpr std::string_view kChecksumsKey = "checksums: ";
+
+/// What is wrong with a summary whose lines end in CR LF.
+inline constexpr char kConvertedLineEnds[] =
+    "its line ends were converted to CR LF; a line `golden/** -text` in .gitattributes keeps Git from it";
+
+/// Whether bless wrote the text: it has the first line, the state hash and the checksums of a summary.
+[[nodiscard]] bool is_summary(const std::string& text);
 
 /// The reason that a summary states; empty if it states none.
 [[nodiscard]] std::string summary_reason(const std::string& text);
 
 /// The state hash that a summary states, 32 hex digits; empty if it states none, or something else.
 [[nodiscard]] std::string summary_state_hash(const std::string& text);
+
+/// The core that a summary names, 32 hex digits; empty if it names none, or something else.
+[[nodiscard]] std::string summary_core(const std::string& text);
 
 /// The checksum of the .h5 file that a summary ends with; nothing if it does not end with one.
 [[nodiscard]] std::optional<std::string> summary_file_checksum(const std::string& text);

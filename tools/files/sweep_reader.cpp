@@ -31,16 +31,17 @@ constexpr std::string_view kVariations[] = {"uniform", "choice", "grid", "member
 bool is_whole(const Json& number) { return std::floor(number.number()) == number.number(); }
 
 // A number of a key: whole where the key's numbers are whole.
-bool is_number_of(NumberKind kind, const Json& json) {
-  return json.is_number() && std::isfinite(json.number()) && (kind == NumberKind::real || is_whole(json));
+bool is_number_of(ScenarioNumberKind kind, const Json& json) {
+  return json.is_number() && std::isfinite(json.number()) &&
+         (kind == ScenarioNumberKind::real || is_whole(json));
 }
-std::string number_rule(NumberKind kind) {
-  return kind == NumberKind::real ? "numbers" : "whole numbers, as the key holds";
+std::string number_rule(ScenarioNumberKind kind) {
+  return kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds";
 }
 
-SweepNumber number_of(NumberKind kind, const Json& json) {
-  if (kind == NumberKind::real) return json.number();
-  if (kind == NumberKind::seed) {
+SweepNumber number_of(ScenarioNumberKind kind, const Json& json) {
+  if (kind == ScenarioNumberKind::real) return json.number();
+  if (kind == ScenarioNumberKind::seed) {
     const auto* const seed = json.get<std::uint64_t>();
     return seed != nullptr ? *seed : static_cast<std::uint64_t>(json.number());
   }
@@ -48,13 +49,13 @@ SweepNumber number_of(NumberKind kind, const Json& json) {
 }
 
 // Numbers of a seed that a conversion would not keep are refused here; other limits need the scenario.
-bool is_convertible(NumberKind kind, double value) {
-  if (kind == NumberKind::real) return true;
-  return kind == NumberKind::seed ? value >= 0.0 && value <= 0x1p64 : std::fabs(value) <= 0x1p62;
+bool is_convertible(ScenarioNumberKind kind, double value) {
+  if (kind == ScenarioNumberKind::real) return true;
+  return kind == ScenarioNumberKind::seed ? value >= 0.0 && value <= 0x1p64 : std::fabs(value) <= 0x1p62;
 }
 
 // [low, high], or [low, high, n].
-std::optional<std::pair<double, double>> read_range(const JsonPlace& here, NumberKind kind,
+std::optional<std::pair<double, double>> read_range(const JsonPlace& here, ScenarioNumberKind kind,
                                                     std::size_t size) {
   const Json::Array* const array = here.array();
   if (array == nullptr) return std::nullopt;
@@ -70,12 +71,12 @@ std::optional<std::pair<double, double>> read_range(const JsonPlace& here, Numbe
   return std::pair{(*array)[0].number(), (*array)[1].number()};
 }
 
-UniformDraw read_uniform(const JsonPlace& here, NumberKind kind) {
+UniformDraw read_uniform(const JsonPlace& here, ScenarioNumberKind kind) {
   const auto range = read_range(here, kind, 2);
   return range ? UniformDraw{range->first, range->second} : UniformDraw{};
 }
 
-ChoiceDraw read_choice(const JsonPlace& here, NumberKind kind) {
+ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
   ChoiceDraw choice;
   const Json::Array* const array = here.array();
   if (array == nullptr) return choice;
@@ -90,12 +91,12 @@ ChoiceDraw read_choice(const JsonPlace& here, NumberKind kind) {
   return choice;
 }
 
-GridAxis read_grid(const JsonPlace& here, NumberKind kind) {
+GridAxis read_grid(const JsonPlace& here, ScenarioNumberKind kind) {
   const auto range = read_range(here, kind, 3);
   if (!range) return {};
   const auto count = here.element(2).integer(1, kMembersMax);
   GridAxis grid{range->first, range->second, count.value_or(1)};
-  if (kind == NumberKind::real) return grid;
+  if (kind == ScenarioNumberKind::real) return grid;
   // More values than whole numbers cannot all be whole; so the loop is as short as the range is.
   const bool is_too_fine = static_cast<double>(grid.count - 1) > grid.high - grid.low && grid.high > grid.low;
   for (std::int64_t index = 0; !is_too_fine && grid.high > grid.low && index < grid.count; ++index) {

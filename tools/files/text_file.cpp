@@ -27,9 +27,12 @@ using File = std::unique_ptr<std::FILE, Close>;
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
-  if (is_folder(path)) fail_to_read(path, EISDIR);
+  // Nobody may ever write into a named pipe. Those of a shell, as in `<(command)`, have a writer.
+  if (is_device_or_pipe(path) && !path.starts_with("/dev/") && !path.starts_with("/proc/"))
+    throw Failure(ExitCode::cannot_access, path + ": cannot be read: is a pipe or a device");
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail_to_read(path, errno);
+  if (is_folder(path)) fail_to_read(path, EISDIR);
   std::string text;
   char part[65536];
   for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, file.get())) > 0;) {

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 struct FolderPair {
   fs::path scenarios;
   fs::path golden;
+  fs::path core;  // The folder of the accepted core, if it is in that of golden files; else empty.
 };
 
 // Nothing if the folder is neither named `scenarios` nor below one.
@@ -22,7 +23,11 @@ std::optional<FolderPair> folders_of(const std::string& argument, const std::str
   if (!is_folder(argument)) return std::nullopt;
   const std::string any_scenario = (fs::path(argument) / "x.json").string();
   if (!golden_place(any_scenario, "")) return std::nullopt;
-  return FolderPair{argument, fs::path(golden_place(any_scenario, golden_folder)->h5_path).parent_path()};
+  const GoldenPlace place = *golden_place(any_scenario, golden_folder);
+  if (place.is_reserved) return std::nullopt;
+  const fs::path golden = fs::path(place.h5_path).parent_path();
+  const std::string in_core = (fs::path(argument) / "core/x.json").string();
+  return FolderPair{argument, golden, golden_place(in_core, "")->is_reserved ? golden / "core" : ""};
 }
 
 bool is_part_of_golden_file(const fs::directory_entry& entry) {
@@ -35,6 +40,7 @@ void add_unreferenced(const FolderPair& folders, const fs::path& folder,
                       std::map<std::string, UnreferencedGolden>& found) {
   try {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      if (entry.path() == folders.core) continue;
       std::error_code no_status;  // Then it is no folder.
       if (entry.is_directory(no_status) && !entry.is_symlink(no_status))
         add_unreferenced(folders, entry.path(), found);
@@ -43,11 +49,11 @@ void add_unreferenced(const FolderPair& folders, const fs::path& folder,
       fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
       scenario += ".json";
       if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
-      found[stem.lexically_normal().string()] = {stem.generic_string(), ""};
+      found[stem.lexically_normal().string()] = {stem.generic_string(), "", scenario.generic_string()};
     }
   } catch (const fs::filesystem_error& error) {
     const std::string path = folder.generic_string();
-    found[path] = {path, path + ": cannot be read: " + error.code().message()};
+    found[path] = {path, path + ": cannot be read: " + error.code().message(), ""};
   }
 }
 

@@ -68,22 +68,33 @@ Json contacts_json(const ContactLine& line) {
 
 Json flings_json(const FlingLine& line) {
   return Json::Object{
-      {"classes", json_of(line.classes)},         {"contacts_changed", json_of(line.changed_contacts)},
-      {"settled", json_of(line.settled)},         {"shift_px", json_of(line.shift_px)},
-      {"distance_px", json_of(line.distance_px)}, {"distance_max_px", line.distance_max_px}};
+      {"classes", json_of(line.classes)},       {"contacts_changed", json_of(line.changed_contacts)},
+      {"settled", json_of(line.settled)},       {"no_longer_settle", line.no_longer_settle},
+      {"shift_px", json_of(line.shift_px)},     {"distance_px", json_of(line.distance_px)},
+      {"distance_max_px", line.distance_max_px}};
 }
 
 Json exact_json(const ExactLine& line) {
   return Json::Object{{"t_s", line.t_s}, {"distance_px", json_of(line.distance_px)}};
 }
 
+Json names_json(const std::vector<std::string>& names) {
+  return array_of(names, [](const std::string& name) { return Json(name); });
+}
+
+Json invariants_json(const InvariantLine& line) {
+  return Json::Object{{"cases_broken", json_of(line.cases)},
+                      {"random_runs_broken", json_of(line.random_runs)},
+                      {"newly_broken", names_json(line.newly_broken)},
+                      {"mended", names_json(line.mended)}};
+}
+
 Json hard_cases_json(const HardCaseLine& line) {
-  const auto text = [](const std::string& name) { return Json(name); };
   return Json::Object{{"cases", line.cases},
-                      {"broken", json_of(line.broken)},
-                      {"newly_broken", array_of(line.newly_broken, text)},
-                      {"mended", array_of(line.mended, text)},
-                      {"random_runs_broken", json_of(line.random_runs)}};
+                      {"cases_changed", line.other_cases},
+                      {"random_runs_changed", json_of(line.other_random_runs)},
+                      {"general", invariants_json(line.general)},
+                      {"listing", invariants_json(line.listing)}};
 }
 
 Json claims_json(const ClaimLine& line) {
@@ -95,6 +106,7 @@ Json claims_json(const ClaimLine& line) {
                                                                       {"number", json_of(claim.number)},
                                                                       {"unit", claim.unit}});
                                            })},
+                      {"not_measured", names_json(line.not_measured)},
                       {"other_numbers", line.other_numbers}};
 }
 
@@ -123,7 +135,7 @@ Json card_json(const Card& card, const CardTitle& title) {
                               {"friction_px2_per_s2", json_of(card.energy.friction_px2_per_s2)}}},
       {"exact", array_of(card.exact, exact_json)},
       {"cost", Json::Object{{"step_ns", json_of(card.cost.step_ns)}, {"ratio", json_of(card.cost.ratio)}}},
-      {"hard_cases", card.hard_cases ? hard_cases_json(*card.hard_cases) : Json()},
+      {"hard_cases", hard_cases_json(card.hard_cases)},
       {"claims", claims_json(card.claims)},
       {"recordings", card.recordings ? recordings_json(*card.recordings) : Json()},
       {"consequence", consequence_of(card)}};

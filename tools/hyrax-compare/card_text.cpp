@@ -22,6 +22,11 @@ std::string text_of(const BeforeAfter<std::optional<Band>>& pair, const std::str
   return fmt::format("{} -> {} {}", text_of(pair.before, unit), text_of(pair.after, unit), unit_name);
 }
 
+// ", 152 of 200 flings"; empty where the band is of all of them.
+std::string size_text(const std::optional<Band>& band, std::int64_t of) {
+  return band && band->samples < of ? fmt::format(", {} of {} flings", band->samples, of) : "";
+}
+
 // "12 of 1000, 1.2 % (0.7 .. 2.1 %)"
 std::string text_of(const Share& share) {
   return fmt::format("{} of {} (95 %: {:.1f} .. {:.1f} %)", share.count, share.of, 100.0 * share.low(),
@@ -47,6 +52,11 @@ std::string list_text(const std::vector<std::string>& names, std::size_t most = 
 void add_bits(const Card& card, CardText& text) {
   text.push_back({"bits", "scenarios: " + text_of(card.library.classes)});
   text.push_back({"", "random flings: " + text_of(card.random.classes)});
+  const HardCaseLine& hard = card.hard_cases;
+  text.push_back(
+      {"", fmt::format("hard cases: {} of {} the same, random runs: {} of {}", hard.cases - hard.other_cases,
+                       hard.cases, hard.other_random_runs.of - hard.other_random_runs.count,
+                       hard.other_random_runs.of)});
   if (card.library.cut > 0)
     text.push_back(
         {"", fmt::format("compared in their first {} rows only: {}", kCoreRunRowsMax, card.library.cut)});
@@ -65,26 +75,31 @@ void add_contacts(const Card& card, CardText& text) {
 void add_landing(const Card& card, CardText& text) {
   const FlingLine& flings = card.random;
   text.push_back(
-      {"landing", fmt::format("shift in x {} px, distance {} px, largest {:.3g} px", text_of(flings.shift_px),
-                              text_of(flings.distance_px), flings.distance_max_px)});
+      {"landing", fmt::format("shift in x {} px, distance {} px, largest {:.3g} px{}",
+                              text_of(flings.shift_px), text_of(flings.distance_px), flings.distance_max_px,
+                              size_text(flings.distance_px, card.flings))});
   text.push_back({"", fmt::format("of {} random flings at 60 Hz settle: {} -> {}", card.flings,
                                   flings.settled.before, flings.settled.after)});
-  text.push_back({"displays", fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} flings",
-                                          text_of(card.displays.spread_px, "px"), card.displays.flings)});
+  text.push_back({"displays", fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} of {} flings",
+                                          text_of(card.displays.spread_px, "px"),
+                                          card.displays.spreads_px.before.size(), card.displays.flings)});
 }
 
-void add_energy(const EnergyLine& energy, CardText& text) {
-  constexpr double kHeight_px = 1200.0;  // The paper's gravity: energy of 1 px of height, in px2/s2.
-  text.push_back({"energy", "as height, in flight: " + text_of(energy.drift_px2_per_s2, "px", kHeight_px)});
-  text.push_back({"", "at walls, by lift: " + text_of(energy.lift_px2_per_s2, "px", kHeight_px)});
-  text.push_back({"", "by bounces: " + text_of(energy.bounce_px2_per_s2, "px", kHeight_px)});
-  text.push_back({"", "by friction: " + text_of(energy.friction_px2_per_s2, "px", kHeight_px)});
+void add_energy(const Card& card, CardText& text) {
+  const EnergyLine& energy = card.energy;
+  text.push_back(
+      {"energy", "as height, in flight: " + text_of(energy.drift_px2_per_s2, "px", kHeight_px2_per_s2) +
+                     size_text(energy.drift_px2_per_s2.after, card.flings)});
+  text.push_back({"", "at walls, by lift: " + text_of(energy.lift_px2_per_s2, "px", kHeight_px2_per_s2)});
+  text.push_back({"", "by bounces: " + text_of(energy.bounce_px2_per_s2, "px", kHeight_px2_per_s2)});
+  text.push_back({"", "by friction: " + text_of(energy.friction_px2_per_s2, "px", kHeight_px2_per_s2)});
 }
 
-void add_exact(const std::vector<ExactLine>& lines, CardText& text) {
-  for (const ExactLine& exact : lines)
-    text.push_back({&exact == &lines.front() ? "exact motion" : "",
-                    fmt::format("after {:.0f} s at 60 Hz: {}", exact.t_s, text_of(exact.distance_px, "px"))});
+void add_exact(const Card& card, CardText& text) {
+  for (const ExactLine& exact : card.exact)
+    text.push_back({&exact == &card.exact.front() ? "exact motion" : "",
+                    fmt::format("after {:.0f} s at 60 Hz: {}{}", exact.t_s, text_of(exact.distance_px, "px"),
+                                size_text(exact.distance_px.after, card.flings))});
 }
 
 void add_speed(const CostLine& cost, CardText& text) {
@@ -104,17 +119,19 @@ std::string invariants_text(const std::vector<std::string>& broken) {
 }
 
 void add_hard_cases(const Card& card, CardText& text) {
-  if (!card.hard_cases) {
-    text.push_back({"invariants", "not measured: no scenarios in a folder named hard"});
-    return;
-  }
-  const HardCaseLine& hard = *card.hard_cases;
-  text.push_back({"invariants", fmt::format("broken in {} hard cases: {} -> {}", hard.cases,
-                                            hard.broken.before, hard.broken.after)});
-  if (!hard.newly_broken.empty()) text.push_back({"", "newly broken: " + invariants_text(hard.newly_broken)});
-  if (!hard.mended.empty()) text.push_back({"", "no longer broken: " + invariants_text(hard.mended)});
-  text.push_back({"", fmt::format("in random runs: {} -> {}", text_of(hard.random_runs.before),
-                                  text_of(hard.random_runs.after))});
+  const HardCaseLine& hard = card.hard_cases;
+  const auto add = [&](const std::string& name, const std::string& kind, const InvariantLine& line) {
+    const auto& [before, after] = line.random_runs;
+    text.push_back(
+        {name, fmt::format("{}: broken in hard cases {} -> {} of {}, in random runs {} -> {}", kind,
+                           line.cases.before, line.cases.after, hard.cases, before.count, text_of(after))});
+    if (!line.newly_broken.empty())
+      text.push_back({"", "newly broken: " + invariants_text(line.newly_broken)});
+    if (!line.mended.empty()) text.push_back({"", "no longer broken: " + invariants_text(line.mended)});
+  };
+  add("invariants", "of any core", hard.general);
+  add("", "of the listing", hard.listing);
+  if (hard.cases == 0) text.push_back({"", "hard cases: not measured: no scenarios in a folder named hard"});
 }
 
 void add_claims(const Card& card, CardText& text) {
@@ -123,6 +140,9 @@ void add_claims(const Card& card, CardText& text) {
   text.push_back(
       {"paper's claims", fmt::format("{} of {} change, {} more with another number", changed.size(),
                                      card.claims.claims, card.claims.other_numbers)});
+  if (const std::vector<std::string>& unmeasured = card.claims.not_measured; !unmeasured.empty())
+    text.push_back({"", fmt::format("{} not measured with one of the cores: {}", unmeasured.size(),
+                                    list_text(unmeasured))});
   for (std::size_t index = 0; index < std::min(changed.size(), kShown); ++index)
     text.push_back({"", fmt::format("{} {} -> {}", changed[index].id, changed[index].verdict.before,
                                     changed[index].verdict.after)});
@@ -160,8 +180,8 @@ CardText card_lines(const Card& card) {
   add_bits(card, text);
   add_contacts(card, text);
   add_landing(card, text);
-  add_energy(card.energy, text);
-  add_exact(card.exact, text);
+  add_energy(card, text);
+  add_exact(card, text);
   add_speed(card.cost, text);
   add_hard_cases(card, text);
   add_claims(card, text);

@@ -15,6 +15,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-compare/card_output.h"
 #include "tools/hyrax-compare/core_file.h"
+#include "tools/hyrax-compare/core_process.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/report/page_file.h"
 #include "tools/store/output_guard.h"
@@ -37,8 +38,7 @@ struct Arguments {
   std::optional<std::int64_t> seed;
   std::optional<std::int64_t> flings;
   std::optional<std::int64_t> limit_s;
-  std::string report;   ///< The page to write; empty: none.
-  std::string command;  ///< As it was called.
+  std::string report;  ///< The page to write; empty: none.
   bool is_json = false;
 };
 
@@ -79,40 +79,54 @@ std::int64_t steady_now_ns() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-ExitCode print_card(const Arguments& arguments) {
-  const std::string& candidate_header = arguments.headers.front();
+CardRequest request_of(const Arguments& arguments) {
+  CardRequest request{.library = read_scenarios(arguments.scenarios),
+                      .seed = static_cast<std::uint64_t>(arguments.seed.value_or(1)),
+                      .flings = arguments.flings.value_or(1000),
+                      .now_ns = steady_now_ns};
+  request.recordings = in_folder(request.library, "recorded");
+  request.hard = in_folder(request.library, "hard");
+  return request;
+}
+
+// The hash of the library's rows by a core without a defect. ERRORS: CoreRefused.
+std::string probed(const std::string& library, int number, const CardRequest& request, PlayWatch& watch) {
+  const CoreFunctions& core = load_core(library, number, watch);
+  std::string rows = rows_hash(core, request);
+  watch.set_place("the search for hidden state");
+  if (const char* const defect = core.defect()) throw CoreRefused(number, defect);
+  return rows;
+}
+
+ExitCode print_card(const Arguments& arguments, const std::string& command) {
   const bool has_base = arguments.headers.size() > 1;
-  const std::string base_header = has_base ? arguments.headers.back() : "sim/physics/physics.h";
+  const std::vector<std::string> headers = {has_base ? arguments.headers.back() : "sim/physics/physics.h",
+                                            arguments.headers.front()};
   if (!arguments.report.empty()) {
     require_page();
     OutputGuard(arguments.headers).admit("hyrax-compare: --report", arguments.report, {".html"});
   }
-  const CardRequest request = [&arguments] {
-    CardRequest read{.library = read_scenarios(arguments.scenarios),
-                     .seed = static_cast<std::uint64_t>(arguments.seed.value_or(1)),
-                     .flings = arguments.flings.value_or(1000),
-                     .now_ns = steady_now_ns};
-    read.recordings = in_folder(read.library, "recorded");
-    read.hard = in_folder(read.library, "hard");
-    return read;
-  }();
+  CardRequest request = request_of(arguments);
   const TemporaryFolder folder;
   auto base_library = std::async(std::launch::async, [&] {
-    return has_base ? compile_core(base_header, folder, "base") : shipped_core_library();
+    return has_base ? compile_core(headers[0], folder, "base") : shipped_core_library();
   });
-  const std::string candidate_library = compile_core(candidate_header, folder, "candidate");
-  const CoreFunctions& base = checked_core(base_library.get(), base_header);
-  const CoreFunctions& candidate = checked_core(candidate_library, candidate_header);
-  const CardTitle title{candidate_header, base_header};
-  try {
-    refuse_on_crash(candidate_header, static_cast<unsigned>(arguments.limit_s.value_or(300)));
-    const Card card = measure_card(base, candidate, request);
-    print_text(arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"
-                                 : card_text(card, title));
-    if (!arguments.report.empty()) write_card_page(arguments.report, arguments.command, card, title);
-  } catch (const CoreRefused& reason) {
-    throw Failure(ExitCode::bad_input, candidate_header + ": refused: " + reason.what());
-  }
+  const std::string candidate = compile_core(headers[1], folder, "candidate");
+  const std::string base = base_library.get();
+  const auto in_process = [&](const std::function<std::string(PlayWatch&)>& work) {
+    return in_core_process(headers, static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
+  };
+  request.rows_hash.before = in_process([&](PlayWatch& watch) { return probed(base, 0, request, watch); });
+  request.rows_hash.after =
+      in_process([&](PlayWatch& watch) { return probed(candidate, 1, request, watch); });
+  print_text(in_process([&](PlayWatch& watch) {
+    const CoreFunctions& from = load_core(base, 0, watch);
+    const Card card = measure_card(from, load_core(candidate, 1, watch), request);
+    const CardTitle title{headers[1], headers[0]};
+    if (!arguments.report.empty()) write_card_page(arguments.report, command, card, title);
+    return arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"
+                             : card_text(card, title);
+  }));
   return ExitCode::agreed;
 }
 
@@ -120,19 +134,13 @@ ExitCode run(const std::vector<std::string>& words) {
   Arguments arguments;
   Options options;
   declare(options, arguments);
-  const bool is_probe = words.size() == 2 && words.front() == kProbeOption;
-  if (!is_probe && !options.parse(std::string(kName), words)) {
+  if (!options.parse(std::string(kName), words)) {
     print_text(std::string(kSummary) + "\n" + options.help(std::string(kName)) + std::string(kExitCodes));
     return ExitCode::agreed;
   }
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, std::string(kName) + ": " + std::string(*fault));
-  if (is_probe) {
-    print_text(probe_text(load_core(words.back())));
-    return ExitCode::agreed;
-  }
-  arguments.command = fmt::format("{} {}", kName, fmt::join(words, " "));
-  return print_card(arguments);
+  return print_card(arguments, fmt::format("{} {}", kName, fmt::join(words, " ")));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/check_status.h"
 #include "tools/files/golden_place.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -27,6 +28,7 @@ struct ScenarioVerdict {
   CheckStatus status;
   std::string sentence;  // Why it does not agree.
   ExitCode exit_code;
+  bool is_folder = false;  // That failed; it is no scenario.
 };
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -55,11 +57,12 @@ CheckArguments parsed(const std::vector<std::string>& arguments) {
 std::string difference_from(const std::string& txt_path, const std::string& state_hash) {
   const std::string text = read_text_file(txt_path);
   const std::string found = summary_state_hash(text);
-  const char* const damage = found.empty()                  ? "has no line `state hash: ` with 32 hex digits"
+  const char* const damage = text.find("\r\n") != std::string::npos ? kConvertedLineEnds
+                             : found.empty()                ? "has no line `state hash: ` with 32 hex digits"
                              : !summary_file_checksum(text) ? "does not end with its line `checksums: `"
                                                             : nullptr;
   if (damage != nullptr)
-    return "the golden file was changed after it was blessed: " + txt_path + ": " + damage +
+    return "the golden file was changed since it was blessed: " + txt_path + ": " + damage +
            "; restore it, or bless the scenario again";
   if (found == state_hash) return "";
   return txt_path + ": state hash differs (found " + found + "); the run has " + state_hash +
@@ -74,24 +77,26 @@ void judge_into(const Scenario& scenario, const std::string& golden_folder, Scen
   const auto place = golden_place(verdict.path, golden_folder);
   const bool has_golden = place && has_golden_file(*place);
   const RunSummary summary = play(scenario);
+  verdict.sentence = non_finite_text(scenario, summary.final);
   if (!has_golden && !has_state_hash_only(scenario, place)) {
     verdict.status = CheckStatus::missing;
-    verdict.sentence = missing_golden_sentence(place) + "; `hyrax-sim bless` creates it";
+    add_sentence(verdict.sentence, missing_golden_sentence(place) +
+                                       (verdict.sentence.empty() ? "; `hyrax-sim bless` creates it" : ""));
     return;
   }
-  if (summary.non_finite_step)
-    verdict.sentence = "the state is not finite from step " + std::to_string(*summary.non_finite_step);
   if (has_golden) add_sentence(verdict.sentence, difference_from(place->txt_path, hex(summary.state_hash)));
   add_sentence(verdict.sentence, broken_sentence(broken_expectations(scenario, summary)));
   if (!verdict.sentence.empty()) verdict.status = CheckStatus::disagreed;
 }
 
-ScenarioVerdict failed(const std::string& path, ExitCode exit_code, const std::string& error) {
-  return {path, CheckStatus::failed, error, exit_code};
+ScenarioVerdict failed(const std::string& path, ExitCode exit_code, const std::string& error,
+                       bool is_folder = false) {
+  return {path, CheckStatus::failed, error, exit_code, is_folder};
 }
 
 ScenarioVerdict verdict_on(const std::string& path, const std::string& golden_folder) try {
-  ScenarioVerdict verdict{path, CheckStatus::agreed, "", ExitCode::agreed};
+  ScenarioVerdict verdict{
+      .path = path, .status = CheckStatus::agreed, .sentence = "", .exit_code = ExitCode::agreed};
   judge_into(load_scenario(path), golden_folder, verdict);
   verdict.exit_code = exit_code_of(verdict.status);
   return verdict;
@@ -102,9 +107,11 @@ ScenarioVerdict verdict_on(const std::string& path, const std::string& golden_fo
 }
 
 ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
-  if (!golden.error.empty()) return failed(golden.path, ExitCode::cannot_access, golden.error);
-  return {golden.path, CheckStatus::unreferenced, kUnreferencedSentence,
-          exit_code_of(CheckStatus::unreferenced)};
+  if (!golden.error.empty()) return failed(golden.path, ExitCode::cannot_access, golden.error, true);
+  return {.path = golden.path,
+          .status = CheckStatus::unreferenced,
+          .sentence = kUnreferencedSentence,
+          .exit_code = exit_code_of(CheckStatus::unreferenced)};
 }
 
 }  // namespace
@@ -112,20 +119,31 @@ ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
 ExitCode check(const std::vector<std::string>& arguments) {
   CheckArguments request = parsed(arguments);
   set_default_folders(request.files, request.golden_folder);
+  std::vector<UnlistedFolder> unlisted;
+  const std::vector<std::string> paths = list_scenarios(request.files, unlisted);
+  const std::vector<UnreferencedGolden> unreferenced =
+      find_unreferenced(request.files, request.golden_folder);
+  if (paths.empty() && unreferenced.empty()) throw unlisted.front().failure;
   std::vector<CheckStatus> statuses;
+  std::int64_t folders_failed = 0;
   ExitCode exit_code = ExitCode::agreed;
   const auto report = [&](const ScenarioVerdict& verdict) {
-    statuses.push_back(verdict.status);
+    if (verdict.is_folder)
+      ++folders_failed;
+    else
+      statuses.push_back(verdict.status);
     exit_code = more_serious(exit_code, verdict.exit_code);
     if (verdict.status != CheckStatus::agreed)
       print_text(printable(verdict.path) + ": " + std::string(name_of(verdict.status)) + ": " +
                  printable(verdict.sentence) + "\n");
   };
-  for (const std::string& path : list_scenarios(request.files))
-    report(verdict_on(path, request.golden_folder));
-  for (const UnreferencedGolden& golden : find_unreferenced(request.files, request.golden_folder))
-    report(verdict_on(golden));
-  print_text(counts_sentence(statuses) + "\n");
+  for (const std::string& path : paths) report(verdict_on(path, request.golden_folder));
+  for (const UnlistedFolder& folder : unlisted) {
+    print_error(folder.failure.what());
+    exit_code = more_serious(exit_code, folder.failure.exit_code());
+  }
+  for (const UnreferencedGolden& golden : unreferenced) report(verdict_on(golden));
+  print_text(counts_sentence(statuses, folders_failed) + "\n");
   return exit_code;
 }
 

@@ -9,6 +9,7 @@
 #include "tools/files/build_info.h"
 #include "tools/files/failure.h"
 #include "tools/files/main_program.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -20,7 +21,7 @@ namespace {
 
 ExitCode judge_hash(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
   if (summary.non_finite_step) {
-    print_error(path + ": the state is not finite from step " + std::to_string(*summary.non_finite_step));
+    print_error(path + ": " + non_finite_text(scenario, summary.final));
     return ExitCode::disagreed;
   }
   const std::string hash = hex(summary.state_hash);

@@ -95,8 +95,9 @@ const Command& find(const std::vector<Command>& commands, const std::string& nam
   refuse_usage("hyrax-sim", unknown_word("command", name, names));
 }
 
-ExitCode run_command_line(const std::vector<std::string>& arguments) {
+ExitCode run_command_line(std::vector<std::string> arguments) {
   const std::vector<Command> commands = all_commands();
+  if (arguments.size() > 1 && arguments.front() == "help") arguments = {arguments[1], "--help"};
   const std::string name = arguments.empty() ? "--help" : arguments.front();
   if (name == "--help" || name == "-h" || name == "help") return print_help(first_screen(commands));
   if (name == "--version" || name == "-V")

@@ -20,11 +20,12 @@ void FramePlayer::advance(double dt_s) {
                       .contact_before = now_.row.contact,
                       .dt_s = &dt_s,
                       .frames = 1};
-  State body = state_of(now_.row);
+  CoreBody body{state_of(now_.row), std::move(now_.core_object)};
   row_.shrink(0);
   core_kernel().play(frame, body, rest_, row_, log_);
   now_.timeline.play(dt_s);
   now_.row = row_.row(0);
+  now_.core_object = std::move(body.object);
   now_.row.step = step;
   now_.row.t_s = now_.timeline.time_s();
 }

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "tools/files/non_finite_text.h"
+
 namespace hyrax {
 namespace {
 
@@ -12,9 +14,7 @@ constexpr std::int64_t kFramesAtOnceMax = 100'000;
 Verdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   const std::string hash = hex(run.state_hash);
   const std::string name = scenario.name + ": ";
-  if (run.non_finite_step)
-    return {ExitCode::disagreed,
-            name + "the state is not finite from step " + std::to_string(*run.non_finite_step)};
+  if (run.non_finite_step) return {ExitCode::disagreed, name + non_finite_text(scenario, run.final)};
   if (!scenario.expect || !scenario.expect->state_hash)
     return {ExitCode::agreed, name + "state hash " + hash + "; the scenario expects none"};
   if (*scenario.expect->state_hash != hash)

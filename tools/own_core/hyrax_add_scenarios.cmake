@@ -4,6 +4,9 @@ include_guard(GLOBAL)
 get_filename_component(hyrax_prefix ${CMAKE_CURRENT_LIST_DIR}/@PREFIX_FROM_PACKAGE@ ABSOLUTE)
 set(hyrax_own_core ${hyrax_prefix}/@CMAKE_INSTALL_DATADIR@/hyrax/own_core)
 set(hyrax_program ${hyrax_prefix}/@CMAKE_INSTALL_LIBDIR@/hyrax/hyrax_program.o)
+set(hyrax_trace_root ${hyrax_own_core})
+set(hyrax_trace_libraries ${hyrax_prefix}/@CMAKE_INSTALL_LIBDIR@/hyrax/libhyrax_trace_host.a)
+include(${CMAKE_CURRENT_LIST_DIR}/core_record.cmake)
 
 # The program NAME-sim: hyrax-sim with the class physics of HEADER. Only two sources are compiled.
 function(hyrax_add_simulator name header)
@@ -28,7 +31,8 @@ function(hyrax_add_simulator name header)
   target_compile_options(${name}-sim PRIVATE $<$<CONFIG:>:-O2>)
   target_compile_definitions(${name}-sim PRIVATE HYRAX_OWN_CORE="${name}")
   target_include_directories(${name}-sim PRIVATE ${folder} ${hyrax_own_core})
-  target_link_libraries(${name}-sim PRIVATE ${hyrax_program} hyrax::physics pthread ${CMAKE_DL_LIBS} m)
+  hyrax_core_record(${name}-core-record ${name}-sim ${header})
+  target_link_libraries(${name}-sim PRIVATE ${hyrax_program} ${name}-core-record hyrax::physics pthread ${CMAKE_DL_LIBS} m)
 endfunction()
 
 # What a test is named after: the scenario's name, or the file's stem where it has none.

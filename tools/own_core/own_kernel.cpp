@@ -13,13 +13,12 @@ namespace hyrax {
 namespace {
 
 static_assert(!is_paper_model(HYRAX_OWN_CORE), "hyrax: the name of the paper's model; give the core another");
-static_assert(
-    sizeof(physics) <= sizeof(State) && std::is_trivially_copyable_v<physics>,
-    "hyrax: class physics must have no state but x, y, vx and vy: files, blocks and resumed runs keep "
-    "these four numbers only");
+static_assert(std::is_trivially_copyable_v<physics>,
+              "hyrax: class physics must be trivially copyable: a run goes on with a copy of it");
 
 struct OwnCores {
   using Core = physics;
+  static constexpr bool kKeepsObject = true;
 
   [[nodiscard]] physics make(const State& state) const {
     return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};

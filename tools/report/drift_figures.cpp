@@ -182,7 +182,8 @@ Figure restitution_figure(const DriftPicture& picture) {
   const Spread& spread = picture.summary.effective_restitution;
   std::string subtitle = "Effective restitution: speed after the contact / speed at the true impact";
   if (spread.count() > 0)
-    subtitle += fmt::format("; mean {:.3f}, spread {:.3f}", spread.mean(), spread.standard_deviation());
+    subtitle += fmt::format("; median {:.3f}, from {:.3g} to {:.3g}", spread.median(), spread.smallest(),
+                            spread.largest());
   Figure figure = figure_of(picture, kSuffixes[3], subtitle);
   const Look dashed{.width_px = 1.5, .dash = Dash::long_dashes};
   figure.legend = {{"0.6, the paper's", dashed}};

@@ -134,7 +134,8 @@ std::string run_data(const RunScene& scene) {
          block("end", outline(scene.end, scene.view)) +
          block("flown", strokes(scene.path, StrokeKind::flown)) +
          block("moved", strokes(scene.path, StrokeKind::moved)) +
-         block("unrecorded", strokes(scene.path, StrokeKind::unrecorded)) + block("beads", beads);
+         block("unrecorded", strokes(scene.path, StrokeKind::unrecorded)) + block("beads", beads) +
+         (scene.not_finite ? block("not_finite", point(scene.not_finite->x_px, scene.not_finite->y_px)) : "");
 }
 
 constexpr double kDetail = 1.25;  // px of the SVG: what is smaller, the path need not show.
@@ -166,6 +167,9 @@ std::string plot_command(const RunScene& scene) {
           "with points pt 7 ps 1.0 lc rgb '{2}', "
           "${0}_dots title 'contacts: {0}' with points pt 7 ps 0.7 lc rgb '{1}'",
           kWallNames[i], kWallColours[i], style::kPaper);
+  if (scene.not_finite)
+    command +=
+        fmt::format(", $not_finite title 'not finite' with points pt 2 ps 2 lc rgb '{}'", style::kVermilion);
   return command + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/frame_clock.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/report/label_placer.h"
 
 namespace hyrax {
@@ -97,6 +98,13 @@ std::string times_of_inputs(LabelPlacer& placer, const RunPlot& plot, const RunS
   return commands;
 }
 
+std::string not_finite(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
+  if (!scene.not_finite) return "";
+  constexpr std::string_view kLabel = "not finite";
+  const Point at{plot.x(scene.not_finite->x_px), plot.y(scene.not_finite->y_px)};
+  return label_at(plot, kLabel, placer.place(kLabel, LabelPlacer::centres_around(at, kLabel)));
+}
+
 LabelPlacer placer_of(const RunPlot& plot, const RunScene& scene) {
   LabelPlacer placer(
       {RunPlot::kLeft, RunPlot::kTop, RunPlot::kLeft + RunPlot::kWidth, RunPlot::kTop + plot.height});
@@ -107,6 +115,11 @@ LabelPlacer placer_of(const RunPlot& plot, const RunScene& scene) {
   for (const Throw& one : scene.throws) {
     const auto [dx, dy] = arrow_span(plot, one, scene.path.speed_px_per_s_max);
     placer.avoid({plot.x(one.x_px), plot.y(one.y_px)}, {plot.x(one.x_px) + dx, plot.y(one.y_px) + dy});
+  }
+  if (scene.not_finite) {
+    constexpr double kArm = 10;
+    const double x = plot.x(scene.not_finite->x_px), y = plot.y(scene.not_finite->y_px);
+    for (const double side : {-kArm, kArm}) placer.avoid({x - kArm, y - side}, {x + kArm, y + side});
   }
   for (const std::optional<Box>& sprite : {scene.start, scene.end}) {
     if (!sprite) continue;
@@ -135,6 +148,9 @@ std::string run_subtitle(const Scenario& scenario, const Columns& rows) {
 
 std::string run_note(const Scenario& scenario, const Columns& rows, const RunScene& scene) {
   const std::int64_t steps = step_count(scenario);
+  if (rows.size() > 0)
+    if (const std::string text = non_finite_text(scenario, rows.row(rows.size() - 1)); !text.empty())
+      return text;
   if (scene.path.cut_at_s) return fmt::format("path drawn up to {:.4g} s", *scene.path.cut_at_s);
   if (rows.size() > 0 && rows.step.back() < steps)
     return fmt::format("the first {} of {} steps", rows.step.back(), steps);
@@ -145,7 +161,8 @@ std::string run_note(const Scenario& scenario, const Columns& rows, const RunSce
 
 std::string run_labels(const RunPlot& plot, const RunScene& scene) {
   LabelPlacer placer = placer_of(plot, scene);
-  const std::string labels = captions(placer, plot, scene) + times_of_inputs(placer, plot, scene);
+  const std::string labels =
+      captions(placer, plot, scene) + not_finite(placer, plot, scene) + times_of_inputs(placer, plot, scene);
   return arrows(plot, scene) + labels;
 }
 

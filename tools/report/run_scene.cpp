@@ -90,6 +90,16 @@ std::optional<Box> outline_at(const Columns& rows, std::size_t index, const Size
   return sprite_box(row.x_px, row.y_px, sizes.at(row.step).sprite);
 }
 
+// Nothing where the run stays finite.
+std::optional<PathPoint> last_finite(const Columns& rows, const SizesInForce& sizes, const Box& view) {
+  std::size_t index = rows.size() - 1;
+  while (index > 0 && !outline_at(rows, index, sizes)) --index;
+  const std::optional<Box> box = outline_at(rows, index, sizes);
+  if (!box || index + 1 == rows.size()) return std::nullopt;
+  const PathPoint centre{(box->left_px + box->right_px) / 2, (box->top_px + box->bottom_px) / 2, 0.0};
+  return view.holds(centre.x_px, centre.y_px) ? std::optional(centre) : std::nullopt;
+}
+
 }  // namespace
 
 Box sprite_box(double x_px, double y_px, const Size& sprite) {
@@ -124,6 +134,7 @@ RunScene make_run_scene(const Scenario& scenario, const Columns& rows, const std
   if (rows.size() > 0) {
     scene.start = outline_at(rows, 0, sizes);
     scene.end = outline_at(rows, rows.size() - 1, sizes);
+    scene.not_finite = last_finite(rows, sizes, scene.view);
   }
   return scene;
 }

@@ -39,11 +39,12 @@ struct Bounce {
 struct RunScene {
   std::vector<Size> windows;  ///< Each once, in order; of many some, with the first and the last.
   std::optional<Box> start, end;
-  std::vector<Bounce> bounces;     ///< The first kBouncesShownMax.
-  std::vector<Box> ghosts;         ///< Their outlines, without those that nearly cover one another.
-  WallCounts contacts{};           ///< How many there are, drawn or not.
-  std::vector<Throw> throws;       ///< The first kThrowsShownMax.
-  std::vector<TimedInput> inputs;  ///< The first kInputsLabelledMax.
+  std::optional<PathPoint> not_finite;  ///< Centre before the row that is not finite, if that is in view.
+  std::vector<Bounce> bounces;          ///< The first kBouncesShownMax.
+  std::vector<Box> ghosts;              ///< Their outlines, without those that nearly cover one another.
+  WallCounts contacts{};                ///< How many there are, drawn or not.
+  std::vector<Throw> throws;            ///< The first kThrowsShownMax.
+  std::vector<TimedInput> inputs;       ///< The first kInputsLabelledMax.
   RunPath path;
   Box view;  ///< Contains the windows, and the sprite while it is near them.
 };

@@ -24,7 +24,7 @@ constexpr std::array<DriftColumn<ArcErrors>, 3> kReferenceArcColumns = {{
      [](Arc a) { return or_nan(a.gsl_vs_closed_px); }},
 }};
 
-constexpr std::array<DriftColumn<ArcErrors>, 15> kDriftArcColumns = {{
+constexpr std::array<DriftColumn<ArcErrors>, 16> kDriftArcColumns = {{
     {"duration", "s", "time from the first row to the last", [](Arc a) { return a.duration_s; }},
     {"implementation", "px", "largest distance from the discrete closed form",
      [](Arc a) { return a.implementation_px; }},
@@ -45,6 +45,8 @@ constexpr std::array<DriftColumn<ArcErrors>, 15> kDriftArcColumns = {{
     {"energy_drift_rel_end", "1",
      "energy_drift_end / largest energy of the matched ODE, 1200 px2/s2 at least",
      [](Arc a) { return a.energy_drift_rel_end; }},
+    {"energy_drift_slope_height", "px/s", "slope of a line fitted to the energy drift as height",
+     [](Arc a) { return or_nan(a.energy_drift_slope_px_per_s); }},
     {"energy_drift_slope", "1/s", "slope of a line fitted to the relative energy drift",
      [](Arc a) { return or_nan(a.energy_drift_slope_per_s); }},
     {"energy_drift_max", "px2/s2", "largest energy drift in magnitude",
@@ -75,6 +77,16 @@ constexpr std::array<DriftColumn<ImpactErrors>, 9> kImpactColumns = {{
     {"energy_by_friction", "px2/s2", "by the friction of the ground",
      [](Impact c) { return c.energy_parts.friction; }},
     {"energy_by_rest", "px2/s2", "by the rest rule", [](Impact c) { return c.energy_parts.rest; }},
+}};
+
+using Whole = const WholeRun&;
+constexpr std::array<DriftColumn<WholeRun>, 4> kWholeColumns = {{
+    {"end", "px", "distance from the exact fling in the last row", [](Whole w) { return w.end_px; }},
+    {"max", "px", "largest distance from the exact fling", [](Whole w) { return w.max_px; }},
+    {"energy_end", "px", "energy of the run minus the exact fling's in the last row, as height",
+     [](Whole w) { return w.energy_end_px; }},
+    {"energy_max", "px", "largest difference of energies, as height",
+     [](Whole w) { return w.energy_max_px; }},
 }};
 
 // A group with one dataset for each column of its records; notes whether all could be written.
@@ -120,6 +132,26 @@ class RecordTable {
 void put_row_numbers(RecordTable<ArcErrors>& table) {
   table.row_numbers("first_step", "row that the arc begins with", [](Arc a) { return a.first_step; });
   table.row_numbers("last_step", "row that the arc ends with", [](Arc a) { return a.last_step; });
+}
+
+// One row; where there is no exact fling, the attribute that says why.
+bool write_whole(hid_t drift, const MeasuredArcs& measured) {
+  if (!measured.whole.run) {
+    h5::write_attribute(drift, "whole_why", measured.whole.why_not);
+    return true;
+  }
+  const std::vector<WholeRun> rows = {*measured.whole.run};
+  RecordTable<WholeRun> whole(drift, "whole", rows);
+  whole.columns(kWholeColumns);
+  whole.row_numbers("max_step", "row of the largest distance", [](Whole w) { return w.max_px_step; });
+  whole.row_numbers("contacts_differ_from",
+                    "row of the first contact that is not the exact fling's; -1: none",
+                    [](Whole w) { return w.contacts_differ_from.value_or(-1); });
+  whole.column<double>(
+      "secular", "slope of the energy drift in flight, as height", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+      [&](Whole) { return or_nan(measured.summary.secular_px_per_s); }, "px/s");
+  whole.share_axis("max_step");
+  return whole.is_written();
 }
 
 constexpr std::size_t kBatch = 65536;
@@ -232,7 +264,7 @@ bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measu
   contacts.columns(kImpactColumns);
   contacts.share_axis("step");
   contacts.attribute("total", measured.summary.contacts);
-  return solutions.is_written() && arcs.is_written() && contacts.is_written();
+  return write_whole(drift, measured) && solutions.is_written() && arcs.is_written() && contacts.is_written();
 }
 
 }  // namespace hyrax

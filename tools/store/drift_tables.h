@@ -4,7 +4,7 @@
 //   /reference/{x,y,vx,vy,energy}                              float64 [N], on request
 //   /reference/arcs/{first_step,last_step,...}                 [A]
 //   /drift                   attributes steps_astray, reference_faults (int64)
-//   /drift/{implementation,truncation,model,energy_drift}      float64 [N], on request
+//   /drift/{implementation,truncation,model,energy,energy_drift} float64 [N], on request
 //   /drift/arcs/{first_step,last_step,ended_by,...}            [A], attributes total, skipped (int64)
 //   /drift/contacts/{step,wall,...}                            [M], attribute total (int64)
 //
@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "sim/reference/drift.h"
+#include "sim/reference/whole_run.h"
 #include "tools/store/hdf5.h"
 
 namespace hyrax {
@@ -46,12 +47,14 @@ inline constexpr std::array<DriftColumn<RowErrors>, 5> kReferenceRowColumns = {{
 }};
 
 // In /drift.
-inline constexpr std::array<DriftColumn<RowErrors>, 4> kDriftRowColumns = {{
+inline constexpr std::array<DriftColumn<RowErrors>, 5> kDriftRowColumns = {{
     {"implementation", "px", "distance from the discrete closed form",
      [](const RowErrors& r) { return r.implementation_px; }},
     {"truncation", "px", "distance from the matched ODE", [](const RowErrors& r) { return r.truncation_px; }},
     {"model", "px", "distance from the ODE with the drag rate of 60 Hz",
      [](const RowErrors& r) { return r.model_px; }},
+    {"energy", "px2/s2", "specific energy of the run, 0 at rest on the floor",
+     [](const RowErrors& r) { return r.energy_px2_per_s2 + r.energy_drift_px2_per_s2; }},
     {"energy_drift", "px2/s2", "specific energy of the run minus the matched ODE's",
      [](const RowErrors& r) { return r.energy_drift_px2_per_s2; }},
 }};
@@ -94,10 +97,11 @@ struct MeasuredArcs {
   const DriftSummary& summary;
   const std::vector<ArcErrors>& arcs;         ///< The first of them.
   const std::vector<ImpactErrors>& contacts;  ///< The first of them.
-  std::string checked_by;                     ///< The second solution that the closed form was compared with.
+  const WholeOutcome& whole;
+  std::string checked_by;  ///< The second solution that the closed form was compared with.
 };
 
-/// Writes /reference/arcs, /drift/arcs and /drift/contacts, and the attributes.
+/// Writes /reference/arcs, /drift/arcs, /drift/contacts and /drift/whole, and the attributes.
 /// @param reference, drift the open groups. Returns false if the file could not be written.
 [[nodiscard]] bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measured);
 

@@ -74,13 +74,13 @@ std::string unit_of(std::string_view name) {
   return "";
 }
 
-ColumnType type_of(NumberKind kind) {
+ColumnType type_of(ScenarioNumberKind kind) {
   switch (kind) {
-    case NumberKind::real:
+    case ScenarioNumberKind::real:
       return ColumnType::real;
-    case NumberKind::integer:
+    case ScenarioNumberKind::integer:
       return ColumnType::integer;
-    case NumberKind::seed:
+    case ScenarioNumberKind::seed:
       return ColumnType::seed;
   }
   return ColumnType::real;
@@ -95,10 +95,9 @@ EnsembleColumn input_column(const VariedKey& key, std::size_t index) {
           type_of(key.kind),
           1,
           [index](const EnsembleRows& rows, std::byte* to) {
-            for (std::size_t row = 0; row < rows.results.size(); ++row) {
-              const std::int64_t member = rows.part.member(rows.first_row + static_cast<std::int64_t>(row));
-              std::visit([&](auto value) { put(to, value); }, value_of(rows.sweep, index, member));
-            }
+            for (std::int64_t row = rows.first_row; row < rows.first_row + rows.count; ++row)
+              std::visit([&](auto value) { put(to, value); },
+                         value_of(rows.sweep, index, rows.part.member(row)));
           }};
 }
 

@@ -16,11 +16,12 @@ namespace hyrax {
 
 enum class ColumnType : std::uint8_t { real, integer, seed, byte };
 
-/// Rows of a part that are written at once, with their results.
+/// Rows of a part that are written at once, with their results (which columns of inputs do not need).
 struct EnsembleRows {
   const Sweep& sweep;
   WorkPart part;
   std::int64_t first_row = 0;
+  std::int64_t count = 0;
   std::span<const MemberResult> results;
 };
 

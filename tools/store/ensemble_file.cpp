@@ -1,14 +1,13 @@
 #include "tools/store/ensemble_file.h"
 
+#include <hdf5_hl.h>
+
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include <fmt/format.h>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
@@ -76,94 +75,88 @@ std::vector<h5::Handle> open_datasets(hid_t file, const std::vector<EnsembleColu
   return datasets;
 }
 
-// The lock tells a writer that another one is at work; it ends with its process.
-int lock_file(const std::string& path, const std::string& shown) {
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0) fail_to_write(shown, errno);
-  struct flock whole {};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  if (fcntl(descriptor, F_OFD_SETLK, &whole) == 0 || (errno != EAGAIN && errno != EACCES)) return descriptor;
-  close(descriptor);
-  throw Failure(ExitCode::cannot_access, path + ": cannot be written: another process is writing it");
+// A dimension without values, as netCDF marks it: it takes no room in the file.
+h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
+  h5::Handle scale = h5::create_dataset(file, name, H5T_IEEE_F32BE, {length});
+  const std::string mark = fmt::format("This is a netCDF dimension but not a netCDF variable{:10}", length);
+  if (scale.is_open() && H5DSset_scale(scale, mark.c_str()) < 0) return {};
+  return scale;
+}
+
+// The axes of all columns, which netCDF readers such as xarray need to open the groups.
+[[nodiscard]] bool attach_axes(hid_t file, const std::vector<EnsembleColumn>& columns,
+                               const std::vector<h5::Handle>& datasets, std::int64_t rows) {
+  const h5::Handle members = create_dimension(file, "member", static_cast<std::size_t>(rows));
+  bool is_written = members.is_open();
+  for (std::size_t each = 0; is_written && each < columns.size(); ++each) {
+    is_written = H5DSattach_scale(datasets[each], members, 0) >= 0;
+    if (columns[each].width == 1) continue;
+    const char* const name = columns[each].type == ColumnType::byte ? "digest_byte" : "wall";
+    const h5::Handle values = create_dimension(file, name, columns[each].width);
+    is_written = is_written && values.is_open() && H5DSattach_scale(datasets[each], values, 1) >= 0;
+  }
+  return is_written;
+}
+
+[[nodiscard]] bool write_empty(hid_t file, const EnsembleHead& head, const Sweep& sweep) {
+  h5::write_attribute(file, kRowsDone, std::int64_t{0});
+  write_head(file, head);
+  for (const char* const name : {"members", "inputs"})
+    if (!h5::create_group(file, name).is_open()) return false;
+  const std::int64_t rows = head.part.rows(head.members);
+  const std::vector<EnsembleColumn> columns = columns_of(sweep);
+  std::vector<h5::Handle> datasets;
+  for (const EnsembleColumn& column : columns) {
+    datasets.push_back(h5::create_dataset_in_place(file, column.path().c_str(), file_type(column.type),
+                                                   shape_of(column, rows)));
+    if (!datasets.back().is_open()) return false;
+    if (!column.unit.empty()) h5::write_attribute(datasets.back(), "units", column.unit);
+    h5::write_attribute(datasets.back(), "long_name", column.long_name);
+  }
+  return attach_axes(file, columns, datasets, rows);
 }
 
 }  // namespace
 
-std::string partial_path(const std::string& path) { return path + ".partial"; }
-
-EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep,
-                               bool resumes)
-    : path_(path), partial_path_(partial_path(path)), columns_(columns_of(sweep)) {
-  if (is_folder(path)) fail_to_write(path, EISDIR);
-  const bool existed = is_there(partial_path_);
-  lock_ = lock_file(partial_path_, path);
-  take_mode(lock_, path_, S_IRUSR | S_IWUSR);
-  try {
-    if (!resumes || !existed || !resume(head)) create(head, head.part.rows(head.members));
-  } catch (...) {
-    close(lock_);
-    throw;
-  }
-}
-
-EnsembleWriter::~EnsembleWriter() { close(lock_); }
-
-void EnsembleWriter::create(const EnsembleHead& head, std::int64_t rows) {
+void create_ensemble(const std::string& path, const EnsembleHead& head, const Sweep& sweep) {
   constexpr std::uint64_t kNotInMemory = 1 << 30;
   errno = 0;
-  file_ = h5::create_file(partial_path_, kNotInMemory);
-  if (!file_.is_open()) fail();
-  write_head(file_, head);
-  for (const char* const name : {"members", "inputs"})
-    if (!h5::create_group(file_, name).is_open()) fail();
-  for (const EnsembleColumn& column : columns_) {
-    datasets_.push_back(h5::create_dataset_in_place(file_, column.path().c_str(), file_type(column.type),
-                                                    shape_of(column, rows)));
-    if (!datasets_.back().is_open()) fail();
-    if (!column.unit.empty()) h5::write_attribute(datasets_.back(), "units", column.unit);
-    h5::write_attribute(datasets_.back(), "long_name", column.long_name);
-  }
-  h5::write_attribute(file_, kRowsDone, std::int64_t{0});
-  done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
-  if (!done_.is_open() || H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) fail();
+  h5::Handle file = h5::create_file(path, kNotInMemory);
+  const bool is_written = file.is_open() && write_empty(file, head, sweep);
+  if (file.close() < 0 || !is_written) fail_to_write(path, errno == 0 ? EIO : errno);
 }
 
-// False if the file was left before anything was done.
-bool EnsembleWriter::resume(const EnsembleHead& head) {
-  bool is_begun = false;
-  const auto open = [&] {
-    file_ = h5::open_file_to_write(partial_path_);
-    const auto found = file_.is_open() ? read_head(file_) : std::nullopt;
-    const auto rows_done = file_.is_open() ? h5::read_integer_attribute(file_, kRowsDone) : std::nullopt;
-    is_begun = found && rows_done;
-    if (!is_begun) return;
-    if (*found != head)
-      refuse(partial_path_, "is of another sweep, part or physics model; start over without --resume");
-    const std::int64_t rows = head.part.rows(head.members);
-    datasets_ = open_datasets(file_, columns_, rows);
-    done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
-    if (*rows_done < 0 || *rows_done > rows || datasets_.size() != columns_.size() || !done_.is_open())
-      refuse(partial_path_, "is damaged; start over without --resume");
-    rows_done_ = *rows_done;
-  };
-  read_isolated(partial_path_, open);
-  open();
-  if (!is_begun) file_ = h5::Handle();
-  return is_begun;
+EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep)
+    : path_(path), columns_(columns_of(sweep)) {
+  read_isolated(path_, [&] { open(head); });
+  open(head);
+}
+
+void EnsembleWriter::open(const EnsembleHead& head) {
+  file_ = h5::open_file_to_write(path_);
+  const auto found = file_.is_open() ? read_head(file_) : std::nullopt;
+  if (!found) refuse(path_, "is no sweep's file that can be continued; `--force` starts over");
+  if (*found != head) refuse(path_, "is of another sweep, part or physics model; `--force` starts over");
+  const std::int64_t rows = head.part.rows(head.members);
+  datasets_ = open_datasets(file_, columns_, rows);
+  done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
+  rows_done_ = h5::read_integer_attribute(file_, kRowsDone).value_or(done_.is_open() ? -1 : rows);
+  if (rows_done_ < 0 || rows_done_ > rows || datasets_.size() != columns_.size())
+    refuse(path_, "is damaged; `--force` starts over");
 }
 
 void EnsembleWriter::write(const EnsembleRows& rows) {
   assert(rows.first_row == rows_done_);
   errno = 0;
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    buffer_.resize(columns_[column].row_bytes() * rows.results.size());
+    buffer_.resize(columns_[column].row_bytes() * static_cast<std::size_t>(rows.count));
     columns_[column].fill(rows, buffer_.data());
     if (h5::write_rows(datasets_[column], memory_type(columns_[column].type),
-                       static_cast<hsize_t>(rows_done_), rows.results.size(), buffer_.data()) < 0)
+                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(rows.count),
+                       buffer_.data()) < 0)
       fail();
   }
-  note_done(static_cast<std::int64_t>(rows.results.size()));
+  note_done(rows.count);
 }
 
 void EnsembleWriter::write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count) {
@@ -184,12 +177,11 @@ void EnsembleWriter::note_done(std::int64_t rows) {
     fail();
 }
 
-void EnsembleWriter::commit() {
+void EnsembleWriter::finish() {
   errno = 0;
   datasets_.clear();
-  if (done_.close() < 0 || H5Adelete(file_, kRowsDone) < 0 || file_.close() < 0) fail();
-  take_mode(lock_, path_, 0);
-  if (std::rename(partial_path_.c_str(), path_.c_str()) != 0) fail();
+  if (done_.is_open() && (done_.close() < 0 || H5Adelete(file_, kRowsDone) < 0)) fail();
+  if (file_.close() < 0) fail();
 }
 
 void EnsembleWriter::fail() const { fail_to_write(path_, errno == 0 ? EIO : errno); }
@@ -205,10 +197,8 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
     if (!head) refuse(path, "is no result file of a sweep (" + std::string(kEnsembleFormat) + ")");
     head_ = *head;
     if (const auto done = h5::read_integer_attribute(file_, kRowsDone))
-      refuse(path,
-             fmt::format("is not complete: {} of {} members are done; continue it with --resume, or merge "
-                         "the parts again",
-                         *done, rows()));
+      refuse(path, fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
+                               rows()));
     sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
     columns_ = columns_of(sweep_);
     datasets_ = open_datasets(file_, columns_, rows());
@@ -221,9 +211,19 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
 
 void EnsembleReader::read(std::size_t column, std::int64_t first_row, std::int64_t count,
                           std::byte* to) const {
-  if (h5::read_rows(datasets_[column], memory_type(columns_[column].type), static_cast<hsize_t>(first_row),
+  const EnsembleColumn& what = columns_[column];
+  if (h5::read_rows(datasets_[column], memory_type(what.type), static_cast<hsize_t>(first_row),
                     static_cast<hsize_t>(count), to) < 0)
     throw Failure(ExitCode::cannot_access, path_ + ": cannot be read: the HDF5 library fails");
+  if (what.group != "inputs") return;
+  std::vector<std::byte> said(static_cast<std::size_t>(count) * what.row_bytes());
+  what.fill({sweep_, head_.part, first_row, count, {}}, said.data());
+  for (std::int64_t row = 0; row < count; ++row) {
+    const std::size_t at = static_cast<std::size_t>(row) * what.row_bytes();
+    if (std::memcmp(said.data() + at, to + at, what.row_bytes()) != 0)
+      refuse(path_, fmt::format("{}: the input of member {} is not the sweep's: the file was changed",
+                                what.path(), head_.part.member(first_row + row)));
+  }
 }
 
 }  // namespace hyrax

@@ -28,20 +28,18 @@ struct EnsembleHead {
   bool operator==(const EnsembleHead&) const = default;
 };
 
-/// Where the rows that are done are kept until the file is complete.
-[[nodiscard]] std::string partial_path(const std::string& path);
+/// Creates a result file without rows. A file at `path` is replaced.
+/// ERRORS: Failure(cannot_access).
+void create_ensemble(const std::string& path, const EnsembleHead& head, const Sweep& sweep);
 
-/// Writes a result file row by row into `PATH.partial`, which is renamed when it is complete. What was
-/// written survives the end of the process, in whatever way, and can be resumed.
+/// Writes a result file row by row. What was written survives the end of the process, in whatever way; the
+/// bytes of a complete file do not depend on how often it was opened.
 class EnsembleWriter {
  public:
-  /// Creates the partial file, or with `resumes` opens the one that exists.
-  /// ERRORS: Failure(cannot_access) if it cannot be written, or another process writes it; Failure(bad_input)
-  /// if it is resumed and is of another sweep, part or physics model, or damaged.
-  EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep, bool resumes);
-  EnsembleWriter(const EnsembleWriter&) = delete;
-  EnsembleWriter& operator=(const EnsembleWriter&) = delete;
-  ~EnsembleWriter();
+  /// Opens a file that is not complete.
+  /// ERRORS: Failure(cannot_access); Failure(bad_input) if it is no such file, damaged, or of another sweep,
+  /// part or physics model.
+  EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep);
 
   /// Rows that are written.
   [[nodiscard]] std::int64_t rows_done() const { return rows_done_; }
@@ -49,22 +47,20 @@ class EnsembleWriter {
   void write(const EnsembleRows& rows);
   /// Writes the next rows of all columns from their bytes, as EnsembleReader::read gives them.
   void write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count);
-  /// Completes the file. REQUIRES: all rows are written. ERRORS: Failure(cannot_access).
-  void commit();
+  /// Marks the file as complete and closes it. REQUIRES: all rows are written. ERRORS:
+  /// Failure(cannot_access).
+  void finish();
 
  private:
-  void create(const EnsembleHead& head, std::int64_t rows);
-  [[nodiscard]] bool resume(const EnsembleHead& head);
+  void open(const EnsembleHead& head);
   void note_done(std::int64_t rows);
   [[noreturn]] void fail() const;
 
   std::string path_;
-  std::string partial_path_;
-  int lock_ = -1;
   std::vector<EnsembleColumn> columns_;
   h5::Handle file_;
   std::vector<h5::Handle> datasets_;
-  h5::Handle done_;  // The attribute that holds rows_done_.
+  h5::Handle done_;  // The attribute that holds rows_done_; not open in a complete file.
   std::int64_t rows_done_ = 0;
   std::vector<std::byte> buffer_;
 };
@@ -81,7 +77,8 @@ class EnsembleReader {
   [[nodiscard]] const Sweep& sweep() const { return sweep_; }
   [[nodiscard]] const std::vector<EnsembleColumn>& columns() const { return columns_; }
   [[nodiscard]] std::int64_t rows() const { return head_.part.rows(head_.members); }
-  /// Rows of a column, in its memory type. ERRORS: Failure(cannot_access).
+  /// Rows of a column, in its memory type.
+  /// ERRORS: Failure(cannot_access); Failure(bad_input) if an input is not what the sweep says.
   void read(std::size_t column, std::int64_t first_row, std::int64_t count, std::byte* to) const;
 
  private:

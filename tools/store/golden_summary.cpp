@@ -133,6 +133,15 @@ void add(ContentsHash& hash, const StoredBlock& block) {
   hash.add(std::int64_t{keyframe.is_held});
 }
 
+// Without a core that of earlier versions.
+std::string contents_with_core(const GoldenChecksums& checksums) {
+  if (checksums.core.empty()) return checksums.contents;
+  const std::string both = checksums.contents + " " + checksums.core;
+  ByteHash hash;
+  hash.add(std::as_bytes(std::span(both.data(), both.size())));
+  return hex(hash.value());
+}
+
 Scenario without_texts(Scenario scenario) {
   scenario.name.clear();
   scenario.description.reset();
@@ -200,8 +209,9 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   text += summary.at_rest_since_s ? fmt::format("settled since: {} s\n", *summary.at_rest_since_s)
                                   : std::string("not settled: moved within the last 1 s\n");
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
+  if (!checksums.core.empty()) text += fmt::format("{}{}\n", kCoreKey, checksums.core);
   return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
-                            checksums.contents, checksums.file);
+                            contents_with_core(checksums), checksums.file);
 }
 
 std::optional<std::string> summary_difference(const std::string& stored, const std::string& current) {

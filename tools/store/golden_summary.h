@@ -10,11 +10,13 @@
 
 namespace hyrax {
 
-/// The last line of a summary. If the file has its checksum, and a new run has that of the contents, the two
-/// agree in everything that a comparison looks at, and the file need not be read.
+/// What a summary says of its run's core, and its last line. If the file has its checksum, and a new run has
+/// that of the contents, the two agree in everything that a comparison looks at, and the file need not be
+/// read.
 struct GoldenChecksums {
-  std::string contents;  ///< contents_checksum of the stored run.
+  std::string contents;  ///< contents_checksum of the stored run; the line holds that of it and `core`.
   std::string file;      ///< file_checksum of the .h5 file.
+  std::string core;      ///< AcceptedCore::name of the core that was blessed; empty: written before 0.2.
 };
 
 /// XXH3-128, as 32 hex digits, over a run's scenario (without name, description, $schema and expect), physics

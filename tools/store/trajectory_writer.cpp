@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
@@ -27,10 +30,9 @@ std::uint64_t require_disk_space(const std::string& path, std::int64_t rows, std
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
   if (!error && bytes > space.available)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows need " +
-                                               std::to_string(bytes >> 20) + " MiB (found " +
-                                               std::to_string(space.available >> 20) +
-                                               " MiB free); record fewer with /record/every");
+    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows need " + size_text(bytes) +
+                                               " (found " + size_text(space.available) +
+                                               " free); record fewer with /record/every");
   return bytes;
 }
 
@@ -87,13 +89,15 @@ void TrajectoryWriter::require(bool is_written) const {
 }
 
 TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, std::int64_t steps)
-    : path_(path),
-      rows_every_(scenario.record_every),
-      target_(path),
-      file_(std::fopen(target_.part_path().c_str(), "wb")) {
+    : path_(path), rows_every_(scenario.record_every) {
   constexpr std::uint64_t kCsvRowBytesMin =
       2 * (kRowColumns.size() + 2);  // A digit and a comma for each number.
-  require_disk_space(path, TrajectoryWriter::row_count(steps, rows_every_), kCsvRowBytesMin);
+  if (path == kStandardOutput) {
+    file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
+  } else {
+    file_.reset(std::fopen(target_.emplace(path).part_path().c_str(), "wb"));
+    require_disk_space(path, TrajectoryWriter::row_count(steps, rows_every_), kCsvRowBytesMin);
+  }
   if (!file_) fail_to_write(path_, errno);
   std::string header = "step";
   for (const RowColumn& column : kRowColumns) header.append(",").append(header_of(column));
@@ -113,7 +117,7 @@ void TrajectoryCsv::rows(const Columns& batch) {
 
 void TrajectoryCsv::finish() {
   if (std::fclose(file_.release()) != 0) fail_to_write(path_, errno);
-  target_.commit();
+  if (target_) target_->commit();
 }
 
 void TrajectoryCsv::write(const std::string& text) {

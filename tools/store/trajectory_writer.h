@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/trajectory/row_sink.h"
@@ -55,10 +57,13 @@ class TrajectoryWriter : public RowSink {
   ContactTable contact_table_;
 };
 
+/// As an output's path.
+inline constexpr std::string_view kStandardOutput = "-";
+
 /// The header "step,t_s,dt_s,x_px,y_px,vx_px_per_s,vy_px_per_s,contact", then every record.every-th row.
 /// Numbers are shortest-round-trip; contact has the bits of a trajectory file. Memory does not grow with the
-/// run. The file is at `path` only after finish(). ERRORS: every call may throw
-/// Failure(cannot_access) "PATH: cannot be written: REASON".
+/// run. The file is at `path` only after finish(); kStandardOutput gets rows as they are played. ERRORS:
+/// every call may throw Failure(cannot_access) "PATH: cannot be written: REASON".
 class TrajectoryCsv : public RowSink {
  public:
   /// @param steps of the run.
@@ -77,7 +82,7 @@ class TrajectoryCsv : public RowSink {
 
   std::string path_;
   std::int64_t rows_every_;
-  AtomicFile target_;
+  std::optional<AtomicFile> target_;  // Nothing for standard output.
   std::unique_ptr<std::FILE, Close> file_;
 };
 

@@ -53,6 +53,7 @@ HardCaseResult play_hard_case(const HardCase& hard_case,
   const Scenario& scenario = hard_case.scenario;
   const CheckedRun run = check_run(scenario, usual_stops(scenario), report_steps);
   HardCaseResult result{.measures = run.measures,
+                        .state_hash = run.summary.state_hash,
                         .steps = run.summary.steps,
                         .knife_edges = run.knife_edges,
                         .broken_expectation = {}};

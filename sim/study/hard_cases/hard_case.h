@@ -10,6 +10,7 @@
 
 #include "sim/scenario/scenario.h"
 #include "sim/search/invariant.h"
+#include "sim/trajectory/state_hash.h"
 
 namespace hyrax {
 
@@ -29,8 +30,8 @@ struct HardCase {
   std::vector<ExpectedFailure> expected_failures;
 };
 
-/// The cases made from a scenario: itself with its expected failures, and the family of its name
-/// (hard_families.cpp), if there is one.
+/// The cases made from a scenario: itself with its expected failures, and the families of what it does
+/// (hard_families.cpp), whatever its name.
 [[nodiscard]] std::vector<HardCase> hard_cases_of(const Scenario& scenario);
 
 enum class CaseVerdict { held, expected_failure, broken, expected_failure_gone };
@@ -38,6 +39,7 @@ enum class CaseVerdict { held, expected_failure, broken, expected_failure_gone }
 /// What was measured of a case.
 struct HardCaseResult {
   InvariantMeasures measures{};
+  Digest state_hash{};
   std::int64_t steps = 0;
   std::int64_t knife_edges = 0;
   /// The first of the scenario's own expectations that does not hold.

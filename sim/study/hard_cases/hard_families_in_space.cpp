@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "sim/replay/core.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_family.h"
 
 namespace hyrax {
@@ -42,20 +43,23 @@ std::vector<HardCase> on_a_bound_family(const Scenario& base) {
   return family.take();
 }
 
-// The apex of a throw at the ceiling: the start height at which the paper's step just reaches it, and doubles
-// around it. Found by flying once, from anywhere.
-std::vector<HardCase> grazing_family(const Scenario& base) {
-  Family family(base);
-  const double dt_s = 1.0 / std::get<FixedRate>(base.clock.base).rate_hz;
-  State body{0.0, 0.0, base.start_velocity.vx_px_per_s, base.start_velocity.vy_px_per_s};
+double apex_px(const Scenario& scenario) {
+  State body{0.0, 0.0, scenario.start_velocity.vx_px_per_s, scenario.start_velocity.vy_px_per_s};
   double apex_px = 0.0;
   for (int frame = 0; frame < 600; ++frame) {
-    body = core_flight(body, dt_s);
+    body = core_flight(body, base_dt_s(scenario.clock));
     apex_px = std::fmin(apex_px, body.y_px);
   }
+  return apex_px;
+}
+
+// The apex of a throw at the ceiling: the start height at which the paper's step just reaches it, and doubles
+// around it.
+std::vector<HardCase> grazing_family(const Scenario& base) {
+  Family family(base);
   for (const double off_px : {-1e-3, -1e-9, -1e-13, 0.0, 1e-13, 1e-9, 1e-3}) {
     Scenario scenario = family.base();
-    scenario.start.y_px = off_px - apex_px;
+    scenario.start.y_px = off_px - apex_px(base);
     family.add("off-" + text_of(off_px) + "-px",
                "the ceiling is met with no speed left: a root of even order", scenario);
   }
@@ -72,8 +76,9 @@ std::vector<HardCase> corners_family(const Scenario& base) {
         Scenario scenario = family.base();
         scenario.start = {is_right ? right_px - inset_px : inset_px,
                           is_low ? bottom_px - inset_px : inset_px};
-        scenario.start_velocity.vx_px_per_s *= is_right ? 1.0 : -1.0;
-        scenario.start_velocity.vy_px_per_s *= is_low ? 1.0 : -1.0;
+        Velocity& velocity = scenario.start_velocity;
+        velocity.vx_px_per_s = std::copysign(velocity.vx_px_per_s, is_right ? 1.0 : -1.0);
+        velocity.vy_px_per_s = std::copysign(velocity.vy_px_per_s, is_low ? 1.0 : -1.0);
         family.add(std::string(is_low ? "lower" : "upper") + (is_right ? "-right" : "-left") +
                        (inset_px == 0.0 ? "-in-it" : "-into-it"),
                    "both walls in one frame", scenario);

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/replay/core.h"
 #include "sim/replay/core_constants.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_family.h"
 
 namespace hyrax {
@@ -12,6 +14,21 @@ constexpr char kNoZeroSpeed[] =
     "the position stands still at every rate, only vy differs: here a two-cycle or residual speed, not zero "
     "speed";
 
+// Falling from rest takes t1 = sqrt(2 H / G); all bounces then 2 t1 b / (1 - b), with drag less. Where the
+// frames drag so often that it sinks instead of falling, H / terminal speed comes on top.
+struct DropTimes {
+  DropTimes(const Scenario& drop, double rate_hz) {
+    const Constants core = core_constants();
+    const double height_px = drop.window.height_px - drop.sprite.height_px - drop.start.y_px;
+    fall_s = std::sqrt(2.0 * height_px / core.gravity_px_per_s2);
+    sink_s = height_px * (1.0 - core.air_drag) / (core.air_drag * core.gravity_px_per_s2 / rate_hz);
+  }
+  double fall_s;
+  double sink_s;
+};
+
+}  // namespace
+
 // On the floor each step of gravity adds a = drag * G * h to vy, and the bounce keeps restitution * a of it.
 // The rest rule sets vy to 0 in every step if that is below its threshold; at other rates a two-cycle or
 // residual speed is left. The position stands still at every rate.
@@ -20,7 +37,21 @@ bool ends_at_zero_speed(double rate_hz) {
   return core.restitution * core.air_drag * core.gravity_px_per_s2 / rate_hz < core.rest_threshold_px_per_s;
 }
 
-}  // namespace
+double time_to_rest_s(const Scenario& drop, double rate_max_hz) {
+  const double bounce = core_constants().restitution;
+  const DropTimes times(drop, rate_max_hz);
+  return times.fall_s * (1.0 + 2.0 * bounce / (1.0 - bounce)) + times.sink_s + 1.5;
+}
+
+std::optional<std::int64_t> first_landing(const Scenario& scenario) {
+  const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
+  State body = start_state(scenario);
+  for (std::int64_t frame = 0; frame < kHitchAtRest - 1; ++frame) {
+    body = core_step(body, base_dt_s(scenario.clock), bounds);
+    if (body.y_px == bounds.bottom_px) return frame;
+  }
+  return std::nullopt;
+}
 
 std::vector<HardCase> any_frame_family(const Scenario& base) {
   Family family(base);
@@ -28,9 +59,8 @@ std::vector<HardCase> any_frame_family(const Scenario& base) {
                             1e3, 1e6, kFrameMax_s}) {
     Scenario scenario = family.base();
     scenario.clock.base = FixedStep{dt_s};
-    HardCase& member = family.add("dt-" + text_of(dt_s),
-                                  "a frame far from the sixtieth of a second that it was made for", scenario);
-    if (dt_s == 0.0) member.expected_failures = {{Invariant::no_time, kDragWithoutTime}};
+    family.add("dt-" + text_of(dt_s), "a frame far from the sixtieth of a second that it was made for",
+               scenario);
   }
   return family.take();
 }
@@ -42,9 +72,11 @@ std::vector<HardCase> hitch_family(const Scenario& base) {
     const char* name;
     std::int64_t frame;
   };
-  for (const Moment moment :
-       {Moment{"in-flight", 40}, Moment{"before-contact", 101}, Moment{"at-contact", 102},
-        Moment{"after-contact", 103}, Moment{"at-rest", 500}})
+  const std::optional<std::int64_t> landing = first_landing(base);
+  if (!landing) return {};
+  for (const Moment moment : {Moment{"in-flight", *landing * 2 / 5}, Moment{"before-contact", *landing - 1},
+                              Moment{"at-contact", *landing}, Moment{"after-contact", *landing + 1},
+                              Moment{"at-rest", kHitchAtRest}})
     for (const double dt_s : {0.5, 3600.0}) {
       Scenario scenario = family.base();
       scenario.events = {{moment.frame, Hitch{dt_s}}};
@@ -74,17 +106,11 @@ std::vector<HardCase> zeno_family(const Scenario& base) {
   for (const double rate_hz : {1e3, 4e3, 1e4}) {
     Scenario scenario = family.base();
     scenario.clock.base = FixedRate{rate_hz};
-    // Falling from rest takes t1 = sqrt(2 H / G); all bounces then 2 t1 b / (1 - b), with drag less. Where
-    // the frames drag so often that it sinks instead of falling, H / terminal speed comes on top.
-    const Constants core = core_constants();
-    const double height_px = base.window.height_px - base.sprite.height_px - base.start.y_px;
-    const double fall_s = std::sqrt(2.0 * height_px / core.gravity_px_per_s2);
-    const double sink_s =
-        height_px * (1.0 - core.air_drag) / (core.air_drag * core.gravity_px_per_s2 / rate_hz);
-    const double bounce = core.restitution;
+    const DropTimes times(base, rate_hz);
+    const double bounce = core_constants().restitution;
     scenario.expect.emplace();
     scenario.expect->at_rest_since_s =
-        Interval{0.0, (fall_s + sink_s) * (1.0 + 2.0 * bounce / (1.0 - bounce)) + 2.0 / rate_hz};
+        Interval{0.0, (times.fall_s + times.sink_s) * (1.0 + 2.0 * bounce / (1.0 - bounce)) + 2.0 / rate_hz};
     HardCase& member =
         family.add(text_of(rate_hz) + "-hz",
                    "ever more bounces in ever less time must end by the sum of their series", scenario);
@@ -106,11 +132,8 @@ std::vector<HardCase> any_jitter_family(const Scenario& base) {
     for (const double amount : kind.amounts) {
       Scenario scenario = family.base();
       scenario.clock.jitter = Jitter{kind.kind, amount, 2026};
-      HardCase& member = family.add(std::string(kind.name) + "-" + text_of(amount),
-                                    "no two frames take the same time", scenario);
-      // Normal jitter of this size draws zero-length frames.
-      if (kind.kind == Jitter::Kind::normal && amount >= 0.02)
-        member.expected_failures = {{Invariant::no_time, kDragWithoutTime}};
+      family.add(std::string(kind.name) + "-" + text_of(amount), "no two frames take the same time",
+                 scenario);
     }
   return family.take();
 }
@@ -147,8 +170,7 @@ std::vector<HardCase> trace_of_extremes_family(const Scenario& base) {
   for (double& dt_s : trace.dt_s)
     if (dt_s == 1e-9) dt_s = std::numeric_limits<double>::denorm_min();
   scenario.clock.base = std::move(trace);
-  family.add("subnormal", "frames so short that no speed moves anything", scenario).expected_failures = {
-      {Invariant::no_time, kDragWithoutTime}};
+  family.add("subnormal", "frames so short that no speed moves anything", scenario);
   return family.take();
 }
 

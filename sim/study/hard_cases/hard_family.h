@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,10 +41,18 @@ class Family {
   return text;
 }
 
-/// What the core does in a zero-length frame: an expected failure.
-inline constexpr char kDragWithoutTime[] = "drag acts once a frame, even in a zero-length frame";
+/// The last moment of hitch_family; the first frame of less than that in which a scenario's sprite lands,
+/// without its events.
+inline constexpr std::int64_t kHitchAtRest = 500;
+[[nodiscard]] std::optional<std::int64_t> first_landing(const Scenario& scenario);
+/// Whether a drop ends at zero speed; by when it has, and is known to have settled, up to that rate.
+[[nodiscard]] bool ends_at_zero_speed(double rate_hz);
+[[nodiscard]] double time_to_rest_s(const Scenario& drop, double rate_max_hz);
+inline constexpr double kRestFastest_hz = 1e3, kZenoFastest_hz = 1e4;  ///< Of the families.
+/// The highest point of the start's flight in 600 frames, from a start at 0: at most 0.
+[[nodiscard]] double apex_px(const Scenario& scenario);
 
-/// The families, each made from the scenario that bears its name: what is varied in its clock and length ...
+/// The families: what is varied in the clock and length of a scenario ...
 [[nodiscard]] std::vector<HardCase> any_frame_family(const Scenario& base);
 [[nodiscard]] std::vector<HardCase> hitch_family(const Scenario& base);
 [[nodiscard]] std::vector<HardCase> rest_family(const Scenario& base);

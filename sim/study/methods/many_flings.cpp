@@ -26,10 +26,10 @@ ManyFlings::ManyFlings(const Clock& clock, double duration_s, std::int64_t fling
   sweep_.members = flings;
   sweep_.seed = kFlingSeed;
   for (const Keep each : {Keep::final, Keep::contacts, Keep::at_rest}) sweep_.keep.add(each);
-  sweep_.vary = {{"/start/vx_px_per_s", NumberKind::real, UniformDraw{-2000.0, 2000.0}},
-                 {"/start/vy_px_per_s", NumberKind::real, UniformDraw{-2000.0, 500.0}},
-                 {"/start/x_px", NumberKind::real, UniformDraw{0.0, kFlingBounds.right_px}},
-                 {"/start/y_px", NumberKind::real, UniformDraw{0.0, kFlingBounds.bottom_px}}};
+  sweep_.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 2000.0}},
+                 {"/start/vy_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 500.0}},
+                 {"/start/x_px", ScenarioNumberKind::real, UniformDraw{0.0, kFlingBounds.right_px}},
+                 {"/start/y_px", ScenarioNumberKind::real, UniformDraw{0.0, kFlingBounds.bottom_px}}};
 }
 
 State ManyFlings::start(std::int64_t fling) const {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/motion/state.h"
-#include "sim/study/methods/exact_fling.h"
+#include "sim/reference/exact_fling.h"
 
 namespace hyrax {
 

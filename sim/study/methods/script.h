@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,15 @@ inline constexpr std::int64_t kScriptFramesMax = 100'000;
 struct Script {
   std::string name;
   World start;
-  std::vector<double> frames_s;       ///< As the clock gives them, jitter and all.
-  std::vector<double> even_frames_s;  ///< Without jitter; empty where there is none to leave out.
-  std::vector<ScriptEvent> events;    ///< In order of time.
+  std::vector<double> frames_s;     ///< As they are played, jitter and hitches and all.
+  std::vector<ScriptEvent> events;  ///< In order of time.
   /// Names of what can be left out alone, as "fling, frame 120": an event, or a grab with its release.
   std::vector<std::string> inputs;
-  bool is_cut = false;  ///< It is the scenario's first kScriptFramesMax frames.
+  double even_frame_s = 0.0;  ///< Of the clock without jitter; of a recorded clock the mean.
+  bool is_jittered = false;   ///< By the clock's jitter or as recorded.
+  bool is_cut = false;        ///< It is the scenario's first kScriptFramesMax frames.
 };
 
-/// A recorded clock's even frames have its mean.
 [[nodiscard]] Script script_of(const Scenario& scenario);
 
 /// What of a script is left out, beside parts of the step.
@@ -42,24 +43,33 @@ struct Omitted {
   [[nodiscard]] bool has_input(std::size_t input) const { return input < inputs.size() && inputs[input]; }
 };
 
-/// Plays the script, or its first `frames_max` frames; `on_row(state, contact)` gets every row but the first.
-template <class PartSet, class OnRow>
-void play(const Script& script, const Constants& constants, const Omitted& omitted, const PartSet& parts,
-          const OnRow& on_row, std::size_t frames_max = kScriptFramesMax) {
-  const std::vector<double>& frames_s = omitted.jitter ? script.even_frames_s : script.frames_s;
+/// The script without these. All else stays at its time in s: without jitter the frames between two events
+/// take equally long, as near to even_frame_s as they fit; without a hitch its time passes in such frames.
+[[nodiscard]] Script without(const Script& script, const Omitted& omitted);
+
+/// A frame as it was played.
+struct ScriptFrame {
+  State from;  ///< With the frame's events.
+  State to;
+  double dt_s = 0.0;
+  std::uint8_t contact = 0;
+};
+
+/// Plays the script, or its first `frames_max` frames; `on_frame(ScriptFrame)` gets every one.
+template <class PartSet, class OnFrame>
+void play(const Script& script, const Constants& constants, const PartSet& parts, const OnFrame& on_frame,
+          std::size_t frames_max = std::numeric_limits<std::size_t>::max()) {
   World world = script.start;
   auto event = script.events.begin();
-  const std::size_t frames = std::min(frames_s.size(), frames_max);
+  const std::size_t frames = std::min(script.frames_s.size(), frames_max);
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    double dt_s = frames_s[frame];
     for (; event != script.events.end() && event->frame == static_cast<std::int64_t>(frame); ++event)
-      if (!omitted.has_input(event->input)) {
-        apply(event->action, world);
-        if (const auto* hitch = std::get_if<Hitch>(&event->action)) dt_s = hitch->dt_s;
-      }
-    std::uint8_t contact = 0;
-    if (!world.is_held) contact = ListingStep(constants, parts, world.bounds())(world.state, dt_s);
-    on_row(world.state, contact);
+      apply(event->action, world);
+    ScriptFrame played{.from = world.state, .to = {}, .dt_s = script.frames_s[frame]};
+    if (!world.is_held)
+      played.contact = ListingStep(constants, parts, world.bounds())(world.state, played.dt_s);
+    played.to = world.state;
+    on_frame(played);
   }
 }
 

@@ -6,7 +6,9 @@
 #include "sim/compare/comparison.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/problem.h"
+#include "sim/study/methods/script.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
 
@@ -14,19 +16,20 @@ namespace hyrax {
 namespace {
 
 struct RunRow {
-  State motion;
-  std::uint8_t contact = 0;
+  ScriptFrame frame;
+  double t_s = 0.0;  // At its end.
 };
 
 // The rows of a run, and its contacts.
 class Rows {
  public:
-  void add(const State& motion, std::uint8_t contact) {
-    const std::uint8_t before = rows_.empty() ? std::uint8_t{0} : rows_.back().contact;
-    rows_.push_back({motion, contact});
+  void add(const ScriptFrame& frame) {
+    const std::uint8_t before = rows_.empty() ? std::uint8_t{0} : rows_.back().frame.contact;
+    time_.play(frame.dt_s);
+    rows_.push_back({frame, time_.time_s()});
     const auto step = static_cast<std::int64_t>(rows_.size());
     for (const Wall wall : kWalls) {
-      if (!touches(contact, wall) || touches(before, wall)) continue;
+      if (!touches(frame.contact, wall) || touches(before, wall)) continue;
       Contact begun;
       begun.step = begun.last_step = step;
       begun.wall = wall;
@@ -35,51 +38,82 @@ class Rows {
   }
   [[nodiscard]] const std::vector<RunRow>& all() const { return rows_; }
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
+  [[nodiscard]] double end_s() const { return rows_.empty() ? 0.0 : rows_.back().t_s; }
+
+  // The row of that number if it is at that time, else the last one at it; between two rows the sprite moves
+  // straight on. REQUIRES: t_s of at most end_s().
+  [[nodiscard]] ScriptFrame at(double t_s, std::size_t index) const {
+    if (index < rows_.size() && rows_[index].t_s == t_s) return rows_[index].frame;
+    const auto later = std::upper_bound(rows_.begin(), rows_.end(), t_s,
+                                        [](double at_s, const RunRow& row) { return at_s < row.t_s; });
+    if (later == rows_.end() || (later != rows_.begin() && std::prev(later)->t_s == t_s))
+      return std::prev(later)->frame;
+    ScriptFrame frame = later->frame;
+    const double part = 1.0 - (later->t_s - t_s) / frame.dt_s;
+    frame.to.x_px = frame.from.x_px + part * (frame.to.x_px - frame.from.x_px);
+    frame.to.y_px = frame.from.y_px + part * (frame.to.y_px - frame.from.y_px);
+    return frame;
+  }
+  // Number of the row that is nearest to a time.
+  [[nodiscard]] std::int64_t step_at(double t_s) const {
+    const auto later = std::lower_bound(rows_.begin(), rows_.end(), t_s,
+                                        [](const RunRow& row, double at_s) { return row.t_s < at_s; });
+    const bool is_before =
+        later == rows_.end() || (later != rows_.begin() && t_s - std::prev(later)->t_s < later->t_s - t_s);
+    return later - rows_.begin() + (is_before ? 0 : 1);
+  }
 
  private:
   std::vector<RunRow> rows_;
   std::vector<Contact> contacts_;
+  Timeline time_;
 };
 
 template <class PartSet>
-Rows play_rows(const Script& script, const Omitted& omitted, const PartSet& parts) {
+Rows play_rows(const Script& script, const PartSet& parts) {
   Rows rows;
-  play(script, core_constants(), omitted, parts,
-       [&rows](const State& motion, std::uint8_t contact) { rows.add(motion, contact); });
+  play(script, core_constants(), parts, [&rows](const ScriptFrame& frame) { rows.add(frame); });
   return rows;
 }
 
-bool same_row(const RunRow& a, const RunRow& b) {
-  return a.contact == b.contact && same_bits(a.motion, b.motion);
+// Of two runs of one length in s, which may have different frames, the contacts of the second where the first
+// has rows at these times.
+std::vector<Contact> contacts_by_time(const Rows& complete, const Rows& without) {
+  std::vector<Contact> contacts = without.contacts();
+  for (Contact& contact : contacts) {
+    const auto index = static_cast<std::size_t>(contact.step - 1);
+    const double t_s = without.all()[index].t_s;
+    if (index < complete.all().size() && complete.all()[index].t_s == t_s) continue;
+    contact.step = contact.last_step = complete.step_at(t_s);
+  }
+  return contacts;
 }
 
+// At the times of the complete run's rows.
 PathDifference difference_of(const Rows& complete, const Rows& without) {
   PathDifference difference;
   for (std::size_t row = 0; row < complete.all().size(); ++row) {
     const RunRow& a = complete.all()[row];
-    const RunRow& b = without.all()[row];
-    if (same_row(a, b)) {
+    const ScriptFrame b = without.at(std::min(a.t_s, without.end_s()), row);
+    if (a.frame.contact == b.contact && same_bits(a.frame.to, b.to)) {
       difference.end_px = 0.0;
       continue;
     }
     if (difference.is_same_bits) difference.first_step = static_cast<std::int64_t>(row) + 1;
     difference.is_same_bits = false;
-    difference.end_px = distance_px(a.motion, b.motion);
+    difference.end_px = distance_px(a.frame.to, b.to);
     difference.path_px = std::max(difference.path_px, difference.end_px);
   }
-  const ContactChanges changes = contact_changes(complete.contacts(), without.contacts());
+  const ContactChanges changes = contact_changes(complete.contacts(), contacts_by_time(complete, without));
   difference.contacts_moved = changes.total();
   return difference;
 }
 
 bool comes_to_rest(const Script& script, const Rows& rows) {
   RestAnchor anchor{script.start.state.x_px, script.start.state.y_px, 0.0};
-  double t_s = 0.0;
-  for (std::size_t row = 0; row < rows.all().size(); ++row) {
-    t_s += script.frames_s[row];
-    if (anchor.moves_to(rows.all()[row].motion.x_px, rows.all()[row].motion.y_px)) anchor.t_s = t_s;
-  }
-  return anchor.at_rest_since_s(t_s).has_value();
+  for (const RunRow& row : rows.all())
+    if (anchor.moves_to(row.frame.to.x_px, row.frame.to.y_px)) anchor.t_s = row.t_s;
+  return anchor.at_rest_since_s(rows.end_s()).has_value();
 }
 
 // Enough frames to measure a step's time.
@@ -87,12 +121,11 @@ constexpr std::int64_t kFramesTimedMax = 10'000;
 
 // A run to be timed. Its last row is stored, so that the compiler cannot leave the run out.
 template <class PartSet>
-std::function<void()> timed(const Script& script, const Omitted& omitted, const PartSet& parts) {
-  return [&script, constants = core_constants(), omitted, parts] {
+std::function<void()> timed(const Script& script, const PartSet& parts) {
+  return [&script, constants = core_constants(), parts] {
     State last;
     play(
-        script, constants, omitted, parts, [&last](const State& motion, std::uint8_t) { last = motion; },
-        kFramesTimedMax);
+        script, constants, parts, [&last](const ScriptFrame& frame) { last = frame.to; }, kFramesTimedMax);
     volatile double sink = last.x_px + last.y_px;
     static_cast<void>(sink);
   };
@@ -101,23 +134,23 @@ std::function<void()> timed(const Script& script, const Omitted& omitted, const 
 std::function<void()> timed_without(const Script& script, Part part) {
   switch (part) {
     case Part::gravity:
-      return timed(script, {}, AllBut<Part::gravity>());
+      return timed(script, AllBut<Part::gravity>());
     case Part::drag:
-      return timed(script, {}, AllBut<Part::drag>());
+      return timed(script, AllBut<Part::drag>());
     case Part::left_wall:
-      return timed(script, {}, AllBut<Part::left_wall>());
+      return timed(script, AllBut<Part::left_wall>());
     case Part::right_wall:
-      return timed(script, {}, AllBut<Part::right_wall>());
+      return timed(script, AllBut<Part::right_wall>());
     case Part::top_wall:
-      return timed(script, {}, AllBut<Part::top_wall>());
+      return timed(script, AllBut<Part::top_wall>());
     case Part::ground:
-      return timed(script, {}, AllBut<Part::ground>());
+      return timed(script, AllBut<Part::ground>());
     case Part::friction:
-      return timed(script, {}, AllBut<Part::friction>());
+      return timed(script, AllBut<Part::friction>());
     case Part::restitution:
-      return timed(script, {}, AllBut<Part::restitution>());
+      return timed(script, AllBut<Part::restitution>());
     case Part::rest_rule:
-      return timed(script, {}, AllBut<Part::rest_rule>());
+      return timed(script, AllBut<Part::rest_rule>());
   }
   return {};
 }
@@ -139,7 +172,7 @@ std::vector<Omission> omissions_of(const Script& script) {
   std::vector<Omission> omissions;
   for (std::size_t part = 0; part < kPartCount; ++part)
     omissions.push_back({std::string(kPartNames[part]), static_cast<Part>(part), {}});
-  if (!script.even_frames_s.empty()) omissions.push_back({"jitter", {}, {.jitter = true}});
+  if (script.is_jittered) omissions.push_back({"jitter", {}, {.jitter = true}});
   for (std::size_t input = 0; input < script.inputs.size(); ++input) {
     omissions.push_back({script.inputs[input], {}, {}});
     omissions.back().omitted.inputs.resize(input + 1);
@@ -148,21 +181,26 @@ std::vector<Omission> omissions_of(const Script& script) {
   return omissions;
 }
 
-void take_times(ScenarioNeeds& needs, const Script& script, const std::vector<Omission>& omissions,
-                const CostOptions& options, const NanosecondClock& now_ns) {
+// What leaving out a part saves is the difference of two runs; of different paths it would say more about
+// these than about the part.
+void take_times(ScenarioNeeds& needs, const Script& script, const CostOptions& options,
+                const NanosecondClock& now_ns) {
   if (needs.steps == 0) return;
-  std::vector<std::function<void()>> works{timed(script, {}, AllParts())};
-  for (const Omission& omission : omissions)
-    works.push_back(omission.part ? timed_without(script, *omission.part)
-                                  : timed(script, omission.omitted, AllParts()));
+  std::vector<std::function<void()>> works{timed(script, AllParts())};
+  std::vector<PartNeed*> timed_parts;
+  for (PartNeed& part : needs.parts) {
+    if (!part.model_part || !part.difference.is_same_bits) continue;
+    works.push_back(timed_without(script, *part.model_part));
+    timed_parts.push_back(&part);
+  }
   const Costs measured = measure_costs(works, now_ns, options);
   const auto steps = static_cast<double>(std::min(needs.steps, kFramesTimedMax));
   const Cost& complete = measured.costs.front();
   needs.probe = measured.probe;
   needs.step_ns = {complete.time_ns.median / steps, complete.time_ns.low / steps,
                    complete.time_ns.high / steps};
-  for (std::size_t part = 0; part < needs.parts.size(); ++part)
-    needs.parts[part].saved_ns_per_step = difference_of(complete, measured.costs[part + 1], steps).time_ns;
+  for (std::size_t index = 0; index < timed_parts.size(); ++index)
+    timed_parts[index]->saved_ns_per_step = difference_of(complete, measured.costs[index + 1], steps).time_ns;
 }
 
 // The run without the omissions of these indices.
@@ -179,7 +217,7 @@ PathDifference difference_without_all(const Script& script, const Rows& complete
     for (std::size_t input = 0; input < script.inputs.size(); ++input)
       if (omission.omitted.has_input(input)) omitted.inputs[input] = true;
   }
-  return difference_of(complete, play_rows(script, omitted, parts));
+  return difference_of(complete, play_rows(without(script, omitted), parts));
 }
 
 // Small differences add up, and one part may replace another. So if leaving out all unneeded parts moves the
@@ -225,7 +263,7 @@ class ReplayedRows final : public RowSink {
   void compare(const Row& row) {
     if (row.step == 0) return;
     contacts_ = static_cast<std::uint8_t>(contacts_ | row.contact);
-    const State& script = complete_.all()[static_cast<std::size_t>(row.step) - 1].motion;
+    const State& script = complete_.all()[static_cast<std::size_t>(row.step) - 1].frame.to;
     const bool is_same = same_bits(script.x_px, row.x_px) && same_bits(script.y_px, row.y_px) &&
                          same_bits(script.vx_px_per_s, row.vx_px_per_s) &&
                          same_bits(script.vy_px_per_s, row.vy_px_per_s);
@@ -279,13 +317,9 @@ void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOpt
 
 }  // namespace
 
-PathDifference difference_without(const Script& script, const Omitted& omitted, const Parts& parts) {
-  return difference_of(play_rows(script, {}, AllParts()), play_rows(script, omitted, parts));
-}
-
 std::vector<std::string> contradictions_of(const Scenario& scenario, const std::vector<PartNeed>& parts) {
   const Script script = script_of(scenario);
-  const Rows complete = play_rows(script, {}, AllParts());
+  const Rows complete = play_rows(script, AllParts());
   ReplayedRows replayed(complete);
   Replay run(scenario, replayed);
   run.play_to(static_cast<std::int64_t>(complete.all().size()));
@@ -321,7 +355,7 @@ ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
                           const NanosecondClock& now_ns) {
   const Script script = script_of(scenario);
   const std::vector<Omission> omissions = omissions_of(script);
-  const Rows complete = play_rows(script, {}, AllParts());
+  const Rows complete = play_rows(script, AllParts());
   ScenarioNeeds needs;
   needs.scenario = scenario.name;
   needs.steps = static_cast<std::int64_t>(script.frames_s.size());
@@ -329,12 +363,12 @@ ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
   needs.comes_to_rest = comes_to_rest(script, complete);
   for (const Omission& omission : omissions) {
     const PathDifference difference =
-        difference_of(complete, play_rows(script, omission.omitted, parts_without(omission.part)));
+        difference_of(complete, play_rows(without(script, omission.omitted), parts_without(omission.part)));
     needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
   }
   needs.broken = contradictions_of(scenario, needs.parts);
   leave_out_unneeded(needs, script, complete, omissions, options.within_px);
-  take_times(needs, script, omissions, options.cost, now_ns);
+  take_times(needs, script, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);
   return needs;
 }

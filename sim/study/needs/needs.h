@@ -22,11 +22,11 @@ enum class Need {
   not_exercised,   ///< Not one bit of any row changes.
 };
 
-/// The run with a part left out against the complete run, row by row.
+/// The run with a part left out against the complete run, at the times of the latter's rows.
 struct PathDifference {
   bool is_same_bits = true;
   double path_px = 0.0;             ///< Largest distance; infinite if a position is not finite.
-  double end_px = 0.0;              ///< Distance of the last rows.
+  double end_px = 0.0;              ///< Distance at the end.
   std::int64_t first_step = -1;     ///< The first row that differs; -1: none.
   std::int64_t contacts_moved = 0;  ///< Contacts that moved, appeared or vanished.
 };
@@ -36,7 +36,8 @@ struct PartNeed {
   std::optional<Part> model_part;  ///< None: jitter or an input.
   PathDifference difference;
   Need need = Need::needed;
-  /// Of the step with all parts minus the one without, run by run; may be negative.
+  /// Of the step with all parts minus the one without, run by run; may be negative. Not measured where the
+  /// part changes the run, and of jitter and inputs.
   MedianEstimate saved_ns_per_step = {};
 
   /// Whether it takes longer with the part, beyond the noise.
@@ -77,10 +78,6 @@ struct NeedsOptions {
 /// What does not agree, one sentence each without its full stop.
 [[nodiscard]] std::vector<std::string> contradictions_of(const Scenario& scenario,
                                                          const std::vector<PartNeed>& parts);
-
-/// The complete run against the run without these.
-[[nodiscard]] PathDifference difference_without(const Script& script, const Omitted& omitted,
-                                                const Parts& parts);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
 

@@ -61,7 +61,7 @@ struct DistanceAxis {
     // Distances far below the tolerance need no bars of different lengths.
     low = within_px > 0.0 ? std::max(low, within_px * 1e-4) : std::max(low, 1e-15);
     const double room_for_text = std::pow(longest / low, 0.4);
-    axis = {.label = "largest distance of two rows, px",
+    axis = {.label = "largest distance at equal times, px",
             .is_logarithmic = true,
             .low = low,
             .high = longest * room_for_text};

@@ -8,23 +8,15 @@
 
 #include "sim/motion/step.h"
 #include "sim/reference/arc_solution.h"
+#include "sim/reference/exact_fling.h"
 #include "sim/replay/core_constants.h"
 #include "sim/result/interval.h"
-#include "sim/study/methods/exact_fling.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
 namespace {
 
-constexpr std::uint64_t kStarts = 100;
-
 double median(const std::vector<double>& values) { return quantile(values, 0.5); }
-
-// Sets number and range: the median, 10 and 90 %.
-void set_number(const std::vector<double>& values, Claim& claim) {
-  claim.number = median(values);
-  claim.range = {quantile(values, 0.1), quantile(values, 0.9)};
-}
 
 // Nothing where the exact motion has no closed form.
 std::optional<Model> model_of_core() {

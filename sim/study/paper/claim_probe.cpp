@@ -4,10 +4,25 @@
 
 #include "sim/motion/step.h"
 #include "sim/replay/core_constants.h"
+#include "sim/result/interval.h"
 
 namespace hyrax {
 
 std::string digits(double value) { return fmt::format("{:.4g}", value); }
+
+State random_throw(const ClaimStarts& starts, std::uint64_t start) {
+  const auto random = [&](std::uint64_t which, double low, double high) {
+    return random_between(starts.seed, 4 * start + which, low, high);
+  };
+  const double fastest = starts.fastest_px_per_s;
+  return {random(0, 0.0, kDesktop.right_px), random(1, 0.0, kDesktop.bottom_px), random(2, -fastest, fastest),
+          random(3, -fastest, fastest)};
+}
+
+void set_number(const std::vector<double>& values, Claim& claim) {
+  claim.number = quantile(values, 0.5);
+  claim.range = {quantile(values, 0.1), quantile(values, 0.9)};
+}
 
 std::int64_t steps_that_differ_from_listing(std::int64_t steps) {
   constexpr std::int64_t kStepsOfAFling = 500;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "sim/replay/core.h"
 #include "sim/scenario/split_mix64.h"
@@ -44,6 +45,15 @@ struct Extremes {
 [[nodiscard]] inline double random_between(std::uint64_t seed, std::uint64_t index, double low, double high) {
   return low + (high - low) * split_mix64_unit(seed, index);
 }
+
+/// A claim that is measured over many starts is measured over so many.
+inline constexpr std::uint64_t kStarts = 100;
+
+/// Throw `start` of a hundred: from anywhere on the desktop, each component of the velocity up to fastest.
+[[nodiscard]] State random_throw(const ClaimStarts& starts, std::uint64_t start);
+
+/// Sets number and range: the median, 10 and 90 %. REQUIRES: not empty.
+void set_number(const std::vector<double>& values, Claim& claim);
 
 /// The state at a time after the start, or up to a frame later.
 [[nodiscard]] inline State state_after(State body, double rate_hz, double duration_s,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "sim/scenario/split_mix64.h"
 #include "sim/study/methods/method_errors.h"
 
@@ -89,8 +91,8 @@ std::vector<MethodBands> method_bands(const Problem& problem, const std::vector<
 }
 
 std::string nearness_text(const Share& nearer) {
-  if (nearer.low() > 0.5) return "nearer";
-  return nearer.high() < 0.5 ? "farther" : "neither nearer nor farther";
+  if (nearer.low() > 0.5) return "it is nearer";
+  return nearer.high() < 0.5 ? "it is farther" : fmt::format("not decided by {} flings", nearer.of);
 }
 
 }  // namespace hyrax

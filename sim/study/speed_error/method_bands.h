@@ -42,8 +42,8 @@ struct MethodBands {
                                                     const std::vector<MethodKind>& methods,
                                                     const std::vector<double>& rates_hz);
 
-/// "nearer", "farther", or "neither nearer nor farther" where the 95 % interval of the share has one half in
-/// it.
+/// "it is nearer", "it is farther", or "not decided by 120 flings" where the 95 % interval of the share has
+/// one half in it.
 [[nodiscard]] std::string nearness_text(const Share& nearer);
 
 }  // namespace hyrax

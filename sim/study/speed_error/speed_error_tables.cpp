@@ -17,7 +17,7 @@ std::string nearness_sentence(const MethodBands& bands, const SpeedError& study)
   const auto percent = [](double part) { return 100.0 * part; };
   return fmt::format(
       "At {:.0f} Hz the {} ends nearer to the exact place than the paper's step in {} of {} flings "
-      "({:.0f} .. {:.0f} %): it is {}.",
+      "({:.0f} .. {:.0f} %): {}.",
       bands.rate_hz, study.methods[bands.method].label, nearer.count, nearer.of, percent(nearer.low()),
       percent(nearer.high()), nearness_text(nearer));
 }

@@ -10,6 +10,8 @@ endfunction()
 
 unset(ENV{DESTDIR})
 file(REMOVE_RECURSE ${WORK})
+# As where hyrax-sim alone was built.
+file(REMOVE ${BUILD}/hyrax_program.o)
 run("The installation" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first ${WORK}/moved) # A package must not remember where it was made.
 run("The installed program" ${WORK}/moved/bin/hyrax-sim --version)

@@ -151,13 +151,17 @@ constexpr AlteredCore kCores[] = {
     {"reset_does_nothing", "resetVelocity", "does nothing", {.reset_velocity = ""}},
     {"fling_adds", "setVelocity", "adds for sets", {.set_velocity = "+"}},
     {"place_keeps_y", "setPos", "sets x alone", {.set_pos = "x"}},
+    {"fling_swapped", "setVelocity", "sets vx to vy and vy to vx", {.set_velocity = "w"}},
 
     // Frame times and inputs.
     {"frames_by_one_ulp", "clock", "dt to the next double", {.frame_factor = 1.0000000000000002}},
     {"frames_longer", "clock", "dt 1 % longer", {.frame_factor = 1.01}},
     {"jitter_longer", "clock", "jittered dt 1 % longer", {.jitter_factor = 1.01}},
+    {"jitter_of_first_frame", "clock", "jittered dt of frame 0 1 % longer", {.first_jitter_factor = 1.01}},
+    {"jitter_shifted", "clock", "the jitter of the next frame", {.jitter_shift = 1}},
     {"inputs_late", "inputs", "one frame late", {.inputs_late = 1}},
     {"inputs_later", "inputs", "five frames late", {.inputs_late = 5}},
+    {"last_input_late", "inputs", "the last one a frame late", {.last_input_late = 1}},
 
     // Two at once.
     {"clock_and_drag",
@@ -182,11 +186,11 @@ constexpr AlteredCore kCores[] = {
   std::_Exit(exit_code);
 }
 
-const AlteredStep& chosen() {
+const AlteredCore& chosen() {
   const char* const variable = std::getenv("HYRAX_ALTERED_CORE");
   const std::string_view name = variable == nullptr ? "none" : variable;
   for (const AlteredCore& core : kCores)
-    if (core.name == name) return core.step;
+    if (core.name == name) return core;
   if (name != "list") {
     std::fprintf(stderr, "HYRAX_ALTERED_CORE: unknown altered core (found %s); `list` prints them\n",
                  variable);
@@ -199,9 +203,9 @@ const AlteredStep& chosen() {
 
 }  // namespace
 
-const AlteredStep& altered_step() {
-  static const AlteredStep& step = chosen();
-  return step;
+const AlteredCore& altered_core() {
+  static const AlteredCore& core = chosen();
+  return core;
 }
 
 }  // namespace hyrax

@@ -47,7 +47,7 @@ struct AlteredStep {
   int sprite_sides = 1;
   bool turns_bounds = false;
 
-  /// x, y: sets that component. +: adds both instead. z: sets both to 0.
+  /// x, y: sets that component. w: each to the other's. +: adds both instead. z: sets both to 0.
   std::string_view set_pos = "xy";
   std::string_view set_velocity = "xy";
   std::string_view reset_velocity = "z";
@@ -57,6 +57,11 @@ struct AlteredStep {
   double frame_factor = 1.0;
   double jitter_factor = 1.0;
   std::int64_t inputs_late = 0;
+  double first_jitter_factor = 1.0;  ///< Of frame 0 alone.
+  std::int64_t jitter_shift = 0;     ///< Every frame has the jitter of the one so many later.
+  std::int64_t last_input_late = 0;
+
+  bool operator==(const AlteredStep&) const = default;
 };
 
 struct AlteredCore {
@@ -69,7 +74,8 @@ struct AlteredCore {
 /// The one that the environment variable HYRAX_ALTERED_CORE names, `none` where it is not set. `list` prints
 /// all as name, operation and change, separated by tabs, and ends the program with 0; an unknown name ends
 /// it with 2.
-[[nodiscard]] const AlteredStep& altered_step();
+[[nodiscard]] const AlteredCore& altered_core();
+[[nodiscard]] inline const AlteredStep& altered_step() { return altered_core().step; }
 
 /// A body as the altered steps move it.
 struct AlteredBody {

@@ -233,6 +233,9 @@ void set(double& x, double& y, std::string_view operations, double to_x, double 
       case 'y':
         y = to_y;
         break;
+      case 'w':
+        x = to_y, y = to_x;
+        break;
       case '+':
         x += to_x, y += to_y;
         break;

@@ -57,7 +57,7 @@ class TwoWriters(ProgramTest):
             for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]:
                 self.assert_done(process)
             self.expect(AGREED, "check")
-        self.assertEqual(self.names("golden"), ["same.h5", "same.txt"])
+        self.assertEqual(self.names("golden"), ["core", "same.h5", "same.txt"])
 
     def test_a_part_that_a_killed_writer_left_goes_with_the_next_write(self):
         self.write("endless.json", fling(name="endless", steps=1_000_000_000_000, record={"every": 1_000_000_000}))

@@ -152,14 +152,16 @@ class Place(Unwritable):
         return done
 
     def test_a_folder_without_read_permission(self):
-        self.assertEqual(self.checked_without("scenarios/secret").err,
-                         "scenarios/secret: cannot be read: Permission denied\n")
+        out = self.checked_without("scenarios/secret").out
+        self.assertIn("scenarios/secret: failed: scenarios/secret: cannot be read: Permission denied\n", out)
+        self.assertIn("2 checked: 0 agreed, 1 disagreed, 0 without golden file, 1 failed\n", out)
         (self.folder / "scenarios/secret").rmdir()
         for name in ("aa", "zz"):  # Whatever the order of the folder's entries: both are found.
             (self.folder / f"golden/{name}.h5").touch()
         out = self.checked_without("golden/secret").out
         for text in ("golden/secret: failed: golden/secret: cannot be read: Permission denied\n",
-                     "golden/aa: unreferenced: ", "golden/zz: unreferenced: "):
+                     "2 golden files: unreferenced: no scenario: golden/aa, golden/zz\n",
+                     "1 checked: 0 agreed, 1 disagreed, 0 without golden file, 0 failed; 2 unreferenced; 1 folder failed"):
             self.assertIn(text, out)
 
 

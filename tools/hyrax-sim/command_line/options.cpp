@@ -45,7 +45,7 @@ std::string help_line(const std::string& names, const std::string& help) {
   return text + "\n";
 }
 
-std::string with_value(const OptionText& text) {
+std::string with_argument(const OptionText& text) {
   return text.value.empty() ? text.names : text.names + " " + text.value;
 }
 
@@ -63,9 +63,11 @@ void Options::add(const OptionText& text, Kind kind, std::function<void(const st
   options_.push_back({text, kind, std::move(set)});
 }
 
-void Options::files(std::vector<std::string>& into, const OptionText& text, int least, int most) {
+void Options::files(std::vector<std::string>& into, const OptionText& text, int least, int most,
+                    const std::string& when_missing) {
   files_ = &into;
   files_text_ = text;
+  when_missing_ = when_missing;
   least_ = least;
   most_ = most;
 }
@@ -183,6 +185,7 @@ Options::Argument Options::read_option(Argument argument, Argument last) {
 void Options::set_files(std::vector<std::string> files) const {
   const auto count = static_cast<std::int64_t>(files.size());
   if (files_ == nullptr && count > 0) refuse(files.front() + ": this command takes no files");
+  if (count < least_ && !when_missing_.empty()) refuse(when_missing_);
   if (count < least_)
     refuse(fmt::format("{}: at least {} needed (found {})", files_text_.names, least_, count));
   if (most_ >= 0 && count > most_)
@@ -202,7 +205,7 @@ std::string Options::help(const std::string& command) const {
     text = "\nArguments:\n" + help_line(files_text_.names, files_text_.help);
   }
   text += "\nOptions:\n";
-  for (const Option& option : options_) text += help_line(with_value(option.text), option.text.help);
+  for (const Option& option : options_) text += help_line(with_argument(option.text), option.text.help);
   return usage + "\n" + text + help_line("-h,--help", "print this help");
 }
 

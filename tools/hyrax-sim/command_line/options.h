@@ -32,7 +32,9 @@ struct OptionText {
 class Options {
  public:
   /// Arguments without an option name: at least `least` and at most `most`; most = -1: any number.
-  void files(std::vector<std::string>& into, const OptionText& text, int least, int most);
+  /// @param when_missing what the message about too few says, as "NAME is missing".
+  void files(std::vector<std::string>& into, const OptionText& text, int least, int most,
+             const std::string& when_missing = "");
   void flag(bool& into, const OptionText& text);
   void text(std::string& into, const OptionText& text);
   /// May be given several times, a value each.
@@ -79,6 +81,7 @@ class Options {
   std::vector<Option> options_;
   std::vector<std::string>* files_ = nullptr;
   OptionText files_text_;
+  std::string when_missing_;
   int least_ = 0;
   int most_ = 0;
 };

@@ -22,6 +22,7 @@ namespace hyrax {
   try {
     for (std::int64_t worker = 0; worker < count; ++worker) workers.emplace_back(work);
   } catch (const std::system_error&) {
+  } catch (const std::bad_alloc&) {
   }
   return workers;
 }

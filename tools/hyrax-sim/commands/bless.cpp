@@ -18,6 +18,7 @@ struct BlessRequest {
   std::string accepted = std::string(name_of(DifferenceClass::rounding));
   bool is_dry_run = false;
   bool prunes = false;
+  bool accepts_core_only = false;
   Printing printing;
 };
 
@@ -29,6 +30,7 @@ void complete(BlessRequest& request) {
     request.files = {"scenarios"};
     if (request.options.golden_folder.empty()) request.options.golden_folder = "golden";
   }
+  if (request.accepts_core_only) set_default_folders(request.files, request.options.golden_folder);
   if (request.files.empty())
     throw Failure(ExitCode::bad_input,
                   "hyrax-sim bless: SCENARIO: at least 1 needed (found 0); see `hyrax-sim bless --help`");
@@ -44,28 +46,51 @@ void complete(BlessRequest& request) {
 ExitCode bless(BlessRequest& request) {
   complete(request);
   BlessReport report;
-  if (request.prunes) report.pruned = find_prunable(request.files, request.options.golden_folder);
-  if (blesses(request)) report.blessings = plan_blessings(list_scenarios(request.files), request.options);
+  if (request.prunes) report.pruning = find_prunable(request.files, request.options.golden_folder);
+  const std::vector<std::string> paths =
+      blesses(request) ? list_scenarios(request.files) : std::vector<std::string>{};
+  if (!request.accepts_core_only) report.blessings = plan_blessings(paths, request.options);
+  if (refusal_sentence(report).empty())
+    report.cores = plan_core_acceptances(paths, report.blessings, request.options);
   const bool is_refused = !refusal_sentence(report).empty();
+  CoreChecks cores;
   const std::vector<DifferenceGroup> groups = request.printing.is_quiet() && !request.printing.is_json
                                                   ? std::vector<DifferenceGroup>{}
-                                                  : groups_of(report);
-  if (!request.printing.is_json) print_plans(report, groups, request.printing);
+                                                  : groups_of(report, cores);
+  if (!request.printing.is_json) print_plans(report, groups, cores, request.printing);
   if (is_refused) print_error(refusal_sentence(report));
   report.is_written = !is_refused && !request.is_dry_run;
   if (report.is_written) {
     for (Blessing& blessing : report.blessings)
       if (blessing.writes()) write(blessing, request.options);
-    prune(report.pruned);
+    if (const std::string sentence = unfinished_sentence(report); !sentence.empty()) {
+      print_error(sentence);
+      report.pruning.removed.clear();
+    }
+    remove_files(report.pruning.removed);
+    write_cores(report.cores, report.blessings);
+  }
+  if (request.accepts_core_only && report.cores.empty()) {
+    if (libraries_of(paths, request.options.golden_folder).empty())
+      throw Failure(ExitCode::bad_input,
+                    "hyrax-sim bless: --core: needs scenarios below a folder named scenarios (found " +
+                        request.files.front() + ")");
+    if (!request.printing.is_json) print_text("core: accepted already\n");
   }
   if (request.printing.is_json)
     print_text("{}\n", to_text(bless_json(report, groups), {.depth_indented = 2}));
   else
     print_done(report, request.is_dry_run);
-  if (request.prunes && report.pruned.empty() && !request.printing.is_json)
+  for (const std::string& path : report.pruning.left)
+    print_error(path + ": has no scenario; left, as `bless` did not write it");
+  if (request.prunes && report.pruning.removed.empty() && report.pruning.left.empty() &&
+      !request.printing.is_json)
     print_text("no golden file without a scenario\n");
   ExitCode exit_code = ExitCode::agreed;
   for (const Blessing& blessing : report.blessings) exit_code = more_serious(exit_code, blessing.exit_code);
+  if (request.accepts_core_only)
+    for (const CoreAcceptance& core : report.cores)
+      if (!core.why_not.empty()) exit_code = more_serious(exit_code, ExitCode::disagreed);
   return exit_code;
 }
 
@@ -101,10 +126,20 @@ Command bless_command() {
             request->options.updates_hash,
             {"--update-hash", "",
              "put the new `expect.state_hash` into the scenario files; nothing else in them changes"});
+        options.flag(
+            request->options.updates_ranges,
+            {"--update-expect", "",
+             "as --update-hash, and new values for counts and ranges of `expect` that do not hold: a "
+             "range keeps its width. Booleans, error bounds and one-sided limits never change"});
+        options.flag(request->accepts_core_only,
+                     {"--core", "",
+                      "only accept this program's core in golden/core, if the whole library agrees (default: "
+                      "scenarios)"});
         options.flag(request->prunes,
                      {"--prune", "",
                       "remove the golden files without a scenario, of the folders given (default: "
-                      "scenarios); with --reason bless as well"});
+                      "scenarios); with --reason bless as well. Refused where no scenario is left or "
+                      "something cannot be read; files that `bless` did not write stay"});
         options.text(
             request->options.golden_folder,
             {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});

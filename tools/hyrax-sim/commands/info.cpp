@@ -4,6 +4,8 @@
 
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/core_constants.h"
+#include "sim/trace/core_record.h"
+#include "sim/trace/step_text.h"
 #include "tools/files/build_info.h"
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/options.h"
@@ -32,6 +34,14 @@ std::string hdf5_version() {
   return fmt::format("{}.{}.{}", major, minor, release);
 }
 
+// What the build could record of the core's step.
+std::string step_fact() {
+  const CoreRecord& record = core_record();
+  if (!record.why_incomplete.empty()) return fmt::format("not complete: {}", record.why_incomplete);
+  return fmt::format("complete, {} paths",
+                     read_step(record.step).value().paths_of(CoreFunction::update).size());
+}
+
 Json::Object facts() {
   const BuildInfo build = build_info();
   const auto fault = arithmetic_fault();
@@ -42,6 +52,7 @@ Json::Object facts() {
           {"instruction_set", build.instruction_set},
           {"processor", processor()},
           {"physics", core_model()},
+          {"step", step_fact()},
           {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
           {"hdf5", hdf5_version()},
           {"gsl", gsl_version},

@@ -17,6 +17,7 @@
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/report/page_file.h"
 #include "tools/store/output_guard.h"
+#include "tools/store/trajectory_writer.h"
 
 namespace hyrax {
 namespace {
@@ -72,8 +73,18 @@ bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
   return scenarios > 1 || request.output.ends_with('/') || is_folder(request.output);
 }
 
+// CSV on standard output; nothing else is printed there.
+void place_on_stdout(const RunRequest& request, std::vector<Candidate>& candidates) {
+  if (candidates.size() > 1 || request.printing.is_json || request.measures_drift || !request.page.empty())
+    throw Failure(ExitCode::bad_input,
+                  "hyrax-sim run: -o " + request.output +
+                      ": allowed for one scenario, without --json, --drift and --report");
+  candidates.front().output = kStandardOutput;
+}
+
 // Sets the output of each run.
 void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
+  if (request.output == "-" || request.output == "/dev/stdout") return place_on_stdout(request, candidates);
   for (Candidate& candidate : candidates) {
     if (!candidate.scenario) continue;
     const std::string name = candidate.scenario->name + ".h5";
@@ -114,7 +125,10 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
   if (run.drift && request.printing.is_verbose())
     drift.contact_chance = contact_chance_of(run.scenario, run.drift->margin);
   if (!request.printing.is_json) {
-    print_run(run, request.printing);
+    if (run.output == kStandardOutput)
+      print_error(run.scenario.name + ": " + run.status());
+    else
+      print_run(run, request.printing);
     if (run.drift) print_drift(drift, request.printing);
     return;
   }
@@ -167,14 +181,17 @@ void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift,
   if (!picture) return;
   outcomes.attempt_after([&] {
     picture->draw(request.figure, run);
-    if (!request.printing.is_json)
+    if (!request.printing.is_json && run.output != kStandardOutput)
       print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.figure);
   });
 }
 
-ExitCode run(const RunRequest& request) {
+ExitCode run(RunRequest request) {
   const std::vector<Override> overrides = overrides_of(request.overrides);
   const std::vector<std::string> paths = list_scenarios(request.files);
+  constexpr std::size_t kPrintedInFullMax = 3;
+  if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
+    request.printing.detail = Printing::Detail::verdict;
   if (!request.figure.empty() && paths.size() > 1)
     throw Failure(
         ExitCode::bad_input,
@@ -214,10 +231,14 @@ Command run_command() {
       .declare = [](Options& options) {
         const auto request = std::make_shared<RunRequest>();
         options.files(request->files,
-                      {"SCENARIO", "", "scenario files, or folders of them; - for standard input"}, 1, -1);
+                      {"SCENARIO", "",
+                       "scenario files, or folders of them; - for standard input; of more than three, a line "
+                       "each (all: -v)"},
+                      1, -1);
         options.text(request->output,
                      {"-o,--output", "FILE or DIR",
-                      "FILE.h5, FILE.csv or a folder (default: NAME.h5 in the current folder)"});
+                      "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: NAME.h5 in the "
+                      "current folder)"});
         options.texts(request->overrides,
                       {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
         options.text(request->figure,

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/child_process.h"
+#include "tools/files/golden_place.h"
 #include "tools/files/json.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
@@ -18,7 +20,10 @@
 namespace hyrax {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double kLimit_s = 10.0;
+constexpr double kProgramLimit_s = 60.0;
 constexpr std::int64_t kTrialsMax = 2'000;
 
 struct ShrinkRequest {
@@ -31,27 +36,47 @@ struct ShrinkRequest {
   Printing printing;
 };
 
-// COMMAND with the path of a scenario's file for each {}, run by the shell.
+// COMMAND with the path of a scenario's file for each {}, run by the shell. The file has the golden place of
+// the original: copies of its golden file and of the accepted core are where it would look for them.
 class UserCommand {
  public:
-  UserCommand(std::string command, double limit_s) : command_(std::move(command)), limit_s_(limit_s) {
+  UserCommand(std::string command, double limit_s, const std::string& original)
+      : file_(fs::path(original).filename()), command_(std::move(command)), limit_s_(limit_s) {
     if (command_.find("{}") == std::string::npos)
       throw Failure(ExitCode::bad_input, "hyrax-sim shrink: --fails: no {} for the scenario's file (found " +
                                              command_ + "); as in 'hyrax-sim run {} -o out.h5'");
+    copy_golden_files(original);
   }
 
   [[nodiscard]] ChildEnd run(const Scenario& scenario) const {
-    const std::string path =
-        shell_command({folder_.write(scenario.name + ".json", scenario_file_text(scenario))});
+    const std::string path = shell_command({folder_.write(file_.string(), scenario_file_text(scenario))});
     std::string line = command_;
     for (std::size_t at = 0; (at = line.find("{}", at)) != std::string::npos; at += path.size())
       line.replace(at, 2, path);
-    return run_child({"/bin/sh", "-c", line}, {}, limit_s_);
+    constexpr std::size_t kOutBytesMax = 1 << 10;
+    return run_child({"/bin/sh", "-c", line}, {}, limit_s_, kOutBytesMax);
   }
   [[nodiscard]] std::string text_of(const ChildEnd& end) const { return end_text(end, limit_s_); }
 
  private:
+  void copy_golden_files(const std::string& original) {
+    const fs::path golden = golden_folder_of(original);
+    const fs::path copy = fs::path(folder_.path()) / "golden";
+    if (const auto place = golden_place(original, ""); !golden.empty() && place) {
+      const fs::path name = fs::path(place->h5_path).lexically_relative(golden);
+      file_ = "scenarios" / fs::path(name).replace_extension(".json");
+      fs::create_directories((copy / name).parent_path());
+      if (has_golden_file(*place)) {
+        fs::copy_file(place->h5_path, copy / name);
+        fs::copy_file(place->txt_path, (copy / name).replace_extension(".txt"));
+      }
+      if (is_folder((golden / "core").string())) fs::copy(golden / "core", copy / "core");
+    }
+    fs::create_directories((folder_.path() / file_).parent_path());
+  }
+
   TemporaryFolder folder_;
+  fs::path file_;  // In that folder.
   std::string command_;
   double limit_s_;
 };
@@ -63,8 +88,13 @@ struct ShrinkOutcome {
 };
 
 ShrinkOutcome shrink_by_command(const ShrinkRequest& request, const Scenario& scenario) {
-  const UserCommand command(request.fails, request.limit_s.value_or(kLimit_s));
+  const UserCommand command(request.fails, request.limit_s.value_or(kLimit_s), request.files.front());
   const ChildEnd wanted = command.run(scenario);
+  if (!wanted.is_timed_out && wanted.exit_code == 0)
+    throw Failure(ExitCode::bad_input,
+                  request.files.front() +
+                      ": the command does not fail here: exit code 0 (it was run on a copy "
+                      "of the scenario, and of its golden file if it has one)");
   constexpr int kCannotExecute = 126;
   constexpr int kNotFound = 127;
   if (!wanted.is_timed_out && (wanted.exit_code == kCannotExecute || wanted.exit_code == kNotFound))
@@ -78,7 +108,8 @@ ShrinkOutcome shrink_by_command(const ShrinkRequest& request, const Scenario& sc
 }
 
 ShrinkOutcome shrink_against(const ShrinkRequest& request, const Scenario& scenario) {
-  const OtherProgram other(request.against, "hyrax-sim shrink: --against");
+  const OtherProgram other(request.against, "hyrax-sim shrink: --against", std::nullopt,
+                           request.limit_s.value_or(kProgramLimit_s));
   const auto broken = different_hash(scenario, other);
   if (!broken)
     throw Failure(ExitCode::bad_input, request.files.front() +
@@ -167,16 +198,17 @@ Command shrink_command() {
         options.text(
             request->fails,
             {"--fails", "COMMAND",
-             "run by /bin/sh with the file of a scenario for {}: the smaller scenario ends it with the same "
-             "exit code; a signal counts as 128 + its number"});
+             "run by /bin/sh with the file of a scenario for {}, which has the golden file of SCENARIO: the "
+             "smaller scenario ends it with the same exit code, not 0; a signal counts as 128 + its number"});
         options.text(request->against,
                      {"--against", "PROGRAM", "another hyrax-sim: both still give different state hashes"});
         options.text(request->output, {"-o,--output", "SMALL.json", "the smaller scenario"});
-        options.number(
-            request->limit_s,
-            {"--time-limit", "SECONDS",
-             "a COMMAND that runs longer is killed, which counts as an end of its own (default: 10)"},
-            0.001);
+        options.number(request->limit_s,
+                       {"--time-limit", "SECONDS",
+                        "a COMMAND or PROGRAM that runs longer is killed, which counts as an end of its own "
+                        "(default: 10, "
+                        "of PROGRAM 60)"},
+                       0.001);
         options.flag(request->is_forced, {"--force", "", "replace an existing SMALL.json"});
         options.printing(request->printing);
         return [request] { return run_shrink(*request); };

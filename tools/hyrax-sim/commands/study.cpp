@@ -41,8 +41,13 @@ struct StudyArguments {
 
 void declare_arguments(Options& options, StudyArguments& arguments) {
   std::string list;
-  for (const Study& study : studies()) list += fmt::format("\n{:<12} {}", study.name, study.summary);
-  options.files(arguments.files, {"NAME [SCENARIO]", "", "the study, and scenarios for it:" + list}, 1, -1);
+  std::string names;
+  for (const Study& study : studies()) {
+    list += fmt::format("\n{:<12} {}", study.name, study.summary);
+    names += (names.empty() ? "" : ", ") + study.name;
+  }
+  options.files(arguments.files, {"NAME [SCENARIO]", "", "the study, and scenarios for it:" + list}, 1, -1,
+                "NAME is missing; allowed: " + names);
   options.text(arguments.folder, {"-o,--output", "DIR",
                                   "folder for NAME.h5, NAME.csv and the figures; default: the current one"});
   options.flag(arguments.is_quick, {"--quick", "", "a smaller study, in seconds"});

@@ -12,7 +12,6 @@
 #include "tools/files/sweep_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/part.h"
-#include "tools/hyrax-sim/sweep/member_filter.h"
 #include "tools/hyrax-sim/sweep/sweep_run.h"
 #include "tools/store/output_guard.h"
 
@@ -25,7 +24,6 @@ struct SweepRequest {
   std::vector<std::string> files;
   std::string output;
   std::string part;
-  std::string where;
   std::optional<std::int64_t> parts;
   std::optional<std::int64_t> threads;
   std::optional<std::int64_t> member;
@@ -46,31 +44,9 @@ std::string names_of(const KeepSet& keep) {
   return names;
 }
 
-// The members that --where names: one a line, or for JSON as an array.
-Json list_members(const SweepRequest& request, const MemberFilter& filter, const std::string& path) {
-  Json::Array members;
-  filter.list(EnsembleReader(path), [&](std::int64_t member) {
-    if (request.printing.is_json)
-      members.emplace_back(member);
-    else
-      print_text("{}\n", member);
-  });
-  return members;
-}
-
-// The result on stdout; where members are listed there, on stderr.
-void report(const SweepRequest& request, const std::string& text, Json::Object document,
-            const std::optional<MemberFilter>& filter, const std::string& path) {
-  Json listed;
-  if (filter) listed = list_members(request, *filter, path);
-  if (request.printing.is_json) {
-    if (filter) document.emplace_back("where", std::move(listed));
-    print_text("{}\n", to_text(Json(std::move(document)), {.depth_indented = 1}));
-  } else if (filter) {
-    if (!request.printing.is_quiet()) print_error(text);
-  } else {
-    print_text("{}\n", text);
-  }
+void report(const SweepRequest& request, const std::string& text, Json::Object document) {
+  print_text("{}\n",
+             request.printing.is_json ? to_text(Json(std::move(document)), {.depth_indented = 1}) : text);
 }
 
 ExitCode write_member(const SweepRequest& request) {
@@ -90,22 +66,15 @@ ExitCode write_member(const SweepRequest& request) {
   output.write(scenario_file_text(scenario));
   request.is_forced ? output.commit() : output.commit_as_new();
   report(request, "written: " + request.output,
-         Json::Object{{"member", *request.member}, {"scenario", request.output}}, std::nullopt, "");
+         Json::Object{{"member", *request.member}, {"scenario", request.output}});
   return ExitCode::agreed;
 }
 
-void admit_result(OutputGuard& guard, const std::string& path) {
-  const std::string option = std::string(kName) + ": -o";
-  guard.admit(option, path, {".h5"});
-  guard.admit(option, partial_path(path));
-}
+constexpr const char* kOutputOption = "hyrax-sim sweep: -o";
 
 ExitCode merge(const SweepRequest& request) {
   if (request.output.empty()) refuse_request("--merge: needs -o FILE.h5");
-  OutputGuard guard(request.files);
-  admit_result(guard, request.output);
-  std::optional<MemberFilter> filter;
-  if (!request.where.empty()) filter.emplace(request.where, EnsembleReader(request.files.front()).columns());
+  OutputGuard(request.files).admit(kOutputOption, request.output, {".h5"});
   const MergeOutcome outcome = merge_parts(request.files, request.output);
   for (const std::string& path : outcome.missing) print_error(path + ": is missing; nothing was written");
   if (!outcome.missing.empty()) return ExitCode::golden_missing;
@@ -114,8 +83,7 @@ ExitCode merge(const SweepRequest& request) {
                      request.files.size(), request.output),
          Json::Object{{"members", outcome.head.members},
                       {"parts", static_cast<std::int64_t>(request.files.size())},
-                      {"output", request.output}},
-         filter, request.output);
+                      {"output", request.output}});
   return ExitCode::agreed;
 }
 
@@ -158,8 +126,6 @@ ExitCode compute(const SweepRequest& request) {
   const std::string& path = request.files.front();
   const auto part = choose_part(kName, request.part, request.parts);
   const SweepFile file = load_sweep(path);
-  std::optional<MemberFilter> filter;
-  if (!request.where.empty()) filter.emplace(request.where, columns_of(file.sweep));
   if (part && !part->source.empty())
     print_error(
         fmt::format("{}: part {}/{}, from {}", kName, part->part.index, part->part.count, part->source));
@@ -170,11 +136,13 @@ ExitCode compute(const SweepRequest& request) {
   if (part) job.head.part = part->part;
   job.output = output_of(request, part);
   job.threads = request.threads.value_or(std::max(1u, std::thread::hardware_concurrency()));
-  job.resumes = request.resumes;
+  if (request.resumes) job.existing = Existing::resumed;
+  if (request.is_forced) job.existing = Existing::replaced;
   std::vector<std::string> inputs{path};
   if (!file.base_path.empty()) inputs.push_back(file.base_path);
   OutputGuard guard(inputs);
-  admit_result(guard, job.output);
+  guard.admit(kOutputOption, job.output, {".h5"});
+  guard.admit(kOutputOption, partial_path(job.output));
   SweepOutcome outcome;
   outcome.rows = job.head.part.rows(job.head.members);
   if (request.resumes && is_complete(job.output, job.head))
@@ -195,21 +163,22 @@ ExitCode compute(const SweepRequest& request) {
   report(request,
          request.printing.is_quiet() ? "written: " + job.output
                                      : summary_text(request, file, outcome, job.output),
-         std::move(document), filter, job.output);
+         std::move(document));
   return ExitCode::agreed;
 }
 
 ExitCode sweep(const SweepRequest& request) {
   if (request.merges) {
-    if (request.member || !request.part.empty() || request.parts || request.resumes || request.threads)
-      refuse_request("--merge: not with --member, --part, --parts, --resume or --threads");
+    if (request.member || !request.part.empty() || request.parts || request.resumes || request.threads ||
+        request.is_forced)
+      refuse_request("--merge: not with --member, --part, --parts, --resume, --force or --threads");
     return merge(request);
   }
   if (request.files.size() > 1)
     refuse_request(fmt::format("only one sweep allowed (found {})", request.files.size()));
-  if (request.member && (!request.part.empty() || request.parts || request.resumes || !request.where.empty()))
-    refuse_request("--member: not with --part, --parts, --resume or --where");
-  if (request.is_forced && !request.member) refuse_request("--force: needs --member");
+  if (request.member && (!request.part.empty() || request.parts || request.resumes))
+    refuse_request("--member: not with --part, --parts or --resume");
+  if (request.is_forced && request.resumes) refuse_request("--force: not with --resume");
   return request.member ? write_member(request) : compute(request);
 }
 
@@ -227,11 +196,10 @@ void declare_options(Options& options, SweepRequest& request) {
   options.integer(request.parts, {"--parts", "N", "the number of parts; the part is JOB_COMPLETION_INDEX"},
                   1);
   options.flag(request.resumes, {"--resume", "", "go on after a process that was stopped (FILE.h5.partial)"});
-  options.text(request.where,
-               {"--where", "EXPRESSION",
-                "list the members for which it holds, as \"contacts.ground > 20 and vx < 0\""});
   options.integer(request.member, {"--member", "I", "write member I as a scenario, to run it"}, 0);
-  options.flag(request.is_forced, {"--force", "", "with --member: replace an existing file"});
+  options.flag(request.is_forced,
+               {"--force", "",
+                "start over, if a stopped process left FILE.h5.partial; with --member: replace the file"});
   options.flag(request.merges, {"--merge", "", "join the parts of a sweep"});
   options.printing(request.printing);
 }
@@ -242,7 +210,7 @@ Command sweep_command() {
   return {.name = "sweep",
           .summary = "play many flings that differ in some numbers, and store selected results of each",
           .example =
-              "hyrax-sim sweep sweep.json --where \"at_rest_since > 9\"\n"
+              "hyrax-sim sweep sweep.json -o sweep.h5\n"
               "  hyrax-sim sweep sweep.json --member 17 -o member.json\n"
               "  hyrax-sim sweep --merge sweep.part-*.h5 -o sweep.h5",
           .needs_paper_model = true,

@@ -10,6 +10,7 @@
 #include "sim/reference/drift.h"
 #include "sim/reference/gsl_flight.h"
 #include "sim/reference/margin.h"
+#include "sim/reference/whole_run.h"
 #include "sim/search/contact_chance.h"
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/options.h"
@@ -58,9 +59,10 @@ struct DriftRun {
   std::vector<ImpactErrors> contacts;
   std::vector<DrawnRow> rows;  ///< On request, thinned out.
   Margin margin;
+  WholeOutcome whole;
 };
 
-/// Measures every arc and contact of a run, and the margin, as the run is played or read.
+/// Measures the whole run, its arcs, its contacts and the margin, as the run is played or read.
 class DriftRecorder {
  public:
   explicit DriftRecorder(const Scenario& scenario, const DriftOptions& options = {});
@@ -109,8 +111,8 @@ struct DriftReport {
   std::optional<ContactChance> contact_chance = {};
 };
 
-/// Prints a table of at most 100 columns: arcs, contacts, margin, what was not computed, and in the last
-/// line, if a step was timed, speed against error.
+/// Prints a table of at most 100 columns: the whole run, arcs, contacts, margin, what was not computed, and
+/// in the last line, if a step was timed, speed against error.
 void print_drift(const DriftReport& report, const Printing& printing);
 
 /// The members of an entry of "runs", all except "scenario".

@@ -25,6 +25,7 @@ Json arc_json(const ArcErrors& arc) {
                       {"model_px", arc.model_px},
                       {"energy_drift_rel_max", arc.energy_drift_rel_max},
                       {"energy_drift_rel_end", arc.energy_drift_rel_end},
+                      {"energy_drift_slope_px_per_s", or_null(arc.energy_drift_slope_px_per_s)},
                       {"energy_drift_slope_per_s", or_null(arc.energy_drift_slope_per_s)},
                       {"energy_drift_max", arc.energy_drift_max_px2_per_s2},
                       {"energy_drift_end", arc.energy_drift_end_px2_per_s2},
@@ -54,17 +55,19 @@ struct WorstKey {
   const char* key;
   std::optional<Worst> DriftSummary::*worst;
 };
-constexpr WorstKey kWorstKeys[] = {{"implementation_px", &DriftSummary::implementation_px},
-                                   {"truncation_px", &DriftSummary::truncation_px},
-                                   {"model_px", &DriftSummary::model_px},
-                                   {"exact_law_px", &DriftSummary::exact_law_px},
-                                   {"energy_drift_rel_max", &DriftSummary::energy_drift_rel_max},
-                                   {"energy_drift_slope_per_s", &DriftSummary::energy_drift_slope_per_s},
-                                   {"energy_drift_max", &DriftSummary::energy_drift_max_px2_per_s2},
-                                   {"gsl_vs_closed_px", &DriftSummary::gsl_vs_closed_px},
-                                   {"time_error_s", &DriftSummary::time_error_s},
-                                   {"overshoot_px", &DriftSummary::overshoot_px},
-                                   {"energy_jump_rel", &DriftSummary::energy_jump_rel}};
+constexpr WorstKey kWorstKeys[] = {
+    {"implementation_px", &DriftSummary::implementation_px},
+    {"truncation_px", &DriftSummary::truncation_px},
+    {"model_px", &DriftSummary::model_px},
+    {"exact_law_px", &DriftSummary::exact_law_px},
+    {"energy_drift_rel_max", &DriftSummary::energy_drift_rel_max},
+    {"energy_drift_slope_px_per_s", &DriftSummary::energy_drift_slope_px_per_s},
+    {"energy_drift_slope_per_s", &DriftSummary::energy_drift_slope_per_s},
+    {"energy_drift_max", &DriftSummary::energy_drift_max_px2_per_s2},
+    {"gsl_vs_closed_px", &DriftSummary::gsl_vs_closed_px},
+    {"time_error_s", &DriftSummary::time_error_s},
+    {"overshoot_px", &DriftSummary::overshoot_px},
+    {"energy_jump_rel", &DriftSummary::energy_jump_rel}};
 
 // The value of each worst error, or its step: an arc's first_step, a contact's step.
 Json worst_json(const DriftSummary& summary, const auto Worst::*member) {
@@ -78,14 +81,28 @@ Json worst_json(const DriftSummary& summary, const auto Worst::*member) {
 
 Json restitution_json(const Spread& spread) {
   if (spread.count() == 0) return nullptr;
-  return Json::Object{{"mean", spread.mean()},
-                      {"standard_deviation", spread.standard_deviation()},
+  return Json::Object{{"median", spread.median()},
+                      {"smallest", spread.smallest()},
+                      {"largest", spread.largest()},
                       {"contacts", spread.count()}};
 }
 
 Json sensitivity_json(const Sensitivity& sensitivity) {
   return list_of(std::vector(sensitivity.begin(), sensitivity.end()),
                  [](const auto& row) { return Json(Json::Array(row.begin(), row.end())); });
+}
+
+Json whole_json(const DriftRun& run) {
+  if (!run.whole.run) return nullptr;
+  const WholeRun& whole = *run.whole.run;
+  return Json::Object{{"end_px", whole.end_px},
+                      {"max_px", whole.max_px},
+                      {"max_px_step", whole.max_px_step},
+                      {"energy_end_px", whole.energy_end_px},
+                      {"energy_max_px", whole.energy_max_px},
+                      {"secular_px_per_s", or_null(run.summary.secular_px_per_s)},
+                      {"contacts_differ_from", or_null(whole.contacts_differ_from)},
+                      {"reference", "exact fling"}};
 }
 
 Json half_dt_json(const HalfDtOutcome& outcome) {
@@ -126,6 +143,8 @@ Json::Object drift_json(const DriftReport& report) {
   const DriftSummary& summary = report.run.summary;
   const std::vector<std::string> omitted = not_computed(report);
   return {
+      {"whole", whole_json(report.run)},
+      {"whole_why", report.run.whole.run ? Json() : Json(report.run.whole.why_not)},
       {"skipped_arcs", summary.skipped_arcs},
       {"arcs", list_of(report.run.arcs, arc_json)},
       {"contacts", list_of(report.run.contacts, contact_json)},

@@ -82,7 +82,8 @@ struct DriftRecorder::Sinks {
       : solver(options.gsl ? std::make_unique<GslFlight>(*options.gsl) : nullptr),
         recorder(run, options),
         meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get()),
-        margin(scenario, inputs_of(scenario, step_count(scenario))) {
+        margin(scenario, inputs_of(scenario, step_count(scenario))),
+        whole(scenario, inputs_of(scenario, step_count(scenario))) {
     run.scenario = scenario;
     run.gsl = options.gsl;
   }
@@ -92,13 +93,14 @@ struct DriftRecorder::Sinks {
   Recorder recorder;
   DriftMeter meter;
   MarginMeter margin;
+  WholeMeter whole;
 };
 
 DriftRecorder::DriftRecorder(const Scenario& scenario, const DriftOptions& options)
     : sinks_(std::make_unique<Sinks>(scenario, options)) {}
 DriftRecorder::~DriftRecorder() = default;
 
-std::vector<RowSink*> DriftRecorder::sinks() { return {&sinks_->meter, &sinks_->margin}; }
+std::vector<RowSink*> DriftRecorder::sinks() { return {&sinks_->meter, &sinks_->margin, &sinks_->whole}; }
 
 DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
   DriftRun& run = sinks_->run;
@@ -106,6 +108,7 @@ DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
   run.simulated_s = simulated_s;
   run.summary = sinks_->meter.finish();
   run.margin = sinks_->margin.margin();
+  run.whole = sinks_->whole.outcome();
   return std::move(run);
 }
 

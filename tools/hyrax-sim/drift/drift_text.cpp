@@ -32,6 +32,14 @@ std::string milliseconds(const std::optional<double>& seconds) {
   return seconds ? number(1e3 * *seconds) : std::string("-");
 }
 
+// At most two digits.
+std::string brief(double value) {
+  const double size = std::fabs(value);
+  if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  if (size < 0.01) return fmt::format("{:.1g}", value);
+  return fmt::format("{:.2g}", value);
+}
+
 std::string arcs_text(std::int64_t count) { return fmt::format("{} arc{}", count, count == 1 ? "" : "s"); }
 
 std::string reference_text(const std::optional<GslOptions>& gsl) {
@@ -43,6 +51,26 @@ std::string reference_text(const std::optional<GslOptions>& gsl) {
 std::string more_text(std::int64_t count, std::size_t listed_max) {
   const std::int64_t more = count - static_cast<std::int64_t>(listed_max);
   return more > 0 ? fmt::format("  ... {} more; --verbose lists them\n", more) : "";
+}
+
+// How wrong the run is, and what a step of it costs: the first lines.
+std::string whole_text(const DriftReport& report) {
+  const DriftRun& run = report.run;
+  if (!run.whole.run) return fmt::format("  whole run    no exact fling: {}\n", run.whole.why_not);
+  const WholeRun& whole = *run.whole.run;
+  std::string text = fmt::format(
+      "  whole run    ends {} px from the exact fling, {} px at most, in row {}\n"
+      "               energy {} px of height off at the end, {} px at most\n",
+      number(whole.end_px), number(whole.max_px), whole.max_px_step, number(whole.energy_end_px),
+      number(whole.energy_max_px));
+  if (run.summary.secular_px_per_s)
+    text += fmt::format("               in flight {} px of height a second{}\n",
+                        number(run.summary.secular_px_per_s),
+                        report.step_ns ? fmt::format(", at {} ns a step", brief(*report.step_ns)) : "");
+  if (whole.contacts_differ_from)
+    text += fmt::format("               other contacts than the exact fling's from row {}\n",
+                        *whole.contacts_differ_from);
+  return text;
 }
 
 template <class... Columns>
@@ -82,20 +110,21 @@ std::string arcs_text(const DriftRun& run, std::size_t lines_max) {
   const DriftSummary& summary = run.summary;
   if (summary.arcs == 0) return "  no flight arc of two steps or more\n";
   std::string text =
-      arc_line("arc", "", "time", "ended", "implem.", "trunc.", "model", "drift", "at end", "slope", "GSL") +
-      arc_line("from", "to", "s", "by", "px", "px", "px", "%", "%", "%/s", "off px");
+      arc_line("arc", "", "time", "ended", "implem.", "trunc.", "model", "drift", "slope", "slope", "GSL") +
+      arc_line("from", "to", "s", "by", "px", "px", "px", "%", "px/s", "%/s", "off px");
   for (std::size_t index = 0; index < std::min(run.arcs.size(), lines_max); ++index) {
     const ArcErrors& arc = run.arcs[index];
     text += arc_line(arc.first_step, arc.last_step, fmt::format("{:.4g}", arc.duration_s),
                      kArcEndNames[static_cast<std::size_t>(arc.ended_by)], number(arc.implementation_px),
                      number(arc.truncation_px), number(arc.model_px), percent(arc.energy_drift_rel_max),
-                     percent(arc.energy_drift_rel_end), percent(arc.energy_drift_slope_per_s),
+                     number(arc.energy_drift_slope_px_per_s), percent(arc.energy_drift_slope_per_s),
                      number(arc.gsl_vs_closed_px));
   }
   return text + more_text(summary.arcs, lines_max) +
          arc_line("worst", "", "", "", number(summary.implementation_px), number(summary.truncation_px),
-                  number(summary.model_px), percent(summary.energy_drift_rel_max), "",
-                  percent(summary.energy_drift_slope_per_s), number(summary.gsl_vs_closed_px)) +
+                  number(summary.model_px), percent(summary.energy_drift_rel_max),
+                  number(summary.energy_drift_slope_px_per_s), percent(summary.energy_drift_slope_per_s),
+                  number(summary.gsl_vs_closed_px)) +
          energy_text(summary) + causes_text(summary) + exact_law_text(summary);
 }
 
@@ -120,9 +149,9 @@ std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
   text += more_text(summary.contacts, lines_max);
   const Spread& restitution = summary.effective_restitution;
   if (restitution.count() > 0)
-    text += fmt::format(
-        "  restitution  mean {:.4f}, standard deviation {:.4f}, {} contacts; the paper's is 0.6\n",
-        restitution.mean(), restitution.standard_deviation(), restitution.count());
+    text +=
+        fmt::format("  restitution  median {:.4f}, from {:.4g} to {:.4g}, {} contacts; the paper's is 0.6\n",
+                    restitution.median(), restitution.smallest(), restitution.largest(), restitution.count());
   return text;
 }
 
@@ -155,18 +184,9 @@ std::string wrapped(const std::string& label, const std::vector<std::string>& it
   return text + line + "\n";
 }
 
-// At most two digits.
-std::string brief(double value) {
-  const double size = std::fabs(value);
-  if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
-  if (size < 0.01) return fmt::format("{:.1g}", value);
-  return fmt::format("{:.2g}", value);
-}
-
-// Of the longest arc: the relative drift of a short, low arc means little.
 std::string drift_of(const std::optional<ArcErrors>& longest) {
-  if (!longest || !longest->energy_drift_slope_per_s) return "-";
-  return brief(100.0 * *longest->energy_drift_slope_per_s);
+  if (!longest || !longest->energy_drift_slope_px_per_s) return "-";
+  return brief(*longest->energy_drift_slope_px_per_s);
 }
 
 std::string truncation_of(const DriftSummary& summary) {
@@ -177,12 +197,12 @@ std::string truncation_of(const DriftSummary& summary) {
 std::string speed_text(const DriftReport& report) {
   if (!report.step_ns) return "";
   std::string text =
-      fmt::format("  this machine {} ns/step, trunc. {} px, drift {} %/s; half dt", brief(*report.step_ns),
+      fmt::format("  this machine {} ns/step, trunc. {} px, drift {} px/s; half dt", brief(*report.step_ns),
                   truncation_of(report.run.summary), drift_of(report.run.longest_arc));
   if (!report.half_dt.half) return text + fmt::format(" not measured: {}\n", report.half_dt.why_not);
   const HalfDt& half = *report.half_dt.half;
-  return text + fmt::format(": {} ns, {} px, {} %/s\n", brief(2.0 * half.step_ns),
-                            truncation_of(half.summary), drift_of(half.longest_arc));
+  return text + fmt::format(": 2 x {} ns, {} px, {} px/s\n", brief(half.step_ns), truncation_of(half.summary),
+                            drift_of(half.longest_arc));
 }
 
 // The error against the fixed model does not vanish with the frame if half the dt keeps most of it.
@@ -272,7 +292,7 @@ void print_drift(const DriftReport& report, const Printing& printing) {
   const std::size_t lines_max = printing.is_verbose() ? kArcsListedMax : 20;
   print_text("{}\n", title_of(run.scenario, run.steps, run.simulated_s));
   if (!run.note.empty()) print_text("  {}\n", run.note);
-  print_text("{}{}", arcs_text(run, lines_max), contacts_text(run, lines_max));
+  print_text("{}{}{}", whole_text(report), arcs_text(run, lines_max), contacts_text(run, lines_max));
   print_faults(run.summary);
   print_text("  {}\n", margin_text(run.margin));
   if (report.contact_chance) print_text("  {}\n", contact_chance_text(*report.contact_chance));

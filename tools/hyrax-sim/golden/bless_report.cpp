@@ -7,6 +7,7 @@
 #include "sim/replay/core_constants.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/printable.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
 #include "tools/hyrax-sim/golden/group_text.h"
 
@@ -28,9 +29,8 @@ bool plays_otherwise(const Blessing& blessing) {
 void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
   const std::string h5_path = printable(blessing.place.h5_path);
-  if (blessing.status == BlessStatus::unchanged)
-    print_text("{}: {} with {} already\n", path, VerdictWord{"agrees", true}, h5_path);
   if (printing.is_quiet()) return;
+  if (!blessing.updated.empty()) print_text("{}: new {}\n", path, broken_sentence(blessing.updated));
   if (blessing.status == BlessStatus::fresh) print_text("{}: new golden file\n", path);
   if (blessing.status != BlessStatus::changed && blessing.status != BlessStatus::refused) return;
   if (!blessing.unreadable.empty())
@@ -39,6 +39,19 @@ void print_plan(const Blessing& blessing, const Printing& printing) {
              printing.is_verbose() || !plays_otherwise(blessing)
                  ? difference_text(blessing.comparison, printing.is_verbose())
                  : "");
+}
+
+// A line each of a few, else how many they are.
+void print_unchanged(const BlessReport& report) {
+  constexpr std::ptrdiff_t kListed = 3;
+  const auto unchanged = std::ranges::count(report.blessings, BlessStatus::unchanged, &Blessing::status);
+  if (unchanged > kListed)
+    return print_text("{} scenarios: {} with their golden files already\n", unchanged,
+                      VerdictWord{"agree", true});
+  for (const Blessing& blessing : report.blessings)
+    if (blessing.status == BlessStatus::unchanged)
+      print_text("{}: {} with {} already\n", printable(blessing.path), VerdictWord{"agrees", true},
+                 printable(blessing.place.h5_path));
 }
 
 // Where results that were accepted under a model's name change by more than rounding.
@@ -57,13 +70,14 @@ void print_model_hint(const BlessReport& report) {
 void print_done(const Blessing& blessing) {
   if (blessing.has_failed()) return;
   const std::string path = printable(blessing.path);
-  const auto& [h5_path, txt_path] = blessing.place;
+  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
   if (blessing.writes_golden_file() && blessing.keeps_h5)
     print_text("{}: agrees with {} already; its summary, {}, is written again\n", path, printable(h5_path),
                printable(txt_path));
   else if (blessing.writes_golden_file())
     print_text("{}: {}, {}\n", path, VerdictWord{"blessed", true}, printable(h5_path));
-  if (blessing.scenario_text) print_text("{}: expect.state_hash updated\n", path);
+  if (blessing.scenario_text)
+    print_text("{}: {} updated\n", path, blessing.updated.empty() ? "expect.state_hash" : "expect");
 }
 
 // null for a scenario that cannot be read.
@@ -104,29 +118,40 @@ std::string refusal_sentence(const BlessReport& report) {
       refused, blessings.size(), name_of(*widest.differs_in), widest.path);
 }
 
-std::vector<DifferenceGroup> groups_of(const BlessReport& report) {
+std::string unfinished_sentence(const BlessReport& report) {
+  const auto failed = std::ranges::count(report.blessings, BlessStatus::failed, &Blessing::status);
+  const auto planned = failed + std::ranges::count_if(report.blessings, &Blessing::writes);
+  if (failed == 0) return "";
+  return fmt::format(
+      "hyrax-sim bless: {} of {} scenarios blessed, {} could not be written; the same command completes it",
+      planned - failed, planned, failed);
+}
+
+std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& cores) {
   std::vector<DifferingScenario> differing;
   for (const Blessing& blessing : report.blessings)
     if (plays_otherwise(blessing))
-      differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get()});
-  return differing.empty() ? std::vector<DifferenceGroup>{} : group_by_cause(differing);
+      differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get(), blessing.golden_folder});
+  if (differing.empty()) return {};
+  return group_by_cause(differing, cores);
 }
 
 void print_plans(const BlessReport& report, const std::vector<DifferenceGroup>& groups,
-                 const Printing& printing) {
+                 const CoreChecks& cores, const Printing& printing) {
+  print_unchanged(report);
   for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
   if (printing.is_quiet()) return;
-  const GroupCounts counts{report.blessings.size(), groups.size()};
-  for (const DifferenceGroup& group : groups) print_group(group, counts);
+  print_groups(groups, cores.verdicts(), report.blessings.size());
   print_model_hint(report);
-  for (const std::string& path : report.pruned) print_text("{}: has no scenario\n", printable(path));
+  for (const std::string& path : report.pruning.removed) print_text("{}: has no scenario\n", printable(path));
 }
 
 void print_done(const BlessReport& report, bool is_dry_run) {
-  if (is_dry_run) print_text("dry run: nothing written\n");
+  if (is_dry_run) print_text("{}dry run: nothing written\n", acceptances_text(report.cores, false));
   if (!report.is_written) return;
   for (const Blessing& blessing : report.blessings) print_done(blessing);
-  for (const std::string& path : report.pruned) print_text("{}: removed\n", printable(path));
+  for (const std::string& path : report.pruning.removed) print_text("{}: removed\n", printable(path));
+  print_text("{}", acceptances_text(report.cores, true));
 }
 
 Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& groups) {
@@ -135,7 +160,14 @@ Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& g
                                    BlessStatus::refused, BlessStatus::failed})
     document.emplace_back(name_of(status), std::ranges::count(report.blessings, status, &Blessing::status));
   document.emplace_back("written", report.is_written);
-  document.emplace_back("pruned", Json::Array(report.pruned.begin(), report.pruned.end()));
+  const std::vector<std::string>& removed = report.pruning.removed;
+  document.emplace_back("pruned", Json::Array(removed.begin(), removed.end()));
+  Json::Array cores;
+  for (const CoreAcceptance& core : report.cores)
+    cores.push_back(Json::Object{{"golden", core.golden_folder},
+                                 {"accepted", core.why_not.empty()},
+                                 {"why_not", core.why_not.empty() ? Json() : Json(core.why_not)}});
+  document.emplace_back("cores", std::move(cores));
   Json::Array results;
   for (const Blessing& blessing : report.blessings) results.emplace_back(result_json(blessing));
   document.emplace_back("results", std::move(results));

@@ -7,24 +7,31 @@
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/print.h"
 #include "tools/hyrax-sim/golden/blessing.h"
+#include "tools/hyrax-sim/golden/core_acceptance.h"
 #include "tools/hyrax-sim/golden/difference_group.h"
+#include "tools/hyrax-sim/golden/pruning.h"
 
 namespace hyrax {
 
 struct BlessReport {
   std::vector<Blessing> blessings;
-  std::vector<std::string> pruned;  ///< Files of golden files without a scenario.
+  Pruning pruning;
+  std::vector<CoreAcceptance> cores;
   bool is_written = false;
 };
 
 /// Why nothing is written, with the option that would allow it where there is one; empty: it is written.
 [[nodiscard]] std::string refusal_sentence(const BlessReport& report);
 
-/// What changes, old against new, by cause. REQUIRES: the groups do not outlive the report.
-[[nodiscard]] std::vector<DifferenceGroup> groups_of(const BlessReport& report);
+/// Of a report that was written: that some, but not all of it was; else empty.
+[[nodiscard]] std::string unfinished_sentence(const BlessReport& report);
+
+/// What changes, old against new, by cause, and against the accepted cores. REQUIRES: the groups do not
+/// outlive the report.
+[[nodiscard]] std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& cores);
 
 void print_plans(const BlessReport& report, const std::vector<DifferenceGroup>& groups,
-                 const Printing& printing);
+                 const CoreChecks& cores, const Printing& printing);
 /// What was written, or would be.
 void print_done(const BlessReport& report, bool is_dry_run);
 [[nodiscard]] Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& groups);

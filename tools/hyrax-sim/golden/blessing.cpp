@@ -9,13 +9,15 @@
 
 #include <unistd.h>
 
+#include "tools/files/json_edit.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/files/state_hash_text.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-replay/judged_run.h"
+#include "tools/hyrax-sim/golden/expect_update.h"
 #include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
@@ -54,11 +56,11 @@ void require_usable(const GoldenPlace& place, const OutputGuard& guard) {
 }
 
 void require_expected(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
+  if (const std::string text = non_finite_text(scenario, summary.final); !text.empty())
+    throw Failure(ExitCode::disagreed, path + ": not blessed: " + text);
   std::string broken;
   for (const Expectation& expectation : broken_expectations(scenario, summary))
     broken += "; " + expectation_text(expectation);
-  if (summary.non_finite_step)
-    broken += fmt::format("; the state is not finite from step {}", *summary.non_finite_step);
   if (!broken.empty())
     throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
 }
@@ -80,13 +82,14 @@ void take_over(PairComparison pair, Blessing& blessing) {
   blessing.comparison = std::move(pair.comparison);
   blessing.runs = std::move(pair.runs);
   blessing.status = pair.is_current ? BlessStatus::unchanged : BlessStatus::changed;
+  if (!pair.gives_its_rows) blessing.differs_in = blessing.comparison.difference;
   if (blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario))
     blessing.differs_in = blessing.comparison.difference;
 }
 
 // Sets what has to be blessed; returns the summary of the run.
 RunSummary compare(const Scenario& scenario, Blessing& blessing) {
-  const auto& [h5_path, txt_path] = blessing.place;
+  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
   const bool has_both = has_golden_file(blessing.place);
   if (!is_there(h5_path) && !is_there(txt_path)) {
     blessing.status = BlessStatus::fresh;
@@ -106,12 +109,17 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   }
 }
 
-void update_hash(const RunSummary& summary, Scenario& scenario, Blessing& blessing) {
+void update_expect(const RunSummary& summary, bool updates_ranges, Scenario& scenario, Blessing& blessing) {
   const std::string hash = hex(summary.state_hash);
-  const std::string text = read_text_file(blessing.path);
-  std::string updated = with_state_hash(text, hash);
-  if (!scenario.expect) scenario.expect.emplace();
-  scenario.expect->state_hash = hash;
+  const std::string text = read_scenario_text(blessing.path);
+  std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
+  if (updates_ranges) {
+    const std::vector<Expectation> broken = broken_expectations(scenario, summary);
+    updated = with_updated_ranges(std::move(updated), scenario, broken);
+    for (const Expectation& expectation : broken)
+      if (is_updatable(expectation)) blessing.updated.push_back(expectation);
+  }
+  scenario = parse_scenario_file(updated, blessing.path);
   if (updated != text) blessing.scenario_text = std::move(updated);
 }
 
@@ -119,9 +127,11 @@ void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& gu
   Scenario scenario = load_scenario(blessing.path);
   require_measurable(blessing.path, scenario);
   blessing.place = place_of(blessing.path, options.golden_folder);
+  blessing.golden_folder = golden_folder_for(blessing.path, options.golden_folder);
   require_usable(blessing.place, guard);
   const RunSummary summary = compare(scenario, blessing);
-  if (options.updates_hash) update_hash(summary, scenario, blessing);
+  if (options.updates_hash || options.updates_ranges)
+    update_expect(summary, options.updates_ranges, scenario, blessing);
   if (blessing.scenario_text) require_writable(blessing.path);
   require_expected(blessing.path, scenario, summary);
   if (blessing.writes_golden_file())
@@ -132,7 +142,7 @@ void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& gu
 }
 
 void write_golden_file(const Blessing& blessing, const std::string& reason) {
-  const auto& [h5_path, txt_path] = blessing.place;
+  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
   Scenario scenario = load_scenario(blessing.path);
   if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
   const FreshRun fresh = play_for_golden(scenario);

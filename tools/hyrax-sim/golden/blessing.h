@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/compare/comparison.h"
+#include "sim/compare/expectations.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
@@ -17,6 +18,7 @@ struct BlessOptions {
   std::string reason;
   std::string golden_folder;                             ///< As given with --golden; empty if it was not.
   DifferenceClass accepted = DifferenceClass::rounding;  ///< The widest class that may be blessed.
+  bool updates_ranges = false;                           ///< And what else of `expect` is_updatable.
   bool updates_hash = false;                             ///< Puts the new state hash into the scenario file.
 };
 
@@ -24,14 +26,16 @@ struct Blessing {
   enum class Status { fresh, changed, unchanged, refused, failed };
   std::string path;  ///< Of the scenario as given.
   GoldenPlace place;
+  std::string golden_folder;  ///< Of `place`: has the accepted core.
   Status status = Status::unchanged;
   bool keeps_h5 = false;                      ///< Only the summary is written.
   Comparison comparison;                      ///< With the present golden file.
   std::shared_ptr<const PairRuns> runs;       ///< As PairComparison's.
   std::string unreadable;                     ///< Why that one cannot be read; else empty.
   std::optional<DifferenceClass> differs_in;  ///< What has to be accepted; nothing: nothing has to be.
-  std::optional<std::string> scenario_text;  ///< The scenario file with its new state hash, where it changes.
-  std::string error;                         ///< Of a failed one.
+  std::optional<std::string> scenario_text;   ///< The scenario file with its new `expect`, where it changes.
+  std::vector<Expectation> updated;           ///< What else than the state hash changes there.
+  std::string error;                          ///< Of a failed one.
   ExitCode exit_code = ExitCode::agreed;
 
   [[nodiscard]] bool has_failed() const { return status == Status::failed; }

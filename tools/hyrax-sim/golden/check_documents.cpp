@@ -95,6 +95,8 @@ Json check_json(const CheckReport& report) {
   for (const CheckVerdict& verdict : report.verdicts()) results.push_back(result_json(verdict));
   Json::Array groups;
   for (const DifferenceGroup& group : report.groups()) groups.push_back(group_json(group));
+  Json::Array cores;
+  for (const CoreVerdict* const core : report.cores()) cores.push_back(core_json(*core));
   return Json::Object{{"checked", report.scenario_count()},
                       {"agreed", report.count(Status::agreed)},
                       {"disagreed", report.count(Status::disagreed)},
@@ -102,6 +104,7 @@ Json check_json(const CheckReport& report) {
                       {"failed", report.count(Status::failed)},
                       {"unreferenced", report.count(Status::unreferenced)},
                       {"results", std::move(results)},
+                      {"cores", std::move(cores)},
                       {"groups", std::move(groups)}};
 }
 

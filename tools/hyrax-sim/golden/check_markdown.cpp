@@ -46,11 +46,10 @@ std::string picture_text(const GroupPicture& picture) {
   return text;
 }
 
-std::string group_section(const DifferenceGroup& group, const GroupCounts& counts,
-                          const GroupPicture& picture) {
+std::string group_section(const DifferenceGroup& group, std::size_t checked, const GroupPicture& picture) {
   std::string text =
-      fmt::format("### {} ({})\n\n{}\n\n{}\n\n", group.cause.operation, name_of(group.cause.kind),
-                  code_span(cause_sentence(group, counts).text()), code_span(consequence_sentence(group)));
+      fmt::format("### {}\n\n{}\n\n{}\n\n", name_of(group.cause.kind),
+                  code_span(cause_sentence(group, checked).text()), code_span(consequence_sentence(group)));
   text += picture_text(picture);
   for (const DifferingScenario& scenario : group.scenarios)
     text += fmt::format("- {}: {}\n", code_span(scenario.path), code_span(scenario_consequence(scenario)));
@@ -63,9 +62,9 @@ std::string check_markdown(const CheckReport& report, const std::vector<GroupPic
   const bool is_green = report.count(Status::agreed) == static_cast<std::int64_t>(report.verdicts().size());
   std::string text = fmt::format("## hyrax-sim check: {}\n\n{}\n\n", is_green ? "agreed" : "not agreed",
                                  counts_sentence(report));
-  const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
+  const auto checked = static_cast<std::size_t>(report.scenario_count());
   for (std::size_t group = 0; group < report.groups().size(); ++group)
-    text += group_section(report.groups()[group], counts,
+    text += group_section(report.groups()[group], checked,
                           group < pictures.size() ? pictures[group] : GroupPicture{});
   for (const CheckVerdict& verdict : report.verdicts())
     if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)

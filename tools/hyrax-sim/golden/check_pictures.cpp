@@ -58,13 +58,13 @@ void write_page(const CheckReport& report, const DifferingScenario& scenario, co
   const TemporaryFolder folder;
   const std::string run = folder.path() + "/" + scenario.runs->fresh.scenario.name + ".h5";
   const DifferenceGroup& group = *report.group_of(report.verdict_on(scenario));
-  const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
+  const auto checked = static_cast<std::size_t>(report.scenario_count());
   static_cast<void>(write_run(run, scenario.runs->fresh.scenario, {}));
   write_report({.files = {run},
                 .against = report.verdict_on(scenario).golden->h5_path,
                 .output = path,
                 .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)}),
-                .cause = cause_sentence(group, counts).text() + " " + consequence_sentence(group)});
+                .cause = cause_sentence(group, checked).text() + " " + consequence_sentence(group)});
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
+#include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 #include "tools/hyrax-sim/golden/group_text.h"
 
@@ -34,19 +36,74 @@ std::string broken_text(const CheckReport& report) {
   return broken == 0 ? "" : fmt::format("  expect  does not hold in {} of them\n", broken);
 }
 
-// A line each: what is missing, failed or unreferenced, and expectations that do not hold.
+// "a, b, c and 37 more".
+std::string names_text(const std::vector<const CheckVerdict*>& verdicts) {
+  constexpr std::size_t kNamed = 3;
+  std::string text;
+  for (std::size_t index = 0; index < std::min(verdicts.size(), kNamed); ++index)
+    text += (index == 0 ? "" : ", ") + printable(verdicts[index]->path);
+  return verdicts.size() <= kNamed ? text : text + fmt::format(" and {} more", verdicts.size() - kNamed);
+}
+
+void print_line(const CheckReport& report, const CheckVerdict& verdict) {
+  print_text("{}: {}: {}\n", printable(verdict.path), VerdictWord{name_of(verdict.status), false},
+             verdict_sentence(report, verdict));
+}
+
+// With how to accept them all, unless others keep bless from it.
+void print_missing(const CheckReport& report, const std::vector<const CheckVerdict*>& missing) {
+  if (missing.size() == 1) return print_line(report, *missing.front());
+  const std::string& folder = report.golden_folder();
+  print_text("{} scenarios: {}: {}: {}\n", missing.size(), VerdictWord{name_of(Status::missing), false},
+             folder.empty() || is_folder(folder) ? "no golden file" : "no folder " + printable(folder),
+             names_text(missing));
+  std::vector<std::string> paths = report.arguments();
+  if (std::ssize(missing) + report.count(Status::agreed) != report.scenario_count()) {
+    paths.clear();
+    for (const CheckVerdict* const verdict : missing) paths.push_back(verdict->path);
+  } else if (paths.empty()) {
+    paths = {"scenarios"};
+  }
+  print_text("  to create them  {}\n", bless_command_for(paths, report.golden_folder()));
+}
+
+// A line for each kind: what is missing, failed or unreferenced, and expectations that do not hold.
 void print_lines(const CheckReport& report) {
-  for (const CheckVerdict& verdict : report.verdicts())
-    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
-      print_text("{}: {}: {}\n", printable(verdict.path), VerdictWord{name_of(verdict.status), false},
-                 verdict_sentence(report, verdict));
+  std::vector<const CheckVerdict*> missing;
+  std::vector<const CheckVerdict*> unreferenced;
+  for (const CheckVerdict& verdict : report.verdicts()) {
+    if (verdict.status == Status::agreed || report.group_of(verdict) != nullptr) continue;
+    const bool is_renamed = report.renamed(verdict) != nullptr;
+    if (verdict.status == Status::unreferenced && !is_renamed)
+      unreferenced.push_back(&verdict);
+    else if (verdict.status == Status::missing && !is_renamed && verdict.broken.empty() &&
+             verdict.non_finite.empty())
+      missing.push_back(&verdict);
+    else if (verdict.status != Status::unreferenced)
+      print_line(report, verdict);
+  }
+  if (!missing.empty()) print_missing(report, missing);
+  if (unreferenced.size() == 1) print_line(report, *unreferenced.front());
+  if (unreferenced.size() > 1)
+    print_text("{} golden files: {}: no scenario: {}\n", unreferenced.size(),
+               VerdictWord{name_of(Status::unreferenced), false}, names_text(unreferenced));
+}
+
+// A line for each status but `agreed`; why one failed is on standard error.
+void print_names(const CheckReport& report) {
+  for (const Status status : {Status::disagreed, Status::missing, Status::unreferenced}) {
+    std::vector<const CheckVerdict*> verdicts;
+    for (const CheckVerdict& verdict : report.verdicts())
+      if (verdict.status == status) verdicts.push_back(&verdict);
+    if (!verdicts.empty()) print_text("{}: {}\n", VerdictWord{name_of(status), false}, names_text(verdicts));
+  }
 }
 
 // What bless accepts without --accept: rounding, and edits of the scenarios themselves.
 std::string accept_option(const CheckReport& report) {
   DifferenceClass widest = DifferenceClass::rounding;
   for (const DifferenceGroup& group : report.groups())
-    if (group.cause.operation != kScenarioCause) widest = std::max(widest, group.difference);
+    if (group.cause.kind != CauseKind::scenario) widest = std::max(widest, group.difference);
   return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
 }
 
@@ -87,12 +144,37 @@ CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::st
   std::vector<DifferingScenario> differing;
   for (const CheckVerdict& verdict : verdicts_) {
     verdict_on_[&verdict.comparison] = &verdict;
+    const std::string folder =
+        verdict.is_scenario ? golden_folder_for(verdict.path, verdict.golden_folder) : "";
+    if (is_folder(folder)) static_cast<void>(cores_.of(folder));
     if (verdict.status == Status::disagreed && !verdict.comparison.agrees)
-      differing.push_back({verdict.path, &verdict.comparison, verdict.runs.get()});
+      differing.push_back({verdict.path, &verdict.comparison, verdict.runs.get(), folder});
   }
-  if (!differing.empty()) groups_ = group_by_cause(differing);
+  for (const CheckVerdict& missing : verdicts_)
+    for (const CheckVerdict& golden : verdicts_)
+      if (missing.status == Status::missing && golden.status == Status::unreferenced &&
+          !golden.state_hash.empty() && missing.state_hash == golden.state_hash &&
+          !renamed_.contains(&golden) && renamed_.emplace(&missing, &golden).second)
+        renamed_.emplace(&golden, &missing);
+  if (!differing.empty()) groups_ = group_by_cause(differing, cores_);
   for (const DifferenceGroup& group : groups_)
     for (const DifferingScenario& scenario : group.scenarios) group_of_[scenario.comparison] = &group;
+}
+
+void CheckReport::judge_cores(const std::vector<Library>& libraries) {
+  for (const Library& library : libraries)
+    if (is_folder(library.golden_folder))
+      cores_.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
+}
+
+void CheckReport::count_paths() {
+  std::map<std::string, std::vector<Scenario>> scenarios;
+  for (const CheckVerdict& verdict : verdicts_)
+    if (verdict.is_scenario && verdict.status != Status::failed)
+      scenarios[golden_folder_for(verdict.path, verdict.golden_folder)].push_back(
+          load_scenario(verdict.path));
+  for (const auto& [folder, played] : scenarios)
+    if (is_folder(folder)) cores_.of(folder).count_paths(played);
 }
 
 std::int64_t CheckReport::count(Status status) const {
@@ -100,12 +182,17 @@ std::int64_t CheckReport::count(Status status) const {
 }
 
 std::int64_t CheckReport::scenario_count() const {
-  return static_cast<std::int64_t>(verdicts_.size()) - count(Status::unreferenced);
+  return std::ranges::count_if(verdicts_, &CheckVerdict::is_scenario);
 }
 
 const DifferenceGroup* CheckReport::group_of(const CheckVerdict& verdict) const {
   const auto found = group_of_.find(&verdict.comparison);
   return found == group_of_.end() ? nullptr : found->second;
+}
+
+const CheckVerdict* CheckReport::renamed(const CheckVerdict& verdict) const {
+  const auto found = renamed_.find(&verdict);
+  return found == renamed_.end() ? nullptr : found->second;
 }
 
 const CheckVerdict& CheckReport::verdict_on(const DifferingScenario& scenario) const {
@@ -114,19 +201,25 @@ const CheckVerdict& CheckReport::verdict_on(const DifferingScenario& scenario) c
 
 std::string counts_sentence(const CheckReport& report) {
   std::vector<CheckStatus> statuses;
-  for (const CheckVerdict& verdict : report.verdicts()) statuses.push_back(verdict.status);
-  return counts_sentence(statuses);
+  std::int64_t folders_failed = 0;
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (!verdict.is_scenario && verdict.status == Status::failed)
+      ++folders_failed;
+    else
+      statuses.push_back(verdict.status);
+  return counts_sentence(statuses, folders_failed);
 }
 
 void print_check(const CheckReport& report, const Printing& printing) {
   if (printing.is_quiet()) {
     for (const CheckVerdict& verdict : report.verdicts())
       if (verdict.status == Status::failed) print_error(verdict.error);
+    print_names(report);
     return print_text("{}\n", counts_sentence(report));
   }
   if (printing.is_verbose()) print_every(report);
-  const GroupCounts counts{static_cast<std::size_t>(report.scenario_count()), report.groups().size()};
-  for (const DifferenceGroup& group : report.groups()) print_group(group, counts);
+  const auto checked = static_cast<std::size_t>(report.scenario_count());
+  print_groups(report.groups(), report.cores(), checked);
   print_text("{}{}", broken_text(report), physics_text(report));
   print_lines(report);
   if (!report.groups().empty()) print_text("{}", commands_text(report));

@@ -9,6 +9,7 @@
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/print.h"
 #include "tools/hyrax-sim/golden/check_verdict.h"
+#include "tools/hyrax-sim/golden/core_acceptance.h"
 #include "tools/hyrax-sim/golden/difference_group.h"
 
 namespace hyrax {
@@ -25,22 +26,34 @@ class CheckReport {
 
   [[nodiscard]] const std::vector<CheckVerdict>& verdicts() const { return verdicts_; }
   [[nodiscard]] const std::vector<DifferenceGroup>& groups() const { return groups_; }
+  /// Of every golden folder that scenarios have, in order of their names.
+  [[nodiscard]] std::vector<const CoreVerdict*> cores() const { return cores_.verdicts(); }
   [[nodiscard]] const std::vector<std::string>& arguments() const { return arguments_; }
   [[nodiscard]] const std::string& golden_folder() const { return golden_folder_; }
 
+  /// Looks for changes of the core that none of the libraries' scenarios notices.
+  void judge_cores(const std::vector<Library>& libraries);
+  /// Counts the paths of the core's step that the scenarios take.
+  void count_paths();
+
   [[nodiscard]] std::int64_t count(CheckVerdict::Status status) const;
-  /// Unreferenced golden files are no scenarios.
+  /// Unreferenced golden files and folders are no scenarios.
   [[nodiscard]] std::int64_t scenario_count() const;
   /// The group of a scenario whose run differs; nullptr: it is in none.
   [[nodiscard]] const DifferenceGroup* group_of(const CheckVerdict& verdict) const;
+  /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file
+  /// with its run, and the other way round. nullptr: it was not renamed.
+  [[nodiscard]] const CheckVerdict* renamed(const CheckVerdict& verdict) const;
   /// The verdict on a scenario of a group.
   [[nodiscard]] const CheckVerdict& verdict_on(const DifferingScenario& scenario) const;
 
  private:
   std::vector<CheckVerdict> verdicts_;
+  CoreChecks cores_;
   std::vector<DifferenceGroup> groups_;
   std::unordered_map<const Comparison*, const DifferenceGroup*> group_of_;
   std::unordered_map<const Comparison*, const CheckVerdict*> verdict_on_;
+  std::unordered_map<const CheckVerdict*, const CheckVerdict*> renamed_;
   std::vector<std::string> arguments_;
   std::string golden_folder_;
 };
@@ -48,23 +61,25 @@ class CheckReport {
 /// counts_sentence of the verdicts.
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
-/// What is wrong with one scenario, in one line without its path: the cause and how far it moves the run, the
-/// expectations that do not hold, what is missing. Empty if it agrees.
+/// What is wrong with one scenario, in one line without its path: the cause and how far it moves the run, or
+/// where it becomes non-finite; the expectations that do not hold; what is missing. Empty if it agrees.
 [[nodiscard]] std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict);
 
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
 [[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
 
-/// How to accept what differs: the commands that bless it, and before them what in `expect` keeps bless from
-/// doing so, and which golden file was changed after it was blessed. Complete lines, indented by two.
+/// How to accept what differs: the commands that bless it, unless a run becomes non-finite, and before them
+/// what in `expect` keeps bless from doing so, and which golden file was changed since it was blessed.
+/// Complete lines, indented by two.
 /// @param paths scenarios, or folders of them, that are blessed.
-/// @param options of bless, each with a blank before it; --update-hash is added where a state hash needs it.
+/// @param options of bless, each with a blank before it; --update-hash or --update-expect is added where it
+/// is needed.
 /// @param verdicts on all scenarios of `paths`; one of them differs.
 [[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
                                           const std::vector<const CheckVerdict*>& verdicts);
 
-/// A paragraph for each cause, a line for all that is wrong otherwise, the commands that show more, and the
-/// counts (verbose: every scenario first; quiet: counts only, failures on standard error).
+/// A paragraph for each cause, a line for each kind of what is wrong otherwise, the commands that show more,
+/// and the counts (verbose: every scenario first; quiet: names and counts only, failures on standard error).
 void print_check(const CheckReport& report, const Printing& printing);
 
 [[nodiscard]] Json check_json(const CheckReport& report);

@@ -2,9 +2,14 @@
 
 #include <chrono>
 #include <exception>
+#include <new>
 #include <optional>
 
+#include "tools/files/non_finite_text.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
 #include "tools/files/unreferenced_golden.h"
 #include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/runs/paper_model.h"
@@ -26,9 +31,11 @@ void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerd
   verdict.note = std::move(pair->note);
   verdict.runs = std::move(pair->runs);
   verdict.broken = broken_expectations(scenario, pair->summary);
+  if (!has_golden) verdict.state_hash = hex(pair->summary.state_hash);
+  verdict.non_finite = non_finite_text(scenario, pair->summary.final);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
     verdict.status = Status::missing;
-  else if (!verdict.comparison.agrees || !verdict.broken.empty() || pair->summary.non_finite_step)
+  else if (!verdict.comparison.agrees || !verdict.broken.empty() || !verdict.non_finite.empty())
     verdict.status = Status::disagreed;
 }
 
@@ -36,6 +43,15 @@ void fail(CheckVerdict& verdict, ExitCode exit_code, const std::string& error) {
   verdict.status = Status::failed;
   verdict.error = error;
   verdict.exit_code = exit_code;
+}
+
+// Empty for half a golden file, or one that cannot be read.
+std::string stored_state_hash(const GoldenPlace& place) try {
+  return is_regular_file(place.h5_path) && is_regular_file(place.txt_path)
+             ? summary_state_hash(read_text_file(place.txt_path))
+             : "";
+} catch (const Failure&) {
+  return "";
 }
 
 }  // namespace
@@ -52,6 +68,9 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
     verdict.exit_code = exit_code_of(verdict.status);
   } catch (const Failure& failure) {
     fail(verdict, failure.exit_code(), failure.what());
+  } catch (const std::bad_alloc&) {
+    verdict.is_open = !options.reads_golden;  // Alone it has more memory.
+    if (!verdict.is_open) fail(verdict, ExitCode::program_fault, path + ": out of memory");
   } catch (const std::exception& error) {  // Uncaught, it would terminate the program.
     fail(verdict, ExitCode::program_fault, path + ": internal error: " + error.what());
   }
@@ -65,8 +84,10 @@ std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& 
   for (const UnreferencedGolden& golden : find_unreferenced(arguments, golden_folder)) {
     CheckVerdict& verdict = verdicts.emplace_back();
     verdict.path = golden.path;
+    verdict.is_scenario = false;
     verdict.status = Status::unreferenced;
     verdict.exit_code = exit_code_of(verdict.status);
+    verdict.state_hash = stored_state_hash({golden.path + ".h5", golden.path + ".txt"});
     if (!golden.error.empty()) fail(verdict, ExitCode::cannot_access, golden.error);
   }
   return verdicts;

@@ -18,12 +18,16 @@ struct CheckVerdict {
   using Status = CheckStatus;
   std::string path;  ///< Of the scenario as given; of an unreferenced golden file without its suffix.
   Status status = Status::agreed;
+  bool is_scenario = true;  ///< No golden file without a scenario, and no golden folder.
   std::optional<GoldenPlace> golden;
   bool has_golden = false;    ///< Its golden file exists.
   std::string golden_folder;  ///< As given with --golden; empty if it was not.
   Comparison comparison;
-  std::vector<Expectation> broken;       ///< Expectations that do not hold.
-  std::string error;                     ///< Of a failed one.
+  std::vector<Expectation> broken;  ///< Expectations that do not hold.
+  std::string non_finite;           ///< non_finite_text of the run; empty: it stays finite.
+  std::string error;                ///< Of a failed one.
+  /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
+  std::string state_hash;
   std::string note;                      ///< A remark on one that agrees; may be empty.
   std::shared_ptr<const PairRuns> runs;  ///< Of one that differs; see PairComparison.
   bool is_open = false;                  ///< Undecided: the golden file must be read.

@@ -1,10 +1,13 @@
 #include "tools/hyrax-sim/golden/difference_group.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <tuple>
 
-#include "sim/explain/explain.h"
-#include "sim/replay/kernel.h"
+#include "sim/cause/cause_groups.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_changes.h"
 
 namespace hyrax {
@@ -34,32 +37,61 @@ DifferenceGroup make_group(Cause cause, std::vector<DifferingScenario> scenarios
   return group;
 }
 
-Cause changed_golden_file(const Comparison& comparison) {
-  return {kUnknownCause, CauseKind::unknown, comparison.shape, {}, {}};
+// One group, however many they are: what was changed in the first stands for all.
+DifferenceGroup changed_golden_files(const std::vector<DifferingScenario>& scenarios) {
+  std::string detail = scenarios.front().comparison->shape;
+  if (scenarios.size() > 1) detail += fmt::format("; {} more were changed", scenarios.size() - 1);
+  return make_group({CauseKind::golden, detail}, scenarios);
+}
+
+// Of the scenarios of one golden folder.
+void add_groups(const std::vector<DifferingScenario>& scenarios, CoreCheck& core,
+                std::vector<DifferenceGroup>& groups) {
+  std::vector<DifferingRun> runs;
+  for (const DifferingScenario& scenario : scenarios) {
+    const auto& [golden, fresh, is_as_blessed, core_name] = *scenario.runs;
+    runs.push_back({golden, fresh, scenario_changes(golden.scenario, fresh.scenario), is_as_blessed,
+                    core.covers(core_name)});
+  }
+  std::vector<const StoredRun*> core_runs;
+  for (const CauseGroup& group : group_by_cause(runs, core.base())) {
+    std::vector<DifferingScenario> members;
+    for (const std::size_t run : group.runs) {
+      members.push_back(scenarios[run]);
+      if (group.cause.kind == CauseKind::core) core_runs.push_back(&runs[run].fresh);
+    }
+    groups.push_back(make_group(group.cause, std::move(members)));
+  }
+  core.take_core_runs(core_runs);
 }
 
 }  // namespace
 
-std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios) {
-  std::vector<DifferingScenario> played;
-  std::vector<DifferingRun> runs;
-  std::vector<DifferenceGroup> damaged;
+std::string DifferingScenario::non_finite() const {
+  return runs == nullptr ? "" : non_finite_text(runs->fresh.scenario, runs->fresh.final);
+}
+
+std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios,
+                                            CoreChecks& cores) {
+  std::map<std::string, std::vector<DifferingScenario>> played;  // By golden folder.
+  std::vector<DifferingScenario> damaged;
+  std::vector<DifferingScenario> non_finite;
   for (const DifferingScenario& scenario : scenarios) {
-    if (scenario.runs == nullptr) {
-      damaged.push_back(make_group(changed_golden_file(*scenario.comparison), {scenario}));
-      continue;
-    }
-    const auto& [golden, fresh, is_as_blessed] = *scenario.runs;
-    played.push_back(scenario);
-    runs.push_back({golden, fresh, scenario_changes(golden.scenario, fresh.scenario), is_as_blessed});
+    if (scenario.runs == nullptr)
+      damaged.push_back(scenario);
+    else if (!scenario.non_finite().empty())
+      non_finite.push_back(scenario);
+    else
+      played[scenario.golden_folder].push_back(scenario);
   }
   std::vector<DifferenceGroup> groups;
-  for (const CauseGroup& group : explain(runs, core_kernel())) {
-    std::vector<DifferingScenario> members;
-    for (const std::size_t run : group.runs) members.push_back(played[run]);
-    groups.push_back(make_group(group.cause, std::move(members)));
+  if (!non_finite.empty()) {
+    DifferenceGroup group = make_group({CauseKind::non_finite, ""}, std::move(non_finite));
+    group.cause.detail = group.scenarios.front().non_finite();
+    groups.push_back(std::move(group));
   }
-  std::ranges::move(damaged, std::back_inserter(groups));
+  for (const auto& [folder, members] : played) add_groups(members, cores.of(folder), groups);
+  if (!damaged.empty()) groups.push_back(changed_golden_files(damaged));
   return groups;
 }
 
@@ -67,13 +99,9 @@ Json group_json(const DifferenceGroup& group) {
   std::vector<std::string> paths;
   for (const DifferingScenario& scenario : group.scenarios) paths.push_back(scenario.path);
   std::ranges::sort(paths);
-  return Json::Object{{"operation", group.cause.operation},
-                      {"kind", name_of(group.cause.kind)},
+  return Json::Object{{"operation", name_of(group.cause.kind)},
                       {"detail", group.cause.detail},
-                      {"from", or_null(group.cause.from)},
-                      {"to", or_null(group.cause.to)},
                       {"scenarios", Json::Array(paths.begin(), paths.end())},
-                      {"reproduced", static_cast<std::uint64_t>(group.reproduced())},
                       {"class", name_of(group.difference)},
                       {"max_px", group.max_px},
                       {"contacts_moved", group.contacts_moved},

@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/cause/cause.h"
 #include "sim/compare/comparison.h"
-#include "sim/explain/cause.h"
 #include "tools/files/json.h"
+#include "tools/hyrax-sim/golden/core_check.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
 
 namespace hyrax {
@@ -18,7 +19,9 @@ namespace hyrax {
 struct DifferingScenario {
   std::string path;
   const Comparison* comparison = nullptr;
-  const PairRuns* runs = nullptr;  ///< nullptr where the golden file was changed, not the run.
+  const PairRuns* runs = nullptr;                ///< nullptr where the golden file was changed, not the run.
+  std::string golden_folder;                     ///< Has the accepted core.
+  [[nodiscard]] std::string non_finite() const;  ///< non_finite_text of the run.
 };
 
 /// Scenarios of one cause.
@@ -29,17 +32,14 @@ struct DifferenceGroup {
   double max_px = 0.0;                                     ///< Largest distance of two rows of the same step.
   std::int64_t contacts_moved = 0;                         ///< Moved, only old and only new, summed.
   std::optional<double> rest_shift_px;  ///< Largest distance of the final rows where both runs have settled.
-
-  /// How many the cause reproduces in every bit: all, or none of kind unknown.
-  [[nodiscard]] std::size_t reproduced() const {
-    return cause.kind == CauseKind::unknown ? 0 : scenarios.size();
-  }
 };
 
-/// Explains the differences (sim/explain). Groups by their size; those of kind unknown last.
-[[nodiscard]] std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios);
+/// Runs that become non-finite first; then known causes by their size, then unknown ones. The cores take the
+/// runs that differ because of them.
+[[nodiscard]] std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios,
+                                                          CoreChecks& cores);
 
-/// {"operation", "kind", "detail", ...}, an entry of "groups"; scenarios in order of their paths.
+/// {"operation", "detail", ...}, an entry of "groups"; scenarios in order of their paths.
 [[nodiscard]] Json group_json(const DifferenceGroup& group);
 
 }  // namespace hyrax

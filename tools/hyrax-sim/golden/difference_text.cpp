@@ -1,6 +1,7 @@
 #include "tools/hyrax-sim/golden/difference_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -32,7 +33,11 @@ std::string divergence_text(const Divergence& first) {
     return text + "  the hash of the block of 4,096 rows from this step differs\n";
   text += fmt::format("  expected   {}\n  actual     {}\n", value_text(first.field, first.expected),
                       value_text(first.field, first.actual));
-  if (first.ulps) text += fmt::format("  distance   {} ulp{}\n", *first.ulps, *first.ulps == 1 ? "" : "s");
+  if (const std::string ulps = ulps_text(first.ulps); !ulps.empty())
+    text += fmt::format("  distance   {}\n", ulps);
+  else if (first.expected && first.actual && std::isfinite(*first.expected - *first.actual))
+    text += fmt::format("  distance   {:.3g}{}\n", std::abs(*first.actual - *first.expected),
+                        unit_of(first.field));
   return text;
 }
 
@@ -84,6 +89,17 @@ std::string_view meaning(DifferenceClass difference, bool builds_differ) {
 }
 
 }  // namespace
+
+std::string_view unit_of(std::string_view field) {
+  if (field == "t" || field == "dt") return " s";
+  if (field == "x" || field == "y") return " px";
+  return field == "vx" || field == "vy" ? " px/s" : "";
+}
+
+std::string ulps_text(const std::optional<std::uint64_t>& ulps) {
+  constexpr std::uint64_t kShownMax = 1'000'000;
+  return ulps && *ulps <= kShownMax ? fmt::format("{} ulp{}", *ulps, *ulps == 1 ? "" : "s") : "";
+}
 
 std::string field_value_text(std::string_view field, double value) {
   if (field == kRowFields.back().name) return contact_names(static_cast<std::uint8_t>(value));

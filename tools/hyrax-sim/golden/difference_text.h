@@ -23,6 +23,12 @@ namespace hyrax {
 /// The value of a field: the flags of "contact" by name, other values in decimal and hex float.
 [[nodiscard]] std::string field_value_text(std::string_view field, double value);
 
+/// " px" and so on; empty for a field without unit.
+[[nodiscard]] std::string_view unit_of(std::string_view field);
+
+/// "3 ulps"; empty without any, or beyond a million: they say how far rounding went, and nothing of more.
+[[nodiscard]] std::string ulps_text(const std::optional<std::uint64_t>& ulps);
+
 /// The largest distance of two rows in px: 0 if no position differs.
 [[nodiscard]] Json max_px_json(const Comparison& comparison);
 

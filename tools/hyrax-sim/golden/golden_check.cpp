@@ -108,6 +108,11 @@ ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
   return compared;
 }
 
+bool gives_its_rows(const StoredRun& kept) {
+  return kept.steps <= kStepsRestoredMax && step_count(kept.scenario) == kept.steps &&
+         compare_with(kept, kept.scenario).comparison.agrees;
+}
+
 FreshRun play_for_golden(const Scenario& scenario) {
   FreshRecorder recorder(step_count(scenario));
   WaypointMeter waypoints(step_count(scenario));

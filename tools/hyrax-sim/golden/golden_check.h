@@ -18,6 +18,10 @@ struct ComparedRun {
 };
 [[nodiscard]] ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario);
 
+/// Whether the stored run's own scenario gives its rows and contacts. False where that would take too long to
+/// find out.
+[[nodiscard]] bool gives_its_rows(const StoredRun& kept);
+
 /// Plays the scenario and keeps the contents of a golden file. Memory does not grow with the contacts: if
 /// they are many, the run replays them on demand.
 struct FreshRun {

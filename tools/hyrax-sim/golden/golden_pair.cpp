@@ -12,6 +12,7 @@
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
+#include "tools/hyrax-sim/golden/accepted_core.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
 #include "tools/store/trajectory_format.h"
@@ -74,7 +75,8 @@ std::optional<std::string> fault_in(const std::string& text, const StoredRun& ke
                                     const GoldenPlace& place) {
   fresh.run.scenario.name = kept.scenario.name;
   fresh.run.physics = kept.physics;
-  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum};
+  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum, summary_core(text)};
+  if (text.find("\r\n") != std::string::npos) return place.txt_path + ": " + kConvertedLineEnds;
   if (const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums)))
     return place.txt_path + ": " + *fault;
   // Files of earlier versions have fewer attributes; those that they have must be the same.
@@ -84,7 +86,7 @@ std::optional<std::string> fault_in(const std::string& text, const StoredRun& ke
 void refuse_pair(Comparison& comparison, const std::string& fault) {
   comparison.agrees = false;
   comparison.difference = DifferenceClass::shape;
-  comparison.shape = "all rows agree, but the golden file was changed after it was blessed: " + fault +
+  comparison.shape = "the golden file was changed since it was blessed: " + fault +
                      "; restore it, or bless the scenario again";
 }
 
@@ -110,9 +112,14 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
   const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
   const bool is_blessed_file = blessed_checksum == h5_checksum;
+  if (!is_blessed_file && !plays_the_same(kept.scenario, scenario) && !gives_its_rows(kept)) {
+    pair.gives_its_rows = false;
+    refuse_pair(pair.comparison, place.h5_path + ": its scenario does not give its rows");
+    return pair;
+  }
   if (has_other_run(pair.comparison, kept, scenario))
-    pair.runs =
-        std::make_shared<const PairRuns>(PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file});
+    pair.runs = std::make_shared<const PairRuns>(
+        PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file, summary_core(text)});
   if (!pair.comparison.agrees) return pair;
   if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, is_blessed_file, place))
     refuse_pair(pair.comparison, *fault);
@@ -133,7 +140,7 @@ bool has_core_constants(const StoredRun& kept) {
 }  // namespace
 
 std::string summary_of(const FreshRun& fresh, const std::string& reason, const std::string& h5_checksum) {
-  return summary_text(fresh, reason, {contents_checksum(fresh.run), h5_checksum});
+  return summary_text(fresh, reason, {contents_checksum(fresh.run), h5_checksum, program_core().name()});
 }
 
 std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
@@ -143,8 +150,11 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
   FreshRun fresh = play_for_golden(scenario);
   // A summary costs a margin, which takes longer than the run: not where the run is another one.
   const bool has_hash = text.find(fresh.run.state_hash) != std::string::npos;
-  if (has_hash && text == summary_of(fresh, summary_reason(text), h5_checksum))
-    return PairComparison{.summary = fresh.summary};
+  const auto summary = [&] {
+    return summary_text(fresh, summary_reason(text),
+                        {contents_checksum(fresh.run), h5_checksum, summary_core(text)});
+  };
+  if (has_hash && text == summary()) return PairComparison{.summary = fresh.summary};
   if (!reads_h5) return std::nullopt;
   return read_and_compare(scenario, place, text, std::move(fresh), h5_checksum);
 }

@@ -16,6 +16,7 @@ struct PairRuns {
   StoredRun golden;
   StoredRun fresh;                   ///< The run of this program.
   bool is_golden_as_blessed = true;  ///< The .h5 file has the checksum in its summary.
+  std::string core;                  ///< The core that the summary names; empty: written before 0.2.
 };
 
 struct PairComparison {
@@ -24,7 +25,8 @@ struct PairComparison {
   bool is_current = true;  ///< Blessing the run would write this summary again, and this .h5 file.
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
-  /// Where rows, contacts or scenarios differ; nullptr where the pair agrees or was merely changed.
+  bool gives_its_rows = true;  ///< False: the scenario in the .h5 file was changed since it was blessed.
+  /// Where rows, contacts or scenarios differ; nullptr where the pair agrees or the golden file was changed.
   std::shared_ptr<const PairRuns> runs{};
 };
 
@@ -41,7 +43,7 @@ struct PairComparison {
 /// REQUIRES, ERRORS: as compare_with_pair's with `reads_h5`.
 [[nodiscard]] bool is_h5_current(const Scenario& scenario, const GoldenPlace& place);
 
-/// The summary that is blessed with a run.
+/// The summary that is blessed with a run of this program's core.
 /// @param h5_checksum file_checksum of the .h5 file.
 [[nodiscard]] std::string summary_of(const FreshRun& fresh, const std::string& reason,
                                      const std::string& h5_checksum);

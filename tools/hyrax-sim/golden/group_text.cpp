@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t kWorstListed = 3;
 
+bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == CauseKind::non_finite; }
+
 // Three digits say how far; more are in the JSON document. Whole px from 1,000 px on.
 std::string px_text(double px) {
   const bool is_long = px >= 1e3 && px < 1e6;
@@ -63,9 +65,14 @@ std::string rest_text(const DifferingScenario& scenario) {
 // Where nothing explains a difference, where it begins.
 std::string first_text(const DifferenceGroup& group) {
   const auto& first = group.scenarios.front().comparison->first;
-  if (group.reproduced() > 0 || !first) return "";
+  if (group.cause.kind != CauseKind::unknown || !first) return "";
   return fmt::format("  first   step {}, field {} of {}\n", first->step, first->field,
                      printable(group.scenarios.front().path));
+}
+
+std::string_view lead_of(CauseKind kind) {
+  if (kind == CauseKind::unknown) return "; cause unknown: ";
+  return kind == CauseKind::scenario ? ": the scenario changed since it was blessed: " : ": ";
 }
 
 std::string worst_text(const DifferenceGroup& group) {
@@ -79,28 +86,36 @@ std::string worst_text(const DifferenceGroup& group) {
   return text;
 }
 
+void print_group(const DifferenceGroup& group, std::size_t checked) {
+  const auto [subject, verb, predicate] = cause_sentence(group, checked);
+  print_text("{} {}{}\n  {}\n{}", subject, VerdictWord{verb, false}, predicate, consequence_sentence(group),
+             worst_text(group));
+}
+
 }  // namespace
 
-CauseSentence cause_sentence(const DifferenceGroup& group, const GroupCounts& counts) {
+CauseSentence cause_sentence(const DifferenceGroup& group, std::size_t checked) {
   const std::size_t scenarios = group.scenarios.size();
-  CauseSentence sentence{.subject = fmt::format("{} of {} scenario{}", scenarios, counts.checked,
-                                                counts.checked == 1 ? "" : "s"),
-                         .verb = scenarios == 1 ? "differs" : "differ",
-                         .predicate = {}};
-  if (group.reproduced() == 0) {
-    sentence.predicate = fmt::format("; cause unknown: {}.", group.cause.detail);
+  CauseSentence sentence{
+      .subject = fmt::format("{} of {} scenario{}", scenarios, checked, checked == 1 ? "" : "s"),
+      .verb = scenarios == 1 ? "differs" : "differ",
+      .predicate = {}};
+  if (is_non_finite(group)) {
+    sentence.verb = scenarios == 1 ? "becomes non-finite" : "become non-finite";
+    sentence.predicate = fmt::format(": {}{}.", scenarios == 1 ? "" : "in the worst, ", group.cause.detail);
     return sentence;
   }
-  const bool is_edit = group.cause.operation == kScenarioCause;
-  sentence.predicate =
-      fmt::format("{}: {}{} reproduces {} of {}.",
-                  counts.groups == 1 && scenarios > 1 ? ", all by one cause" : " by one cause",
-                  is_edit ? "the scenario changed since it was blessed: " : "", group.cause.detail,
-                  group.reproduced(), scenarios);
+  sentence.predicate = fmt::format("{}{}.", lead_of(group.cause.kind), group.cause.detail);
+  if (group.cause.kind == CauseKind::core)
+    sentence.predicate.insert(sentence.predicate.size() - 1,
+                              scenarios == 1
+                                  ? "; the accepted core gives its golden file"
+                                  : fmt::format("; the accepted core gives all {} golden files", scenarios));
   return sentence;
 }
 
 std::string consequence_sentence(const DifferenceGroup& group) {
+  if (is_non_finite(group)) return "A run ends with its first row that is not finite, and is not blessed.";
   std::string text = fmt::format("{} (class {}): ", class_text(group.difference), name_of(group.difference));
   text += group.max_px > 0.0 ? fmt::format("at most {}", px_text(group.max_px)) : "no position differs";
   text += ", " + contacts_text(group.contacts_moved);
@@ -112,14 +127,18 @@ std::string consequence_sentence(const DifferenceGroup& group) {
 }
 
 std::string scenario_consequence(const DifferingScenario& scenario) {
+  if (const std::string non_finite = scenario.non_finite(); !non_finite.empty()) return non_finite;
   return fmt::format("{}, {}{}", distance_text(scenario),
                      contacts_text(scenario.comparison->contacts.total()), rest_text(scenario));
 }
 
-void print_group(const DifferenceGroup& group, const GroupCounts& counts) {
-  const auto [subject, verb, predicate] = cause_sentence(group, counts);
-  print_text("{} {}{}\n  {}\n{}", subject, VerdictWord{verb, false}, predicate, consequence_sentence(group),
-             worst_text(group));
+void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<const CoreVerdict*>& cores,
+                  std::size_t checked) {
+  const auto first_finite = std::ranges::find_if(
+      groups, [](const DifferenceGroup& group) { return group.cause.kind != CauseKind::non_finite; });
+  for (auto group = groups.begin(); group != first_finite; ++group) print_group(*group, checked);
+  for (const CoreVerdict* const core : cores) print_text("{}", core_text(*core));
+  for (auto group = first_finite; group != groups.end(); ++group) print_group(*group, checked);
 }
 
 }  // namespace hyrax

@@ -8,20 +8,15 @@
 
 namespace hyrax {
 
-/// How many scenarios differ, and by how many causes.
-struct GroupCounts {
-  std::size_t checked = 0;
-  std::size_t groups = 0;
-};
-
-/// "93 of 99 scenarios differ, all by one cause: GRAVITY 1200 -> 1250 reproduces 93 of 93.", in one line.
+/// "93 of 99 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 93 golden files.", in one
+/// line.
 struct CauseSentence {
   std::string subject;    ///< "93 of 99 scenarios".
   std::string verb;       ///< "differ".
-  std::string predicate;  ///< ", all by one cause: ...".
+  std::string predicate;  ///< ": GRAVITY ...".
   [[nodiscard]] std::string text() const { return subject + " " + verb + predicate; }
 };
-[[nodiscard]] CauseSentence cause_sentence(const DifferenceGroup& group, const GroupCounts& counts);
+[[nodiscard]] CauseSentence cause_sentence(const DifferenceGroup& group, std::size_t checked);
 
 /// "Contacts moved: at most 812.3 px apart; 57 contacts moved; comes to rest up to 31 px away." One line.
 [[nodiscard]] std::string consequence_sentence(const DifferenceGroup& group);
@@ -30,7 +25,9 @@ struct CauseSentence {
 /// -> 1240.1, y 952 -> 952".
 [[nodiscard]] std::string scenario_consequence(const DifferingScenario& scenario);
 
-/// Prints both sentences and the three worst scenarios.
-void print_group(const DifferenceGroup& group, const GroupCounts& counts);
+/// Runs that become non-finite, what changed in the cores, the other groups: of each both sentences and the
+/// three worst scenarios.
+void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<const CoreVerdict*>& cores,
+                  std::size_t checked);
 
 }  // namespace hyrax

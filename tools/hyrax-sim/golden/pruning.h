@@ -6,15 +6,22 @@
 
 namespace hyrax {
 
-/// Paths of the golden files without a scenario, .h5 and .txt each: those that `check` reports for the same
-/// arguments as unreferenced.
+/// What --prune finds of the golden files that `check` reports for the same arguments as unreferenced.
+struct Pruning {
+  std::vector<std::string> removed;  ///< Files that bless wrote, .h5 and .txt each; of a link, the link.
+  std::vector<std::string> left;     ///< Others, which stay.
+};
+
+/// Removes nothing yet.
 /// @param folders named `scenarios`, or below one.
-/// ERRORS: Failure(bad_input) for another argument, Failure(cannot_access) for a folder that cannot be read
-/// or changed.
-[[nodiscard]] std::vector<std::string> find_prunable(const std::vector<std::string>& folders,
-                                                     const std::string& golden_folder);
+/// ERRORS: Failure(bad_input) for another argument, for a folder without any scenario, and if the way to its
+/// golden files is a link; Failure(cannot_access) if a folder cannot be changed. Failure of any kind if a
+/// folder, a link or a scenario cannot be read: there may be scenarios that are not seen.
+/// REQUIRES: as read_isolated.
+[[nodiscard]] Pruning find_prunable(const std::vector<std::string>& folders,
+                                    const std::string& golden_folder);
 
 /// ERRORS: Failure(cannot_access) "PATH: cannot be removed: REASON"; those before it are removed.
-void prune(const std::vector<std::string>& files);
+void remove_files(const std::vector<std::string>& files);
 
 }  // namespace hyrax

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstring>
 
+#include "sim/replay/fingerprint.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/build_info.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/diff/trajectory_diff.h"
@@ -211,6 +213,7 @@ Json run_data(const TrajectoryFile& file) {
                     {"result", run_json(run)},
                     {"expect", expectations_json(run.expectations)},
                     {"errors", errors_json(run.drift->summary)},
+                    {"non_finite", non_finite_text(head.scenario, run.summary.final)},
                     {"margin", margin_text(run.drift->margin)},
                     {"provenance", provenance_json(file.provenance())}};
   const std::string text = scenario_file_text(head.scenario);
@@ -237,6 +240,7 @@ Json report_data(const ReportRequest& request) {
   }
   Json::Object data{{"format", "hyrax-report/1"},
                     {"program", "hyrax-sim " + std::string(build_info().version)},
+                    {"core_fingerprint", hex(core_fingerprint())},
                     {"command", request.command},
                     {"runs", std::move(runs)}};
   if (against) data.emplace_back("against", run_data(*against));

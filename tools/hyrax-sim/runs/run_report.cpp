@@ -5,6 +5,7 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
@@ -99,9 +100,6 @@ std::string diff_command_for(const ScenarioRun& run) {
 }
 
 void print_motion(const RunSummary& summary) {
-  if (summary.non_finite_step)
-    print_text("  {}     from step {}; the run ended there\n", VerdictWord{"NOT FINITE", false},
-               *summary.non_finite_step);
   print_text("  contacts       {}\n", counts_text(summary.contacts));
   print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
              summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s, summary.final.vy_px_per_s);
@@ -146,11 +144,16 @@ void print_golden(const ScenarioRun& run) {
 void print_run(const ScenarioRun& run, const Printing& printing) {
   const RunSummary& summary = run.summary;
   if (printing.is_quiet()) {
-    print_text("{}: {}; written: {}\n", run.scenario.name,
-               run.is_as_expected() ? VerdictWord{"agreed", true} : VerdictWord{"disagreed", false},
-               run.output);
+    const std::string_view status = run.status();
+    if (status == "played")
+      print_text("{}: played; no golden file and no expect; written: {}\n", run.scenario.name, run.output);
+    else
+      print_text("{}: {}; written: {}\n", run.scenario.name, VerdictWord{status, run.is_as_expected()},
+                 run.output);
     return;
   }
+  if (const std::string text = non_finite_text(run.scenario, summary.final); !text.empty())
+    print_text("{}: {}; the run ended there\n", VerdictWord{"NOT FINITE", false}, text);
   print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
   if (!is_paper_model(core_model())) print_text("  core           {}\n", core_model());
   print_motion(summary);
@@ -176,9 +179,8 @@ Json run_json(const ScenarioRun& run) {
   Json::Array expectations;
   for (const Expectation& expectation : run.expectations)
     expectations.push_back(expectation_json(expectation));
-  const bool is_good = run.is_as_expected();
   Json::Object object{{"scenario", run.path},
-                      {"status", is_good ? "agreed" : "disagreed"},
+                      {"status", run.status()},
                       {"steps", summary.steps},
                       {"simulated_s", summary.simulated_s},
                       {"contacts", counts_json(summary.contacts)},

@@ -43,7 +43,9 @@ std::string title_of(const Scenario& scenario, std::int64_t steps, double simula
     clock = fmt::format("at {} Hz", rate->rate_hz);
   if (const auto* step = std::get_if<FixedStep>(&scenario.clock.base))
     clock = fmt::format("at dt {} s", step->dt_s);
-  return fmt::format("{}: {} steps, {:.6g} s {}{}", scenario.name, steps, simulated_s, clock,
+  const std::int64_t scripted = step_count(scenario);
+  return fmt::format("{}: {}{} steps, {:.6g} s {}{}", scenario.name, steps,
+                     steps == scripted ? "" : fmt::format(" of {}", scripted), simulated_s, clock,
                      scenario.clock.jitter ? ", jittered" : "");
 }
 

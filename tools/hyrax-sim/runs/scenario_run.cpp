@@ -53,8 +53,8 @@ class StoredErrors {
   [[nodiscard]] bool finish(hid_t file, const RunSummary& summary, DriftRun& run) {
     run = recorder_->finish(summary.steps, summary.simulated_s);
     const bool has_rows = !rows_ || rows_->finish(file);
-    const bool has_arcs =
-        write_measured_arcs(reference_, drift_, {run.summary, run.arcs, run.contacts, checked_by(run.gsl)});
+    const bool has_arcs = write_measured_arcs(
+        reference_, drift_, {run.summary, run.arcs, run.contacts, run.whole, checked_by(run.gsl)});
     reference_ = {};
     drift_ = {};
     return has_rows && has_arcs;
@@ -107,7 +107,8 @@ constexpr std::size_t kContactsDrawnMax = 100;
 }  // namespace
 
 WrittenRun write_run(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
-  if (file_name(output).extension == ".csv") return write_csv(output, scenario, options);
+  if (output == kStandardOutput || file_name(output).extension == ".csv")
+    return write_csv(output, scenario, options);
   const std::int64_t steps = step_count(scenario);
   WrittenRun run = write_trajectory(output, scenario, steps, options);
   if (run.summary.steps == steps) return run;
@@ -121,6 +122,11 @@ bool ScenarioRun::is_as_expected() const {
   const bool all_hold =
       std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.holds; });
   return all_hold && !summary.non_finite_step && (!comparison || comparison->agrees);
+}
+
+const char* ScenarioRun::status() const {
+  if (!is_as_expected()) return "disagreed";
+  return comparison || !expectations.empty() ? "agreed" : "played";
 }
 
 ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, const std::string& output,

@@ -35,8 +35,8 @@ struct WrittenRun {
   std::optional<DriftRun> drift;
 };
 
-/// Plays the scenario and writes a trajectory file, or a CSV file if `output` ends in ".csv". Shows progress.
-/// ERRORS: Failure(cannot_access) if `output` cannot be written.
+/// Plays the scenario and writes a trajectory file, or as CSV if `output` ends in ".csv" or is
+/// kStandardOutput. Shows progress. ERRORS: Failure(cannot_access) if `output` cannot be written.
 [[nodiscard]] WrittenRun write_run(const std::string& output, const Scenario& scenario,
                                    const WriteOptions& options);
 
@@ -63,6 +63,8 @@ struct ScenarioRun : WrittenRun {
   std::optional<Comparison> comparison;  ///< With the golden file; nothing if it is missing.
 
   [[nodiscard]] bool is_as_expected() const;
+  /// "agreed", "disagreed", or "played" if there was nothing to compare with.
+  [[nodiscard]] const char* status() const;
 };
 
 /// Plays the scenario and writes `output`, then judges.

@@ -59,7 +59,7 @@ std::optional<BrokenRule> broken_invariant(const Scenario& scenario, const Check
 }
 
 std::optional<BrokenRule> different_hash(const Digest& own, const std::string& other) {
-  if (hex(own) == other) return std::nullopt;
+  if (hex(own) == other || other.empty()) return std::nullopt;
   return BrokenRule{.invariant = {},
                     .found = hex(own) + " here, " + other + " there",
                     .other_end = other.size() == kHexDigits ? "" : other};
@@ -77,13 +77,15 @@ Shrunk shrink_broken(const Scenario& scenario, const BrokenRule& broken, const O
         scenario, [&](const Scenario& simpler) { return breaks(simpler, *broken.invariant); },
         kShrinkTrialsMax);
   assert(other != nullptr);
-  return shrink_with_progress(
+  Shrunk shrunk = shrink_with_progress(
       scenario,
       [&](const Scenario& simpler) {
         const auto found = different_hash(simpler, *other);
         return found && found->other_end == broken.other_end;
       },
       kProgramTrialsMax);
+  shrunk.is_complete = shrunk.is_complete && !other->is_over();
+  return shrunk;
 }
 
 Shrunk shrink_with_progress(const Scenario& scenario, const std::function<bool(const Scenario&)>& fails,

@@ -25,7 +25,7 @@ struct BrokenRule {
 /// The first invariant that the run breaks though the listing keeps it.
 [[nodiscard]] std::optional<BrokenRule> broken_invariant(const Scenario& scenario, const CheckedRun& run);
 
-/// @param other a state hash, or how the other program ended instead.
+/// @param other a state hash, or how the other program ended instead; empty if it is not known.
 [[nodiscard]] std::optional<BrokenRule> different_hash(const Digest& own, const std::string& other);
 
 /// The scenario's state hash against the other program's.

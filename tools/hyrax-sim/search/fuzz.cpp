@@ -40,7 +40,10 @@ class Fuzzer {
     work([&] { show(progress); });
     workers.clear();
     if (error_) std::rethrow_exception(error_);
-    return {.runs = played_, .elapsed_s = elapsed_s(), .failure = std::move(failure_)};
+    return {.runs = played_,
+            .not_compared = not_compared_,
+            .elapsed_s = elapsed_s(),
+            .failure = std::move(failure_)};
   }
 
  private:
@@ -91,6 +94,7 @@ class Fuzzer {
 
   void compare(std::int64_t first, std::vector<Scenario>& scenarios, const std::vector<Digest>& hashes) {
     const std::vector<std::string> others = other_->state_hashes(scenarios);
+    not_compared_ += std::count(others.begin(), others.end(), "");
     for (std::size_t index = 0; index < others.size(); ++index)
       if (auto broken = different_hash(hashes[index], others[index]))
         return take(first + static_cast<std::int64_t>(index), std::move(scenarios[index]),
@@ -117,6 +121,7 @@ class Fuzzer {
   std::atomic<std::int64_t> next_row_ = 0;
   std::atomic<std::int64_t> end_row_ = rows_;  // Of the first failure.
   std::atomic<std::int64_t> played_ = 0;
+  std::atomic<std::int64_t> not_compared_ = 0;
   std::mutex mutex_;
   std::optional<FuzzFailure> failure_;
   std::exception_ptr error_;

@@ -24,7 +24,8 @@ struct FuzzFailure {
 };
 
 struct FuzzOutcome {
-  std::int64_t runs = 0;  ///< Played.
+  std::int64_t runs = 0;          ///< Played.
+  std::int64_t not_compared = 0;  ///< Of them; the other program did not end in time.
   double elapsed_s = 0.0;
   std::optional<FuzzFailure> failure;  ///< The first one, in order of the runs.
 };

@@ -1,5 +1,6 @@
 #include "tools/hyrax-sim/search/other_program.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -12,7 +13,7 @@
 namespace hyrax {
 namespace {
 
-constexpr double kProcessLimit_s = 60.0;           // For each process.
+constexpr std::size_t kOutBytesMax = 16 << 20;     // Of a batch's document, some 0.5 MiB.
 const std::string kNoHash = std::string(32, '0');  // Which no run has.
 
 // Meets the right wall and the ground, with a gravity and a drag that act: whoever changes a result changes
@@ -79,25 +80,35 @@ Json parsed(const std::string& output) {
 }  // namespace
 
 // `check` is used only if it says the same as `run`, whose output is the older interface.
-OtherProgram::OtherProgram(std::string program, const std::string& option) : program_(std::move(program)) {
+OtherProgram::OtherProgram(std::string program, const std::string& option,
+                           std::optional<SteadyClock::time_point> deadline, double limit_s)
+    : program_(std::move(program)), limit_s_(limit_s), deadline_(deadline) {
   const Scenario scenario = probe();
+  const double given_s = left_s();
   ChildEnd end;
   const std::string hash = query(Query::run, {&scenario, 1}, end).front();
   if (hash.empty())
     throw Failure(ExitCode::bad_input,
                   option + ": `" + program_ + " run FILE --json` printed no state hash (" +
-                      end_text(end, kProcessLimit_s) + "): " + end.err.substr(0, end.err.find('\n')));
+                      end_text(end, given_s) + "): " + end.err.substr(0, end.err.find('\n')));
   uses_check_ = query(Query::check, {&scenario, 1}, end).front() == hash;
 }
 
 std::vector<std::string> OtherProgram::state_hashes(std::span<const Scenario> scenarios) const {
+  if (is_over()) return std::vector<std::string>(scenarios.size());
   ChildEnd end;
   std::vector<std::string> hashes = query(uses_check_ ? Query::check : Query::run, scenarios, end);
   for (std::size_t index = 0; index < scenarios.size(); ++index) {
-    if (hashes[index].empty()) hashes[index] = query(Query::run, scenarios.subspan(index, 1), end).front();
-    if (hashes[index].empty()) hashes[index] = end_text(end, kProcessLimit_s);
+    if (!hashes[index].empty() || is_over()) continue;
+    hashes[index] = query(Query::run, scenarios.subspan(index, 1), end).front();
+    if (hashes[index].empty() && !is_over()) hashes[index] = end_text(end, limit_s_);
   }
   return hashes;
+}
+
+double OtherProgram::left_s() const {
+  if (!deadline_) return limit_s_;
+  return std::clamp(std::chrono::duration<double>(*deadline_ - SteadyClock::now()).count(), 0.0, limit_s_);
 }
 
 // The hash of each; empty where it printed none.
@@ -113,10 +124,10 @@ std::vector<std::string> OtherProgram::query(Query command, std::span<const Scen
     scenario.expect = command == Query::check ? std::optional(another_hash) : std::nullopt;
     paths.push_back(folder.write("in/" + scenario.name + ".json", scenario_file_text(scenario)));
   }
-  end =
-      command == Query::run
-          ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, kProcessLimit_s)
-          : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, kProcessLimit_s);
+  end = command == Query::run
+            ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, left_s(),
+                        kOutBytesMax)
+            : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, left_s(), kOutBytesMax);
   const Json document = parsed(end.out);
   Hashes printed = command == Query::run ? hashes_of_runs(document) : hashes_of_checks(document);
   std::vector<std::string> hashes;

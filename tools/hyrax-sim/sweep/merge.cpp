@@ -7,6 +7,7 @@
 
 #include <sys/resource.h>
 
+#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
 #include "tools/hyrax-sim/command_line/progress.h"
@@ -91,7 +92,9 @@ class Interleaver {
 
 void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
   const EnsembleReader& first_part = *parts.begin()->second;
-  EnsembleWriter writer(output, head, first_part.sweep(), false);
+  AtomicFile target(output);
+  create_ensemble(target.part_path(), head, first_part.sweep());
+  EnsembleWriter writer(target.part_path(), head, first_part.sweep());
   Interleaver interleaver(parts);
   Progress progress("members", head.members);
   while (writer.rows_done() < head.members) {
@@ -102,7 +105,8 @@ void write_merged(const Parts& parts, const EnsembleHead& head, const std::strin
     writer.write(columns, count);
     progress.show(writer.rows_done());
   }
-  writer.commit();
+  writer.finish();
+  target.commit();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -44,11 +45,16 @@ class ChunkPool {
         chunk_rows_(chunk_rows(sweep)),
         player_(sweep) {
     held_max_ = 2 * threads;
+    sigset_t all{};
+    sigset_t before{};
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);  // Only the caller takes signals.
     try {
       for (std::int64_t thread = 1; thread < threads; ++thread)
         threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
     } catch (const std::system_error&) {  // Fewer threads do as well.
     }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   ChunkPool(const ChunkPool&) = delete;
   ChunkPool& operator=(const ChunkPool&) = delete;
@@ -137,20 +143,25 @@ class ChunkPool {
 SweepOutcome compute_sweep(const Sweep& sweep, const SweepJob& job) {
   using std::chrono::steady_clock;
   const steady_clock::time_point start = steady_clock::now();
-  EnsembleWriter writer(job.output, job.head, sweep, job.resumes);
+  PartialResult partial(job.output, job.head, sweep, job.existing);
+  EnsembleWriter writer(partial.partial(), job.head, sweep);
   SweepOutcome outcome;
   outcome.rows = job.head.part.rows(job.head.members);
   outcome.rows_resumed = writer.rows_done();
   {
+    partial.note_done(writer.rows_done());
     ChunkPool pool(sweep, job.head.part, writer.rows_done(), outcome.rows, job.threads);
     Progress progress("members", outcome.rows - outcome.rows_resumed);
     while (const auto chunk = pool.take()) {
-      writer.write({sweep, job.head.part, writer.rows_done(), chunk->results});
+      writer.write({sweep, job.head.part, writer.rows_done(),
+                    static_cast<std::int64_t>(chunk->results.size()), chunk->results});
+      partial.note_done(writer.rows_done());
       outcome.tally += chunk->tally;
       progress.show(writer.rows_done() - outcome.rows_resumed);
     }
   }
-  writer.commit();
+  writer.finish();
+  partial.commit();
   outcome.elapsed_s = std::chrono::duration<double>(steady_clock::now() - start).count();
   return outcome;
 }

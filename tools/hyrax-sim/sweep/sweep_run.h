@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/ensemble/ensemble.h"
-#include "tools/store/ensemble_file.h"
+#include "tools/hyrax-sim/sweep/partial_result.h"
 
 namespace hyrax {
 
@@ -14,7 +14,7 @@ struct SweepJob {
   EnsembleHead head;
   std::string output;
   std::int64_t threads = 1;
-  bool resumes = false;
+  Existing existing = Existing::refused;
 };
 
 struct SweepOutcome {
@@ -25,7 +25,7 @@ struct SweepOutcome {
 };
 
 /// Computes what is not done yet; the same file whatever the threads and however often it was resumed.
-/// ERRORS: as EnsembleWriter.
+/// ERRORS: as PartialResult and EnsembleWriter.
 [[nodiscard]] SweepOutcome compute_sweep(const Sweep& sweep, const SweepJob& job);
 
 struct MergeOutcome {

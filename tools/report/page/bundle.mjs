@@ -38,9 +38,20 @@ async function notices(inputs) {
   return (await Promise.all(texts)).join('\n\n');
 }
 
+const core = await readFile(coreFile);
+
+// As core.js reads it, of the core that goes into the page.
+async function fingerprint() {
+  const { instance: { exports: calls } } = await WebAssembly.instantiate(core, {});
+  calls.__wasm_call_ctors();
+  calls.fingerprint();
+  return Buffer.from(calls.memory.buffer, calls.text(), calls.text_length()).toString();
+}
+
 const spriteText = (await readFile(spriteFile, 'utf8')).replace(/<!--.*?-->/gs, '').replace(/\n\s+/g, '\n');
 const shared = {
-  CORE: gzipSync(await readFile(coreFile), { level: 9 }).toString('base64'),
+  FINGERPRINT: await fingerprint(),
+  CORE: gzipSync(core, { level: 9 }).toString('base64'),
   SPRITE: Buffer.from(spriteText).toString('base64'),
 };
 

@@ -71,7 +71,7 @@ function distanceChart({ rows, other }) {
   if (!other) return [];
   const at = new Map(Array.from(rows.step, (step, i) => [step, i]));
   const distances = Array.from(other.rows.step, (step, i) => (at.has(step) ? Math.hypot(other.rows.x[i] - rows.x[at.get(step)], other.rows.y[i] - rows.y[at.get(step)]) : 0));
-  return [{ id: 'distance', title: `Distance from the ${other.label} file`, unit: 'px', isLog: true, series: [
+  return [{ id: 'distance', title: `Distance from the ${other.name}`, unit: 'px', isLog: true, series: [
     { name: 'distance', color: 'vermilion', values: spread(rows, other.rows.step, distances, value => value > 0) }] }];
 }
 
@@ -156,7 +156,7 @@ export class Charts {
       make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, chart.unit ? `, ${chart.unit}` : '')), make('span', { class: 'keys' }, ...legend),
         make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart) }, 'CSV')));
     place.append(figure);
-    const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(series => series.values)], figure);
+    const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(({ values }) => this.#drawn(values))], figure);
     const playhead = make('div', { class: 'playhead' });
     plot.over.append(playhead);
     const { divergence } = this.result;
@@ -166,6 +166,11 @@ export class Charts {
     plot.root.setAttribute('aria-label', `${chart.title} over time. ${chart.series.map(series => `${series.name}: ${rangeText(series, chart.unit)}`).join('; ')}.`);
     this.#listen(plot);
     return { plot, chart, playhead, marker, outputs: legend.map(key => key.querySelector('output')), figure };
+  }
+
+  // Of a run that becomes non-finite without that value, which has no place on an axis.
+  #drawn(values) {
+    return this.result.run.non_finite ? Array.from(values, value => (Number.isNaN(value) || Math.abs(value) === Infinity ? null : value)) : values;
   }
 
   #options(chart, figure, isLast) {

@@ -27,6 +27,12 @@ export class Core {
     return String.fromCharCode(...text);
   }
 
+  /** 32 hex digits; a program with the same core has the same. */
+  fingerprint() {
+    this.calls.fingerprint();
+    return this.#text();
+  }
+
   /** The scenario of a record, to be held to a file's rows and block digests. Returns its steps; -1: no scenario. */
   load(record, rows, blocks) {
     const flat = new Float64Array(rows.step.length * rowFields.length);

@@ -99,6 +99,29 @@ export class Painter {
     this.#path(context, scene.rows, scene.rows.step.length);
     if (scene.contacts) this.#paintContacts(context, scene.contacts);
     this.#paintInputs(context, scene);
+    for (const { rows } of [scene, { rows: scene.other }]) if (rows) this.#paintNonFinite(context, rows, scene.sizes);
+  }
+
+  // A cross before the row that is not finite, with which a run ends.
+  #paintNonFinite(context, rows, sizes) {
+    const { scale, ratio } = this;
+    const row = rows.step.length - 2;
+    if (row < 0 || [rows.x, rows.y, rows.vx, rows.vy].every(values => Number.isFinite(values[row + 1]))) return;
+    const { sprite } = sizesAt(sizes, rows.step[row]);
+    const [x, y] = [(rows.x[row] + sprite[0] / 2) * scale, (rows.y[row] + sprite[1] / 2) * scale];
+    const arm = 7 * ratio;
+    context.strokeStyle = context.fillStyle = color('vermilion');
+    context.lineWidth = 3 * ratio;
+    context.beginPath();
+    for (const side of [-1, 1]) {
+      context.moveTo(x - arm, y - side * arm);
+      context.lineTo(x + arm, y + side * arm);
+    }
+    context.stroke();
+    context.font = `${12 * ratio}px system-ui, sans-serif`;
+    context.textAlign = x > this.canvas.width / 2 ? 'right' : 'left';
+    context.fillText('not finite', x + (context.textAlign === 'right' ? -1.6 : 1.6) * arm, y - 1.2 * arm);
+    context.textAlign = 'left';
   }
 
   // A ring where the hand or the script met the sprite, with its name; where a hand led it, dots.

@@ -6,10 +6,10 @@ export class Player {
   #frame = 0;
   #keys = new AbortController();
 
-  constructor(moment, contacts, inputs, resetZoom) {
+  constructor(moment, contacts, run, resetZoom) {
     this.moment = moment;
     this.contacts = contacts;
-    this.inputs = inputs;
+    this.run = run;
     this.resetZoom = resetZoom;
     const slider = element('time');
     slider.max = moment.length - 1;
@@ -103,7 +103,7 @@ export class Player {
     action();
   }
 
-  /** A tick for each contact, in the colour of its wall, and a short one for each input, below the slider. */
+  /** A tick for each contact, in the colour of its wall, a short one for each input, a wide one where the run became non-finite: below the slider. */
   paintTicks() {
     const canvas = element('ticks');
     const ratio = devicePixelRatio || 1;
@@ -112,15 +112,17 @@ export class Player {
     canvas.height = Math.round(canvas.clientHeight * ratio);
     const context = canvas.getContext('2d');
     const last = this.moment.rows.step[this.moment.length - 1] || 1;
-    const tick = (step, height) => {
+    const tick = (step, height, width = 1.5) => {
       const at = inset + ((canvas.clientWidth - 2 * inset) * step) / last;
-      context.fillRect(Math.round(at * ratio), 0, Math.max(1, Math.round(1.5 * ratio)), canvas.height * height);
+      context.fillRect(Math.round(at * ratio), 0, Math.max(1, Math.round(width * ratio)), canvas.height * height);
     };
     context.fillStyle = color('ink');
-    for (const { frame } of this.inputs) tick(frame, 0.5);
+    for (const { frame } of this.run.inputs) tick(frame, 0.5);
     for (let i = 0; i < (this.contacts?.step.length ?? 0); ++i) {
       context.fillStyle = color(wallColors[this.contacts.wall[i]]);
       tick(this.contacts.step[i], 1);
     }
+    context.fillStyle = color('vermilion');
+    if (this.run.non_finite) tick(this.run.steps, 1, 5);
   }
 }

@@ -36,9 +36,9 @@ function otherOf(result) {
   const { run, outcome, file } = result;
   if (report.against && !run.golden.agrees) {
     const rows = rowsOf(report.against);
-    if (rows.step.length > 1) return { label: 'golden', rows };
+    if (rows.step.length > 1) return { label: 'golden', name: 'golden file', rows };
   }
-  return outcome === 'differs' && file.step.length > 1 ? { label: 'file', rows: file } : null;
+  return outcome === 'differs' && file.step.length > 1 ? { label: 'file', name: 'file', rows: file } : null;
 }
 
 function divergenceOf(result) {
@@ -59,13 +59,13 @@ class View {
     showDetails(result, step => this.player.seekStep(step));
     painter.setScene({ sizes: this.sizes, rows: result.rows, contacts: result.contacts, inputs: run.inputs, other: result.other?.rows });
     this.charts = new Charts(result, this.sizes, this.moment, index => this.player.seek(index));
-    this.player = new Player(this.moment, result.contacts, run.inputs, () => this.charts.zoom(null));
+    this.player = new Player(this.moment, result.contacts, run, () => this.charts.zoom(null));
     this.charts.followsMouse = () => !this.player.isPlaying && root.dataset.mode !== 'fling';
     this.moment.listen(() => this.#follow());
     const every = result.check?.every ?? 1;
     const decimated = every > 1 ? `Drawn from one row of every ${every.toLocaleString('en')}; the comparison covers all. ` : '';
     element('charts-note').textContent = result.rows.step.length > 5_000 ? `${decimated}Of many rows to a pixel, the smallest and the largest value are drawn.` : decimated;
-    element('stage-note').textContent = result.other ? `Dashed: the ${result.other.label} file.` : '';
+    element('stage-note').textContent = result.other ? `Dashed: the ${result.other.name}.` : '';
     this.setMode('replay');
     this.openLink() || this.paint();
   }
@@ -135,11 +135,22 @@ async function replayed(core, run, share) {
   return replay(core, run, share);
 }
 
+// A page replays what the program that wrote it plays, or says that it does not.
+function requireCoreOf({ program, core_fingerprint: wanted }, core) {
+  const found = core.fingerprint();
+  if (found === wanted) return;
+  root.dataset.core = 'differs';
+  element('other-core').textContent = `This page replays another core than that of the program that wrote it: its picture and charts do not belong to its tables. ` +
+    `Fingerprint of the page's core: ${found}; of ${program}'s: ${wanted}. To write the page again: tools/run SCENARIO --report FILE.html`;
+  element('other-core').hidden = false;
+}
+
 async function main() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
   const core = await Core.start().catch(() => null);
+  if (core) requireCoreOf(report, core);
   const results = [];
   for (const run of report.runs)
     results.push(await replayed(core, run, share => (element('verdict').firstChild.textContent = `Replaying ${run.name}: ${Math.floor(100 * share)} %`)));

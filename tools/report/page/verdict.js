@@ -48,7 +48,8 @@ function contactsTile(contacts) {
   return tile('Contacts', String(total), parts.join(', ') || 'it met no wall');
 }
 
-function restTile({ final, at_rest_since_s: since }) {
+function restTile({ result: { final, at_rest_since_s: since }, non_finite: nonFinite }) {
+  if (nonFinite) return tile('Ends', 'not finite', nonFinite, 'bad');
   const place = `x ${rounded(final.x_px, 6)}, y ${rounded(final.y_px, 6)} px`;
   return since === null ? tile('Ends', 'not settled', place) : tile('Comes to rest', `after ${rounded(since, 4)} s`, place);
 }
@@ -70,12 +71,12 @@ export function showVerdict(result) {
   const verdicts = [replayTile(result), goldenTile(run.golden), expectTile(run.expect)];
   const figures = [
     contactsTile(run.result.contacts),
-    restTile(run.result),
+    restTile(run),
     errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
     errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
     errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
     driftTile({ errors, causes: result.causes }),
   ];
-  const cause = run.cause ? [make('p', { class: 'cause' }, run.cause)] : [];
+  const cause = [run.non_finite && `${run.non_finite}; the run ended there`, run.cause].filter(Boolean).map(text => make('p', { class: 'cause' }, text));
   element('verdict').replaceChildren(...cause, make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
 }

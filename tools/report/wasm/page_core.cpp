@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/replay/fingerprint.h"
 #include "tools/report/wasm/playground.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/report/wasm/shown_run.h"
@@ -72,6 +73,9 @@ HYRAX_EXPORT(output_count) std::int32_t output_count() {
 }
 HYRAX_EXPORT(text) const char* text() { return page().text.data(); }
 HYRAX_EXPORT(text_length) std::int32_t text_length() { return static_cast<std::int32_t>(page().text.size()); }
+
+/// core_fingerprint as text.
+HYRAX_EXPORT(fingerprint) void fingerprint() { page().text = hex(core_fingerprint()); }
 
 /// The file's rows: step, t, dt, x, y, vx, vy, contact of each.
 HYRAX_EXPORT(expect_rows) void expect_rows(std::int32_t count) {

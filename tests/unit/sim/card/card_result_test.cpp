@@ -9,7 +9,6 @@ const Plot& plot_of(const Figure& figure) { return std::get<std::vector<Plot>>(f
 
 TEST(CardResult, OfSameBitsHasNoTables) {
   Card card;
-  card.hard_cases = HardCaseLine{};
   card.recordings = RecordingLine{};
   EXPECT_TRUE(card_tables(card).empty());
   for (const Figure& figure : card_figures(card))
@@ -24,7 +23,8 @@ TEST(CardResult, HasATableForEachKindOfDifference) {
                             .contacts_before = 3,
                             .contacts_after = 2,
                             .end_shift_px = 5.0}}};
-  card.hard_cases = HardCaseLine{.newly_broken = {"case: speed"}, .mended = {"case: energy"}};
+  card.hard_cases.general.mended = {"case: mirror"};
+  card.hard_cases.listing.newly_broken = {"case: speed"};
   card.claims.changed = {{"2.1-gravity", {"holds", "does not hold"}, {1200.0, 1250.0}, "px/s2"}};
   card.recordings = RecordingLine{.recordings = 1, .moved = {{"r.json", 2.0}}};
   const std::vector<Table> tables = card_tables(card);
@@ -34,7 +34,9 @@ TEST(CardResult, HasATableForEachKindOfDifference) {
   EXPECT_EQ(std::get<std::vector<std::int64_t>>(tables[0].columns[4].values).front(), 3);
   EXPECT_EQ(std::get<std::vector<std::int64_t>>(tables[0].columns[5].values).front(), 2);
   EXPECT_EQ(std::get<std::vector<std::string>>(tables[1].columns[1].values),
-            (std::vector<std::string>{"newly broken", "no longer broken"}));
+            (std::vector<std::string>{"general", "listing"}));
+  EXPECT_EQ(std::get<std::vector<std::string>>(tables[1].columns[2].values),
+            (std::vector<std::string>{"no longer broken", "newly broken"}));
   EXPECT_EQ(tables[2].name, "claims");
   EXPECT_EQ(std::get<std::vector<double>>(tables[3].columns[1].values).front(), 2.0);
 }

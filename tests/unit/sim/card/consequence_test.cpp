@@ -24,8 +24,9 @@ ScenarioChange far_away(double px) {
 
 TEST(Consequence, IsTheWidestShift) {
   Card card = changed_card();
-  EXPECT_EQ(consequence_of(card),
-            "The same fling on displays of 24 to 1000 Hz lands 60 px apart instead of 900 px (median).");
+  EXPECT_EQ(
+      consequence_of(card),
+      "The same fling on displays of 24 to 1000 Hz lands 60 px apart instead of 900 px (median of 100).");
   card.displays.spread_px.after = band(895.0);
   EXPECT_EQ(consequence_of(card),
             "A fling lands 10 px from where it did (median; one in ten 20 px or more).");
@@ -36,7 +37,7 @@ TEST(Consequence, WhatDoesNotEndWellComesFirst) {
   card.library.changed = {far_away(1.0)};
   card.library.changed[0].change.no_longer_settles = true;
   EXPECT_EQ(consequence_of(card), "The sprite no longer settles in 1 of 3 scenarios.");
-  card.random.settled = {100, 97};
+  card.random.no_longer_settle = 3;
   EXPECT_EQ(consequence_of(card), "3 of 100 flings no longer settle within 20 s.");
   card.library.changed[0].change.became_non_finite = true;
   EXPECT_EQ(consequence_of(card), "The sprite vanishes in 1 of 3 scenarios: its state is no longer finite.");
@@ -56,6 +57,37 @@ TEST(Consequence, OfFewRunsNamesTheWorst) {
   card.library.changed = {far_away(0.25), far_away(40.0)};
   EXPECT_EQ(consequence_of(card),
             "Most flings look the same; in hard/corner.json the sprite is up to 40 px from where it was.");
+}
+
+// Where every row of scenarios and flings has the same bits.
+TEST(Consequence, CountsHardCasesAndRandomRuns) {
+  Card card{.flings = 100, .scenarios = 3};
+  card.random.classes.same_bits = 100;
+  card.claims.other_numbers = 1;
+  EXPECT_EQ(consequence_of(card),
+            "None in scenarios, flings, hard cases and random runs; claims of the paper change.");
+  card.hard_cases = {.cases = 144, .other_cases = 2, .other_random_runs = {172, 500}};
+  EXPECT_EQ(consequence_of(card),
+            "None in scenarios and flings; 2 of 144 hard cases and 172 of 500 random runs differ.");
+  card.hard_cases.listing = {
+      .cases = {0, 2}, .random_runs = {{0, 500}, {172, 500}}, .newly_broken = {"a: speed"}};
+  EXPECT_TRUE(consequence_of(card).starts_with("None in scenarios and flings;"));
+  card.hard_cases.general = {
+      .cases = {0, 2}, .random_runs = {{0, 500}, {9, 500}}, .newly_broken = {"a: mirror"}};
+  const std::string broken =
+      "Invariants of any core break in 0 -> 2 of 144 hard cases and 0 -> 9 of 500 random runs.";
+  EXPECT_EQ(consequence_of(card), broken);
+  card.random.no_longer_settle = 3;
+  EXPECT_EQ(consequence_of(card), "3 of 100 flings no longer settle within 20 s. " + broken);
+}
+
+// On another display than the scenarios' and the flings'.
+TEST(Consequence, SeesAnotherLandingOnOneDisplay) {
+  Card card{.flings = 100, .scenarios = 3};
+  card.random.classes.same_bits = 100;
+  card.displays.distance_max_px = 7.0;
+  EXPECT_EQ(consequence_of(card),
+            "Most flings look the same; the farthest of 100 lands 7 px from where it did.");
 }
 
 }  // namespace

@@ -22,11 +22,21 @@ Scenario flung_at(std::int64_t frame) {
   return scenario;
 }
 
-CoreRun run_with_friction(double ground_friction, const Scenario& scenario) {
+std::unique_ptr<const Kernel> kernel_with_friction(double ground_friction) {
   Constants constants = kPaper;
   constants.ground_friction = ground_friction;
-  const std::unique_ptr<const Kernel> kernel = listing_kernel(constants);
+  return listing_kernel(constants);
+}
+
+CoreRun run_with_friction(double ground_friction, const Scenario& scenario) {
+  const std::unique_ptr<const Kernel> kernel = kernel_with_friction(ground_friction);
   return play_by({.kernel = kernel.get()}, scenario);
+}
+
+bool settles_with_friction(double ground_friction, const Scenario& scenario) {
+  const std::unique_ptr<const Kernel> kernel = kernel_with_friction(ground_friction);
+  const CoreFunctions core{.kernel = kernel.get()};
+  return settles(core, scenario, play_by(core, scenario));
 }
 
 TEST(CoreRun, ThatRepeatsFromAKeptRowIsComplete) {
@@ -40,6 +50,19 @@ TEST(CoreRun, ThatRepeatsPastTheLastRowKeptIsCut) {
   EXPECT_EQ(std::ssize(run.rows), kCoreRunRowsMax);
   EXPECT_FALSE(run.repetition);
   EXPECT_TRUE(run.is_cut);
+}
+
+// With friction the fling settles after some seconds, without friction never.
+TEST(CoreRun, ThatEndsBeforeItSettlesIsPlayedOn) {
+  Scenario scenario = fling_at(60.0, 120);
+  for (const bool is_recorded : {false, true}) {
+    if (is_recorded) scenario.clock.base = RecordedSteps{std::vector(120, 1.0 / 60.0)};
+    EXPECT_FALSE(run_with_friction(0.8, scenario).at_rest_since_s);
+    EXPECT_TRUE(settles_with_friction(0.8, scenario)) << is_recorded;
+    EXPECT_FALSE(settles_with_friction(1.0, scenario)) << is_recorded;
+  }
+  scenario.clock.base = FixedStep{0.0};
+  EXPECT_FALSE(settles_with_friction(0.8, scenario));
 }
 
 TEST(CompareRuns, FindsADifferenceBeforeAndPastTheLastRowKept) {

@@ -30,9 +30,9 @@ Sweep sweep_over(Scenario base, std::int64_t members, KeepSet keep = all_but_the
   sweep.members = members;
   sweep.seed = 5;
   sweep.keep = keep;
-  sweep.vary = {{"/start/vx_px_per_s", NumberKind::real, UniformDraw{-2500.0, 2500.0}},
-                {"/start/vy_px_per_s", NumberKind::real, UniformDraw{-1500.0, 500.0}},
-                {"/start/x_px", NumberKind::real, UniformDraw{-100.0, 2000.0}}};
+  sweep.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real, UniformDraw{-2500.0, 2500.0}},
+                {"/start/vy_px_per_s", ScenarioNumberKind::real, UniformDraw{-1500.0, 500.0}},
+                {"/start/x_px", ScenarioNumberKind::real, UniformDraw{-100.0, 2000.0}}};
   return sweep;
 }
 
@@ -98,8 +98,8 @@ TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {
   Scenario base = fling_at(60.0, 0);
   base.length = 7.5;
   Sweep sweep = sweep_over(base, 200);
-  sweep.vary.push_back({"/clock/rate_hz", NumberKind::real, ChoiceDraw{{60.0, 120.0, 144.0}}});
-  sweep.vary.push_back({"/duration_s", NumberKind::real, UniformDraw{0.0, 30.0}});
+  sweep.vary.push_back({"/clock/rate_hz", ScenarioNumberKind::real, ChoiceDraw{{60.0, 120.0, 144.0}}});
+  sweep.vary.push_back({"/duration_s", ScenarioNumberKind::real, UniformDraw{0.0, 30.0}});
   expect_same_in_all_details(sweep, "lengths and rates");
 }
 
@@ -114,9 +114,9 @@ TEST(Ensemble, EqualsTheReplayWhereASubnormalSpeedMoves) {
       base.start.y_px = base.window.height_px - base.sprite.height_px;
       base.start_velocity.vy_px_per_s = 0.0;
       Sweep sweep = sweep_over(base, 150);
-      sweep.vary = {{"/start/vx_px_per_s", NumberKind::real,
+      sweep.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real,
                      ChoiceDraw{{kLeast, -kLeast, 2.0 * kLeast, -2.0 * kLeast, -1e-320}}},
-                    {"/start/x_px", NumberKind::real,
+                    {"/start/x_px", ScenarioNumberKind::real,
                      ChoiceDraw{{0.0, kLeast, 20.0 * kLeast, 200.0 * kLeast, 1e-310, 1e-290, 9.0}}}};
       expect_same_in_all_details(sweep, "subnormal speeds at " + std::to_string(rate_hz) + " Hz");
     }
@@ -127,10 +127,11 @@ TEST(Ensemble, EqualsTheReplayWithEvents) {
   base.clock.jitter.reset();
   expect_same_in_all_details(sweep_over(base, 70), "events");
   Sweep sweep = sweep_over(base, 70);
-  sweep.vary.push_back({"/events/1/step", NumberKind::integer, UniformDraw{0.0, 60.0}});
-  sweep.vary.push_back({"/events/2/hitch/dt_s", NumberKind::real, UniformDraw{0.0, 1.0}});
-  sweep.vary.push_back({"/events/4/place/x_px", NumberKind::real, UniformDraw{-100.0, 3000.0}});
-  sweep.vary.push_back({"/events/8/resize/window/width_px", NumberKind::integer, UniformDraw{0.0, 2000.0}});
+  sweep.vary.push_back({"/events/1/step", ScenarioNumberKind::integer, UniformDraw{0.0, 60.0}});
+  sweep.vary.push_back({"/events/2/hitch/dt_s", ScenarioNumberKind::real, UniformDraw{0.0, 1.0}});
+  sweep.vary.push_back({"/events/4/place/x_px", ScenarioNumberKind::real, UniformDraw{-100.0, 3000.0}});
+  sweep.vary.push_back(
+      {"/events/8/resize/window/width_px", ScenarioNumberKind::integer, UniformDraw{0.0, 2000.0}});
   expect_same_in_all_details(sweep, "events of different frames");
 }
 
@@ -145,7 +146,7 @@ TEST(Ensemble, EqualsTheReplayWithJitter) {
       base.clock.jitter = Jitter{kind, amount, 1};
       if (!base.events.empty()) base.events.back().when = std::int64_t{250};
       Sweep sweep = sweep_over(base, 40);
-      sweep.vary.push_back({"/clock/jitter/seed", NumberKind::seed, MemberNumber{}});
+      sweep.vary.push_back({"/clock/jitter/seed", ScenarioNumberKind::seed, MemberNumber{}});
       expect_same_in_all_details(sweep, "jitter " + std::to_string(static_cast<int>(kind)));
     }
 }
@@ -160,7 +161,7 @@ TEST(Ensemble, EqualsTheReplayOfATrace) {
   base.length = std::monostate{};
   expect_same_in_all_details(sweep_over(base, 40), "trace");
   Sweep sweep = sweep_over(base, 10);
-  sweep.vary.push_back({"/clock/dt_s/3", NumberKind::real, UniformDraw{0.0, 0.1}});
+  sweep.vary.push_back({"/clock/dt_s/3", ScenarioNumberKind::real, UniformDraw{0.0, 0.1}});
   expect_same(sweep, "a trace that varies");
 }
 

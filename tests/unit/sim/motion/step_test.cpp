@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "sim/motion/listing.h"
 #include "sim/motion/step.h"
 #include "sim/physics/physics.h"
 #include "sim/scenario/split_mix64.h"
@@ -29,12 +28,6 @@ template <class PartSet>
 auto step_with(const PartSet& parts) {
   return [parts](State& state, double dt_s, const Bounds& bounds) {
     ListingStep(kPaper, parts, bounds)(state, dt_s);
-  };
-}
-
-auto step_of(const StepStatements& statements) {
-  return [statements](State& state, double dt_s, const Bounds& bounds) {
-    StatementRun(dt_s, bounds)(statements, state);
   };
 }
 
@@ -99,26 +92,6 @@ TEST(ListingStep, WithAllPartsIsTheCoreThroughRandomFlings) {
       core.update(dt_s, world.window.width_px, world.window.height_px, 128, 128);
       ASSERT_TRUE(same_state(variant, core)) << "fling " << fling << ", frame " << frame;
     }
-  }
-}
-
-TEST(ListingAsData, IsTheCoreOnEveryEdge) {
-  const auto step = step_of(listing(kPaper));
-  visit_edges([&](const State& start, double dt_s, const World& world) {
-    ASSERT_TRUE(agrees(start, dt_s, world, step));
-  });
-}
-
-TEST(ListingAsData, WithoutAnyOneStatementIsNotTheCore) {
-  for (std::size_t statement = 0; statement < listing(kPaper).size(); ++statement) {
-    StepStatements statements = listing(kPaper);
-    statements.erase(statements.begin() + static_cast<std::ptrdiff_t>(statement));
-    const auto step = step_of(statements);
-    std::size_t differ = 0;
-    visit_edges([&](const State& start, double dt_s, const World& world) {
-      differ += !agrees(start, dt_s, world, step);
-    });
-    EXPECT_GT(differ, 0u) << statement;
   }
 }
 

@@ -49,6 +49,7 @@ TEST(EnergyDrift, WithoutDragIsThatFall) {
   EXPECT_NEAR(arc.energy_drift_rel_end * arc.energy_largest_px2_per_s2, -10.0 * kFall_px2_per_s3, 1e-6);
   EXPECT_NEAR(arc.energy_drift_rel_max, -arc.energy_drift_rel_end, 1e-15);
   EXPECT_NEAR(*arc.energy_drift_slope_per_s * arc.energy_largest_px2_per_s2, -kFall_px2_per_s3, 1e-7);
+  EXPECT_NEAR(*arc.energy_drift_slope_px_per_s, -10.0, 1e-9);
 }
 
 // Control: dynamics without drift have a measured drift of zero.
@@ -125,6 +126,60 @@ TEST_F(FarFromTheOrigin, SubtractedEnergiesLoseThem) {
   const double expected = -kGravity * kGravity / 64.0 / 2.0 * 127.0 / 64.0;
   EXPECT_GT(std::fabs(fall - expected), 0.1);
 }
+
+// The contacts of a run, as files have them.
+struct ContactLog : RowSink {
+  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
+  void contact_began(const Contact& contact) override { all.emplace_back(contact.step, contact.wall); }
+  std::vector<std::pair<std::int64_t, Wall>> all;
+};
+
+// A fling of five seconds in frames of 1e-4 to 5 s.
+class LongFrames : public testing::TestWithParam<double> {
+ protected:
+  static Scenario scenario() {
+    Scenario scenario = fling();
+    scenario.clock.base = FixedStep{GetParam()};
+    scenario.length = static_cast<std::int64_t>(std::max(2.0, 5.0 / GetParam()));
+    return scenario;
+  }
+};
+
+TEST_P(LongFrames, ListAllContacts) {
+  ContactLog log;
+  replay(scenario(), log);
+  Measured measured;
+  measure(scenario(), measured);
+  std::vector<std::pair<std::int64_t, Wall>> listed;
+  for (const ImpactErrors& contact : measured.contacts) listed.emplace_back(contact.step, contact.wall);
+  EXPECT_EQ(listed, log.all);
+  EXPECT_TRUE(listed.size() >= 2 || GetParam() < 1e-3) << "drag once a frame lets it sink";
+  EXPECT_EQ(measured.summary.reference_faults, 0);
+}
+
+TEST_P(LongFrames, AddUpToTheEnergyChangeOfTheRun) {
+  const Columns rows = rows_of(scenario());
+  Measured measured;
+  measure(scenario(), rows, measured);
+  const DriftSummary& s = measured.summary;
+  const ContactEnergyParts& c = s.contact_energy;
+  const auto energy_on_desktop = [](const Row& row) {
+    return (row.vx_px_per_s * row.vx_px_per_s + row.vy_px_per_s * row.vy_px_per_s) / 2 +
+           kGravity * (952.0 - row.y_px);
+  };
+  double largest = 0.0;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    largest = std::max(largest, energy_on_desktop(rows.row(row)));
+  for (const ImpactErrors& contact : measured.contacts)
+    largest = std::max(largest, std::fabs(contact.energy_parts.lift));
+  const double change = energy_on_desktop(rows.row(rows.size() - 1)) - energy_on_desktop(rows.row(0));
+  EXPECT_NEAR(s.reference_energy_px2_per_s2 + s.arc_energy.gravity + s.arc_energy.drag + c.flight + c.lift +
+                  c.bounce + c.friction + c.rest + s.unlisted_energy_px2_per_s2,
+              change, 1e-9 + 1e-12 * largest);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfAFling, LongFrames,
+                         testing::Values(1e-4, 1e-3, 1.0 / 60.0, 0.1, 0.5, 1.0, 2.0, 5.0));
 
 // Below the floor by more than its speed can lift it: no energy that a drift could be measured by.
 TEST(EnergyDrift, IsRelativeToAPixelOfHeightAtLeast) {

@@ -184,6 +184,24 @@ TEST(Margin, OnTheEdgeItselfIsARounding) {
   EXPECT_EQ(margin_of(scenario).half_width, 0x1p-43);
 }
 
+// From row 10 on the sprite stays in its place: each later row decides the same.
+TEST(Margin, NamesTheFirstOfStepsThatDecideAlike) {
+  Scenario scenario = fling();
+  scenario.window = {1920, 100};
+  scenario.sprite = {128, 12};
+  scenario.clock.base = FixedStep{1.0 / 30.0};
+  scenario.events = {{std::int64_t{10}, Stop{}}};
+  for (const auto& [x_px, vx_px_per_s] :
+       {std::pair{1790.86, 368002.79}, std::pair{1790.8649581224138, 367656.83139047585},
+        std::pair{1790.8643896163003, 367562.0545307525}})
+    for (const std::int64_t length : {11, 100, 400}) {
+      scenario.start = {x_px, 12.25};
+      scenario.start_velocity = {vx_px_per_s, -360244.03};
+      scenario.length = length;
+      EXPECT_EQ(margin_of(scenario).nearest->step, 10) << vx_px_per_s << ", " << length << " frames";
+    }
+}
+
 // A speed that has shrunk below the last place of the wall's coordinate moves nothing any more; nor
 // does it make the wall that it touches an edge.
 TEST(Margin, IsNotLimitedByASpeedThatIsRoundedAway) {

@@ -21,7 +21,7 @@ Sweep sweep_of(std::vector<VariedKey> vary, std::int64_t members = 12) {
 }
 
 VariedKey x(decltype(VariedKey::variation) variation) {
-  return {"/start/x_px", NumberKind::real, std::move(variation)};
+  return {"/start/x_px", ScenarioNumberKind::real, std::move(variation)};
 }
 
 TEST(Sweep, DrawsByMemberAndKey) {
@@ -35,7 +35,7 @@ TEST(Sweep, DrawsByMemberAndKey) {
 }
 
 TEST(Sweep, DrawsWholeNumbersWithBothEnds) {
-  const Sweep sweep = sweep_of({{"/steps", NumberKind::integer, UniformDraw{-1.0, 1.0}}}, 1000);
+  const Sweep sweep = sweep_of({{"/steps", ScenarioNumberKind::integer, UniformDraw{-1.0, 1.0}}}, 1000);
   std::array<int, 3> counts{};
   for (std::int64_t member = 0; member < sweep.members; ++member)
     ++counts.at(static_cast<std::size_t>(std::get<std::int64_t>(value_of(sweep, 0, member)) + 1));
@@ -44,7 +44,7 @@ TEST(Sweep, DrawsWholeNumbersWithBothEnds) {
 
 TEST(Sweep, WholeDrawsNeverRoundBeyondTheirEnd) {
   const double high = 0x1p53;
-  const Sweep sweep = sweep_of({{"/steps", NumberKind::integer, UniformDraw{high - 1.0, high}}}, 100);
+  const Sweep sweep = sweep_of({{"/steps", ScenarioNumberKind::integer, UniformDraw{high - 1.0, high}}}, 100);
   for (std::int64_t member = 0; member < sweep.members; ++member)
     EXPECT_LE(std::get<std::int64_t>(value_of(sweep, 0, member)), std::int64_t{1} << 53);
 }
@@ -67,12 +67,12 @@ TEST(Sweep, GridsCombine) {
 
 TEST(Sweep, MembersAreNumbers) {
   EXPECT_EQ(std::get<double>(value_of(sweep_of({x(MemberNumber{})}), 0, 5)), 5.0);
-  const Sweep seeds = sweep_of({{"/clock/jitter/seed", NumberKind::seed, MemberNumber{}}});
+  const Sweep seeds = sweep_of({{"/clock/jitter/seed", ScenarioNumberKind::seed, MemberNumber{}}});
   EXPECT_EQ(std::get<std::uint64_t>(value_of(seeds, 0, 5)), 5u);
 }
 
 TEST(Sweep, MembersHaveTheirNumbers) {
-  const Sweep sweep = sweep_of({x(MemberNumber{}), {"/steps", NumberKind::integer, MemberNumber{}}});
+  const Sweep sweep = sweep_of({x(MemberNumber{}), {"/steps", ScenarioNumberKind::integer, MemberNumber{}}});
   SweepMembers members(sweep);
   for (const std::int64_t member : {3, 1}) {
     EXPECT_EQ(members.scenario(member).start.x_px, static_cast<double>(member));
@@ -93,7 +93,7 @@ TEST(Sweep, PartsHoldEveryMemberOnce) {
 }
 
 TEST(Sweep, FindsTheFirstMemberWithoutFrames) {
-  Sweep sweep = sweep_of({{"/events/0/step", NumberKind::integer, MemberNumber{}}}, 10);
+  Sweep sweep = sweep_of({{"/events/0/step", ScenarioNumberKind::integer, MemberNumber{}}}, 10);
   sweep.base.events = {{std::int64_t{0}, Stop{}}};
   EXPECT_EQ(first_inconsistent_member(sweep), std::nullopt);
   sweep.members = 20;

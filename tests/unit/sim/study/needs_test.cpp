@@ -31,12 +31,13 @@ ScenarioNeeds needs_of(const Scenario& scenario, double within_px = 1.0) {
   return study_needs(scenario, options, [now_ns = std::int64_t{0}]() mutable { return now_ns += 100'000; });
 }
 
-Need need_of_part(const ScenarioNeeds& needs, const std::string& part) {
+PartNeed part_of(const ScenarioNeeds& needs, const std::string& part) {
   for (const PartNeed& need : needs.parts)
-    if (need.part == part) return need.need;
+    if (need.part == part) return need;
   ADD_FAILURE() << "no part " << part;
-  return Need::needed;
+  return {};
 }
+Need need_of_part(const ScenarioNeeds& needs, const std::string& part) { return part_of(needs, part).need; }
 
 // The script with every part is the replay's run, so what is left out of it is left out of that.
 TEST(Script, WithAllPartsIsTheReplayBitForBit) {
@@ -50,14 +51,15 @@ TEST(Script, WithAllPartsIsTheReplayBitForBit) {
     TraceSink trace({.rows_every = 1});
     replay(every, trace);
     std::size_t row = 1;
-    play(script_of(scenario), core_constants(), {}, AllParts(), [&](const State& m, std::uint8_t contact) {
+    play(script_of(scenario), core_constants(), AllParts(), [&](const ScriptFrame& frame) {
+      const State& m = frame.to;
       const Row& wanted = trace.rows().at(row++);
       ASSERT_TRUE(same_bits(m.x_px, wanted.x_px) && same_bits(m.y_px, wanted.y_px) &&
                   same_bits(m.vx_px_per_s, wanted.vx_px_per_s) &&
                   same_bits(m.vy_px_per_s, wanted.vy_px_per_s))
           << name << ", row " << row - 1;
       // What clamps without moving the sprite by a bit is no contact to the replay.
-      ASSERT_EQ(contact & 15 & wanted.contact, wanted.contact & 15) << name << ", row " << row - 1;
+      ASSERT_EQ(frame.contact & 15 & wanted.contact, wanted.contact & 15) << name << ", row " << row - 1;
     });
     EXPECT_EQ(row, trace.rows().size());
   }
@@ -102,13 +104,50 @@ TEST(Needs, FindPartsThatReplaceEachOther) {
   EXPECT_LE(needs.without_all_unneeded.path_px, 1.0);
 }
 
-TEST(Needs, TheControlFailsWhereSomethingNeededIsLeftOut) {
-  const Script script = script_of(scenario_named("flings/first-fling"));
-  Parts parts;
-  parts.leave_out(Part::left_wall);
-  EXPECT_TRUE(difference_without(script, {}, parts).is_same_bits);
-  parts.leave_out(Part::drag);
-  EXPECT_EQ(need_of(difference_without(script, {}, parts), 1.0), Need::needed);
+// At 1000 px/s the rows of one step number are up to 30 px apart, at equal times what drag does in more or
+// fewer frames.
+TEST(Needs, JitterIsJudgedAtEqualTimes) {
+  Scenario scenario = scenario_named("flings/first-fling");
+  scenario.window = {100'000, 100'000};
+  scenario.start_velocity = {1000.0, 0.0};
+  scenario.length = std::int64_t{60};
+  for (const Jitter jitter :
+       {Jitter{Jitter::Kind::uniform, 0.2, 3}, Jitter{Jitter::Kind::missed_frames, 0.1, 3}}) {
+    scenario.clock.jitter = jitter;
+    const PartNeed part = part_of(needs_of(scenario), "jitter");
+    EXPECT_GT(part.difference.path_px, 0.05);
+    EXPECT_LT(part.difference.path_px, 6.0);
+    EXPECT_LT(part.difference.end_px, 6.0);
+  }
+}
+
+TEST(Needs, JitterLeavesEventsAndContactsAtTheirTimes) {
+  Scenario scenario = scenario_named("flings/first-fling");
+  scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.1, 3};
+  EXPECT_LT(part_of(needs_of(scenario), "jitter").difference.path_px, 40.0);
+  scenario.length = std::int64_t{120};
+  scenario.events = {{std::int64_t{60}, Place{{1500.0, 300.0}}}};
+  const PartNeed part = part_of(needs_of(scenario), "jitter");
+  EXPECT_LT(part.difference.path_px, 60.0) << "the place is 1000 px away, the wall's bounce a frame late";
+  EXPECT_LE(part.difference.contacts_moved, 1);
+}
+
+// A quarter of a second in one frame: half of g t^2 more than in many, drag less.
+TEST(Needs, WithoutAHitchItsTimePassesInOrdinaryFrames) {
+  Scenario scenario = scenario_named("flings/first-fling");
+  scenario.window = {100'000, 100'000};
+  scenario.length = std::int64_t{60};
+  scenario.events = {{std::int64_t{20}, Hitch{0.25}}};
+  const PathDifference difference = part_of(needs_of(scenario), "hitch, frame 20").difference;
+  EXPECT_EQ(difference.first_step, 21);
+  EXPECT_NEAR(difference.path_px, 1200.0 * 0.25 * (0.25 - 1.0 / 60.0) / 2.0, 20.0);
+}
+
+TEST(Needs, TimesOfPartsAreThoseOfOnePath) {
+  const ScenarioNeeds needs = needs_of(scenario_named("flings/corner-fling"));
+  for (const PartNeed& part : needs.parts)
+    EXPECT_EQ(std::isnan(part.saved_ns_per_step.median), !(part.model_part && part.difference.is_same_bits))
+        << part.part;
 }
 
 // The replay of the first fling touches the right wall and the ground.
@@ -133,10 +172,8 @@ TEST(Needs, MustAgreeWithTheWallsThatTheReplayTouches) {
 }
 
 TEST(Needs, CountContactsThatMove) {
-  const Script script = script_of(scenario_named("flings/first-fling"));
-  Parts parts;
-  parts.leave_out(Part::right_wall);
-  const PathDifference difference = difference_without(script, {}, parts);
+  const PathDifference difference =
+      part_of(needs_of(scenario_named("flings/first-fling")), "right wall").difference;
   EXPECT_GE(difference.contacts_moved, 1);
   EXPECT_GT(difference.first_step, 1);
   EXPECT_GT(difference.end_px, 100.0);

@@ -307,10 +307,11 @@ TEST(MethodBands, AreThoseOfTheErrorsOneByOne) {
 }
 
 TEST(MethodBands, ClaimOnlyWhatTheIntervalAllows) {
-  EXPECT_EQ(nearness_text({65, 120}), "neither nearer nor farther");
-  EXPECT_EQ(nearness_text({49, 120}), "farther");
-  EXPECT_EQ(nearness_text({80, 120}), "nearer");
-  EXPECT_EQ(nearness_text({0, 0}), "neither nearer nor farther");
+  EXPECT_EQ(nearness_text({65, 120}), "not decided by 120 flings");
+  EXPECT_EQ(nearness_text({2145, 4000}), "it is nearer") << "4000 flings decide it";
+  EXPECT_EQ(nearness_text({49, 120}), "it is farther");
+  EXPECT_EQ(nearness_text({80, 120}), "it is nearer");
+  EXPECT_EQ(nearness_text({0, 0}), "not decided by 0 flings");
 }
 
 }  // namespace

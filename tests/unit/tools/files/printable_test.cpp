@@ -45,5 +45,15 @@ TEST(Shortened, CutsBetweenCharacters) {
   EXPECT_EQ(shortened(before + "\xc3\xa9 and more"), before + "\xc3\xa9...");
 }
 
+TEST(SizeText, HasAUnitThatIsNeverZero) {
+  EXPECT_EQ(size_text(0), "0 bytes");
+  EXPECT_EQ(size_text(1023), "1023 bytes");
+  EXPECT_EQ(size_text(1024), "1.0 KiB");
+  EXPECT_EQ(size_text(58'000), "56.6 KiB");
+  EXPECT_EQ(size_text(1 << 20), "1.0 MiB");
+  EXPECT_EQ(size_text((std::uint64_t{1} << 40) - 1), "1023.9 GiB");
+  EXPECT_EQ(size_text(std::uint64_t{0} - 1), "15.9 EiB");
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -41,7 +41,7 @@ void expect_same_limits(const Json& scenario, const std::string& pointer, bool h
   Scenario read = to_scenario(scenario, "test", "");
   const auto field = number_at(read, pointer);
   ASSERT_TRUE(field) << pointer;
-  const bool is_whole = number_kind(pointer) != NumberKind::real;
+  const bool is_whole = number_kind(pointer) != ScenarioNumberKind::real;
   const double below = is_whole ? field->low - 1.0 : std::nextafter(field->low, -1e300);
   const double above = is_whole ? field->high + 1.0 : std::nextafter(field->high, 1e300);
   EXPECT_FALSE(field->allows(below));

@@ -122,7 +122,7 @@ TEST(RestitutionFigure, DrawsThePapersValueAndPrintsTheMean) {
   const Plot& plot = plot_of(figure);
   ASSERT_EQ(plot.marks.size(), 1u);
   EXPECT_EQ(plot.marks[0].at, 0.6);
-  EXPECT_NE(figure.subtitle.find("mean 0.590, spread 0.000"), std::string::npos);
+  EXPECT_NE(figure.subtitle.find("median 0.590, from 0.59 to 0.59"), std::string::npos);
   EXPECT_EQ(value_at(plot.series[0], 4.0), 0.59);
 }
 

@@ -186,6 +186,21 @@ TEST_F(RunFigureTest, TheLegendCountsContactsThatAreNotDrawn) {
     EXPECT_NE(script.find(label), std::string::npos) << label;
 }
 
+TEST_F(RunFigureTest, ARunThatBecomesNonFiniteSaysSoAndMarksThePlace) {
+  Columns rows = colourful_rows(100);
+  const auto has_mark = [&] {
+    const std::string script = run_figure_script(some_fling(), rows, {});
+    const bool has_note = script.find("'vx is NaN from step 100 of 600 (1.67 s)'") != std::string::npos;
+    const bool has_cross = script.find("$not_finite title") != std::string::npos;
+    EXPECT_EQ(has_note, has_cross);
+    EXPECT_EQ(has_cross, script.find("'not finite'") != std::string::npos);
+    return has_cross;
+  };
+  EXPECT_FALSE(has_mark());
+  rows.append({100, 100.0 / 60, 1.0 / 60, std::nan(""), 500.0, std::nan(""), 0.0, 0});
+  EXPECT_TRUE(has_mark());
+}
+
 TEST_F(RunFigureTest, LeavesOutRowsThatAreNotFinite) {
   Columns rows = colourful_rows(100);
   rows.x_px[50] = std::numeric_limits<double>::quiet_NaN();

@@ -47,7 +47,7 @@ RunSummary some_summary() {
 std::string text_of(const StoredRun& run, const RunSummary& summary, const std::string& reason,
                     const std::string& margin = "") {
   return golden_summary_text(run, summary, some_waypoints(), reason, margin,
-                             {"0123456789abcdef0123456789abcdef", "fedcba9876543210fedcba9876543210"});
+                             {"0123456789abcdef0123456789abcdef", "fedcba9876543210fedcba9876543210", ""});
 }
 
 TEST(GoldenSummary, IsMadeToBeReadInAReview) {

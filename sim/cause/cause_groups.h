@@ -1,0 +1,46 @@
+// Runs that differ from their golden files, grouped by cause.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/cause/cause.h"
+#include "sim/replay/kernel.h"
+#include "sim/trajectory/stored_run.h"
+
+namespace hyrax {
+
+/// A scenario whose run is not the golden file's.
+struct DifferingRun {
+  const StoredRun& golden;
+  const StoredRun& fresh;            ///< The run of this program.
+  std::string scenario_change;       ///< As "/start/vx_px_per_s 40000 -> 40001"; empty: both play the same.
+  bool is_golden_as_blessed = true;  ///< Else the file was changed after it was blessed.
+  bool names_accepted_core =
+      false;  ///< The golden file was blessed with the accepted core, or agreed with it.
+};
+
+/// The cores that the runs are judged by.
+struct CauseBase {
+  const Kernel& program;             ///< Played the fresh runs.
+  const Kernel* accepted = nullptr;  ///< Plays the accepted core's step; nullptr: there is none to play.
+  std::string why_not_played;        ///< Why not, a clause.
+  bool is_same_core = false;         ///< Header and step are the accepted ones, or proved equal.
+  std::string core_change;           ///< Else what changed, as "GRAVITY 1200 -> 1250".
+  bool calls_libm = false;  ///< The accepted step calls functions whose bits differ between libraries.
+};
+
+/// Runs of one cause.
+struct CauseGroup {
+  Cause cause;
+  std::vector<std::size_t> runs;  ///< By their index, in order.
+};
+
+/// Each run in one group: known causes by their size, then unknown ones. The cause is the core where the
+/// accepted step gives the golden file, frame times and contacts included. Else in this order: frame times,
+/// inputs, the scenario's own text, a golden file that was changed, unknown.
+[[nodiscard]] std::vector<CauseGroup> group_by_cause(const std::vector<DifferingRun>& runs,
+                                                     const CauseBase& base);
+
+}  // namespace hyrax

@@ -1,0 +1,253 @@
+#include "sim/cause/header_change.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace hyrax {
+namespace {
+
+// Changes are found by a table of pairs of statements.
+constexpr std::size_t kStatementsMax = 4000;
+
+// Tokens up to `;`, `{`, `}` or a label's `:`, or a directive of the preprocessor.
+struct HeaderStatement {
+  std::vector<std::string_view> tokens;
+  std::int64_t line = 0;
+
+  bool operator==(const HeaderStatement& other) const { return tokens == other.tokens; }
+  // With a blank where the header has any.
+  [[nodiscard]] std::string text() const {
+    std::string joined(tokens.front());
+    for (std::size_t next = 1; next < tokens.size(); ++next) {
+      const std::string_view before = tokens[next - 1];
+      const bool is_tight = before.data() + before.size() == tokens[next].data();
+      joined.append(is_tight ? "" : " ").append(tokens[next]);
+    }
+    return joined;
+  }
+};
+
+bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+class HeaderReader {
+ public:
+  explicit HeaderReader(std::string_view text) : text_(text) {}
+
+  std::vector<HeaderStatement> statements() {
+    while (at_ < text_.size()) {
+      if (skip_blank_or_comment()) continue;
+      if (open_.tokens.empty()) {
+        open_.line = line_;
+        is_directive_ = text_[at_] == '#';
+      }
+      const std::string_view token = next_token();
+      open_.tokens.push_back(token);
+      const bool is_label = token == ":" && open_.tokens.size() == 2;  // As `public:`.
+      if (!is_directive_ && (is_label || token == ";" || token == "{" || token == "}")) close();
+    }
+    close();
+    return std::move(statements_);
+  }
+
+ private:
+  void close() {
+    if (!open_.tokens.empty()) statements_.push_back(std::move(open_));
+    open_ = {};
+    is_directive_ = false;
+  }
+
+  bool skip_blank_or_comment() {
+    const std::string_view rest = text_.substr(at_);
+    if (rest.front() == '\n') {
+      ++line_;
+      ++at_;
+      if (is_directive_) close();
+      return true;
+    }
+    if (rest.starts_with("\\\n")) {
+      ++line_;
+      at_ += 2;
+      return true;
+    }
+    if (rest.front() == ' ' || rest.front() == '\t' || rest.front() == '\r') {
+      ++at_;
+      return true;
+    }
+    if (rest.starts_with("//")) {
+      at_ += std::min(rest.find('\n'), rest.size());
+      return true;
+    }
+    if (!rest.starts_with("/*")) return false;
+    const std::size_t end = std::min(rest.find("*/", 2), rest.size() - 2) + 2;
+    line_ += std::ranges::count(rest.substr(0, end), '\n');
+    at_ += end;
+    return true;
+  }
+
+  std::string_view next_token() {
+    const std::string_view rest = text_.substr(at_);
+    const std::size_t length = length_of_token(rest);
+    line_ += std::ranges::count(rest.substr(0, length), '\n');
+    at_ += length;
+    return rest.substr(0, length);
+  }
+
+  static std::size_t length_of_token(std::string_view rest) {
+    const bool is_number = (rest[0] >= '0' && rest[0] <= '9') ||
+                           (rest[0] == '.' && rest.size() > 1 && rest[1] >= '0' && rest[1] <= '9');
+    std::size_t length = 1;
+    if (is_number) {
+      const auto is_exponent = [&](std::size_t at) {
+        return (rest[at] == '+' || rest[at] == '-') &&
+               std::string_view("eEpP").find(rest[at - 1]) != std::string_view::npos;
+      };
+      while (length < rest.size() &&
+             (is_word(rest[length]) || rest[length] == '.' || rest[length] == '\'' || is_exponent(length)))
+        ++length;
+    } else if (is_word(rest[0])) {
+      while (length < rest.size() && is_word(rest[length])) ++length;
+    } else if (rest[0] == '"' || rest[0] == '\'') {
+      while (length < rest.size() && rest[length] != rest[0] && rest[length] != '\n')
+        length += rest[length] == '\\' ? 2 : 1;
+      length = std::min(length + 1, rest.size());
+    } else {
+      for (const std::string_view pair :
+           {"::", "->", "++", "--", "+=", "-=", "*=", "/=", "%=", "==", "!=", "<=", ">=", "&&", "||"})
+        if (rest.starts_with(pair)) length = 2;
+    }
+    return length;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::int64_t line_ = 1;
+  bool is_directive_ = false;
+  HeaderStatement open_;
+  std::vector<HeaderStatement> statements_;
+};
+
+std::optional<double> number_of(std::string_view token) {
+  std::string digits(token);
+  std::erase(digits, '\'');
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const std::string_view suffix(end, static_cast<std::size_t>(digits.data() + digits.size() - end));
+  if (error != std::errc() || !(suffix.empty() || suffix == "f" || suffix == "F")) return std::nullopt;
+  return value;
+}
+
+// `... NAME = NUMBER ;`, the number perhaps with a sign, or `... NAME { NUMBER`.
+std::optional<HeaderConstant> constant_of(const HeaderStatement& statement) {
+  const auto& tokens = statement.tokens;
+  const bool is_constant = std::ranges::any_of(
+      tokens, [](std::string_view token) { return token == "constexpr" || token == "const"; });
+  const auto equals = std::ranges::find(tokens, "=");
+  if (!is_constant || equals == tokens.begin() || equals == tokens.end()) return std::nullopt;
+  auto next = equals + 1;
+  const bool is_negative = next != tokens.end() && *next == "-";
+  if (is_negative) ++next;
+  if (next == tokens.end() || next + 1 == tokens.end() || *(next + 1) != ";") return std::nullopt;
+  const std::optional<double> value = number_of(*next);
+  if (!value) return std::nullopt;
+  return HeaderConstant{std::string(*(equals - 1)), is_negative ? -*value : *value};
+}
+
+HeaderChange changed(const HeaderStatement& from, const HeaderStatement& to) {
+  const auto old_constant = constant_of(from), new_constant = constant_of(to);
+  if (old_constant && new_constant && old_constant->name == new_constant->name &&
+      old_constant->value != new_constant->value)
+    return {HeaderChangeKind::constant,
+            fmt::format("{} {} -> {}", new_constant->name, old_constant->value, new_constant->value), to.line,
+            *old_constant, *new_constant};
+  return {HeaderChangeKind::altered, fmt::format("{} -> {}", from.text(), to.text()), to.line, {}, {}};
+}
+
+// Statements that only one header has, between two that both have.
+struct HeaderGap {
+  std::vector<HeaderStatement> removed, added;
+
+  void flush(std::vector<HeaderChange>& changes) {
+    const std::size_t both = std::min(removed.size(), added.size());
+    for (std::size_t index = 0; index < both; ++index)
+      changes.push_back(changed(removed[index], added[index]));
+    for (std::size_t index = both; index < removed.size(); ++index)
+      changes.push_back({HeaderChangeKind::removed, removed[index].text(), removed[index].line, {}, {}});
+    for (std::size_t index = both; index < added.size(); ++index)
+      changes.push_back({HeaderChangeKind::added, added[index].text(), added[index].line, {}, {}});
+    removed.clear();
+    added.clear();
+  }
+};
+
+// "line 5", "lines 5, 8 and 9".
+std::string lines_text(std::vector<std::int64_t> lines) {
+  std::ranges::sort(lines);
+  const std::int64_t last = lines.back();
+  lines.pop_back();
+  return lines.empty() ? fmt::format("line {}", last)
+                       : fmt::format("lines {} and {}", fmt::join(lines, ", "), last);
+}
+
+}  // namespace
+
+std::vector<HeaderConstant> header_constants(std::string_view header) {
+  std::vector<HeaderConstant> constants;
+  for (const HeaderStatement& statement : HeaderReader(header).statements())
+    if (const auto constant = constant_of(statement)) constants.push_back(*constant);
+  return constants;
+}
+
+std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current) {
+  const std::vector<HeaderStatement> from = HeaderReader(accepted).statements();
+  const std::vector<HeaderStatement> to = HeaderReader(current).statements();
+  std::size_t same = 0;  // Statements that both begin with.
+  while (same < std::min(from.size(), to.size()) && from[same] == to[same]) ++same;
+  const std::size_t rows = std::min(from.size() - same, kStatementsMax);
+  const std::size_t columns = std::min(to.size() - same, kStatementsMax);
+  // common[i][j]: how many statements the ends from i and from j have in common.
+  std::vector<std::vector<std::uint16_t>> common(rows + 1, std::vector<std::uint16_t>(columns + 1));
+  for (std::size_t i = rows; i-- > 0;)
+    for (std::size_t j = columns; j-- > 0;)
+      common[i][j] = from[same + i] == to[same + j] ? static_cast<std::uint16_t>(common[i + 1][j + 1] + 1)
+                                                    : std::max(common[i + 1][j], common[i][j + 1]);
+  std::vector<HeaderChange> changes;
+  HeaderGap gap;
+  for (std::size_t i = 0, j = 0; i < rows || j < columns;) {
+    if (i < rows && j < columns && from[same + i] == to[same + j]) {
+      gap.flush(changes);
+      ++i, ++j;
+    } else if (j == columns || (i < rows && common[i + 1][j] >= common[i][j + 1])) {
+      gap.removed.push_back(from[same + i++]);
+    } else {
+      gap.added.push_back(to[same + j++]);
+    }
+  }
+  gap.flush(changes);
+  return changes;
+}
+
+std::string changes_sentence(const std::vector<HeaderChange>& changes) {
+  std::vector<std::string> parts;
+  std::vector<std::int64_t> current, accepted;  // Lines.
+  for (const HeaderChange& change : changes) {
+    if (change.kind == HeaderChangeKind::constant) {
+      parts.push_back(change.detail);
+      continue;
+    }
+    auto& lines = change.kind == HeaderChangeKind::removed ? accepted : current;
+    if (std::ranges::find(lines, change.line) == lines.end()) lines.push_back(change.line);
+  }
+  std::vector<std::string> places;
+  if (!current.empty()) places.push_back(lines_text(current));
+  if (!accepted.empty()) places.push_back(lines_text(accepted) + " of the accepted header");
+  if (!places.empty()) parts.push_back(fmt::format("the core changed at {}", fmt::join(places, ", and at ")));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+}  // namespace hyrax

@@ -1,0 +1,39 @@
+// What changed in a core's header, in its own words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hyrax {
+
+/// A number that the header gives a name, as in `static constexpr double GRAVITY = 1200.0;`.
+struct HeaderConstant {
+  std::string name;
+  double value = 0.0;
+};
+
+/// In order of the header.
+[[nodiscard]] std::vector<HeaderConstant> header_constants(std::string_view header);
+
+enum class HeaderChangeKind : std::uint8_t { constant, added, removed, altered };
+inline constexpr std::array<std::string_view, 4> kHeaderChangeNames = {"constant", "added", "removed",
+                                                                       "altered"};
+
+struct HeaderChange {
+  HeaderChangeKind kind = HeaderChangeKind::altered;
+  std::string detail;       ///< As "GRAVITY 1200 -> 1250", "m_vx *= AIR_DRAG;".
+  std::int64_t line = 0;    ///< From 1, in the current header; of what was removed, in the accepted one.
+  HeaderConstant from, to;  ///< Of a constant.
+};
+
+/// Statement by statement; comments, blanks and line ends are no change.
+[[nodiscard]] std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current);
+
+/// "GRAVITY 1200 -> 1250", "the core changed at lines 41 and 48", or both. REQUIRES: there are changes.
+[[nodiscard]] std::string changes_sentence(const std::vector<HeaderChange>& changes);
+
+}  // namespace hyrax

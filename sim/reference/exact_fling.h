@@ -1,0 +1,53 @@
+// A fling by the fixed laws, from impact to impact: the reference that methods are measured against.
+#pragma once
+
+#include <vector>
+
+#include "sim/motion/state.h"
+#include "sim/reference/fixed_laws.h"
+
+namespace hyrax {
+
+struct ExactImpact {
+  double t_s = 0.0;  ///< Since the start.
+  Wall wall = Wall::ground;
+};
+
+/// Between impacts the closed form of flight.h; each impact is its root (impact.h). Frames play no part.
+class ExactFling {
+ public:
+  explicit ExactFling(const FixedLaws& laws = FixedLaws()) : laws_(laws) {}
+
+  /// Starts again at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
+  /// that it is behind, as an impact at time 0.
+  /// @param slides whether it lies on the ground, after its last impact there.
+  /// @param until_s no later time will be asked for. Longer than any scenario that is studied by default, and
+  /// short enough for the closed form's bracket.
+  void start(const State& motion, const Bounds& bounds, bool slides = false, double until_s = 1e4);
+
+  /// REQUIRES: t_s not below any asked for before, since the start, and at most until_s.
+  [[nodiscard]] State at(double t_s);
+
+  [[nodiscard]] bool slides() const { return slides_; }
+  /// Up to the latest time asked for, in their order; the corner's wall in x first.
+  [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
+
+ private:
+  void put_inside();
+  void find_next();
+  void meet(Wall wall);
+  void turn(double& speed_px_per_s) const;
+  [[nodiscard]] State fly(double since_s) const;
+
+  FixedLaws laws_;
+  Bounds bounds_;
+  State from_;           // State at from_s_,
+  double from_s_ = 0.0;  // where this arc or slide began.
+  double until_s_ = 0.0;
+  double next_s_ = 0.0;  // Time of the next impact.
+  Wall next_wall_ = Wall::ground;
+  bool slides_ = false;
+  std::vector<ExactImpact> impacts_;
+};
+
+}  // namespace hyrax

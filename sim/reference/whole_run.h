@@ -1,0 +1,76 @@
+// The whole run against the exact fling, row by row: how far it ends from where physics would put it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/reference/exact_fling.h"
+#include "sim/reference/model.h"
+#include "sim/trajectory/input_playback.h"
+#include "sim/trajectory/row_sink.h"
+
+namespace hyrax {
+
+/// Distances are hypot(dx, dy) of run and exact fling at the time of a row, energies those of the run minus
+/// the exact fling's, as the height that they lift the sprite by. Row 0 is where both begin.
+struct WholeRun {
+  double end_px = 0.0;
+  double max_px = 0.0;
+  std::int64_t max_px_step = 0;  ///< The first row of that distance.
+  double energy_end_px = 0.0;    ///< Signed.
+  double energy_max_px = 0.0;    ///< Magnitude.
+  /// Row of the first contact, counted in order since the last input until the exact fling slides, whose wall
+  /// is not that of the exact impact.
+  std::optional<std::int64_t> contacts_differ_from;
+};
+
+struct WholeOutcome {
+  std::optional<WholeRun> run;
+  std::string why_not;  ///< Why there is no exact fling.
+};
+
+/// Gets every row of a run, live or from a file, and flies the exact fling with the run's inputs and sizes.
+/// Between inputs the exact fling goes its own way; a velocity that is set is set for both, a start outside
+/// is an impact at time 0, and a sprite that slid on goes on sliding where an input leaves it on the ground
+/// without vertical speed.
+class WholeMeter final : public RowSink {
+ public:
+  /// @param inputs of the scenario, as they were applied.
+  WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model = {});
+
+  [[nodiscard]] Wants wants() const override { return {.rows_every = is_over_ ? 0 : 1}; }
+  void rows(const Columns& batch) override;
+  void repeats(const Repetition& repetition) override { repetition_ = repetition; }
+  [[nodiscard]] const WholeOutcome& outcome() const { return outcome_; }
+
+ private:
+  void take(const Row& row);
+  void start(const Row& from);
+  void fly_to(double t_s);
+  void compare(const Row& row);
+  void compare_contacts(const Row& row);
+  void end_without(std::string why);
+
+  InputPlayback playback_;
+  FixedLaws laws_;
+  ExactFling fling_;
+  std::int64_t steps_;
+  State exact_;
+  double from_s_ = 0.0;  // Time at which the exact fling began, or began again after an input.
+  // The exact fling slides on by less than can be measured: from there on it is in its place.
+  std::optional<std::int64_t> still_from_step_;
+  struct Met {
+    std::int64_t step = 0;
+    Wall wall = Wall::ground;
+  };
+  std::vector<Met> met_;  // The run's contacts since from_s_,
+  std::size_t compared_ = 0;
+  std::uint8_t contact_before_ = 0;
+  std::optional<Repetition> repetition_;
+  bool is_over_ = false;
+  WholeOutcome outcome_;
+};
+
+}  // namespace hyrax

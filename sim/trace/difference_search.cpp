@@ -1,0 +1,269 @@
+#include "sim/trace/difference_search.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "sim/trace/step_draw.h"
+
+namespace hyrax {
+namespace {
+
+constexpr int kRepairsMax = 12;  // Conditions that are put right, one after the other, for one path.
+constexpr int kTurnsMax = 8;     // Of the secant method.
+constexpr std::int64_t kFlingFrames = 600;  // Played where a row does not hold all members.
+
+bool is_state(StepNumber number) { return number < StepNumber::dt; }
+
+// The number that is `ulps` further.
+double moved_by_ulps(double value, int ulps) {
+  for (; ulps > 0; --ulps) value = std::nextafter(value, HUGE_VAL);
+  for (; ulps < 0; ++ulps) value = std::nextafter(value, -HUGE_VAL);
+  return value;
+}
+
+double moved(StepNumber number, double value, int ulps) {
+  return limited(number, is_size(number) ? value + ulps : moved_by_ulps(value, ulps));
+}
+
+// A step that is changed until it takes a path, and from there to either side of the conditions.
+class Search {
+ public:
+  Search(const SearchTarget& target, std::uint64_t seed, std::int64_t steps_max)
+      : target_(target),
+        step_(target.owner->step()),
+        draw_(step_, target.other->step(), seed),
+        steps_max_(steps_max),
+        dependencies_(dependencies_of(step_)) {
+    for (std::size_t path = 0; path < target.is_on_path.size(); ++path)
+      if (target.is_on_path[path]) paths_.push_back(path);
+  }
+
+  DifferenceSearch run() {
+    if (paths_.empty()) return result_;
+    for (std::size_t round = 0; !is_done(); ++round) {
+      // Of four rounds one is not directed. Sizes and rates are real in the first ones, then in every other.
+      const bool is_real = round < 400 || round % 2 == 0;
+      if (round % 4 == 3) {
+        for (int draw = 0; draw < 16 && !is_done(); ++draw) {
+          now_ = draw_.numbers(is_real);
+          check();
+        }
+        continue;
+      }
+      now_ = draw_.numbers(is_real);
+      const StepPath& path = step_.paths_of(CoreFunction::update)[paths_[draw_.below(paths_.size())]];
+      if (check() || !take(path, is_real)) continue;
+      explore(path, is_real);
+    }
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] bool is_done() const { return result_.found || result_.steps_tried >= steps_max_; }
+
+  // Which numbers each expression depends on, a bit each.
+  static std::vector<std::uint16_t> dependencies_of(const TracedStep& step) {
+    constexpr std::array<std::string_view, kStepNumbers> kNames = {
+        "x", "y", "vx", "vy", "dt", "window_width", "window_height", "sprite_width", "sprite_height"};
+    std::vector<std::uint16_t> dependencies;
+    for (const Expression& expression : step.expressions) {
+      std::uint16_t bits = 0;
+      for (std::size_t number = 0; number < kStepNumbers; ++number)
+        if (expression.op == Operator::argument && expression.name == kNames[number])
+          bits = static_cast<std::uint16_t>(1u << number);
+      for (const std::int32_t operand : expression.operands)
+        if (operand >= 0) bits |= dependencies[static_cast<std::size_t>(operand)];
+      dependencies.push_back(bits);
+    }
+    return dependencies;
+  }
+
+  // Takes both steps from `now_`. Returns whether that ended the search.
+  bool check() {
+    const StepInput input = input_of(now_);
+    TracedBody owner(*target_.owner, input.world.state);
+    TracedBody other(*target_.other, input.world.state);
+    const bool has_further = step_.members.size() > 4 || target_.other->step().members.size() > 4;
+    bool is_evaluated = false;
+    for (std::int64_t frame = 1; frame <= (has_further ? kFlingFrames : 1); ++frame) {
+      for (TracedBody* const body : {&owner, &other})
+        body->update(input.dt_s, input.world.window.width_px, input.world.window.height_px,
+                     input.world.sprite.width_px, input.world.sprite.height_px);
+      ++result_.steps_tried;
+      is_evaluated |= target_.is_on_path[static_cast<std::size_t>(owner.path())];
+      const State a = {owner.x(), owner.y(), owner.vx(), owner.vy()};
+      const State b = {other.x(), other.y(), other.vx(), other.vy()};
+      if (!is_finite(a) && !is_finite(b)) break;
+      if (same_bits(a, b)) continue;
+      if (!is_evaluated) break;
+      result_.found = input;
+      result_.frames = frame;
+      break;
+    }
+    return is_done();
+  }
+
+  void evaluate() {
+    const StepInput input = input_of(now_);
+    std::array<double, kStepMembersMax> members{};
+    const State& state = input.world.state;
+    target_.owner->run(CoreFunction::construct, members,
+                       {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s, 0.0});
+    target_.owner->evaluate(members, arguments_of(input), values_);
+    ++result_.steps_tried;
+  }
+
+  [[nodiscard]] double value(std::int32_t expression) const {
+    return values_[static_cast<std::size_t>(expression)];
+  }
+  [[nodiscard]] double gap(const StepComparison& comparison) const {
+    return value(comparison.left) - value(comparison.right);
+  }
+  [[nodiscard]] bool holds(const StepComparison& comparison) const {
+    const double left = value(comparison.left);
+    const double right = value(comparison.right);
+    return comparison.relation == Relation::less            ? left < right
+           : comparison.relation == Relation::less_or_equal ? left <= right
+                                                            : left == right;
+  }
+  [[nodiscard]] const StepComparison& comparison_of(const StepOutcome& outcome) const {
+    return step_.comparisons[static_cast<std::size_t>(outcome.comparison)];
+  }
+  double& number(StepNumber which) { return now_[static_cast<std::size_t>(which)]; }
+
+  // Changes `now_` until it takes the path: one condition after the other.
+  bool take(const StepPath& path, bool keeps_real) {
+    for (int repair = 0; repair < kRepairsMax && !is_done(); ++repair) {
+      evaluate();
+      std::vector<const StepOutcome*> wrong;
+      for (const StepOutcome& outcome : path.outcomes)
+        if (holds(comparison_of(outcome)) != outcome.holds) wrong.push_back(&outcome);
+      if (wrong.empty()) return true;
+      const StepOutcome& outcome = *wrong[draw_.below(wrong.size())];
+      const StepComparison& comparison = comparison_of(outcome);
+      const std::optional<StepNumber> which = number_to_change(comparison, keeps_real);
+      if (!which) return false;
+      const double before = number(*which);
+      if (!solve(comparison, *which)) {
+        number(*which) = before;
+        continue;
+      }
+      if (!step_aside(comparison, *which, outcome.holds)) number(*which) = before;
+    }
+    return false;
+  }
+
+  // One that the comparison depends on. Sizes and dt stay real where the state will do.
+  std::optional<StepNumber> number_to_change(const StepComparison& comparison, bool keeps_real) {
+    const unsigned bits = dependencies_[static_cast<std::size_t>(comparison.left)] |
+                          dependencies_[static_cast<std::size_t>(comparison.right)];
+    std::array<StepNumber, kStepNumbers> candidates{};
+    std::size_t count = 0;
+    const bool only_state = keeps_real || draw_.below(4) != 0;
+    for (const bool takes_all : {false, true}) {
+      for (std::size_t index = 0; index < kStepNumbers; ++index) {
+        const auto candidate = static_cast<StepNumber>(index);
+        if ((bits >> index & 1u) != 0 && (takes_all || !only_state || is_state(candidate)))
+          candidates[count++] = candidate;
+      }
+      if (count > 0) return candidates[draw_.below(count)];
+    }
+    return std::nullopt;
+  }
+
+  // Brings both sides of the comparison together, by one number: the secant method. Values are evaluated at
+  // the end. Returns whether they came near.
+  bool solve(const StepComparison& comparison, StepNumber which) {
+    double first = number(which);
+    evaluate();
+    double first_gap = gap(comparison);
+    double change =
+        is_size(which) ? 16.0 : std::max(std::fabs(first) * 0x1p-6, which == StepNumber::dt ? 1e-3 : 1.0);
+    double second = limited(which, first + change);
+    if (second == first) second = limited(which, first - change);
+    for (int turn = 0; turn < kTurnsMax && first_gap != 0.0 && !is_done(); ++turn) {
+      number(which) = second;
+      evaluate();
+      const double second_gap = gap(comparison);
+      const double slope = (second_gap - first_gap) / (second - first);
+      if (second_gap == 0.0) return true;
+      if (!(std::fabs(slope) > 0.0) || !std::isfinite(slope)) return false;
+      first = second;
+      first_gap = second_gap;
+      second = limited(which, second - second_gap / slope);
+      if (second == first) break;
+    }
+    evaluate();
+    const double scale =
+        std::max({std::fabs(value(comparison.left)), std::fabs(value(comparison.right)), 1.0});
+    return std::fabs(gap(comparison)) <= scale * (is_size(which) ? 1.0 : 1e-3);
+  }
+
+  // From where both sides are near, to where the comparison is as wanted: at the next number, or further.
+  bool step_aside(const StepComparison& comparison, StepNumber which, bool wanted) {
+    const double root = number(which);
+    const bool is_near = draw_.below(3) == 0;
+    for (int turn = 0; turn < 8 && !is_done(); ++turn) {
+      double aside = root;
+      if (is_near || comparison.relation == Relation::equal)
+        aside = moved(which, root, (turn + 1) / 2 * (turn % 2 == 0 ? 1 : -1));
+      else
+        aside = root + (is_size(which)            ? draw_.of_any_size(0, 10)
+                        : which == StepNumber::dt ? draw_.of_any_size(-12, 0)
+                                                  : draw_.of_any_size(-6, 10));
+      number(which) = limited(which, aside);
+      evaluate();
+      if (holds(comparison) == wanted) return true;
+    }
+    return false;
+  }
+
+  // `now_` is on the path: neighbours, and both sides of the conditions of the path.
+  void explore(const StepPath& path, bool keeps_real) {
+    const StepNumbers base = now_;
+    if (check()) return;
+    for (int turn = 0; turn < 4 && !is_done(); ++turn) {
+      now_ = base;
+      const auto which = static_cast<StepNumber>(draw_.below(keeps_real ? 4 : kStepNumbers));
+      number(which) = limited(which, is_size(which) ? number(which) + draw_.of_any_size(0, 8)
+                                                    : number(which) * (1.0 + draw_.of_any_size(-30, -2)));
+      check();
+    }
+    for (int turn = 0; turn < 2 && !is_done() && !path.outcomes.empty(); ++turn) {
+      now_ = base;
+      const bool takes_own = turn == 0 && target_.comparison >= 0;
+      const StepComparison& comparison =
+          takes_own ? step_.comparisons[static_cast<std::size_t>(target_.comparison)]
+                    : comparison_of(path.outcomes[draw_.below(path.outcomes.size())]);
+      const std::optional<StepNumber> which = number_to_change(comparison, keeps_real);
+      if (!which || !solve(comparison, *which)) continue;
+      const double root = number(*which);
+      for (int ulps = -2; ulps <= 2 && !is_done(); ++ulps) {
+        number(*which) = moved(*which, root, ulps);
+        check();
+      }
+    }
+  }
+
+  const SearchTarget& target_;
+  const TracedStep& step_;
+  StepDraw draw_;
+  std::int64_t steps_max_;
+  std::vector<std::uint16_t> dependencies_;
+  std::vector<std::size_t> paths_;
+  StepNumbers now_{};
+  std::vector<double> values_;
+  DifferenceSearch result_;
+};
+
+}  // namespace
+
+DifferenceSearch search_difference(const SearchTarget& target, std::uint64_t seed, std::int64_t steps_max) {
+  return Search(target, seed, steps_max).run();
+}
+
+}  // namespace hyrax

@@ -1,0 +1,159 @@
+#include "sim/trace/host/explorer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "sim/trace/host/recorder.h"
+
+namespace hyrax::trace {
+namespace {
+
+// Of one function by name: numbers, then sizes.
+struct Arguments {
+  std::array<const char*, 4> numbers{};
+  std::array<const char*, 4> sizes{};
+};
+constexpr std::array<Arguments, kCoreFunctions> kArguments = {{
+    {{"start_x", "start_y", "start_vx", "start_vy"}, {}},
+    {{"dt"}, {"window_width", "window_height", "sprite_width", "sprite_height"}},
+    {{"new_x", "new_y"}, {}},
+    {{"new_vx", "new_vy"}, {}},
+    {{}, {}},
+}};
+
+// What all numbers have in common, in the memory of a body.
+struct Slot {
+  double value;
+  Index expression;
+  std::uint32_t tag;
+};
+static_assert(sizeof(Slot) == sizeof(Real));
+
+NumberKind kind_of(const Slot& slot) {
+  return slot.tag == kTruthTag ? NumberKind::whole : static_cast<NumberKind>(slot.tag - kNumberTag);
+}
+
+Index index_of(const Slot& slot) {
+  return slot.expression == kConstant ? record_constant(kind_of(slot), slot.value) : slot.expression;
+}
+
+class Explorer {
+ public:
+  explicit Explorer(const TracedCore& core) : core_(core), slots_(core.size_bytes / sizeof(Slot)) {
+    if (!core.is_trivially_copyable) stop("memory outside the body: class physics is not trivially copyable");
+    if (core.size_bytes % sizeof(Slot) != 0) stop(kOtherMember);
+    if (slots_.size() > kStepMembersMax) stop("more than 32 members");
+    start_path({}, false);
+    call(CoreFunction::construct);
+    for (const Slot& slot : slots_)
+      if (slot.tag < kNumberTag || slot.tag > kTruthTag) stop(kOtherMember);
+    find_members();
+  }
+
+  // In the order of TracedStep::members.
+  [[nodiscard]] std::vector<NumberKind> members() const {
+    std::vector<NumberKind> kinds;
+    for (const std::size_t slot : order_) kinds.push_back(kind_of(before_[slot]));
+    return kinds;
+  }
+
+  std::vector<StepPath> paths_of(CoreFunction function) {
+    std::vector<StepPath> paths;
+    std::vector<std::vector<StepOutcome>> to_do = {{}};
+    while (!to_do.empty()) {
+      if (++paths_ > kStepPathsMax) stop(kTooManyPaths);
+      const std::size_t planned = to_do.back().size();
+      // A loop that time ends has a path of any length: one of both ways finds it at once.
+      start_path(std::move(to_do.back()), paths_ % 2 == 0);
+      to_do.pop_back();
+      if (function != CoreFunction::construct) slots_ = before_;
+      call(function);
+      const std::vector<StepOutcome>& outcomes = path_outcomes();
+      if (outcomes.size() < planned) stop(kMemoryOutside);
+      StepPath& path = paths.emplace_back();
+      path.outcomes = outcomes;
+      for (const std::size_t slot : order_) path.members.push_back(index_of(slots_[slot]));
+      for (std::size_t other = planned; other < outcomes.size(); ++other) {
+        to_do.emplace_back(outcomes.begin(), outcomes.begin() + static_cast<std::ptrdiff_t>(other) + 1);
+        to_do.back().back().holds = !outcomes[other].holds;
+      }
+    }
+    return paths;
+  }
+
+ private:
+  static constexpr char kOtherMember[] =
+      "memory outside the body: a member that is not double, float, int or bool";
+
+  void call(CoreFunction function) {
+    const Arguments& names = kArguments[static_cast<std::size_t>(function)];
+    std::array<Real, 4> numbers;
+    std::array<Whole, 4> sizes;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (names.numbers[i] != nullptr)
+        numbers[i] = Real::of(record_argument(NumberKind::real, names.numbers[i]));
+      if (names.sizes[i] != nullptr) sizes[i] = Whole::of(record_argument(NumberKind::whole, names.sizes[i]));
+    }
+    core_.call(function, slots_.data(), numbers.data(), sizes.data());
+  }
+
+  // Gives each member a name of its own, and sees which of them x(), y(), vx() and vy() return.
+  void find_members() {
+    static constexpr std::array<const char*, 4> kNames = {"x", "y", "vx", "vy"};
+    before_ = slots_;
+    name_members([](std::size_t slot) { return "slot_" + std::to_string(slot); });
+    std::vector<bool> is_found(before_.size());
+    for (const Real& number : core_.read(before_.data())) {
+      const auto slot = std::find_if(before_.begin(), before_.end(), [&](const Slot& member) {
+        return number.expression == member.expression ||
+               number.expression == record(Operator::to_real, NumberKind::real, member.expression);
+      });
+      if (slot == before_.end() || is_found[static_cast<std::size_t>(slot - before_.begin())])
+        stop("memory outside the body: x(), y(), vx() and vy() are not four members");
+      order_.push_back(static_cast<std::size_t>(slot - before_.begin()));
+      is_found[order_.back()] = true;
+    }
+    for (std::size_t slot = 0; slot < before_.size(); ++slot)
+      if (!is_found[slot]) order_.push_back(slot);
+    name_members([&](std::size_t slot) -> std::string {
+      const auto place =
+          static_cast<std::size_t>(std::find(order_.begin(), order_.end(), slot) - order_.begin());
+      return place < kNames.size() ? kNames[place] : "member_" + std::to_string(place + 1);
+    });
+  }
+
+  template <class Name>
+  void name_members(const Name& name) {
+    for (std::size_t slot = 0; slot < before_.size(); ++slot)
+      before_[slot].expression = record_argument(kind_of(before_[slot]), name(slot));
+  }
+
+  const TracedCore& core_;
+  std::vector<Slot> slots_;
+  std::vector<Slot> before_;        // Every member as an argument.
+  std::vector<std::size_t> order_;  // Slots, in the order of the members.
+  std::size_t paths_ = 0;
+};
+
+}  // namespace
+
+TracedStep trace_core(const TracedCore& core) {
+  start_recording();
+  const auto paths = [&core] {
+    Explorer explorer(core);
+    TracedStep step;
+    step.members = explorer.members();
+    for (std::size_t function = 0; function < kCoreFunctions; ++function)
+      step.paths[function] = explorer.paths_of(static_cast<CoreFunction>(function));
+    return step;
+  };
+  TracedStep step = paths();
+  // Static variables that a path changed are seen by the next one.
+  if (step != paths()) stop(kMemoryOutside);
+  step.expressions = recorded().expressions;
+  step.comparisons = recorded().comparisons;
+  return step;
+}
+
+}  // namespace hyrax::trace

@@ -1,0 +1,34 @@
+// The main programs of the build's two host programs: one records a step, one holds the compiled core to it.
+#include <fstream>
+#include <iterator>
+
+#include "sim/trace/host/compiled_core.h"
+#include "sim/trace/host/explorer.h"
+#include "sim/trace/host/limits.h"
+#include "sim/trace/step_text.h"
+
+namespace hyrax::trace {
+
+int record_main(const TracedCore& core, int argument_count, char** arguments) {
+  if (argument_count != 3) return 2;
+  limit_process(arguments[2]);
+  const std::string text = step_text(canonical(trace_core(core)));
+  std::ofstream(arguments[1], std::ios::binary) << text;
+  return 0;
+}
+
+int check_main(const CompiledCore& core, int argument_count, char** arguments) {
+  if (argument_count != 3) return 2;
+  limit_process(arguments[2]);
+  std::ifstream file(arguments[1], std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::optional<TracedStep> step = read_step(text);
+  std::optional<std::string> why = "its text cannot be read";
+  if (step) why = step_that_differs(core, *step);
+  if (why)
+    std::ofstream(arguments[2], std::ios::binary)
+        << "the traced step does not give the compiled core's bits: " << *why;
+  return 0;
+}
+
+}  // namespace hyrax::trace

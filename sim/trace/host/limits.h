@@ -1,0 +1,12 @@
+// A process that may run another person's header.
+#pragma once
+
+#include <string>
+
+namespace hyrax::trace {
+
+/// From now on this process has limits of time and memory. If it meets one, throws, crashes or calls stop(),
+/// it writes the reason to `why_file` and ends with exit code 0.
+void limit_process(const std::string& why_file, unsigned cpu_s_max = 10);
+
+}  // namespace hyrax::trace

@@ -1,0 +1,131 @@
+// The functions of <cmath> and <algorithm> for numbers that record (number.h); found by name and in std.
+#pragma once
+
+#include "sim/trace/host/number.h"
+
+namespace hyrax::trace {
+
+/// What a function of <cmath> calculates in: `float` only where all its arguments are.
+template <Operand... T>
+inline constexpr NumberKind kCallKind =
+    kCommonKind<T...> == NumberKind::single ? NumberKind::single : NumberKind::real;
+
+/// Functions whose result IEEE-754 fixes are done on constants; others wait for the machine's own library,
+/// except while compiling.
+template <bool kIsFixed, class Function, Operand... T>
+constexpr auto call(const char* name, Function function, const T&... operands) {
+  using Result = Number<kCallKind<T...>>;
+  if ((as<Result::kNumberKind>(operands).is_constant() && ...) && (kIsFixed || std::is_constant_evaluated()))
+    return Result(function(as<Result::kNumberKind>(operands).native()...));
+  return Result::of(record_call(name, Result::kNumberKind, as<Result::kNumberKind>(operands).index()...));
+}
+
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#define HYRAX_TRACE_ONE(name, is_fixed)                                                  \
+  template <class A>                                                                     \
+  requires Operands<A>                                                                   \
+  constexpr auto name(const A& a) {                                                      \
+    return call<is_fixed>(                                                               \
+        #name, [](auto x) { return static_cast<decltype(x)>(__builtin_##name(x)); }, a); \
+  }
+#define HYRAX_TRACE_TWO(name, is_fixed)                                                                \
+  template <class A, class B>                                                                          \
+  requires Operands<A, B>                                                                              \
+  constexpr auto name(const A& a, const B& b) {                                                        \
+    return call<is_fixed>(                                                                             \
+        #name, [](auto x, auto y) { return static_cast<decltype(x)>(__builtin_##name(x, y)); }, a, b); \
+  }
+#define HYRAX_TRACE_FUNCTIONS(one, two)                                                               \
+  one(fabs, true) one(sqrt, true) one(floor, true) one(ceil, true) one(trunc, true) one(round, true)  \
+      one(rint, true) one(nearbyint, true) one(cbrt, false) one(exp, false) one(exp2, false)          \
+          one(expm1, false) one(log, false) one(log2, false) one(log10, false) one(log1p, false)      \
+              one(sin, false) one(cos, false) one(tan, false) one(asin, false) one(acos, false)       \
+                  one(atan, false) one(sinh, false) one(cosh, false) one(tanh, false) two(pow, false) \
+                      two(atan2, false) two(hypot, false) two(fmod, true) two(remainder, true)        \
+                          two(copysign, true) two(fmin, true) two(fmax, true)
+// NOLINTEND(cppcoreguidelines-macro-usage)
+
+HYRAX_TRACE_FUNCTIONS(HYRAX_TRACE_ONE, HYRAX_TRACE_TWO)
+#undef HYRAX_TRACE_ONE
+#undef HYRAX_TRACE_TWO
+
+template <class A, class B, class C>
+requires Operands<A, B, C>
+constexpr auto fma(const A& a, const B& b, const C& c) {
+  return call<true>(
+      "fma", [](auto x, auto y, auto z) { return static_cast<decltype(x)>(std::fma(x, y, z)); }, a, b, c);
+}
+
+template <Recording N>
+constexpr auto abs(const N& a) {
+  if constexpr (N::kNumberKind == NumberKind::whole)
+    return a < 0 ? -a : a;
+  else
+    return fabs(a);
+}
+
+template <Recording N>
+constexpr bool isnan(const N& a) {
+  return !(a == a);
+}
+template <Recording N>
+constexpr bool isinf(const N& a) {
+  return fabs(a) == std::numeric_limits<double>::infinity();
+}
+template <Recording N>
+constexpr bool isfinite(const N& a) {
+  return fabs(a) < std::numeric_limits<double>::infinity();
+}
+/// Whether the sign is negative: that of 1 with the sign of a.
+template <Recording N>
+constexpr bool signbit(const N& a) {
+  return copysign(Real(1.0), a) < 0.0;
+}
+
+/// Operands of min and max that their own templates do not take: of different types.
+template <class A, class B>
+concept Mixed = Operands<A, B> && !std::same_as<A, B>;
+
+template <Operand... T>
+using CommonNumber = Number<kCommonKind<T...>>;
+
+}  // namespace hyrax::trace
+
+namespace std {
+
+#define HYRAX_TRACE_USING(name, is_fixed) using hyrax::trace::name;
+HYRAX_TRACE_FUNCTIONS(HYRAX_TRACE_USING, HYRAX_TRACE_USING)
+#undef HYRAX_TRACE_USING
+#undef HYRAX_TRACE_FUNCTIONS
+using hyrax::trace::abs;
+using hyrax::trace::fma;
+using hyrax::trace::isfinite;
+using hyrax::trace::isinf;
+using hyrax::trace::isnan;
+using hyrax::trace::signbit;
+
+template <class A, class B>
+requires hyrax::trace::Mixed<A, B>
+constexpr hyrax::trace::CommonNumber<A, B> max(const A& a, const B& b) {
+  if (a < b) return b;
+  return a;
+}
+template <class A, class B>
+requires hyrax::trace::Mixed<A, B>
+constexpr hyrax::trace::CommonNumber<A, B> min(const A& a, const B& b) {
+  if (b < a) return b;
+  return a;
+}
+template <class T, class Low, class High>
+requires(
+    hyrax::trace::Operands<T, Low, High> &&
+    !(std::same_as<T, Low> &&
+      std::same_as<T, High>)) constexpr hyrax::trace::CommonNumber<T, Low, High> clamp(const T& value,
+                                                                                       const Low& low,
+                                                                                       const High& high) {
+  if (value < low) return low;
+  if (high < value) return high;
+  return value;
+}
+
+}  // namespace std

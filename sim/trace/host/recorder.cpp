@@ -1,0 +1,136 @@
+#include "sim/trace/host/recorder.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace hyrax::trace {
+namespace {
+
+using Key = std::tuple<Operator, NumberKind, std::array<std::int32_t, 3>, std::uint64_t, std::string>;
+
+struct Recorder {
+  TracedStep step;
+  std::map<Key, Index> expressions;
+  std::map<std::tuple<Relation, Index, Index>, std::int32_t> comparisons;
+  std::vector<StepOutcome> planned;
+  bool others_hold = false;
+  std::vector<StepOutcome> outcomes;
+  std::unordered_map<std::int32_t, bool> known;  // By comparison, on this path.
+};
+
+Recorder recorder;
+StopHandler stop_handler = nullptr;
+
+Index index_of(Expression expression) {
+  const Key key{expression.op, expression.kind, expression.operands,
+                std::bit_cast<std::uint64_t>(expression.value), expression.name};
+  const auto [entry, is_new] =
+      recorder.expressions.try_emplace(key, static_cast<Index>(recorder.step.expressions.size()));
+  if (is_new) {
+    if (recorder.step.expressions.size() >= kExpressionsMax)
+      stop("over its limits: more than 100,000 operations");
+    recorder.step.expressions.push_back(std::move(expression));
+  }
+  return entry->second;
+}
+
+std::optional<bool> known(Relation relation, Index left, Index right) {
+  const auto comparison = recorder.comparisons.find({relation, left, right});
+  if (comparison == recorder.comparisons.end()) return std::nullopt;
+  const auto outcome = recorder.known.find(comparison->second);
+  if (outcome == recorder.known.end()) return std::nullopt;
+  return outcome->second;
+}
+
+// What other comparisons of the same two numbers say. NaN makes all of them false.
+std::optional<bool> implied(Relation relation, Index left, Index right) {
+  const auto holds = [](Relation other, Index a, Index b) { return known(other, a, b).value_or(false); };
+  const auto are_equal = [&] {
+    return holds(Relation::equal, left, right) || holds(Relation::equal, right, left);
+  };
+  const bool is_less = holds(Relation::less, left, right);
+  const bool is_greater = holds(Relation::less, right, left);
+  switch (relation) {
+    case Relation::less:
+      if (is_greater || are_equal() || holds(Relation::less_or_equal, right, left)) return false;
+      if (!known(Relation::less_or_equal, left, right).value_or(true)) return false;
+      return std::nullopt;
+    case Relation::less_or_equal:
+      if (is_less || are_equal()) return true;
+      if (is_greater) return false;
+      return std::nullopt;
+    case Relation::equal:
+      if (is_less || is_greater) return false;
+      if (!known(Relation::less_or_equal, left, right).value_or(true)) return false;
+      if (!known(Relation::less_or_equal, right, left).value_or(true)) return false;
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const TracedStep& recorded() { return recorder.step; }
+
+void start_recording() { recorder = {}; }
+
+void start_path(std::vector<StepOutcome> planned, bool others_hold) {
+  recorder.others_hold = others_hold;
+  recorder.planned = std::move(planned);
+  recorder.outcomes.clear();
+  recorder.known.clear();
+}
+
+const std::vector<StepOutcome>& path_outcomes() { return recorder.outcomes; }
+
+Index record_argument(NumberKind kind, const std::string& name) {
+  return index_of({.op = Operator::argument, .kind = kind, .name = name});
+}
+
+Index record_constant(NumberKind kind, double value) {
+  if (std::signbit(value)) return record(Operator::negate, kind, record_constant(kind, -value));
+  return index_of({.op = Operator::constant, .kind = kind, .value = value});
+}
+
+Index record(Operator op, NumberKind kind, Index a, Index b) {
+  return index_of({.op = op, .kind = kind, .operands = {a, b, -1}});
+}
+
+Index record_call(const char* name, NumberKind kind, Index a, Index b, Index c) {
+  return index_of({.op = Operator::call, .kind = kind, .operands = {a, b, c}, .name = name});
+}
+
+bool decide(Relation relation, Index left, Index right) {
+  if (relation == Relation::equal && right < left) std::swap(left, right);
+  const auto [entry, is_new] = recorder.comparisons.try_emplace(
+      {relation, left, right}, static_cast<std::int32_t>(recorder.step.comparisons.size()));
+  if (is_new) recorder.step.comparisons.push_back({relation, left, right});
+  const std::int32_t comparison = entry->second;
+  if (const auto outcome = recorder.known.find(comparison); outcome != recorder.known.end())
+    return outcome->second;
+  if (const std::optional<bool> outcome = implied(relation, left, right)) return *outcome;
+  // Each of them has another path that goes the other way.
+  if (recorder.outcomes.size() >= kStepPathsMax) stop(kTooManyPaths);
+  const std::size_t place = recorder.outcomes.size();
+  const bool is_planned = place < recorder.planned.size();
+  if (is_planned && recorder.planned[place].comparison != comparison) stop(kMemoryOutside);
+  const bool holds = is_planned ? recorder.planned[place].holds : recorder.others_hold;
+  recorder.outcomes.push_back({comparison, holds});
+  recorder.known.emplace(comparison, holds);
+  return holds;
+}
+
+void set_stop_handler(StopHandler handler) { stop_handler = handler; }
+
+void stop(const char* why_incomplete) {
+  if (stop_handler != nullptr) stop_handler(why_incomplete);
+  std::abort();
+}
+
+}  // namespace hyrax::trace

@@ -1,0 +1,32 @@
+// The operations of a traced step. Apart from traced_step.h, since the host compiles it with every core.
+#pragma once
+
+#include <cstdint>
+
+namespace hyrax {
+
+/// The arithmetic of an expression: that of the header's `double`, `float` or `int`.
+enum class NumberKind : std::uint8_t { real, single, whole };
+
+enum class Operator : std::uint8_t {
+  argument,  ///< A member before the step, or an argument of the function; Expression::name.
+  constant,  ///< Expression::value, never negative: -0.5 is the negation of 0.5.
+  negate,
+  add,
+  multiply,
+  divide,
+  remainder,
+  to_real,    ///< Conversion to double.
+  to_single,  ///< Conversion to float.
+  to_whole,   ///< Conversion to int, towards 0.
+  call        ///< A function of the standard library by its name: "sqrt", "fabs", "pow", "fma" ...
+};
+
+enum class Relation : std::uint8_t { less, less_or_equal, equal };
+
+/// The functions of a core. Arguments by name: construct `start_x start_y start_vx start_vy`; update `dt
+/// window_width window_height sprite_width sprite_height`; set_position `new_x new_y`; set_velocity `new_vx
+/// new_vy`. Members before the call: `x y vx vy`, then `member_5` and so on.
+enum class CoreFunction : std::uint8_t { construct, update, set_position, set_velocity, reset_velocity };
+
+}  // namespace hyrax

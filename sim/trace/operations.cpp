@@ -1,0 +1,131 @@
+#include "sim/trace/operations.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace hyrax {
+namespace {
+
+// The function objects have no state.
+template <class Function>
+double in_real(double a, double b, double c) {
+  return Function()(a, b, c);
+}
+template <class Function>
+double in_single(double a, double b, double c) {
+  return static_cast<double>(Function()(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)));
+}
+
+struct KnownCall {
+  std::string_view name;
+  int operands = 1;
+  OperationFunction real = nullptr;
+  OperationFunction single = nullptr;
+};
+
+template <class Function>
+constexpr KnownCall known(std::string_view name, int operands, Function /*unused*/) {
+  return {name, operands, in_real<Function>, in_single<Function>};
+}
+
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#define HYRAX_ONE(name) known(#name, 1, [](auto a, auto, auto) { return std::name(a); })
+#define HYRAX_TWO(name) known(#name, 2, [](auto a, auto b, auto) { return std::name(a, b); })
+// NOLINTEND(cppcoreguidelines-macro-usage)
+constexpr std::array kKnownCalls = {
+    HYRAX_ONE(fabs),     HYRAX_ONE(sqrt),
+    HYRAX_ONE(floor),    HYRAX_ONE(ceil),
+    HYRAX_ONE(trunc),    HYRAX_ONE(round),
+    HYRAX_ONE(rint),     HYRAX_ONE(nearbyint),
+    HYRAX_ONE(cbrt),     HYRAX_ONE(exp),
+    HYRAX_ONE(exp2),     HYRAX_ONE(expm1),
+    HYRAX_ONE(log),      HYRAX_ONE(log2),
+    HYRAX_ONE(log10),    HYRAX_ONE(log1p),
+    HYRAX_ONE(sin),      HYRAX_ONE(cos),
+    HYRAX_ONE(tan),      HYRAX_ONE(asin),
+    HYRAX_ONE(acos),     HYRAX_ONE(atan),
+    HYRAX_ONE(sinh),     HYRAX_ONE(cosh),
+    HYRAX_ONE(tanh),     HYRAX_TWO(pow),
+    HYRAX_TWO(atan2),    HYRAX_TWO(hypot),
+    HYRAX_TWO(fmod),     HYRAX_TWO(remainder),
+    HYRAX_TWO(copysign), HYRAX_TWO(fmin),
+    HYRAX_TWO(fmax),     known("fma", 3, [](auto a, auto b, auto c) { return std::fma(a, b, c); })};
+#undef HYRAX_ONE
+#undef HYRAX_TWO
+
+OperationFunction call_of(const Expression& call) {
+  int operands = 0;
+  for (const std::int32_t operand : call.operands) operands += operand >= 0 ? 1 : 0;
+  for (const KnownCall& candidate : kKnownCalls)
+    if (candidate.name == call.name && candidate.operands == operands && call.kind != NumberKind::whole)
+      return call.kind == NumberKind::real ? candidate.real : candidate.single;
+  return nullptr;
+}
+
+// The int with the value's last 32 bits.
+double wrapped(std::int64_t value) {
+  return static_cast<double>(static_cast<std::int32_t>(static_cast<std::uint32_t>(value)));
+}
+std::int64_t whole(double value) { return static_cast<std::int64_t>(value); }
+
+double to_whole(double value) {
+  const bool fits = value > -2147483649.0 && value < 2147483648.0;
+  return fits ? std::trunc(value) + 0.0 : static_cast<double>(std::numeric_limits<std::int32_t>::min());
+}
+
+OperationFunction whole_operation(Operator op) {
+  switch (op) {
+    case Operator::negate:
+      return [](double a, double, double) { return wrapped(-whole(a)); };
+    case Operator::add:
+      return [](double a, double b, double) { return wrapped(whole(a) + whole(b)); };
+    case Operator::multiply:
+      return [](double a, double b, double) { return wrapped(whole(a) * whole(b)); };
+    case Operator::divide:
+      return [](double a, double b, double) { return b == 0.0 ? 0.0 : wrapped(whole(a) / whole(b)); };
+    case Operator::remainder:
+      return [](double a, double b, double) { return b == 0.0 ? 0.0 : wrapped(whole(a) % whole(b)); };
+    default:
+      return nullptr;
+  }
+}
+
+template <class Function>
+OperationFunction of_kind(Function /*unused*/, NumberKind kind) {
+  return kind == NumberKind::real ? in_real<Function> : in_single<Function>;
+}
+
+}  // namespace
+
+OperationFunction operation_of(const Expression& expression) {
+  switch (expression.op) {
+    case Operator::call:
+      return call_of(expression);
+    case Operator::to_real:
+      return [](double a, double, double) { return a; };
+    case Operator::to_single:
+      return [](double a, double, double) { return static_cast<double>(static_cast<float>(a)); };
+    case Operator::to_whole:
+      return [](double a, double, double) { return to_whole(a); };
+    default:
+      break;
+  }
+  if (expression.kind == NumberKind::whole) return whole_operation(expression.op);
+  switch (expression.op) {
+    case Operator::negate:
+      return of_kind([](auto a, auto, auto) { return -a; }, expression.kind);
+    case Operator::add:
+      return of_kind([](auto a, auto b, auto) { return a + b; }, expression.kind);
+    case Operator::multiply:
+      return of_kind([](auto a, auto b, auto) { return a * b; }, expression.kind);
+    case Operator::divide:
+      return of_kind([](auto a, auto b, auto) { return a / b; }, expression.kind);
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace hyrax

@@ -1,0 +1,302 @@
+#include "sim/trace/step_difference.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "sim/trace/decision_tree.h"
+#include "sim/trace/difference_search.h"
+#include "sim/trace/expression_text.h"
+#include "sim/trace/step_grammar.h"
+#include "sim/trace/step_program.h"
+#include "sim/trace/step_text.h"
+
+namespace hyrax {
+namespace {
+
+TracedStep with_paths(TracedStep step, bool (*keeps)(CoreFunction)) {
+  for (std::size_t function = 0; function < kCoreFunctions; ++function)
+    if (!keeps(static_cast<CoreFunction>(function))) step.paths[function].clear();
+  return canonical(step);
+}
+
+TracedStep only_update(const TracedStep& step) {
+  return with_paths(step, [](CoreFunction function) { return function == CoreFunction::update; });
+}
+
+TracedStep without_update(const TracedStep& step) {
+  return with_paths(step, [](CoreFunction function) { return function != CoreFunction::update; });
+}
+
+// Numbers that two steps share: equal structure, equal number.
+class SharedNumbers {
+ public:
+  std::vector<std::int32_t> expressions_of(const TracedStep& step) {
+    std::vector<std::int32_t> numbers;
+    for (const Expression& expression : step.expressions) {
+      std::array<std::int32_t, 3> operands = expression.operands;
+      for (std::int32_t& operand : operands)
+        if (operand >= 0) operand = numbers[static_cast<std::size_t>(operand)];
+      if (is_commutative(expression.op) && operands[1] < operands[0]) std::swap(operands[0], operands[1]);
+      const auto key = std::tuple(expression.op, expression.kind, expression.name,
+                                  std::bit_cast<std::uint64_t>(expression.value), operands);
+      numbers.push_back(
+          expressions_.try_emplace(key, static_cast<std::int32_t>(expressions_.size())).first->second);
+    }
+    return numbers;
+  }
+
+  std::vector<std::int32_t> comparisons_of(const TracedStep& step,
+                                           const std::vector<std::int32_t>& expressions) {
+    std::vector<std::int32_t> numbers;
+    for (const StepComparison& comparison : step.comparisons) {
+      std::int32_t left = expressions[static_cast<std::size_t>(comparison.left)];
+      std::int32_t right = expressions[static_cast<std::size_t>(comparison.right)];
+      if (comparison.relation == Relation::equal && right < left) std::swap(left, right);
+      numbers.push_back(comparisons_
+                            .try_emplace(std::tuple(comparison.relation, left, right),
+                                         static_cast<std::int32_t>(comparisons_.size()))
+                            .first->second);
+    }
+    return numbers;
+  }
+
+ private:
+  std::map<std::tuple<Operator, NumberKind, std::string, std::uint64_t, std::array<std::int32_t, 3>>,
+           std::int32_t>
+      expressions_;
+  std::map<std::tuple<Relation, std::int32_t, std::int32_t>, std::int32_t> comparisons_;
+};
+
+// One of the two steps, with its numbers among both.
+struct Side {
+  TracedStep step;
+  std::vector<std::int32_t> expressions = {};
+  std::vector<std::int32_t> comparisons = {};
+  std::set<std::int32_t> has_expressions = {};  // That update evaluates.
+  std::set<std::int32_t> has_comparisons = {};
+  std::vector<std::vector<bool>> evaluated = {};  // By path, by expression.
+
+  [[nodiscard]] const std::vector<StepPath>& paths() const { return step.paths_of(CoreFunction::update); }
+  // Numbers need no other step to have them.
+  [[nodiscard]] bool is_number(std::int32_t index) const {
+    const Expression& expression = step.expressions[static_cast<std::size_t>(index)];
+    return expression.op == Operator::argument || expression.op == Operator::constant ||
+           (expression.op == Operator::negate && is_number(expression.operands[0]));
+  }
+};
+
+Side make_side(const TracedStep& step, SharedNumbers& shared) {
+  Side side{.step = step};
+  side.expressions = shared.expressions_of(side.step);
+  side.comparisons = shared.comparisons_of(side.step, side.expressions);
+  std::vector<bool> is_evaluated(step.expressions.size());
+  for (const StepPath& path : side.paths()) {
+    const std::vector<bool>& evaluated = side.evaluated.emplace_back(evaluated_by(step, path));
+    for (std::size_t index = 0; index < evaluated.size(); ++index)
+      if (evaluated[index]) is_evaluated[index] = true;
+    for (const StepOutcome& outcome : path.outcomes)
+      side.has_comparisons.insert(side.comparisons[static_cast<std::size_t>(outcome.comparison)]);
+  }
+  for (std::size_t index = 0; index < is_evaluated.size(); ++index)
+    if (is_evaluated[index]) side.has_expressions.insert(side.expressions[index]);
+  return side;
+}
+
+// Where a row of both results differs; which NaN arose is no difference.
+bool differs(const TracedBody& a, const TracedBody& b) {
+  const auto is_other = [](double p, double q) {
+    return !same_bits(p, q) && !(std::isnan(p) && std::isnan(q));
+  };
+  return is_other(a.x(), b.x()) || is_other(a.y(), b.y()) || is_other(a.vx(), b.vx()) ||
+         is_other(a.vy(), b.vy());
+}
+
+}  // namespace
+
+class StepPair::Data {
+ public:
+  Data(const TracedStep& accepted, const TracedStep& current)
+      : programs_{make_step_program(accepted), make_step_program(current)},
+        are_setters_equal_(without_update(accepted) == without_update(current)) {
+    SharedNumbers shared;
+    sides_ = {make_side(accepted, shared), make_side(current, shared)};
+    if (only_update(accepted) == only_update(current)) return;
+    for (std::size_t owner = 0; owner < 2; ++owner) {
+      find_comparisons(owner);
+      find_expressions(owner);
+    }
+    find_paths();
+    if (differences_.empty())
+      add(0, {.is_in_accepted = true, .text = "the paths of update"},
+          std::vector<bool>(sides_[0].paths().size(), true));
+  }
+
+  [[nodiscard]] const std::vector<StepDifference>& differences() const { return differences_; }
+  [[nodiscard]] bool are_setters_equal() const { return are_setters_equal_; }
+
+  bool notice(const StepInput& input, std::vector<bool>& noticed) const {
+    if (!is_playable()) return false;
+    TracedBody a(*programs_[0], input.world.state);
+    TracedBody b(*programs_[1], input.world.state);
+    const Size& window = input.world.window;
+    const Size& sprite = input.world.sprite;
+    a.update(input.dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+    b.update(input.dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+    if (!differs(a, b)) return false;
+    for (std::size_t index = 0; index < differences_.size(); ++index) {
+      const std::int32_t path = differences_[index].is_in_accepted ? a.path() : b.path();
+      if (is_on_path_[index][static_cast<std::size_t>(path)]) noticed[index] = true;
+    }
+    return true;
+  }
+
+  [[nodiscard]] DifferenceSearch search(std::size_t difference, std::uint64_t seed,
+                                        std::int64_t steps_max) const {
+    if (!is_playable()) return {};
+    const StepDifference& wanted = differences_[difference];
+    const std::size_t owner = wanted.is_in_accepted ? 0 : 1;
+    return search_difference({.owner = programs_[owner].get(),
+                              .other = programs_[1 - owner].get(),
+                              .is_on_path = is_on_path_[difference],
+                              .comparison = wanted.is_comparison ? wanted.index : -1},
+                             seed, steps_max);
+  }
+
+ private:
+  [[nodiscard]] bool is_playable() const { return programs_[0] && programs_[1]; }
+
+  void add(std::size_t owner, StepDifference difference, std::vector<bool> is_on_path) {
+    difference.is_in_accepted = owner == 0;
+    differences_.push_back(std::move(difference));
+    is_on_path_.push_back(std::move(is_on_path));
+  }
+
+  // Whether the other step has it, too.
+  [[nodiscard]] bool has_operand(std::size_t owner, std::int32_t index) const {
+    return index < 0 || sides_[owner].is_number(index) ||
+           sides_[1 - owner].has_expressions.contains(
+               sides_[owner].expressions[static_cast<std::size_t>(index)]);
+  }
+
+  void find_comparisons(std::size_t owner) {
+    const Side& side = sides_[owner];
+    for (std::size_t index = 0; index < side.comparisons.size(); ++index) {
+      const StepComparison& comparison = side.step.comparisons[index];
+      if (!side.has_comparisons.contains(side.comparisons[index]) ||
+          sides_[1 - owner].has_comparisons.contains(side.comparisons[index]) ||
+          !has_operand(owner, comparison.left) || !has_operand(owner, comparison.right))
+        continue;
+      const auto number = static_cast<std::int32_t>(index);
+      std::vector<bool> is_on_path;
+      for (const StepPath& path : side.paths())
+        is_on_path.push_back(
+            std::any_of(path.outcomes.begin(), path.outcomes.end(),
+                        [&](const StepOutcome& outcome) { return outcome.comparison == number; }));
+      add(owner, {.text = comparison_text(side.step, number), .is_comparison = true, .index = number},
+          std::move(is_on_path));
+    }
+  }
+
+  void find_expressions(std::size_t owner) {
+    const Side& side = sides_[owner];
+    for (std::size_t index = 0; index < side.expressions.size(); ++index) {
+      const auto number = static_cast<std::int32_t>(index);
+      const Expression& expression = side.step.expressions[index];
+      if (!side.has_expressions.contains(side.expressions[index]) || has_operand(owner, number) ||
+          !std::all_of(expression.operands.begin(), expression.operands.end(),
+                       [&](std::int32_t operand) { return has_operand(owner, operand); }))
+        continue;
+      std::vector<bool> is_on_path;
+      for (const std::vector<bool>& evaluated : side.evaluated) is_on_path.push_back(evaluated[index]);
+      add(owner, {.text = expression_text(side.step, number), .index = number}, std::move(is_on_path));
+    }
+  }
+
+  // Members that become something else where both steps calculate and compare the same.
+  void find_paths() {
+    const Side& a = sides_[0];
+    const Side& b = sides_[1];
+    const std::vector<bool> is_told_a = told_paths(0);
+    const std::vector<bool> is_told_b = told_paths(1);
+    std::map<std::map<std::int32_t, bool>, std::size_t> paths_b;
+    for (std::size_t q = 0; q < b.paths().size(); ++q) paths_b[outcomes_of(b, b.paths()[q])] = q;
+    std::map<std::int32_t, std::vector<bool>> found;  // By expression of a.
+    const auto compare = [&](std::size_t p, std::size_t q) {
+      for (std::size_t member = 0; member < a.step.members.size() && !is_told_b[q]; ++member) {
+        const std::int32_t expression = a.paths()[p].members[member];
+        if (member < b.step.members.size() &&
+            a.expressions[static_cast<std::size_t>(expression)] ==
+                b.expressions[static_cast<std::size_t>(b.paths()[q].members[member])])
+          continue;
+        found.try_emplace(expression, a.paths().size()).first->second[p] = true;
+        return;
+      }
+    };
+    for (std::size_t p = 0; p < a.paths().size(); ++p) {
+      if (is_told_a[p]) continue;
+      const std::map<std::int32_t, bool> outcomes = outcomes_of(a, a.paths()[p]);
+      // A path of the same outcomes is the only one that agrees with this one.
+      if (const auto same = paths_b.find(outcomes); same != paths_b.end())
+        compare(p, same->second);
+      else
+        for (const auto& [other, q] : paths_b)
+          if (agree(outcomes, other)) compare(p, q);
+    }
+    for (auto& [expression, is_on_path] : found)
+      add(0, {.text = expression_text(a.step, expression), .index = expression}, std::move(is_on_path));
+  }
+
+  // By path of a side: whether it evaluates a difference that was found.
+  [[nodiscard]] std::vector<bool> told_paths(std::size_t owner) const {
+    std::vector<bool> told(sides_[owner].paths().size());
+    for (std::size_t index = 0; index < differences_.size(); ++index)
+      if (differences_[index].is_in_accepted == (owner == 0))
+        for (std::size_t path = 0; path < told.size(); ++path)
+          if (is_on_path_[index][path]) told[path] = true;
+    return told;
+  }
+
+  static std::map<std::int32_t, bool> outcomes_of(const Side& side, const StepPath& path) {
+    std::map<std::int32_t, bool> outcomes;
+    for (const StepOutcome& outcome : path.outcomes)
+      outcomes[side.comparisons[static_cast<std::size_t>(outcome.comparison)]] = outcome.holds;
+    return outcomes;
+  }
+
+  static bool agree(const std::map<std::int32_t, bool>& a, const std::map<std::int32_t, bool>& b) {
+    return std::all_of(a.begin(), a.end(), [&](const auto& outcome) {
+      const auto other = b.find(outcome.first);
+      return other == b.end() || other->second == outcome.second;
+    });
+  }
+
+  std::array<std::shared_ptr<const StepProgram>, 2> programs_;
+  bool are_setters_equal_ = false;
+  std::array<Side, 2> sides_;
+  std::vector<StepDifference> differences_;
+  std::vector<std::vector<bool>> is_on_path_;  // By difference, by path of the step that has it.
+};
+
+StepPair::StepPair(const TracedStep& accepted, const TracedStep& current)
+    : data_(std::make_unique<Data>(accepted, current)) {}
+StepPair::~StepPair() = default;
+StepPair::StepPair(StepPair&&) noexcept = default;
+
+const std::vector<StepDifference>& StepPair::differences() const { return data_->differences(); }
+bool StepPair::are_setters_equal() const { return data_->are_setters_equal(); }
+bool StepPair::notice(const StepInput& input, std::vector<bool>& noticed) const {
+  assert(noticed.size() == differences().size());
+  return data_->notice(input, noticed);
+}
+DifferenceSearch StepPair::search(std::size_t difference, std::uint64_t seed, std::int64_t steps_max) const {
+  return data_->search(difference, seed, steps_max);
+}
+
+}  // namespace hyrax

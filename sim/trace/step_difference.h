@@ -1,0 +1,61 @@
+// What only one of two traced steps does, and the search for a state that shows it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/trace/step_player.h"
+#include "sim/trace/traced_step.h"
+
+namespace hyrax {
+
+/// A condition or expression that only one of two complete steps has while both have its operands.
+struct StepDifference {
+  bool is_in_accepted = false;  ///< Else in the current step.
+  std::string text;             ///< As "vx * 0.999 > 9000", "dt * 1250"; long ones shortened in the middle.
+  bool is_comparison = false;
+  std::int32_t index = -1;  ///< In comparisons or expressions of the step that has it.
+};
+
+/// What was found by trying steps.
+struct DifferenceSearch {
+  /// From here both steps differ in a bit while the difference is evaluated.
+  std::optional<StepInput> found;
+  /// After so many frames of found->dt_s; more than 1 only where there are further members.
+  std::int64_t frames = 1;
+  std::int64_t steps_tried = 0;
+};
+
+/// Two complete steps, made ready to be compared.
+class StepPair {
+ public:
+  /// Of steps that are not playable (step_player.h) nothing is noticed or found.
+  /// REQUIRES: steps as canonical() or read_step() return them.
+  StepPair(const TracedStep& accepted, const TracedStep& current);
+  ~StepPair();
+  StepPair(StepPair&&) noexcept;
+
+  /// In the order of the steps' text: those of the accepted step first. Empty: proved equal in update
+  /// (setters are compared by are_setters_equal).
+  [[nodiscard]] const std::vector<StepDifference>& differences() const;
+  [[nodiscard]] bool are_setters_equal() const;
+
+  /// Takes both steps once from `input`. Marks in `noticed` (one a difference) those that are evaluated while
+  /// both results differ in a bit. Returns whether they differ.
+  bool notice(const StepInput& input, std::vector<bool>& noticed) const;
+
+  /// Looks for a step that shows the difference: states within the limits of scenarios (start 1e12, windows
+  /// 1,000,000 px, dt 0 .. 1e9 s), real display sizes and rates first, then both sides of the conditions
+  /// driven together. Deterministic: the same on every machine.
+  [[nodiscard]] DifferenceSearch search(std::size_t difference, std::uint64_t seed,
+                                        std::int64_t steps_max) const;
+
+ private:
+  class Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,53 @@
+#include "sim/trace/step_player.h"
+
+#include <cmath>
+
+#include "sim/trace/step_program.h"
+
+namespace hyrax {
+
+TracedBody::TracedBody(const StepProgram& program, const State& start) : program_(&program) {
+  program.run(CoreFunction::construct, members_,
+              {start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s, 0.0});
+}
+
+void TracedBody::update(double dt_s, int window_width_px, int window_height_px, int sprite_width_px,
+                        int sprite_height_px) {
+  path_ = program_->run(CoreFunction::update, members_,
+                        {dt_s, static_cast<double>(window_width_px), static_cast<double>(window_height_px),
+                         static_cast<double>(sprite_width_px), static_cast<double>(sprite_height_px)});
+  contact_ = program_->contact_bits(path_);
+  if (touches(contact_, Wall::ground) && vy() == 0.0) contact_ |= kRestBit;
+}
+
+void TracedBody::setPos(double x_px, double y_px) {
+  program_->run(CoreFunction::set_position, members_, {x_px, y_px});
+}
+
+void TracedBody::setVelocity(double vx_px_per_s, double vy_px_per_s) {
+  program_->run(CoreFunction::set_velocity, members_, {vx_px_per_s, vy_px_per_s});
+}
+
+void TracedBody::resetVelocity() { program_->run(CoreFunction::reset_velocity, members_, {}); }
+
+WallMeeting TracedBody::meeting(Wall wall, double dt_s, const Size& window, const Size& sprite) const {
+  const StepArguments arguments = {
+      dt_s, static_cast<double>(window.width_px), static_cast<double>(window.height_px),
+      static_cast<double>(sprite.width_px), static_cast<double>(sprite.height_px)};
+  TracedBody after = *this;
+  const std::int32_t path = program_->run(CoreFunction::update, after.members_, arguments);
+  std::vector<double> values;
+  program_->evaluate(members_, arguments, values);
+  const auto velocity = [&](std::int32_t vx, std::int32_t vy) {
+    return vx < 0 ? Velocity{this->vx(), this->vy()}
+                  : Velocity{values[static_cast<std::size_t>(vx)], values[static_cast<std::size_t>(vy)]};
+  };
+  for (const PathContact& contact : program_->contacts(path))
+    if (contact.wall == wall)
+      return {std::fabs(values[static_cast<std::size_t>(contact.position)] -
+                        values[static_cast<std::size_t>(contact.bound)]),
+              velocity(contact.vx_before, contact.vy_before), velocity(contact.vx_after, contact.vy_after)};
+  return {};
+}
+
+}  // namespace hyrax

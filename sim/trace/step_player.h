@@ -1,0 +1,70 @@
+// Plays a traced step by interpreting it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim/motion/state.h"
+#include "sim/trace/traced_step.h"
+
+namespace hyrax {
+
+/// A traced step, made ready to be played: decisions as a tree, operations in the order in which they are
+/// needed (step_program.h).
+class StepProgram;
+
+/// Whether the step can be played: nothing unknown is called, and every outcome of its comparisons leads to
+/// one path.
+[[nodiscard]] bool is_playable(const TracedStep& step);
+
+/// Null if not playable. REQUIRES: a step as canonical() or read_step() return it.
+[[nodiscard]] std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step);
+
+/// One step: the state after the inputs of its frame, sizes and dt.
+struct StepInput {
+  World world;
+  double dt_s = 0.0;
+};
+
+/// A wall that a step met, at the comparison that decided so.
+struct WallMeeting {
+  double overshoot_px = 0.0;  ///< How far the compared position was beyond.
+  Velocity before;            ///< At that comparison; where it cannot be told, before the step.
+  Velocity after;             ///< At the next wall, or after the step.
+};
+
+/// A body moved by a traced step; has the interface of class physics, so that KernelOf plays it
+/// (sim/replay/kernel_of.h). Trivially copyable. REQUIRES: the program outlives it.
+class TracedBody {
+ public:
+  TracedBody(const StepProgram& program, const State& start);
+
+  void update(double dt_s, int window_width_px, int window_height_px, int sprite_width_px,
+              int sprite_height_px);
+  void setPos(double x_px, double y_px);
+  void setVelocity(double vx_px_per_s, double vy_px_per_s);
+  void resetVelocity();
+
+  [[nodiscard]] double x() const { return members_[0]; }
+  [[nodiscard]] double y() const { return members_[1]; }
+  [[nodiscard]] double vx() const { return members_[2]; }
+  [[nodiscard]] double vy() const { return members_[3]; }
+
+  /// Index in paths_of(CoreFunction::update) of the last update; -1: none yet.
+  [[nodiscard]] std::int32_t path() const { return path_; }
+  /// A row's contact byte of the last update, by the step's own comparisons with the walls.
+  [[nodiscard]] std::uint8_t contact() const { return contact_; }
+  /// What an update from here does at a wall that it meets.
+  [[nodiscard]] WallMeeting meeting(Wall wall, double dt_s, const Size& window, const Size& sprite) const;
+
+ private:
+  const StepProgram* program_;
+  std::array<double, kStepMembersMax> members_{};  // Those of other kinds as the double of their value.
+  std::int32_t path_ = -1;
+  std::uint8_t contact_ = 0;
+};
+
+}  // namespace hyrax

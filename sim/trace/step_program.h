@@ -1,0 +1,93 @@
+// A traced step made ready to be played.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/trace/decision_tree.h"
+#include "sim/trace/step_player.h"
+#include "sim/trace/step_walls.h"
+#include "sim/trace/traced_step.h"
+
+namespace hyrax {
+
+/// Arguments of a function, in the order in which it takes them.
+inline constexpr std::size_t kStepArgumentsMax = 5;
+using StepArguments = std::array<double, kStepArgumentsMax>;
+
+[[nodiscard]] inline StepArguments arguments_of(const StepInput& input) {
+  const World& world = input.world;
+  return {input.dt_s, static_cast<double>(world.window.width_px), static_cast<double>(world.window.height_px),
+          static_cast<double>(world.sprite.width_px), static_cast<double>(world.sprite.height_px)};
+}
+
+/// One operation on the values of expressions. Values of every kind are kept as doubles.
+struct StepInstruction {
+  using Function = double (*)(double, double, double);
+  Function function = nullptr;  ///< Null: one of the four that are done in place, by `op`.
+  Operator op = Operator::add;
+  std::int32_t result = 0;
+  std::array<std::int32_t, 3> operands = {0, 0, 0};
+};
+
+class StepProgram {
+ public:
+  /// Nothing if not playable. REQUIRES: canonical.
+  [[nodiscard]] static std::optional<StepProgram> of(const TracedStep& step);
+
+  /// Calls a function: `members` become what its path makes of them. Returns the index of that path.
+  std::int32_t run(CoreFunction function, std::span<double> members, const StepArguments& arguments) const;
+
+  /// The path of update that a step from here takes. Further members are as the constructor makes them.
+  [[nodiscard]] std::int32_t path_taken(const StepInput& input) const;
+
+  /// Calculates every expression that update may need, by index; the others are 0 or of no meaning.
+  void evaluate(std::span<const double> members, const StepArguments& arguments,
+                std::vector<double>& values) const;
+
+  [[nodiscard]] const TracedStep& step() const { return step_; }
+  /// The walls that a path of update meets, in the order in which it does; their bits.
+  [[nodiscard]] const std::vector<PathContact>& contacts(std::int32_t path) const {
+    return contacts_[static_cast<std::size_t>(path)];
+  }
+  [[nodiscard]] std::uint8_t contact_bits(std::int32_t path) const {
+    return contact_bits_[static_cast<std::size_t>(path)];
+  }
+
+ private:
+  // Of an argument or a member: where its value comes from.
+  struct Load {
+    std::int32_t result = 0;
+    std::int32_t source = 0;  // Below kStepMembersMax a member, else an argument.
+  };
+  struct Node {
+    std::size_t begin = 0;  // Instructions done before it asks or ends.
+    std::size_t end = 0;
+    DecisionNode decision;
+    StepComparison comparison;
+  };
+  struct Function {
+    std::vector<Load> loads;
+    std::vector<Node> nodes;
+    std::vector<StepInstruction> instructions;
+  };
+
+  explicit StepProgram(const TracedStep& step) : step_(step) {}
+  bool add_function(CoreFunction function);
+  [[nodiscard]] bool emit(std::int32_t expression, std::vector<bool>& is_known,
+                          std::vector<std::int32_t>& added, Function& program) const;
+  void load(const Function& program, std::span<const double> members, const StepArguments& arguments,
+            double* values) const;
+
+  TracedStep step_;
+  std::vector<double> leaves_;  // By index; 0 for arguments.
+  std::array<Function, kCoreFunctions> functions_;
+  std::vector<StepInstruction> all_;  // Of update, by index.
+  std::vector<std::vector<PathContact>> contacts_;
+  std::vector<std::uint8_t> contact_bits_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,297 @@
+#include "sim/trace/step_walls.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "sim/trace/decision_tree.h"
+
+namespace hyrax {
+namespace {
+
+bool is_size(std::string_view name) { return name.starts_with("window_") || name.starts_with("sprite_"); }
+bool is_in_x(Wall wall) { return wall == Wall::left || wall == Wall::right; }
+
+// What an expression says of a position.
+struct Meaning {
+  bool has_sizes = false;   // Depends on one at least,
+  bool has_others = false;  // and on something that is no size.
+  bool has_x = false;       // Depends on x or vx,
+  bool has_y = false;       // on y or vy,
+  bool has_dt = false;      // on dt.
+  bool is_zero = false;
+  char axis = '\0';         // 'x' or 'y' of a position.
+  bool is_negated = false;  // The position grows where this falls.
+
+  [[nodiscard]] bool is_bound() const { return is_zero || (has_sizes && !has_others); }
+};
+
+class Meanings {
+ public:
+  explicit Meanings(const TracedStep& step) {
+    for (const StepPath& path : step.paths_of(CoreFunction::update))
+      for (std::size_t member = 0; member < 2; ++member) ends_[member].insert(path.members[member]);
+    for (const Expression& expression : step.expressions) add(expression);
+  }
+
+  [[nodiscard]] const Meaning& of(std::int32_t expression) const {
+    return meanings_[static_cast<std::size_t>(expression)];
+  }
+
+ private:
+  void add(const Expression& expression) {
+    Meaning meaning;
+    if (expression.op == Operator::argument) {
+      meaning.has_sizes = is_size(expression.name);
+      meaning.has_others = !meaning.has_sizes;
+      meaning.has_x = expression.name == "x" || expression.name == "vx";
+      meaning.has_y = expression.name == "y" || expression.name == "vy";
+      meaning.has_dt = expression.name == "dt";
+      if (expression.name == "x" || expression.name == "y") meaning.axis = expression.name[0];
+    }
+    for (const std::int32_t operand : expression.operands) {
+      if (operand < 0) continue;
+      meaning.has_sizes |= of(operand).has_sizes;
+      meaning.has_others |= of(operand).has_others;
+      meaning.has_x |= of(operand).has_x;
+      meaning.has_y |= of(operand).has_y;
+      meaning.has_dt |= of(operand).has_dt;
+    }
+    const bool converts = expression.op == Operator::to_real || expression.op == Operator::to_single;
+    meaning.is_zero = expression.op == Operator::constant ? expression.value == 0.0
+                                                          : converts && of(expression.operands[0]).is_zero;
+    const bool is_fused = expression.op == Operator::call && expression.name == "fma";
+    if (converts || expression.op == Operator::negate) take_axis(expression, 0, meaning);
+    if (is_fused) take_axis(expression, 2, meaning);
+    if (expression.op == Operator::add)
+      for (const std::size_t place : {0U, 1U}) {
+        take_axis(expression, place, meaning);
+        if (of(expression.operands[place]).is_bound())
+          take_clamped(of(expression.operands[1 - place]), meaning);
+      }
+    if (is_fused && of(expression.operands[2]).is_bound()) take_clamped(meaning, meaning);
+    // Where a path ends is a position, however it was calculated: a reflected one is no negated one.
+    const auto index = static_cast<std::int32_t>(meanings_.size());
+    for (std::size_t member = 0; member < 2; ++member)
+      if (ends_[member].contains(index) && meaning.has_others && expression.op != Operator::argument) {
+        meaning.axis = "xy"[member];
+        meaning.is_negated = false;
+      }
+    meanings_.push_back(meaning);
+  }
+
+  void take_axis(const Expression& expression, std::size_t place, Meaning& meaning) const {
+    const Meaning& operand = of(expression.operands[place]);
+    if (operand.axis == '\0') return;
+    meaning.axis = operand.axis;
+    meaning.is_negated = operand.is_negated != (expression.op == Operator::negate);
+  }
+
+  // A move from a bound to which an earlier part of the step clamped the position.
+  static void take_clamped(const Meaning& move, Meaning& meaning) {
+    if (meaning.axis == '\0' && move.has_dt && move.has_x != move.has_y)
+      meaning.axis = move.has_x ? 'x' : 'y';
+  }
+
+  std::array<std::set<std::int32_t>, 2> ends_;
+  std::vector<Meaning> meanings_;
+};
+
+// A comparison of a position with a bound.
+struct WallComparison {
+  Wall wall = Wall::left;
+  bool beyond = false;  // The outcome that decides so.
+  std::int32_t position = -1;
+  std::int32_t bound = -1;
+};
+
+class WallFinder {
+ public:
+  explicit WallFinder(const TracedStep& step) : step_(step), meanings_(step) {
+    for (std::size_t index = 0; index < step.comparisons.size(); ++index)
+      walls_.push_back(wall_of(step.comparisons[index]));
+    for (const StepPath& path : step.paths_of(CoreFunction::update)) {
+      contacts_.push_back(contacts_of(path));
+      evaluated_.push_back(evaluated_by(step, path));
+    }
+    depths_.resize(step.expressions.size());
+    for (std::size_t index = 0; index < depths_.size(); ++index)
+      for (const std::int32_t operand : step.expressions[index].operands)
+        if (operand >= 0)
+          depths_[index] = std::max(depths_[index], depths_[static_cast<std::size_t>(operand)] + 1);
+  }
+
+  std::vector<std::vector<PathContact>> find() {
+    const std::vector<StepPath>& paths = step_.paths_of(CoreFunction::update);
+    std::vector<std::vector<PathContact>> found = contacts_;
+    for (std::size_t path = 0; path < paths.size(); ++path) {
+      std::vector<std::pair<std::size_t, PathContact>> ordered;  // By the number of walls before each.
+      for (PathContact contact : contacts_[path]) {
+        const std::optional<std::size_t> before =
+            asks_once(paths[path], contact.wall) ? path_before(path, contact.wall) : std::nullopt;
+        if (before) {
+          contact.vx_before = paths[*before].members[2];
+          contact.vy_before = paths[*before].members[3];
+        }
+        ordered.emplace_back(before ? contacts_[*before].size() : 0, contact);
+      }
+      std::stable_sort(ordered.begin(), ordered.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      found[path].clear();
+      for (std::size_t place = 0; place < ordered.size(); ++place) {
+        PathContact& contact = found[path].emplace_back(ordered[place].second);
+        contact.vx_after = paths[path].members[2];
+        contact.vy_after = paths[path].members[3];
+        if (place + 1 == ordered.size() || ordered[place + 1].second.vx_before < 0) continue;
+        contact.vx_after = ordered[place + 1].second.vx_before;
+        contact.vy_after = ordered[place + 1].second.vy_before;
+      }
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] const Meaning& meaning(std::int32_t expression) const { return meanings_.of(expression); }
+
+  // Whether a position is compared with 0 as with a lower bound: `position < 0`.
+  [[nodiscard]] bool is_left_of_zero(std::int32_t position) const {
+    return std::any_of(step_.comparisons.begin(), step_.comparisons.end(), [&](const StepComparison& other) {
+      return other.left == position && other.relation != Relation::equal && meaning(other.right).is_zero;
+    });
+  }
+
+  // Whether a bound was taken from the position, so that it is compared with 0.
+  [[nodiscard]] bool is_measured_from_bound(std::int32_t position) const {
+    const Expression& sum = step_.expressions[static_cast<std::size_t>(position)];
+    if (sum.op != Operator::add) return false;
+    const Meaning& a = meaning(sum.operands[0]);
+    const Meaning& b = meaning(sum.operands[1]);
+    return (a.axis != '\0' && b.is_bound()) || (b.axis != '\0' && a.is_bound());
+  }
+
+  [[nodiscard]] std::optional<WallComparison> wall_of(const StepComparison& comparison) const {
+    if (comparison.relation == Relation::equal) return std::nullopt;
+    const bool is_left_position = meaning(comparison.left).axis != '\0';
+    WallComparison wall{.position = is_left_position ? comparison.left : comparison.right,
+                        .bound = is_left_position ? comparison.right : comparison.left};
+    const Meaning& position = meaning(wall.position);
+    const Meaning& bound = meaning(wall.bound);
+    if (position.axis == '\0' || !bound.is_bound()) return std::nullopt;
+    // That the comparison holds means: the position is low.
+    const bool holds_low = is_left_position != position.is_negated;
+    // A bound that is 0 on this path since the sprite is larger than the window is compared from above,
+    // beside the comparison from below.
+    const bool is_upper = bound.has_sizes || is_measured_from_bound(wall.position) ||
+                          (!holds_low && !position.is_negated && is_left_of_zero(wall.position));
+    wall.wall =
+        position.axis == 'x' ? (is_upper ? Wall::right : Wall::left) : (is_upper ? Wall::ground : Wall::top);
+    wall.beyond = is_upper != holds_low;
+    return wall;
+  }
+
+  [[nodiscard]] std::vector<PathContact> contacts_of(const StepPath& path) const {
+    std::vector<PathContact> contacts;
+    for (const StepOutcome& outcome : path.outcomes) {
+      const std::optional<WallComparison>& wall = walls_[static_cast<std::size_t>(outcome.comparison)];
+      if (!wall || wall->beyond != outcome.holds || has(contacts, wall->wall)) continue;
+      contacts.push_back({.wall = wall->wall, .position = wall->position, .bound = wall->bound});
+    }
+    std::sort(contacts.begin(), contacts.end(),
+              [](const PathContact& a, const PathContact& b) { return a.wall < b.wall; });
+    return contacts;
+  }
+
+  static bool has(const std::vector<PathContact>& contacts, Wall wall) {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [&](const PathContact& contact) { return contact.wall == wall; });
+  }
+
+  // The velocity at a wall is that with which a path ends that meets fewer walls and is otherwise alike, if
+  // this path calculates it.
+  [[nodiscard]] std::optional<std::size_t> path_before(std::size_t path, Wall wall) const {
+    const std::vector<StepPath>& paths = step_.paths_of(CoreFunction::update);
+    // Walls in x come before those in y where the expressions do not tell.
+    const bool is_early = is_in_x(wall) && meets_x_first(path);
+    std::optional<std::size_t> best;
+    std::tuple<int, int, int> best_rank;
+    for (std::size_t other = 0; other < paths.size(); ++other) {
+      if (!meets_fewer(other, path, wall) || !leads_to(other, path)) continue;
+      const int walls = static_cast<int>(contacts_[other].size());
+      const std::tuple<int, int, int> rank = {is_early ? -walls : walls,
+                                              depths_[magnitude(paths[other].members[2])],
+                                              outcomes_alike(paths[other], paths[path])};
+      if (best && !(best_rank < rank)) continue;
+      best = other;
+      best_rank = rank;
+    }
+    return best;
+  }
+
+  // Whether the path asks for the wall once. Of several parts of a step the velocities are not told apart.
+  [[nodiscard]] bool asks_once(const StepPath& path, Wall wall) const {
+    return std::count_if(path.outcomes.begin(), path.outcomes.end(), [&](const StepOutcome& outcome) {
+             const auto& asked = walls_[static_cast<std::size_t>(outcome.comparison)];
+             return asked && asked->wall == wall;
+           }) == 1;
+  }
+
+  // Whether the velocities at the end of `other` are calculated on `path`.
+  [[nodiscard]] bool leads_to(std::size_t other, std::size_t path) const {
+    const std::vector<std::int32_t>& ends = step_.paths_of(CoreFunction::update)[other].members;
+    return evaluated_[path][magnitude(ends[2])] && evaluated_[path][magnitude(ends[3])];
+  }
+
+  [[nodiscard]] bool meets_x_first(std::size_t path) const {
+    for (std::size_t other = 0; other < contacts_.size(); ++other) {
+      bool has_same_x = leads_to(other, path);
+      for (const Wall wall : kWalls)
+        has_same_x =
+            has_same_x && has(contacts_[other], wall) == (is_in_x(wall) && has(contacts_[path], wall));
+      if (has_same_x) return true;
+    }
+    return false;
+  }
+
+  // A sign is moved out of what is made of an expression.
+  [[nodiscard]] std::size_t magnitude(std::int32_t expression) const {
+    const Expression& signed_one = step_.expressions[static_cast<std::size_t>(expression)];
+    return static_cast<std::size_t>(signed_one.op == Operator::negate ? signed_one.operands[0] : expression);
+  }
+
+  // Whether the walls of `other` are some of those of `path`, without `wall`.
+  [[nodiscard]] bool meets_fewer(std::size_t other, std::size_t path, Wall wall) const {
+    return std::all_of(contacts_[other].begin(), contacts_[other].end(), [&](const PathContact& contact) {
+      return contact.wall != wall && has(contacts_[path], contact.wall);
+    });
+  }
+
+  static int outcomes_alike(const StepPath& a, const StepPath& b) {
+    int alike = 0;
+    for (auto p = a.outcomes.begin(), q = b.outcomes.begin();
+         p != a.outcomes.end() && q != b.outcomes.end();) {
+      if (p->comparison == q->comparison) alike += p->holds == q->holds ? 1 : -1;
+      const bool steps_p = p->comparison <= q->comparison;
+      if (q->comparison <= p->comparison) ++q;
+      if (steps_p) ++p;
+    }
+    return alike;
+  }
+
+  const TracedStep& step_;
+  Meanings meanings_;
+  std::vector<std::optional<WallComparison>> walls_;  // By comparison.
+  std::vector<std::vector<PathContact>> contacts_;    // By path.
+  std::vector<std::vector<bool>> evaluated_;
+  std::vector<int> depths_;
+};
+
+}  // namespace
+
+std::vector<std::vector<PathContact>> find_path_contacts(const TracedStep& step) {
+  return WallFinder(step).find();
+}
+
+}  // namespace hyrax

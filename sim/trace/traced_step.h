@@ -1,0 +1,80 @@
+// The step of a core as data: the paths through it, and what each makes of every member.
+//
+// A second compilation of the core's header with numbers that record what is done to them makes it
+// (sim/trace/host). Paths, comparisons and expressions are those of the header's own operations, each a
+// rounded IEEE-754 operation; nothing of the paper's listing is presumed.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/trace/operation.h"
+
+namespace hyrax {
+
+/// One operation on the results of others, which come before it in TracedStep::expressions. Operands are of
+/// the operation's kind, except of conversions and functions. A constant int is -2^31 .. 2^31.
+struct Expression {
+  Operator op = Operator::constant;
+  NumberKind kind = NumberKind::real;
+  std::array<std::int32_t, 3> operands = {-1, -1, -1};  ///< Indices of expressions; -1: none.
+  double value = 0.0;                                   ///< Of a constant.
+  std::string name = {};                                ///< Of an argument or a function.
+  /// Constants by their bits: 0.0 is not -0.0.
+  bool operator==(const Expression& other) const {
+    return op == other.op && kind == other.kind && operands == other.operands && name == other.name &&
+           std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(other.value);
+  }
+};
+
+/// left < right, left <= right or left == right. `a > b` is `b < a`; `a != b` is `a == b` of the other
+/// outcome. Both sides are of one kind.
+struct StepComparison {
+  Relation relation = Relation::less;
+  std::int32_t left = -1;  ///< Indices of expressions.
+  std::int32_t right = -1;
+  bool operator==(const StepComparison&) const = default;
+};
+
+/// What one comparison was found to be on a path.
+struct StepOutcome {
+  std::int32_t comparison = -1;  ///< Index in TracedStep::comparisons.
+  bool holds = false;
+  bool operator==(const StepOutcome&) const = default;
+};
+
+/// One way through a function: taken where all outcomes are as here.
+struct StepPath {
+  std::vector<StepOutcome> outcomes;  ///< In the order in which they were made; each comparison once.
+  std::vector<std::int32_t> members;  ///< The expression of every member at the end.
+  bool operator==(const StepPath&) const = default;
+};
+
+inline constexpr std::size_t kCoreFunctions = 5;
+inline constexpr std::array<std::string_view, kCoreFunctions> kCoreFunctionNames = {
+    "construct", "update", "set_position", "set_velocity", "reset_velocity"};
+
+/// More paths than this make a step incomplete, over all functions.
+inline constexpr std::size_t kStepPathsMax = 4096;
+/// More members than this make a step incomplete.
+inline constexpr std::size_t kStepMembersMax = 32;
+
+/// All paths of all functions of a core.
+struct TracedStep {
+  std::vector<NumberKind> members;  ///< x, y, vx, vy, then further ones in the order of the object's memory.
+  std::vector<Expression> expressions = {};
+  std::vector<StepComparison> comparisons = {};
+  std::array<std::vector<StepPath>, kCoreFunctions> paths = {};  ///< By CoreFunction.
+  bool operator==(const TracedStep&) const = default;
+
+  [[nodiscard]] const std::vector<StepPath>& paths_of(CoreFunction function) const {
+    return paths[static_cast<std::size_t>(function)];
+  }
+};
+
+}  // namespace hyrax

@@ -1,0 +1,349 @@
+#!/usr/bin/python3
+"""What `check` says of scenarios that differ: causes, consequences, and the documents for CI.
+
+HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
+"""
+
+import json
+import os
+import re
+import shutil
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+from process import run
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+
+ALTERED = os.environ["HYRAX_ALTERED_SIM"]
+
+
+class CauseTest(ProgramTest):
+    """A project with three throws, and the program with a changed core."""
+
+    def setUp(self):
+        super().setUp()
+        self.project("a/first", "a/second", "third")
+
+    def altered(self, core, *arguments, exit_code=DISAGREED, command=("check",)):
+        """The outcome of `check`, or of another command, with that core."""
+        outcome = run(ALTERED, *command, *arguments, cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return outcome
+
+    def groups(self, core, *arguments, **options):
+        """The groups of the JSON document."""
+        return self.altered(core, "--json", *arguments, **options).json["groups"]
+
+
+class Causes(CauseTest):
+    """Groups of the JSON document."""
+
+    def test_without_a_difference_there_is_none(self):
+        self.assertEqual(self.groups("none", exit_code=AGREED), [])
+
+    def test_the_core_is_named_where_the_accepted_one_gives_the_golden_files(self):
+        document = self.altered("gravity_stronger", "--json").json
+        group, = document["groups"]
+        self.assertEqual((group["operation"], group["class"]), ("core", "contacts"))
+        self.assertEqual(group["detail"], "GRAVITY 1200 -> 1250")
+        self.assertEqual(group["scenarios"],
+                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
+        self.assertGreater(group["max_px"], 1)
+        self.assertGreater(group["contacts_moved"], 3)
+        self.assertGreater(group["rest_shift_px"], 0)
+        core, = document["cores"]
+        self.assertEqual((core["golden"], core["status"]), ("golden", "changed"))
+        change, = core["changes"]
+        self.assertEqual({key: change[key] for key in ("kind", "detail", "from", "to", "scenarios")},
+                         {"kind": "constant", "detail": "GRAVITY 1200 -> 1250", "from": 1200, "to": 1250, "scenarios": 3})
+
+    def test_a_changed_statement_is_named_by_its_line(self):
+        document = self.altered("drag_before_gravity", "--json").json
+        group, = document["groups"]
+        change, = document["cores"][0]["changes"]
+        self.assertEqual((change["kind"], change["detail"]), ("added", "ALTERED_CORE drag_before_gravity;"))
+        self.assertEqual((group["operation"], group["detail"]), ("core", f"the core changed at line {change['line']}"))
+
+    def test_without_an_accepted_core_the_cause_is_unknown(self):
+        shutil.rmtree(self.folder / "golden/core")
+        document = self.altered("gravity_stronger", "--json").json
+        group, = document["groups"]
+        self.assertEqual(group["operation"], "unknown")
+        self.assertIn("no accepted core in golden/core; to accept this program's: ", group["detail"])
+        self.assertEqual(document["cores"][0]["status"], "none")
+
+    def test_a_damaged_accepted_core_is_a_disagreement(self):
+        for name in ("physics.h", "step.txt", "accepted.txt"):
+            path = self.folder / "golden/core" / name
+            kept = path.read_bytes()
+            for damaged in (kept[:-7], kept + b"\n", kept.replace(b"1200", b"1201", 1)):
+                path.write_bytes(damaged)
+                outcome = self.expect(DISAGREED, "check")
+                self.assertIn("core: golden/core/", outcome.out)
+                self.assertIn("take the folder from version control, or accept this program's core: "
+                              "hyrax-sim bless --core --reason TEXT\n", outcome.out)
+            path.unlink()
+            self.expect(DISAGREED, "check")
+            path.write_bytes(kept)
+        self.expect(AGREED, "check")
+        (self.folder / "golden/core/step.txt").unlink()
+        self.expect(AGREED, "bless", "--core", "--reason", "again")
+        self.expect(AGREED, "check")
+        self.assertEqual(self.expect(AGREED, "bless", "--core", "--reason", "again").out, "core: accepted already\n")
+        self.expect(BAD_INPUT, "bless", self.write("alone.json", fling()), "--core", "--reason", "x", says="--core: needs scenarios")
+        self.expect(BAD_INPUT, "check", "scenarios/a", "--core", says="--core: needs a whole library")
+        self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
+
+    def test_a_core_is_accepted_with_a_library_that_agrees_only(self):
+        before = self.state_of("golden/core")
+        outcome = self.altered("gravity_stronger", command=("bless", "--core", "--reason", "x"))
+        self.assertIn("core: not accepted in golden/core: 3 of 3 scenarios do not agree, the first is scenarios/a/first.json\n",
+                      outcome.out)
+        outcome = self.altered("gravity_stronger", "scenarios/third.json", "--reason", "x", "--accept", "contacts",
+                               command=("bless",), exit_code=AGREED)
+        self.assertIn("core: not accepted in golden/core: 2 of 3 scenarios do not agree", outcome.out)
+        self.assertEqual(self.state_of("golden/core"), before)
+        self.assertEqual({group["operation"] for group in self.groups("none")}, {"unknown"})  # Another core's, put back.
+        outcome = self.altered("gravity_stronger", "scenarios", "--reason", "x", "--accept", "contacts", command=("bless",),
+                               exit_code=AGREED)
+        self.assertIn("core: accepted in golden/core\n", outcome.out)
+        self.altered("gravity_stronger", exit_code=AGREED)
+
+    def test_groups_have_the_worst_of_their_scenarios(self):
+        document = self.altered("gravity_stronger", "--json").json
+        group, = document["groups"]
+        self.assertEqual(group["max_px"], max(entry["max_px"] for entry in document["results"]))
+        self.assertEqual(group["contacts_moved"], sum(entry["contacts_moved"] for entry in document["results"]))
+
+    def test_rows_that_the_changed_core_still_gives_are_compared(self):
+        """Beyond the block with the ceiling the golden file's rows are played again, from its keyframes."""
+        document = fling(name="third", window={"width_px": 1600, "height_px": 900}, duration_s=None, steps=6000,
+                         start={"x_px": 700, "y_px": 300, "vx_px_per_s": 600, "vy_px_per_s": -900},
+                         events=[{"step": 4500, "fling": {"vx_px_per_s": -4000, "vy_px_per_s": -900}}])
+        self.write("scenarios/third.json", document)
+        self.bless("scenarios")
+        self.expect(AGREED, "run", "scenarios/third.json", "-o", "before.h5")
+        self.altered("ceiling_stops", "scenarios/third.json", "-o", "after.h5", command=("run",))
+        with h5py.File(self.folder / "before.h5") as before, h5py.File(self.folder / "after.h5") as after:
+            apart_px = numpy.hypot(*(after[f"trajectory/{name}"][:] - before[f"trajectory/{name}"][:] for name in "xy"))
+        self.assertGreater(apart_px[4097:].max(), apart_px[4096] + 1, "no distance is larger than a keyframe's")
+        entry, = self.altered("ceiling_stops", "--json", "scenarios/third.json").json["results"]
+        self.assertGreaterEqual(entry["max_px"], apart_px[4096:].max())
+
+    def test_an_edited_scenario_is_told_by_its_pointer(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start))
+        group, = self.expect(DISAGREED, "check", "--json").json["groups"]
+        self.assertEqual((group["operation"],), ("scenario",))
+        self.assertEqual(group["detail"], "/start/vx_px_per_s 1180 -> 1181")
+        text = self.expect(DISAGREED, "check").out
+        self.assertIn("the scenario changed since it was blessed: /start/vx_px_per_s 1180 -> 1181.\n",
+                      text)
+
+    def test_an_edited_scenario_of_a_changed_core_is_an_edit(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start))
+        operations = {path: group["operation"] for group in self.groups("gravity_stronger") for path in group["scenarios"]}
+        self.assertEqual(operations, {"scenarios/a/first.json": "core", "scenarios/a/second.json": "core",
+                                      "scenarios/third.json": "scenario"})
+
+    def test_an_expectation_that_fails_is_no_group(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start, expect={"contacts": {"right": 2}}))
+        outcome = self.expect(DISAGREED, "check", "--json")
+        self.assertEqual(outcome.json["groups"], [])
+        lines = self.expect(DISAGREED, "check").out.splitlines()
+        self.assertEqual(lines, ["scenarios/third.json: disagreed: expect contacts/right: wanted 2, measured 1",
+                                 "3 checked: 2 agreed, 1 disagreed, 0 without golden file, 0 failed"])
+
+
+class Text(CauseTest):
+    """What is printed."""
+
+    def test_one_paragraph_says_cause_distance_contacts_and_rest(self):
+        text = self.altered("gravity_stronger").out
+        self.assertRegex(text, r"^core: changed\n  line \d+ +constant: GRAVITY 1200 -> 1250; alone reproduces 3\n"
+                               r"3 of 3 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 3 golden files\.\n"
+                               r"  Contacts differ \(class contacts\): at most \d+(\.\d+)? px, \d+ contacts moved, "
+                               r"comes to rest up to [\d.]+ px away\.\n"
+                               r"  worst   scenarios/\S+\.json: [\d.]+ px at step \d+, [\d.]+ s, \d+ contacts moved")
+        self.assertIn("  to see all      hyrax-sim check --verbose\n", text)
+        self.assertTrue(text.endswith("3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n"))
+
+    def test_bless_shows_the_groups_of_check(self):
+        bless = ("bless", "scenarios", "--reason", "x", "--dry-run")
+        paragraph = self.altered("gravity_stronger").out.partition("  to see all")[0]
+        self.assertIn(paragraph, self.altered("gravity_stronger", command=bless).out)
+        self.assertEqual(self.groups("gravity_stronger", "--quiet", command=bless), self.groups("gravity_stronger"))
+        self.assertEqual(self.groups("none", command=bless, exit_code=AGREED), [])
+
+    def test_rounding_moves_no_contact(self):
+        text = self.altered("gravity_by_one_ulp").out
+        self.assertIn("Rounding only (class rounding): at most ", text)
+        self.assertIn(" px, no contact moved, comes to rest at the same place.\n", text)
+
+    def test_suggested_commands_work(self):
+        text = self.altered("drag_before_gravity").out
+        verbose, more, accept = (re.search(f"  to {what} +(.*)", text)[1] for what in ("see all", "see more", "accept it"))
+        for command in (verbose, *more.split("; "), accept.replace("TEXT", "again")):
+            words = command.split()
+            self.assertEqual(words[0], "hyrax-sim")
+            environment = {**os.environ, "HYRAX_ALTERED_CORE": "drag_before_gravity"}
+            outcome = run(ALTERED, *words[1:], cwd=self.folder, env=environment)
+            self.assertIn(outcome.exit_code, (AGREED, DISAGREED), outcome)
+
+    def expecting(self, expect):
+        """Gives the third scenario these expectations."""
+        path = self.folder / "scenarios/third.json"
+        path.write_text(json.dumps({**json.loads(path.read_text()), "expect": expect}))
+
+    def test_the_suggested_bless_updates_the_hashes_that_keep_it_from_working(self):
+        outcome = self.expect(AGREED, "run", "scenarios/third.json", "--json", "-o", "now.h5")
+        self.expecting({"state_hash": outcome.json["runs"][0]["state_hash"]})
+        first, second = re.search("  to accept it +(.*)", self.altered("gravity_by_one_ulp").out)[1].split("; ")
+        self.assertEqual(first, "hyrax-sim bless scenarios/third.json --reason TEXT --update-hash")
+        self.assertEqual(second, "hyrax-sim bless scenarios --reason TEXT")
+        others = self.state_of("scenarios/a")
+        for command in (first, second):
+            self.altered("gravity_by_one_ulp", command=command.split()[1:], exit_code=AGREED)
+        self.altered("gravity_by_one_ulp", exit_code=AGREED)
+        self.assertEqual(self.state_of("scenarios/a"), others)
+
+    def test_expectations_that_bless_does_not_update_are_to_be_edited(self):
+        self.write("scenarios/fourth.json", fling(name="fourth", clock={"dt_s": 0}))  # Gravity changes nothing.
+        self.expect(AGREED, "bless", "scenarios/fourth.json", "--reason", "x")
+        self.write("scenarios/fourth.json", fling(name="fourth", clock={"dt_s": 0}, expect={"finite": False}))
+        self.expecting({"contacts": {"right": 7}})
+        text = self.altered("gravity_by_one_ulp").out
+        self.assertIn("  to edit         expect of scenarios/fourth.json: bless changes no boolean, error bound or one-sided "
+                      "limit\n  to accept it    hyrax-sim bless scenarios/third.json --reason TEXT --update-expect; hyrax-sim "
+                      "bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n", text)
+
+    def test_a_missing_golden_file_does_not_hide_an_expectation(self):
+        self.expecting({"contacts": {"right": 7}})
+        (self.folder / "golden/third.h5").unlink()
+        (self.folder / "golden/third.txt").unlink()
+        self.assertRegex(self.expect(GOLDEN_MISSING, "check").out,
+                         "scenarios/third.json: missing: .*third.h5.*; expect contacts/right: wanted 7, measured 1\n")
+        for arguments, exit_code in ((("check", "--verbose"), GOLDEN_MISSING),
+                                     (("run", "scenarios/third.json", "-o", "now.h5"), DISAGREED)):
+            text = self.expect(exit_code, *arguments).out
+            self.assertIn("golden/third.h5", text)
+            self.assertNotIn("to create it", text)
+
+    def test_quiet_prints_names_and_counts(self):
+        self.assertEqual(self.altered("gravity_stronger", "-q").out,
+                         "disagreed: scenarios/a/first.json, scenarios/a/second.json, scenarios/third.json\n"
+                         "3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n")
+        bless = ("bless", "scenarios", "--reason", "x", "--dry-run", "--prune")
+        (self.folder / "scenarios/third.json").unlink()
+        self.assertEqual(self.altered("gravity_stronger", "-q", command=bless).out, "dry run: nothing written\n")
+
+    def test_verbose_prints_every_scenario_as_well(self):
+        text = self.altered("gravity_stronger", "--verbose").out
+        for name in ("a/first", "a/second", "third"):
+            self.assertIn(f"scenarios/{name}.json: disagreed\n  class      contacts\n  first      step 1, field y\n", text)
+        self.assertIn("the accepted core gives all 3 golden files", text)
+
+    def test_what_is_missing_failed_or_unreferenced_has_one_line_each(self):
+        (self.folder / "golden/a/first.h5").unlink()
+        (self.folder / "golden/a/first.txt").unlink()
+        (self.folder / "scenarios/third.json").unlink()
+        self.write("scenarios/bad.json", "{")
+        lines = self.altered("gravity_stronger", exit_code=BAD_INPUT).out.splitlines()
+        for path, word in (("scenarios/a/first.json", "missing"), ("scenarios/bad.json", "failed"),
+                           ("golden/third", "unreferenced")):
+            self.assertEqual(len([line for line in lines if line.startswith(f"{path}: {word}: ")]), 1, lines)
+        self.assertEqual(len([line for line in lines if line.startswith("1 of 3 scenarios differs: GRAVITY 1200 -> 1250; ")]), 1)
+
+
+class Documents(CauseTest):
+    """JUnit XML, annotations, Markdown."""
+
+    def test_junit_has_cause_and_distance_in_the_message(self):
+        self.altered("gravity_stronger", "--junit", "report.xml")
+        suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
+        messages = [failure.get("message") for failure in suite.iter("failure")]
+        self.assertEqual(len(messages), 3)
+        for message in messages:
+            self.assertRegex(message, r"^disagreed: GRAVITY 1200 -> 1250: [\d.]+ px at step \d+, [\d.]+ s, "
+                                      r"\d+ contacts moved")
+
+    def test_annotations_name_each_file_once(self):
+        lines = self.altered("gravity_stronger", "--annotate", "github").out.splitlines()
+        annotations = [line for line in lines if line.startswith("::")]
+        self.assertEqual(sorted(re.match(r"::error file=([^,]+),title=[^:]+::GRAVITY 1200 -> 1250: ", line)[1]
+                                for line in annotations),
+                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
+        self.assertEqual(self.altered("none", "--annotate", "github", exit_code=AGREED).out.count("::"), 0)
+        outcome = self.altered("gravity_stronger", "--annotate", "github", "--json")
+        self.assertEqual(outcome.json["disagreed"], 3)
+        self.assertEqual(outcome.err.count("::error "), 3)
+        self.expect(BAD_INPUT, "check", "--annotate", "gitlab", says="--annotate: ")
+
+    def test_the_summary_has_groups_and_scenarios(self):
+        self.altered("gravity_stronger", "--summary", "check.md")
+        text = (self.folder / "check.md").read_text()
+        self.assertTrue(text.startswith("## hyrax-sim check: not agreed\n"), text)
+        self.assertIn("the accepted core gives all 3 golden files", text)
+        for name in ("a/first", "a/second", "third"):
+            self.assertIn(f"- `scenarios/{name}.json`: ", text)
+        self.expect(AGREED, "check", "--summary", "green.md")
+        self.assertIn("3 agreed", (self.folder / "green.md").read_text())
+        self.assertEqual([name for name in self.names() if name.startswith("green")], ["green.md"])
+
+    def test_the_summary_has_a_picture_of_each_cause(self):
+        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
+        self.write("scenarios/third.json", fling(name="third", start=start))
+        self.altered("gravity_by_one_ulp", "--summary", "che ck.md")
+        text = (self.folder / "che ck.md").read_text()
+        for group, name in enumerate(("che ck-1.svg", "che ck-2.svg"), 1):
+            self.assertIn(f"![both paths of the worst scenario, and their distance](<{name}>)", text)
+            self.assertIn("</svg>", (self.folder / name).read_text(), group)
+        self.assertNotIn("-3.svg", text)
+
+    def test_a_picture_that_cannot_be_drawn_changes_no_verdict(self):
+        outcome = run(ALTERED, "check", "--summary", "check.md", cwd=self.folder,
+                      env={**os.environ, "HYRAX_ALTERED_CORE": "gravity_stronger", "PATH": "/nowhere"})
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertIn("gnuplot is not installed", (self.folder / "check.md").read_text())
+
+    def test_hostile_names_stay_in_their_place(self):
+        names = ("per%cent", "com,ma", "co:lon", "line\nbreak", "tick`s``", "<b>&\"", "::error file=x::y", "\x1b[31mred")
+        for name in names:
+            self.write(f"scenarios/{name}.json", "{")
+        outcome = self.altered("none", "--annotate", "github", "--summary", "check.md", exit_code=BAD_INPUT)
+        annotations = [line for line in outcome.out.splitlines() if line.startswith("::")]
+        self.assertEqual(len(annotations), len(names))
+        files = {re.match(r"::error file=([^:,]*),title=[^:,]*::", line)[1] for line in annotations}
+        self.assertIn("scenarios/per%25cent.json", files)
+        self.assertIn("scenarios/com%2Cma.json", files)
+        self.assertIn("scenarios/co%3Alon.json", files)
+        self.assertIn("scenarios/line%0Abreak.json", files)
+        self.assertNotIn("\x1b", outcome.out)
+        text = (self.folder / "check.md").read_text()
+        self.assertNotIn("\x1b", text)
+        self.assertIn("- ```scenarios/tick`s``.json```: failed", text)
+        self.assertIn("- `scenarios/line\\u000abreak.json`: failed", text)
+
+    def test_outputs_are_guarded(self):
+        self.expect(BAD_INPUT, "check", "--summary", "golden/report.md", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--summary", "report.txt", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report.md", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report-1.svg", says="report-1.svg")
+        self.expect(CANNOT_ACCESS, "check", "--summary", "no/such/report.md", says="no/such/report.md")
+        self.assertEqual(self.names(), ["golden", "scenarios"])
+
+    def test_a_missing_golden_file_is_in_all_of_them(self):
+        (self.folder / "golden/third.h5").unlink()
+        outcome = self.expect(GOLDEN_MISSING, "check", "--annotate", "github", "--summary", "check.md", "--junit",
+                              "report.xml")
+        self.assertIn("::error file=scenarios/third.json,title=hyrax-sim check%3A missing::no golden file", outcome.out)
+        self.assertIn("- `scenarios/third.json`: missing: ", (self.folder / "check.md").read_text())
+        self.assertIn("message=\"missing: no golden file", (self.folder / "report.xml").read_text())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+"""What the build records of a core's header: tools/cmake/record_core.cmake, with the settings of this build.
+
+The cases that need no compiler of their own are in tests/unit/sim/trace/host.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+
+from process import succeed
+from program import SOURCE, ProgramTest, main
+
+SETTINGS = pathlib.Path(os.environ["HYRAX_RECORD_SETTINGS"])
+LISTING = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
+MOVE = "m_x += m_vx * dt;"
+
+VEC2 = """#pragma once
+#include <ostream>
+struct vec2 {
+  double x = 0, y = 0;
+  bool operator==(const vec2&) const = default;
+};
+constexpr vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr vec2 operator*(vec2 a, double s) { return {a.x * s, a.y * s}; }
+inline std::ostream& operator<<(std::ostream& stream, const vec2&) { return stream; }
+"""
+
+
+class CoreRecord(ProgramTest):
+    """Headers, and what is recorded of them."""
+
+    def record(self, header, **changed):
+        """The step's text, or why there is none."""
+        settings = SETTINGS.read_text(encoding="utf-8")
+        for key, value in {"folder": self.folder, "header": self.folder / self.write("core.h", header), **changed}.items():
+            settings, found = re.subn(rf"set\({key} \[==\[.*\]==\]\)", f"set({key} [==[{value}]==])", settings)
+            self.assertEqual(found, 1, key)
+        path = self.folder / self.write("settings.cmake", settings)
+        succeed("cmake", "-D", f"settings={path}", "-P", SOURCE / "tools/cmake/record_core.cmake")
+        source = (self.folder / "core_record.cpp").read_text(encoding="utf-8")
+        self.assertIn("".join(f"\\x{byte:02x}" for byte in header.encode()), source)
+        why = self.folder / "why_incomplete.txt"
+        return (why if why.exists() else self.folder / "step.txt").read_text(encoding="utf-8")
+
+    def changed(self, old, new, text=LISTING):
+        """The listing with one change."""
+        self.assertEqual(text.count(old), 1)
+        return text.replace(old, new)
+
+    def test_what_does_not_change_the_step_does_not_change_its_text(self):
+        step = self.record(LISTING)
+        self.assertEqual(step, (SETTINGS.parent / "step.txt").read_text(encoding="utf-8"))
+        macros = "#define Real Whole\n#define trace hyrax\n#define record 3\n#define value 4\n"
+        self.assertEqual(self.record(macros + LISTING), step)
+        self.write("vec2.h", VEC2)
+        with_vectors = self.changed(MOVE, "m_x = (vec2{m_x, 0} + vec2{m_vx, 0} * dt).x;",
+                                    LISTING.replace("#pragma once", '#pragma once\n#include "vec2.h"'))
+        self.assertEqual(self.record(with_vectors), step)
+        self.assertIn("vec2.h", (self.folder / "core_record.d").read_text(encoding="utf-8"))
+
+    def test_definitions_are_those_of_the_compiled_core(self):
+        header = self.changed("GRAVITY = 1200.0", "GRAVITY = G")
+        self.assertIn("dt * 980{", self.record(header, definitions="G=980.0"))
+        self.assertIn("does not compile when traced: core.h:", self.record(header))
+
+    def test_what_is_traced_wrongly_is_noticed_by_the_compiled_core(self):
+        size = self.changed(MOVE, MOVE + " m_x += sizeof(m_x) - 8;")
+        self.assertIn("the traced step does not give the compiled core's bits: update of (", self.record(size))
+
+    def test_no_compiler(self):
+        self.assertEqual(self.record(LISTING, compiler=""), "no compiler of this machine")
+
+    def test_clang_records_the_same_text(self):
+        if shutil.which("clang++") is None:
+            self.skipTest("no clang++")
+        step = self.record(LISTING, compiler="clang++", flags="-std=c++20;-ffp-contract=off")
+        self.assertEqual(step, (SETTINGS.parent / "step.txt").read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    main()

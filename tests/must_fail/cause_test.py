@@ -1,0 +1,133 @@
+#!/usr/bin/python3
+"""To what `check` puts the runs of every altered core: the core, the clock, the inputs.
+
+    cause_test.py             tests, and compares README.md beside this file with the table
+    cause_test.py --update    writes the table into README.md
+"""
+
+import functools
+import json
+import re
+import sys
+import unittest
+
+from altered import CONTROLS, altered_cores, run_altered
+from process import run
+from program import AGREED, SOURCE, main
+
+README = SOURCE / "tests/must_fail/README.md"
+BEGIN, END = "<!-- table of cause_test.py -->\n", "<!-- end of the table -->\n"
+
+SCENARIOS = ["scenarios/flings", *(f"scenarios/{name}.json" for name in (
+    "paper/exact-bounds", "paper/corner-x-before-y", "hard/corners", "hard/rest", "hard/on-a-bound", "hard/grazing",
+    "hard/sprite-larger-than-window", "hard/frames-of-no-time", "hard/trace-of-extremes", "clocks/jitter-normal",
+    "clocks/jitter-uniform", "clocks/missed-frames"))]
+
+# The same arithmetic in another order: no bit of any run changes.
+SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_moves_before_x"}
+
+# Which runs it changes depends on the runs before and beside them: nothing true can be said of it.
+NOT_REPEATABLE = "hidden_state"
+
+# What a group says. An altered header has other constants, or one more statement in the line after the last.
+CORE = f"the core changed at line {len((SOURCE / 'sim/physics/physics.h').read_text().splitlines()) + 1}"
+DETAILS = {"core": rf"({CORE}|[A-Z_]+ \S+ -> [^ ;]+(; [A-Z_]+ \S+ -> [^ ;]+)*)$",
+           "clock": "the clock gives other frame times: dt of row ",
+           "input": "inputs differ: .* in frame ",
+           "non_finite": r"(in the worst, )?(x|y|vx|vy) is (infinite|not a number)",
+           "unknown": "the core is the accepted one, and its step gives the golden file, but this program does not"}
+
+
+def wanted(core, operation):
+    """The groups that there may be."""
+    if core in SAME_BITS:
+        return set()
+    if core == "contracted":
+        return {"unknown"}
+    fed = {"clock": "clock", "inputs": "input"}
+    if operation in fed:
+        return {fed[operation]}
+    return {"core", "non_finite"} | {fed[part] for part in operation.split(" and ") if part in fed}
+
+
+@functools.cache
+def document_of(core):
+    """What `check` says of a core, or of the fused build."""
+    arguments = ("check", "--json", *SCENARIOS)
+    if core == "contracted":
+        return json.loads(run(CONTROLS / "control_contracted", *arguments, cwd=SOURCE).out)
+    return json.loads(run_altered(core, *arguments).out)
+
+
+def all_cores():
+    """{name: operation}, the fused build last."""
+    cores = {core: operation for core, (operation, _) in altered_cores().items() if core != NOT_REPEATABLE}
+    return {**cores, "contracted": "build"}
+
+
+def table():
+    """A row for each set of causes: the altered cores of which it is said."""
+    rows = {}
+    for core in all_cores():
+        said = ", ".join(sorted({group["operation"] for group in document_of(core)["groups"]})) or "no bit differs"
+        rows.setdefault(said, []).append(f"`{core}`")
+    lines = [f"| {said} | {', '.join(rows[said])} |\n" for said in sorted(rows)]
+    return "".join(["| causes | altered cores |\n|---|---|\n", *lines])
+
+
+class Causes(unittest.TestCase):
+    """Each altered core, by what is said of it."""
+
+    maxDiff = None
+
+    def test_each_cause_is_true(self):
+        for core, operation in all_cores().items():
+            with self.subTest(core=core):
+                document = document_of(core)
+                groups = document["groups"]
+                self.assertLessEqual({group["operation"] for group in groups}, wanted(core, operation))
+                self.assertEqual(document["disagreed"] > 0, bool(wanted(core, operation)))
+                self.assertEqual(sum(len(group["scenarios"]) for group in groups), document["disagreed"])
+                for group in groups:
+                    self.assertRegex(group["detail"], f"^{DETAILS[group['operation']]}")
+
+    def test_each_cause_is_one_group(self):
+        for core in all_cores():
+            operations = [group["operation"] for group in document_of(core)["groups"]]
+            self.assertEqual(len(operations), len(set(operations)), (core, operations))
+
+    def test_of_two_alterations_at_once_each_is_the_cause_of_some_runs(self):
+        for core, parts in (("clock_and_drag", {"core", "clock"}), ("inputs_and_friction", {"core", "input"})):
+            self.assertEqual({group["operation"] for group in document_of(core)["groups"]}, parts)
+
+    def test_a_core_that_is_not_traced_is_not_proved(self):
+        for core in SAME_BITS - {"none"}:
+            (verdict,) = document_of(core)["cores"]
+            self.assertEqual((verdict["status"], verdict["why"]), ("not_proved", "altered for a test"))
+        for core, status in (("none", "accepted"), ("inputs_late", "accepted"), ("fling_swapped", "changed")):
+            self.assertEqual(document_of(core)["cores"][0]["status"], status)
+        self.assertEqual(run_altered("turn_before_clamp", "check", SCENARIOS[0]).exit_code, AGREED)
+
+    def test_the_change_is_named(self):
+        (change,) = document_of("no_drag_in_x")["cores"][0]["changes"]
+        self.assertEqual((change["kind"], change["detail"]), ("added", "ALTERED_CORE no_drag_in_x;"))
+        self.assertEqual(change["line"], int(re.search(r"\d+$", CORE)[0]))
+        (group,) = document_of("two_constants")["groups"]
+        self.assertEqual(group["detail"], "GRAVITY 1200 -> 1250; GROUND_FRICTION 0.8 -> 0.7")
+
+    def test_the_table_in_the_readme_is_this_one(self):
+        text = README.read_text(encoding="utf-8")
+        self.assertEqual(text[text.index(BEGIN) + len(BEGIN):text.index(END)], table())
+
+
+def update():
+    """Writes the table into README.md."""
+    text = README.read_text(encoding="utf-8")
+    README.write_text(text[:text.index(BEGIN)] + BEGIN + table() + text[text.index(END):], encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if "--update" in sys.argv:
+        update()
+    else:
+        main()

@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+"""What `check` answers to the edits of core_edits.py, over the project's own library.
+
+HYRAX_ALL_EDITS is set: all of them, else a few.
+"""
+
+import concurrent.futures
+import json
+import os
+import re
+import tempfile
+import unittest
+
+from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE
+from program import AGREED, DISAGREED, PROGRAM, SOURCE, main
+from process import succeed
+from traced import SHIPPED, traced
+
+EDITS = [edit for edit in ALL if "HYRAX_ALL_EDITS" in os.environ or edit.name in EVERYDAY]
+
+
+def words_of(text):
+    """The text without blanks."""
+    return "".join(text.split())
+
+
+class Answer:
+    """What is answered to an edit, and in what it is wrong: a list of sentences."""
+
+    def __init__(self, edit):
+        self.edit = edit
+        self.header = edit.apply(SHIPPED)
+        self.core = traced(self.header)
+        self.outcome = self.core.run("check", "--json")
+        self.faults = []
+        if self.outcome.exit_code not in (AGREED, DISAGREED):
+            self.faults.append(str(self.outcome))
+            return
+        self.document = self.outcome.json
+        (self.verdict,) = self.document["cores"]
+        self.judge()
+
+    def expect(self, holds, fault):
+        """Notes a fault."""
+        if not holds:
+            self.faults.append(fault)
+
+    def judge(self):
+        """Compares everything with what the edit expects."""
+        is_changed = self.edit.status == "changed"
+        status, groups = self.verdict["status"], self.document["groups"]
+        self.expect(status == self.edit.status, f"status {status} ({self.verdict['why']})")
+        self.expect(self.outcome.exit_code == (DISAGREED if is_changed else AGREED), f"exit code {self.outcome.exit_code}")
+        operations = {group["operation"] for group in groups}
+        self.expect(operations <= ({"core", "non_finite"} if is_changed else set()), f"groups {operations}")
+        self.expect(sum(len(group["scenarios"]) for group in groups) == self.document["disagreed"], "not all are in a group")
+        details = [change["detail"] for change in self.verdict["changes"]]
+        named = words_of("\n".join([*details, self.verdict["why"] or ""]))
+        for name in self.edit.names:
+            self.expect(words_of(name) in named, f"{name} is not named: {details}")
+        self.judge_lines()
+        if is_changed:
+            self.judge_changed(groups)
+        elif status == "not_proved":
+            self.expect(self.verdict["why"], "no reason is given")
+
+    def judge_lines(self):
+        """Every change is in the line that it names."""
+        lines = {"removed": SHIPPED.splitlines()}
+        for change in self.verdict["changes"]:
+            line = lines.get(change["kind"], self.header.splitlines())[change["line"] - 1]
+            text = change["detail"].split(" -> ")[-1] if change["kind"] == "altered" else change["detail"]
+            self.expect(re.match(r"\W*\w*", text)[0] in line, f"line {change['line']} ({line}) has no {text}")
+
+    def judge_changed(self, groups):
+        """The detail of a group names the edit; what no scenario notices is shown by one."""
+        shown = [entry["scenario"] for entry in self.verdict["unnoticed"] if entry["scenario"]]
+        self.expect(groups or shown, "nothing shows the change")
+        for entry in shown:
+            self.expect(self.hash_of(entry) != self.hash_of(entry, is_accepted=True), f"shows nothing: {entry}")
+        constants = [change for change in self.verdict["changes"] if change["kind"] == "constant"]
+        is_of_constants = len(constants) == len(self.verdict["changes"])
+        for group in groups:
+            for change in constants if group["operation"] == "core" else ():
+                self.expect(change["detail"] in group["detail"], f"{change['detail']} is not in {group['detail']}")
+        for change in constants if is_of_constants and groups else ():
+            self.expect(change["scenarios"] is not None, f"{change['detail']}: alone is not counted")
+        if is_of_constants and len(constants) == 1 and groups:
+            self.expect(constants[0]["scenarios"] == sum(len(group["scenarios"]) for group in groups if group["operation"] == "core"),
+                        f"alone reproduces {constants[0]['scenarios']}")
+
+    def hash_of(self, scenario, is_accepted=False):
+        """The state hash of a scenario by the edited core, or the shipped one."""
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            path = f"{folder}/unnoticed.json"
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(scenario, file)
+            arguments = ("run", path, "--json", "-o", folder + "/")
+            outcome = succeed(PROGRAM, *arguments, cwd=SOURCE) if is_accepted else self.core.run(*arguments)
+            return outcome.json["runs"][0]["state_hash"]
+
+
+class CoreEdits(unittest.TestCase):
+    """Each edit, by what is answered."""
+
+    def test_there_are_enough_of_every_kind(self):
+        self.assertEqual(len({edit.name for edit in ALL}), len(ALL))
+        for edits, count in ((SINGLE, 40), (CONDITIONAL, 40), (EQUAL, 20), (PAIRS, 10)):
+            self.assertGreaterEqual(len(edits), count)
+        self.assertLessEqual(set(EVERYDAY), {edit.name for edit in ALL})
+
+    def test_the_shipped_core_is_the_accepted_one(self):
+        outcome = traced(SHIPPED).run("check", "--json", "scenarios/flings")
+        self.assertEqual((outcome.exit_code, outcome.json["cores"][0]["status"]), (AGREED, "accepted"))
+
+    def test_each_edit_is_answered(self):
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for answer in pool.map(Answer, EDITS):
+                with self.subTest(edit=answer.edit.name):
+                    self.assertEqual(answer.faults, [])
+
+
+if __name__ == "__main__":
+    main()

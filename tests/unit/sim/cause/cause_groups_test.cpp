@@ -1,0 +1,153 @@
+// Runs that differ are put down to the core only where the accepted core gives the golden file.
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "sim/cause/cause_groups.h"
+#include "tests/unit/sim/cause/hand_step.h"
+
+namespace hyrax {
+namespace {
+
+// A program whose core may be another one than the accepted, which is the listing.
+class Program {
+ public:
+  HandStep step;
+
+  [[nodiscard]] Cause cause_of(const StoredRun& golden, const StoredRun& fresh,
+                               const std::string& scenario_change = "", bool is_as_blessed = true) const {
+    return group_by_cause({{golden, fresh, scenario_change, is_as_blessed, names_accepted_core}}, base())
+        .at(0)
+        .cause;
+  }
+  [[nodiscard]] CauseBase base() const {
+    return {.program = program_,
+            .accepted = has_accepted_core ? &accepted_ : nullptr,
+            .why_not_played = "no accepted core",
+            .is_same_core = is_same_core,
+            .core_change = "GRAVITY 1200 -> 1250"};
+  }
+
+  bool is_same_core = false;
+  bool has_accepted_core = true;
+  bool names_accepted_core = true;
+
+ private:
+  HandStep listing_;
+  KernelOf<HandCores> program_{HandCores{&step}};
+  KernelOf<HandCores> accepted_{HandCores{&listing_}};
+};
+
+std::vector<Scenario> library() {
+  Scenario low = fling_at(144.0, 1500);
+  low.start = {900.0, 900.0};
+  low.start_velocity = {-700.0, 0.0};
+  return {fling_at(60.0, 900), eventful_fling(), low, fling_at(240.0, 12000), any_fling(3, 600)};
+}
+
+TEST(Cause, IsTheCoreWhereTheAcceptedOneGivesTheGoldenFile) {
+  Program program;
+  program.step.constants.gravity_px_per_s2 = 1250.0;
+  std::deque<StoredRun> kept;
+  std::vector<DifferingRun> runs;
+  for (const Scenario& scenario : library()) {
+    const StoredRun& golden = kept.emplace_back(run_of(scenario));
+    runs.push_back({golden, kept.emplace_back(run_of(scenario, program.step)), "", true, true});
+  }
+  const std::vector<CauseGroup> groups = group_by_cause(runs, program.base());
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].cause, (Cause{CauseKind::core, "GRAVITY 1200 -> 1250"}));
+  EXPECT_EQ(groups[0].runs.size(), runs.size());
+}
+
+TEST(Cause, IsUnknownWhereTheCoreIsTheAcceptedOneAndTheProgramIsNot) {
+  Program program;
+  program.is_same_core = true;
+  program.step.constants.gravity_px_per_s2 = 1250.0;
+  const Scenario scenario = fling_at(60.0, 300);
+  const Cause cause = program.cause_of(run_of(scenario), run_of(scenario, program.step));
+  EXPECT_EQ(cause.kind, CauseKind::unknown);
+  EXPECT_TRUE(cause.detail.starts_with("the core is the accepted one")) << cause.detail;
+}
+
+TEST(Cause, IsUnknownWithoutAnAcceptedCore) {
+  Program program;
+  program.step.constants.gravity_px_per_s2 = 1250.0;
+  const Scenario scenario = fling_at(60.0, 300);
+  const StoredRun golden = run_of(scenario), fresh = run_of(scenario, program.step);
+  program.has_accepted_core = false;
+  EXPECT_EQ(program.cause_of(golden, fresh), (Cause{CauseKind::unknown, "no accepted core"}));
+  program.has_accepted_core = true;
+  program.names_accepted_core = false;
+  EXPECT_EQ(program.cause_of(golden, fresh).detail,
+            "its golden file was blessed with another core than the accepted one");
+}
+
+// The golden file's program had another clock, or other inputs.
+TEST(Cause, IsTheClockWhereFrameTimesDiffer) {
+  const Program program;
+  for (const std::int64_t steps : {std::int64_t{300}, std::int64_t{12000}}) {
+    const Scenario scenario = fling_at(60.0, steps);
+    Scenario slow = scenario;
+    slow.events = {{std::int64_t{0}, Hitch{1.0 / 59.0}}};
+    StoredRun golden = run_of(slow);
+    golden.scenario = scenario;
+    golden.inputs.clear();
+    const Cause cause = program.cause_of(golden, run_of(scenario));
+    EXPECT_EQ(cause.kind, CauseKind::clock) << cause.detail;
+  }
+}
+
+TEST(Cause, IsAnInputThatDiffers) {
+  const Program program;
+  const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Fling{{-1500.0, -900.0}}}});
+  Scenario late = scenario;
+  late.events = {{std::int64_t{41}, Fling{{-1500.0, -900.0}}}};
+  StoredRun golden = run_of(late);
+  golden.scenario = scenario;
+  EXPECT_EQ(program.cause_of(golden, run_of(scenario)),
+            (Cause{CauseKind::input, "inputs differ: fling in frame 41 -> fling in frame 40"}));
+}
+
+TEST(Cause, IsAnInputOfAnotherEffect) {
+  const Program program;
+  const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Fling{{-1500.0, -900.0}}}});
+  Scenario other = scenario;
+  other.events = {{std::int64_t{40}, Fling{{-1500.0, -901.0}}}};
+  StoredRun golden = run_of(other);
+  golden.scenario = scenario;
+  golden.inputs = inputs_of(scenario, 300);
+  EXPECT_EQ(program.cause_of(golden, run_of(scenario)),
+            (Cause{CauseKind::input, "an input has another effect"}));
+}
+
+TEST(Cause, IsTheScenariosOwnText) {
+  Program program;
+  const Scenario scenario = fling_at(60.0, 300);
+  Scenario faster = scenario;
+  faster.start_velocity.vx_px_per_s += 1.0;
+  const StoredRun golden = run_of(scenario);
+  EXPECT_EQ(program.cause_of(golden, run_of(faster), "/start/vx_px_per_s 2400 -> 2401"),
+            (Cause{CauseKind::scenario, "/start/vx_px_per_s 2400 -> 2401"}));
+  program.step.constants.gravity_px_per_s2 = 1250.0;  // It changes the run by itself, whatever the core does.
+  EXPECT_EQ(program.cause_of(golden, run_of(faster, program.step), "/start/vx_px_per_s 2400 -> 2401").kind,
+            CauseKind::scenario);
+}
+
+TEST(Cause, IsAGoldenFileThatWasChanged) {
+  Program program;
+  const Scenario scenario = fling_at(60.0, 300);
+  StoredRun golden = run_of(scenario);
+  golden.rows.x_px[200] += 1.0;
+  golden.state_hash.front() = golden.state_hash.front() == 'a' ? 'b' : 'a';
+  const StoredRun fresh = run_of(scenario);
+  EXPECT_EQ(program.cause_of(golden, fresh, "", false).kind, CauseKind::golden);
+  EXPECT_EQ(program.cause_of(golden, fresh).kind, CauseKind::golden) << "its checksums were made to agree";
+  StoredRun renamed = run_of(scenario);
+  renamed.scenario.start_velocity.vx_px_per_s += 1.0;
+  EXPECT_EQ(program.cause_of(renamed, fresh, "/start/vx_px_per_s 2401 -> 2400", false).kind,
+            CauseKind::golden);
+}
+
+}  // namespace
+}  // namespace hyrax

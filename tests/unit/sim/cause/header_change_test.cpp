@@ -1,0 +1,121 @@
+// A header's change is said in its own words, and layout is none.
+#include <gtest/gtest.h>
+
+#include "sim/cause/header_change.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::string_view kHeader = R"(// A core.
+#pragma once
+class physics {
+  static constexpr double GRAVITY = 1200.0;  ///< px/s^2.
+  static constexpr double DRAG = -0.5;
+  void update(double dt) {
+    m_vy += GRAVITY * dt;
+    m_vx *= DRAG;
+    if (m_x < 0.0) {
+      m_x = 0.0;
+    }
+  }
+};
+)";
+
+std::string with(std::string_view from, std::string_view to) {
+  std::string text(kHeader);
+  return text.replace(text.find(from), from.size(), to);
+}
+
+HeaderChange only_change(const std::string& current) {
+  const std::vector<HeaderChange> changes = header_changes(kHeader, current);
+  EXPECT_EQ(changes.size(), 1u) << current;
+  return changes.empty() ? HeaderChange{} : changes.front();
+}
+
+TEST(HeaderConstants, AreReadWithTheirSigns) {
+  const std::vector<HeaderConstant> constants = header_constants(kHeader);
+  ASSERT_EQ(constants.size(), 2u);
+  EXPECT_EQ(constants[0].name, "GRAVITY");
+  EXPECT_EQ(constants[0].value, 1200.0);
+  EXPECT_EQ(constants[1].value, -0.5);
+}
+
+TEST(HeaderChanges, CommentsBlanksAndLineEndsAreNone) {
+  EXPECT_TRUE(header_changes(kHeader, kHeader).empty());
+  EXPECT_TRUE(header_changes(kHeader, with("// A core.", "/* Another\n text; */ // with words")).empty());
+  EXPECT_TRUE(
+      header_changes(kHeader, with("m_vy += GRAVITY * dt;", "m_vy +=\n   GRAVITY*dt ;\r\n\n")).empty());
+  EXPECT_TRUE(header_changes("#define A 1 \\\n  + 2\nint b;", "#define A 1 + 2\nint b;").empty());
+}
+
+TEST(HeaderChanges, OfAConstantHasNameAndBothValues) {
+  const HeaderChange change = only_change(with("1200.0", "1'250.0"));
+  EXPECT_EQ(change.kind, HeaderChangeKind::constant);
+  EXPECT_EQ(change.detail, "GRAVITY 1200 -> 1250");
+  EXPECT_EQ(change.line, 4);
+  EXPECT_EQ(change.from.value, 1200.0);
+  EXPECT_EQ(change.to.value, 1250.0);
+  EXPECT_EQ(only_change(with("-0.5", "-0.25")).detail, "DRAG -0.5 -> -0.25");
+}
+
+TEST(HeaderChanges, OfAStatementHasItsTextsAndLine) {
+  const HeaderChange altered = only_change(with("m_vx *= DRAG;", "m_vx *= 2 * DRAG;"));
+  EXPECT_EQ(altered.kind, HeaderChangeKind::altered);
+  EXPECT_EQ(altered.detail, "m_vx *= DRAG; -> m_vx *= 2 * DRAG;");
+  EXPECT_EQ(altered.line, 8);
+  const HeaderChange removed = only_change(with("m_vx *= DRAG;", ""));
+  EXPECT_EQ(removed.kind, HeaderChangeKind::removed);
+  EXPECT_EQ(removed.detail, "m_vx *= DRAG;");
+  EXPECT_EQ(removed.line, 8);
+  const HeaderChange added = only_change(with("m_vx *= DRAG;", "m_vx *= DRAG;\n    m_vx *= DRAG;"));
+  EXPECT_EQ(added.kind, HeaderChangeKind::added);
+  EXPECT_EQ(added.line, 9);
+}
+
+TEST(HeaderChanges, AStatementIsQuotedAsTheHeaderHasIt) {
+  const HeaderChange change = only_change(with("m_vx *= DRAG;", "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);"));
+  EXPECT_EQ(change.detail, "m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);");
+}
+
+TEST(HeaderChanges, AnAccessSpecifierIsNoPartOfWhatFollows) {
+  const std::string labelled = with("class physics {", "class physics {\n public:");
+  const std::vector<HeaderChange> changes =
+      header_changes(labelled, with("class physics {", "class physics {\n private:"));
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].detail, "public: -> private:");
+}
+
+TEST(HeaderChanges, AConstantOfTheSameValueIsAltered) {
+  EXPECT_EQ(only_change(with("1200.0", "1.2e3")).kind, HeaderChangeKind::altered);
+}
+
+TEST(HeaderChanges, AConstantGivenByAnExpressionIsAltered) {
+  EXPECT_EQ(only_change(with("1200.0", "2.0 * 600.0")).kind, HeaderChangeKind::altered);
+}
+
+TEST(HeaderChanges, OfUnclosedTextsEnd) {
+  for (const char* const text : {"/* open", "\"open", "'", "#define", "a\\", "1e", "/"})
+    EXPECT_FALSE(header_changes(kHeader, text).empty()) << text;
+}
+
+TEST(ChangesSentence, NamesConstantsThenLines) {
+  EXPECT_EQ(changes_sentence(header_changes(kHeader, with("1200.0", "1250.0"))), "GRAVITY 1200 -> 1250");
+  std::string both = with("m_vx *= DRAG;", "m_vx *= 2 * DRAG;");
+  both.replace(both.find("m_x = 0.0"), 9, "m_x = 1.0");
+  EXPECT_EQ(changes_sentence(header_changes(kHeader, both)), "the core changed at lines 8 and 10");
+  both.replace(both.find("1200.0"), 6, "980.0");
+  EXPECT_EQ(changes_sentence(header_changes(kHeader, both)),
+            "GRAVITY 1200 -> 980; the core changed at lines 8 and 10");
+  EXPECT_EQ(changes_sentence(header_changes(kHeader, with("m_vx *= DRAG;", ""))),
+            "the core changed at line 8 of the accepted header");
+}
+
+TEST(ChangesSentence, SaysWhichHeaderALineIsOf) {
+  const std::string moved =
+      with("m_vy += GRAVITY * dt;\n    m_vx *= DRAG;", "m_vx *= DRAG;\n    m_vy += GRAVITY * dt;");
+  EXPECT_EQ(changes_sentence(header_changes(kHeader, moved)),
+            "the core changed at line 8, and at line 7 of the accepted header");
+}
+
+}  // namespace
+}  // namespace hyrax

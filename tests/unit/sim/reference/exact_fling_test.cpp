@@ -1,0 +1,98 @@
+// The reference of the studies against motions whose impacts are known in closed form.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "sim/reference/exact_fling.h"
+
+namespace hyrax {
+namespace {
+
+constexpr Bounds kBounds{1000.0, 1000.0};
+
+// Without drag a drop from height h takes sqrt(2 h / g), and each bounce 0.6 of the one before.
+FixedLaws without_drag() {
+  Model model;
+  model.air_drag = 1.0;
+  return FixedLaws(model);
+}
+
+TEST(ExactFling, BouncesAsADropWithoutDragDoes) {
+  ExactFling fling(without_drag());
+  fling.start({500.0, 400.0, 0.0, 0.0}, kBounds);
+  EXPECT_EQ(fling.at(10.0).y_px, 1000.0);
+  const double fall_s = std::sqrt(2.0 * 600.0 / 1200.0);
+  const double speed_px_per_s = 1200.0 * fall_s;
+  double expected_s = fall_s;
+  double left_px_per_s = 0.6 * speed_px_per_s;
+  ASSERT_FALSE(fling.impacts().empty());
+  std::size_t count = 0;
+  for (const ExactImpact& impact : fling.impacts()) {
+    EXPECT_EQ(impact.wall, Wall::ground);
+    EXPECT_NEAR(impact.t_s, expected_s, 1e-12);
+    expected_s += 2.0 * left_px_per_s / 1200.0;
+    left_px_per_s *= 0.6;
+    ++count;
+  }
+  // 1200 * 0.6^n < 5 first for n = 11.
+  EXPECT_EQ(count, 11u);
+  EXPECT_EQ(fling.at(11.0).vy_px_per_s, 0.0);
+}
+
+TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
+  const FixedLaws laws;
+  ExactFling fling(laws);
+  fling.start({100.0, 1000.0, 500.0, 0.0}, kBounds);
+  const double rate_per_s = laws.drag_rate_per_s + laws.friction_rate_per_s;
+  // It starts on the ground: the contact is immediate and takes a fifth of its speed.
+  EXPECT_NEAR(fling.at(100.0).x_px, 100.0 + 0.8 * 500.0 / rate_per_s, 1e-10);
+}
+
+TEST(ExactFling, FlightIsTheClosedFormOfLinearDrag) {
+  const FixedLaws laws;
+  ExactFling fling(laws);
+  fling.start({100.0, 500.0, 300.0, -600.0}, kBounds);
+  const double k = laws.drag_rate_per_s;
+  const double t = 0.7;
+  const double damping = std::exp(-k * t);
+  const State now = fling.at(t);
+  EXPECT_NEAR(now.x_px, 100.0 + 300.0 * (1.0 - damping) / k, 1e-10);
+  EXPECT_NEAR(now.vy_px_per_s, -600.0 * damping + 1200.0 * (1.0 - damping) / k, 1e-9);
+}
+
+TEST(ExactFling, MeetsEveryWall) {
+  ExactFling fling;
+  fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);
+  EXPECT_GT(fling.at(3.0).y_px, 0.0);
+  std::array<int, 4> met{};
+  for (const ExactImpact& impact : fling.impacts()) ++met[wall_index(impact.wall)];
+  for (const int count : met) EXPECT_GT(count, 0);
+}
+
+TEST(ExactFling, StaysInItsBoundsAndNeverGainsEnergy) {
+  ExactFling fling;
+  fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);
+  double energy = HUGE_VAL;
+  for (double t_s = 0.0; t_s < 20.0; t_s += 0.01) {
+    const State now = fling.at(t_s);
+    EXPECT_GE(now.x_px, -1e-9);
+    EXPECT_LE(now.x_px, 1000.0 + 1e-9);
+    EXPECT_GE(now.y_px, -1e-9);
+    EXPECT_LE(now.y_px, 1000.0 + 1e-9);
+    const double next = 0.5 * (now.vx_px_per_s * now.vx_px_per_s + now.vy_px_per_s * now.vy_px_per_s) +
+                        1200.0 * (1000.0 - now.y_px);
+    EXPECT_LE(next, energy * (1.0 + 1e-12) + 1e-9);
+    energy = next;
+  }
+}
+
+TEST(ExactFling, AStartOutsideIsPutOntoItsWall) {
+  ExactFling fling;
+  fling.start({-50.0, 500.0, -100.0, 0.0}, kBounds);
+  EXPECT_EQ(fling.at(0.0).x_px, 0.0);
+  EXPECT_EQ(fling.at(0.0).vx_px_per_s, 60.0);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,148 @@
+// The whole run against the exact fling: rows made from that fling itself, flights whose error is known, and
+// runs that have no exact fling.
+#include "sim/reference/whole_run.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/sim/reference/test_run.h"
+
+namespace hyrax {
+namespace {
+
+WholeOutcome outcome_of(const Scenario& scenario, const Columns& rows, const Model& model = {}) {
+  WholeMeter meter(scenario, inputs_of(scenario), model);
+  meter.rows(rows);
+  return meter.outcome();
+}
+WholeRun whole_of(const Scenario& scenario, const Columns& rows) {
+  return outcome_of(scenario, rows).run.value();
+}
+WholeRun whole_of(const Scenario& scenario) { return whole_of(scenario, rows_of(scenario)); }
+
+// The run's rows with the exact fling's states; its inputs are not applied.
+Columns exact_rows(const Scenario& scenario) {
+  Columns rows = rows_of(scenario);
+  ExactFling exact;
+  exact.start(start_state(scenario), bounds_of(scenario.window, scenario.sprite));
+  for (std::size_t index = 1; index < rows.size(); ++index) {
+    const State now = exact.at(rows.t_s[index]);
+    rows.x_px[index] = now.x_px;
+    rows.y_px[index] = now.y_px;
+    rows.vx_px_per_s[index] = now.vx_px_per_s;
+    rows.vy_px_per_s[index] = now.vy_px_per_s;
+  }
+  return rows;
+}
+
+TEST(WholeRun, OfTheExactFlingItselfIsNothingAndSeesWhatIsMoved) {
+  Columns rows = exact_rows(fling());
+  const WholeRun same = whole_of(fling(), rows);
+  EXPECT_LT(same.max_px, 1e-11);
+  EXPECT_LT(same.energy_max_px, 1e-11);
+  rows.y_px[40] -= 2.0;
+  rows.x_px[600] += 1.0;
+  const WholeRun moved = whole_of(fling(), rows);
+  EXPECT_NEAR(moved.max_px, 2.0, 1e-9);
+  EXPECT_EQ(moved.max_px_step, 40);
+  EXPECT_NEAR(moved.energy_max_px, 2.0, 1e-9);
+  EXPECT_NEAR(moved.end_px, 1.0, 1e-9);
+  EXPECT_NEAR(moved.energy_end_px, 0.0, 1e-9);
+}
+
+// Where nothing is met, the fixed laws are the ODE with the drag of 60 Hz.
+TEST(WholeRun, OfAFlightIsItsModelError) {
+  for (const double rate_hz : {24.0, 60.0, 240.0}) {
+    const Scenario scenario = open_sky({300.0, -900.0}, rate_hz, 200);
+    Measured measured;
+    measure(scenario, measured);
+    EXPECT_NEAR(whole_of(scenario).max_px, measured.arcs.at(0).model_px, 1e-8) << rate_hz;
+    EXPECT_FALSE(whole_of(scenario).contacts_differ_from);
+  }
+}
+
+// first-fling's start: `study speed-error` has 41.8 px for it.
+TEST(WholeRun, OfAFlingEndsFromWherePhysicsWouldPutIt) {
+  Scenario scenario = fling();
+  scenario.start = {60.0, 900.0};
+  scenario.start_velocity = {1000.0, -1350.0};
+  EXPECT_NEAR(whole_of(scenario).end_px, 41.8, 0.05);
+  EXPECT_NEAR(whole_of(scenario).energy_end_px, 7.495 * 7.495 / 2.0 / 1200.0, 1e-4) << "residual speed";
+}
+
+TEST(WholeRun, NamesTheFirstContactThatIsNotTheExactImpacts) {
+  Columns rows = rows_of(fling());
+  EXPECT_FALSE(whole_of(fling(), rows).contacts_differ_from);
+  std::size_t second = 0;
+  for (int contacts = 0; contacts < 2; ++second)
+    if (rows.contact[second] != 0) ++contacts;
+  --second;
+  ASSERT_EQ(rows.contact[second], static_cast<std::uint8_t>(Wall::ground));
+  rows.contact[second] = static_cast<std::uint8_t>(Wall::left);
+  EXPECT_EQ(whole_of(fling(), rows).contacts_differ_from, static_cast<std::int64_t>(second));
+}
+
+TEST(WholeRun, GetsTheInputsOfTheRun) {
+  Scenario scenario = fling();
+  const double apart_px = whole_of(scenario).end_px;
+  scenario.events = {{std::int64_t{300}, Grab{}},
+                     {std::int64_t{310}, Place{{640.0, 200.0}}},
+                     {std::int64_t{320}, Release{{0.0, 0.0}}},
+                     {std::int64_t{420}, Hitch{0.5}},
+                     {std::int64_t{500}, Resize{Size{1280, 720}, std::nullopt}}};
+  EXPECT_GT(apart_px, 10.0);
+  EXPECT_EQ(whole_of(scenario).end_px, 0.0) << "dropped without horizontal speed";
+  EXPECT_GT(whole_of(scenario).max_px, 5.0);
+}
+
+TEST(WholeRun, OfARepetitionIsThatOfEveryRow) {
+  Scenario scenario = fling();
+  scenario.length = std::int64_t{300'000};
+  WholeMeter live(scenario, inputs_of(scenario));
+  replay(scenario, live);
+  EXPECT_EQ(live.wants().rows_every, 0) << "the rest is not played";
+  const WholeRun skipped = live.outcome().run.value();
+  const WholeRun every = whole_of(scenario);
+  EXPECT_EQ(skipped.end_px, every.end_px);
+  EXPECT_EQ(skipped.max_px, every.max_px);
+  EXPECT_EQ(skipped.max_px_step, every.max_px_step);
+  EXPECT_EQ(skipped.energy_end_px, every.energy_end_px);
+}
+
+TEST(WholeRun, IsNoneWithoutAnExactFling) {
+  const auto why = [](const Model& model) {
+    const WholeOutcome outcome = outcome_of(fling(), rows_of(fling()), model);
+    EXPECT_EQ(outcome.run.has_value(), outcome.why_not.empty());
+    return outcome.why_not;
+  };
+  EXPECT_EQ(why({}), "");
+  EXPECT_EQ(why({.gravity_px_per_s2 = 0.0}), "gravity is 0");
+  EXPECT_EQ(why({.air_drag = 1.0}), "the drag factor is not between 0 and 1");
+  EXPECT_EQ(why({.ground_friction = 0.0}), "the friction factor is not between 0 and 1");
+  EXPECT_EQ(why({.restitution = 1.0}), "the restitution is not below 1");
+  EXPECT_EQ(why({.rest_threshold_px_per_s = 0.0}), "the rest threshold is 0");
+  Scenario small = fling();
+  small.events = {{std::int64_t{7}, Resize{Size{100, 100}, std::nullopt}}};
+  EXPECT_EQ(outcome_of(small, rows_of(small)).why_not, "the sprite is larger than its window in row 7");
+}
+
+// Both walls at one place: a speed between them turns at once, and again, until nothing is left of it.
+TEST(WholeRun, OfASpriteThatFillsItsWindowComesToAnEnd) {
+  Scenario scenario = fling();
+  scenario.window = scenario.sprite;
+  scenario.start = {};
+  EXPECT_LT(whole_of(scenario).end_px, 1e-300);
+}
+
+// G h / 2 a second without drag, over arcs of any height.
+TEST(SecularSlope, IsThatOfAllArcsTogether) {
+  Scenario scenario = open_sky({300.0, -900.0}, 60.0, 300);
+  const Columns rows = fly_by(paper_step(1.0), scenario);
+  scenario.events = {{std::int64_t{100}, Place{{rows.x_px[100], rows.y_px[100]}}}};
+  Measured measured;
+  measure(scenario, rows, measured, nullptr, {.air_drag = 1.0});
+  ASSERT_EQ(measured.arcs.size(), 2u);
+  EXPECT_NEAR(measured.summary.secular_px_per_s.value(), -10.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace hyrax

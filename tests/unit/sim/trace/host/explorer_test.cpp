@@ -1,0 +1,111 @@
+#include "sim/trace/host/explorer.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "sim/trace/host/recorder.h"
+#include "sim/trace/step_text.h"
+#include "tests/unit/sim/trace/host/cores.h"
+
+namespace hyrax {
+namespace {
+
+using namespace traced_cores;
+
+class Explorer : public testing::Test {
+ protected:
+  Explorer() {
+    trace::set_stop_handler([](const char* why) { throw std::runtime_error(why); });
+  }
+  ~Explorer() override { trace::set_stop_handler(nullptr); }
+
+  template <class Core>
+  static TracedStep step_of() {
+    return canonical(trace::trace_core(trace::calls_of<Core, trace::Real, trace::Whole>()));
+  }
+  template <class Core>
+  static std::string text_of() {
+    return step_text(step_of<Core>());
+  }
+  template <class Core>
+  static std::size_t paths_of() {
+    return step_of<Core>().paths_of(CoreFunction::update).size();
+  }
+  template <class Core>
+  static std::string why_incomplete() {
+    try {
+      return text_of<Core>();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+};
+
+TEST_F(Explorer, FindsTheTwelvePathsOfTheListing) {
+  const TracedStep step = step_of<physics>();
+  EXPECT_EQ(step.members, std::vector(4, NumberKind::real));
+  EXPECT_EQ(step.comparisons.size(), 5U);
+  EXPECT_EQ(paths_of<physics>(), 12U);
+  EXPECT_EQ(step.paths_of(CoreFunction::construct).size(), 1U);
+  EXPECT_EQ(read_step(step_text(step)), step);
+}
+
+TEST_F(Explorer, TellsWhatDiffersForNaNAndForNegativeZeroOnly) {
+  EXPECT_NE(text_of<Plain>(), text_of<AddsZero>());
+  EXPECT_EQ(paths_of<Plain>(), 1U);
+  EXPECT_EQ(paths_of<MindsNaN>(), 2U);
+}
+
+TEST_F(Explorer, TakesMixedArgumentsOfTheStandardFunctions) {
+  EXPECT_EQ(paths_of<traced_cores::Mixed>(), 24U);  // Two ways, three, two, two.
+  EXPECT_NE(text_of<traced_cores::Mixed>().find("pow("), std::string::npos);
+}
+
+TEST_F(Explorer, KeepsTheArithmeticOfFloat) {
+  const std::string text = text_of<Floats>();
+  EXPECT_NE(text.find("members: single single single single\n"), std::string::npos);
+  EXPECT_NE(text.find(": single = to_single(dt)"), std::string::npos);
+  EXPECT_NE(text.find(": real = to_real(x)"), std::string::npos);  // Compared with a half, which is a double.
+}
+
+TEST_F(Explorer, KeepsTheArithmeticOfInt) {
+  const std::string text = text_of<Integers>();
+  EXPECT_NE(text.find(": whole = window_width / 2"), std::string::npos) << text;
+  EXPECT_NE(text.find(": whole = to_whole(x)"), std::string::npos) << text;
+  EXPECT_NE(text.find(" % sprite_width"), std::string::npos) << text;
+}
+
+TEST_F(Explorer, FoldsConstantsAsTheCompilerDoes) {
+  const TracedStep step = step_of<Folds>();
+  EXPECT_TRUE(step.comparisons.empty());
+  EXPECT_NE(step_text(step).find("1.5{"), std::string::npos);
+}
+
+TEST_F(Explorer, FindsFurtherMembersInTheBody) {
+  const TracedStep step = step_of<Counts>();
+  EXPECT_EQ(step.members, (std::vector{NumberKind::real, NumberKind::real, NumberKind::real, NumberKind::real,
+                                       NumberKind::whole, NumberKind::whole, NumberKind::real}));
+  const std::string text = step_text(step);
+  EXPECT_NE(text.find("member_5 < 3"), std::string::npos) << text;
+  EXPECT_NE(text.find("member_6 == 0"), std::string::npos) << text;
+}
+
+TEST_F(Explorer, GoesOnWhereACorePrints) { EXPECT_EQ(text_of<Prints>(), text_of<Plain>()); }
+
+TEST_F(Explorer, SaysWhyAStepIsNotComplete) {
+  EXPECT_EQ(why_incomplete<WhileTimeIsLeft>(), "more than 4,096 paths");
+  EXPECT_EQ(why_incomplete<FourSubSteps>(), "more than 4,096 paths");
+  EXPECT_EQ(why_incomplete<Remembers>(), "memory outside the body");
+  EXPECT_EQ(why_incomplete<Chance>(), "memory outside the body");
+  EXPECT_EQ(why_incomplete<OtherMember>(),
+            "memory outside the body: a member that is not double, float, int or bool");
+  EXPECT_EQ(why_incomplete<Grows>(), "memory outside the body: class physics is not trivially copyable");
+  EXPECT_EQ(why_incomplete<NotAMember>(),
+            "memory outside the body: x(), y(), vx() and vy() are not four members");
+  EXPECT_EQ(why_incomplete<Indexes>(), "a number becomes an integer");
+  EXPECT_EQ(why_incomplete<Calculates>(), "over its limits: more than 100,000 operations");
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,278 @@
+// Contacts of cores of one's own: what counters in their wall branches say, a traced step says, too.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "recording.h"
+#include "sim/trace/step_player.h"
+#include "sim/trace/step_program.h"
+
+namespace hyrax {
+namespace {
+
+// Each core is written once, for doubles that move and for numbers that record.
+struct MovingBody {
+  double x = 0.0, y = 0.0, vx = 0.0, vy = 0.0;
+};
+struct MovingFrame {
+  double dt = 0.0;
+  int window_width = 0, window_height = 0, sprite_width = 0, sprite_height = 0;
+};
+double to_real(int a) { return a; }
+double to_real(float a) { return static_cast<double>(a); }
+float to_single(double a) { return static_cast<float>(a); }
+using std::fabs;
+using std::fma;
+using std::pow;
+
+// The counters: what the branches of the present step did.
+struct Met {
+  std::optional<Velocity> before;
+};
+std::array<Met, 4> met;
+void meet(Wall wall, double vx, double vy) {
+  Met& now = met[wall_index(wall)];
+  if (!now.before) now.before = {vx, vy};
+}
+void meet(Wall, const recording::Real&, const recording::Real&) {}
+
+template <class F>
+auto right_of(const F& f) {
+  return to_real(f.window_width - f.sprite_width);
+}
+template <class F>
+auto bottom_of(const F& f) {
+  return to_real(f.window_height - f.sprite_height);
+}
+
+template <class B, class F>
+void meet_x(B& b, const F& f) {
+  if (b.x < 0.0) {
+    meet(Wall::left, b.vx, b.vy);
+    b.x = 0.0;
+    b.vx = -b.vx * 0.6;
+  } else if (b.x > right_of(f)) {
+    meet(Wall::right, b.vx, b.vy);
+    b.x = right_of(f);
+    b.vx = -b.vx * 0.6;
+  }
+}
+template <class B, class F>
+void meet_y(B& b, const F& f) {
+  if (b.y < 0.0) {
+    meet(Wall::top, b.vx, b.vy);
+    b.y = 0.0;
+    b.vy = -b.vy * 0.6;
+  } else if (b.y > bottom_of(f)) {
+    meet(Wall::ground, b.vx, b.vy);
+    b.y = bottom_of(f);
+    b.vy = -b.vy * 0.6;
+    b.vx = b.vx * 0.8;
+    if (fabs(b.vy) < 5.0) b.vy = 0.0;
+  }
+}
+template <class B, class D>
+void fall(B& b, const D& dt) {
+  b.vy = b.vy + dt * 1200.0;
+}
+template <class B, class D>
+void move(B& b, const D& dt) {
+  b.x = b.x + b.vx * dt;
+  b.y = b.y + b.vy * dt;
+}
+
+struct HalfMoves {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt * 0.5);
+    move(b, f.dt * 0.5);
+    meet_x(b, f);
+    meet_y(b, f);
+  }
+};
+struct ExactFlight {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    move(b, f.dt);
+    b.y = b.y + f.dt * f.dt * 600.0;
+    fall(b, f.dt);
+    meet_x(b, f);
+    meet_y(b, f);
+  }
+};
+struct TimedDrag {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    const auto drag = pow(decltype(b.vx)(0.999), f.dt * 60.0);
+    b.vx = b.vx * drag;
+    b.vy = b.vy * drag;
+    move(b, f.dt);
+    meet_x(b, f);
+    meet_y(b, f);
+  }
+};
+struct YFirst {
+  static constexpr bool kTellsVelocity = false;  // In a corner the order in which they are met makes no bit.
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    meet_y(b, f);
+    meet_x(b, f);
+  }
+};
+struct InFloat {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    const auto x = to_single(b.x) + to_single(b.vx) * to_single(f.dt);
+    b.y = to_real(to_single(b.y) + to_single(b.vy) * to_single(f.dt));
+    if (x < to_single(decltype(b.x)(0.0))) {
+      meet(Wall::left, b.vx, b.vy);
+      b.vx = -b.vx;
+    }
+    if (to_single(right_of(f)) < x) {
+      meet(Wall::right, b.vx, b.vy);
+      b.vx = -b.vx;
+    }
+    b.x = to_real(x);
+    meet_y(b, f);
+  }
+};
+struct Fused {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    b.vy = fma(decltype(b.vy)(1200.0), f.dt, b.vy);
+    b.x = fma(b.vx, f.dt, b.x);
+    b.y = fma(b.vy, f.dt, b.y);
+    meet_x(b, f);
+    meet_y(b, f);
+  }
+};
+struct Reflected {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (!(b.x >= 0.0)) {
+      meet(Wall::left, b.vx, b.vy);
+      b.x = -b.x;
+      b.vx = -b.vx;
+    } else if (b.x + to_real(f.sprite_width) >= to_real(f.window_width)) {
+      meet(Wall::right, b.vx, b.vy);
+      b.x = right_of(f) * 2.0 - b.x;
+      b.vx = -b.vx;
+    }
+    if (b.y - bottom_of(f) > 0.0) {
+      meet(Wall::ground, b.vx, b.vy);
+      b.y = bottom_of(f) * 2.0 - b.y;
+      b.vy = -b.vy * 0.9;
+    }
+  }
+};
+struct SubSteps {
+  static constexpr bool kTellsVelocity = false;
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    for (int half = 0; half < 2; ++half) {
+      fall(b, f.dt * 0.5);
+      move(b, f.dt * 0.5);
+      meet_x(b, f);
+      meet_y(b, f);
+    }
+  }
+};
+struct WallsOnTheBound {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (b.x <= 0.0) {
+      meet(Wall::left, b.vx, b.vy);
+      b.x = 0.0;
+      b.vx = fabs(b.vx);
+    } else if (b.x >= right_of(f)) {
+      meet(Wall::right, b.vx, b.vy);
+      b.x = right_of(f);
+      b.vx = -fabs(b.vx);
+    }
+    if (b.y >= bottom_of(f)) {
+      meet(Wall::ground, b.vx, b.vy);
+      b.vy = 0.0;
+      b.y = bottom_of(f);
+    }
+  }
+};
+struct NeverNegativeBounds {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    auto right = right_of(f);
+    if (right < 0.0) right = 0.0;
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (b.x < 0.0) {
+      meet(Wall::left, b.vx, b.vy);
+      b.x = 0.0;
+      b.vx = -b.vx;
+    }
+    if (b.x > right) {
+      meet(Wall::right, b.vx, b.vy);
+      b.x = right;
+      b.vx = -b.vx;
+    }
+    meet_y(b, f);
+  }
+};
+
+template <class Core>
+class ContactsOf : public testing::Test {};
+using Cores = testing::Types<HalfMoves, ExactFlight, TimedDrag, YFirst, InFloat, Fused, Reflected, SubSteps,
+                             WallsOnTheBound, NeverNegativeBounds>;
+TYPED_TEST_SUITE(ContactsOf, Cores);
+
+TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {
+  const auto program = make_step_program(
+      canonical(recording::record([](recording::Body& b, const recording::Frame& f) { TypeParam()(b, f); })));
+  ASSERT_TRUE(program);
+  std::mt19937_64 random(3);
+  const auto drawn = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  std::array<int, 4> contacts{};
+  for (int fling = 0; fling < 60; ++fling) {
+    const Size window = {fling % 10 == 0 ? 50 : 700, 600};
+    const Size sprite = {100, 100};
+    const State start = {drawn(0, 500), drawn(0, 500), drawn(-4000, 4000), drawn(-4000, 4000)};
+    MovingBody body = {start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s};
+    TracedBody traced(*program, start);
+    for (int step = 0; step < 200; ++step) {
+      const double dt_s = step % 50 == 0 ? 0.2 : 1.0 / 60.0;
+      const TracedBody before = traced;
+      traced.update(dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+      met = {};
+      TypeParam()(body,
+                  MovingFrame{dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px});
+      ASSERT_TRUE(same_bits(State{traced.x(), traced.y(), traced.vx(), traced.vy()},
+                            State{body.x, body.y, body.vx, body.vy}));
+      for (const Wall wall : kWalls) {
+        const std::optional<Velocity>& counted = met[wall_index(wall)].before;
+        ASSERT_EQ(touches(traced.contact(), wall), counted.has_value()) << fling << " " << step;
+        if (!counted) continue;
+        ++contacts[wall_index(wall)];
+        if constexpr (!requires { TypeParam::kTellsVelocity; }) {
+          ASSERT_EQ(before.meeting(wall, dt_s, window, sprite).before, *counted) << fling << " " << step;
+        }
+      }
+    }
+  }
+  EXPECT_GT(contacts[wall_index(Wall::left)], 60);
+  EXPECT_GT(contacts[wall_index(Wall::ground)], 60);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,304 @@
+#include "sim/trace/step_difference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "recording.h"
+#include "sim/trace/step_text.h"
+
+namespace hyrax {
+namespace {
+
+using namespace recording;  // NOLINT(build/namespaces)
+
+using Edit = std::function<void(Listing&)>;
+
+TracedStep edited(const Edit& edit) {
+  return canonical(record([&](Body& body, const Frame& frame) {
+    Listing listing;
+    edit(listing);
+    listing(body, frame);
+  }));
+}
+
+struct Change {
+  const char* name;
+  Edit edit;
+};
+
+// What happens to a body where a condition holds.
+using Condition = std::function<bool(const Body&, const Frame&)>;
+Edit before_move(const Condition& condition, const std::function<void(Body&)>& then) {
+  return [=](Listing& listing) {
+    listing.before_move = [=](Body& body, const Frame& frame) {
+      if (condition(body, frame)) then(body);
+    };
+  };
+}
+Edit at_walls(const Condition& condition, const std::function<void(Body&)>& then) {
+  return [=](Listing& listing) {
+    listing.before_walls = [=](Body& body, const Frame& frame) {
+      if (condition(body, frame)) then(body);
+    };
+  };
+}
+Edit slower_where(const Condition& condition) {
+  return before_move(condition, [](Body& body) { body.vx = body.vx * Real(0.5); });
+}
+Edit stops_where(const Condition& condition) {
+  return at_walls(condition, [](Body& body) { body.vy = 0.0; });
+}
+Edit right_wall_if(const Condition& condition) {
+  return [=](Listing& listing) { listing.extra_right = condition; };
+}
+Edit rest_if(const Condition& condition) {
+  return [=](Listing& listing) { listing.extra_ground = condition; };
+}
+
+Real right(const Frame& frame) { return to_real(frame.window_width - frame.sprite_width); }
+Real bottom(const Frame& frame) { return to_real(frame.window_height - frame.sprite_height); }
+
+using B = const Body&;
+using F = const Frame&;
+
+const std::vector<Change>& changes() {
+  static const std::vector<Change> all = {
+      {"speed limit", slower_where([](B b, F) { return b.vx > 9000.0; })},
+      {"high speed limit", slower_where([](B b, F) { return b.vx < -1e5; })},
+      {"extreme speed", slower_where([](B b, F) { return b.vx > 1e11; })},
+      {"terminal velocity", stops_where([](B b, F) { return b.vy > 5000.0; })},
+      {"slow stops", slower_where([](B b, F) { return fabs(b.vx) < 0.001; })},
+      {"slow in both", slower_where([](B b, F) { return b.vx * b.vx + b.vy * b.vy < 1.0; })},
+      {"equal speeds", slower_where([](B b, F) { return b.vx == b.vy; })},
+      {"energy", slower_where([](B b, F) { return b.vx * b.vx + b.vy * b.vy > 2.4e9; })},
+      {"right wall of small windows", right_wall_if([](B, F f) { return right(f) > 20.0; })},
+      {"right wall of large windows", right_wall_if([](B, F f) { return right(f) < 4000.0; })},
+      {"right wall between", right_wall_if([](B, F f) { return right(f) < 2000.0 || right(f) > 3000.0; })},
+      {"right wall near the top", right_wall_if([](B b, F) { return b.y >= 50.0; })},
+      {"right wall when slow", right_wall_if([](B b, F) { return b.vx < 1e4; })},
+      {"rest when slow in x", rest_if([](B b, F) { return b.vx > -600.0; })},
+      {"rest on the left", rest_if([](B b, F f) { return b.x < right(f) * Real(0.5); })},
+      {"width 2560", slower_where([](B, F f) { return f.window_width == Whole(2560); })},
+      {"width 3840", slower_where([](B, F f) { return f.window_width == Whole(3840); })},
+      {"height 1440", slower_where([](B, F f) { return f.window_height == Whole(1440); })},
+      {"a width nobody has", slower_where([](B, F f) { return f.window_width == Whole(771234); })},
+      {"bottom between", stops_where([](B, F f) { return bottom(f) > 2000.0 && bottom(f) < 4000.0; })},
+      {"bound of 1", slower_where([](B, F f) { return right(f) == 1.0; })},
+      {"sprite of 64", slower_where([](B, F f) { return f.sprite_width == Whole(64); })},
+      {"sprite of 77", slower_where([](B, F f) { return f.sprite_width == Whole(77); })},
+      {"narrow windows", slower_where([](B, F f) { return f.window_width < Whole(200); })},
+      {"sprite wider than the window", slower_where([](B, F f) { return f.window_width < f.sprite_width; })},
+      {"sprite larger than the window",
+       slower_where([](B, F f) { return right(f) < 0.0 && bottom(f) < 0.0; })},
+      {"square windows", slower_where([](B, F f) { return f.window_width == f.window_height; })},
+      {"ultra wide", slower_where([](B, F f) { return f.window_width > f.window_height * Whole(5); })},
+      {"many pixels", slower_where([](B, F f) { return f.window_width * f.window_height > Whole(9e6); })},
+      {"odd widths", slower_where([](B, F f) { return f.window_width % Whole(2) == Whole(1); })},
+      {"dt of 10 ms", slower_where([](B, F f) { return f.dt == 0.01; })},
+      {"dt of 100 to 120 ms", slower_where([](B, F f) { return f.dt > 0.1 && f.dt < 0.12; })},
+      {"dt of 300 to 450 ms", slower_where([](B, F f) { return f.dt > 0.3 && f.dt < 0.45; })},
+      {"dt of 7.77 ms", slower_where([](B, F f) { return f.dt == 0.00777; })},
+      {"dt of 0", slower_where([](B, F f) { return f.dt == 0.0; })},
+      {"very long frames", slower_where([](B, F f) { return f.dt > 1e6; })},
+      {"144 Hz", slower_where([](B, F f) { return f.dt > 1.0 / 144.5 && f.dt < 1.0 / 143.5; })},
+      {"farther than the window", slower_where([](B b, F f) { return b.vx * f.dt > right(f); })},
+      {"far outside", slower_where([](B b, F) { return b.x > 1e5; })},
+      {"exactly on the left wall", at_walls([](B b, F) { return b.x == 0.0; },
+                                            [](Body& b) { b.vx = -b.vx * Real(0.6); })},
+      {"exactly on the right wall", at_walls([](B b, F f) { return b.x == right(f); },
+                                             [](Body& b) { b.vx = -b.vx * Real(0.6); })},
+      {"a pixel", stops_where([](B b, F) { return b.x > 700.0 && b.x < 700.5; })},
+      {"corner", slower_where([](B b, F f) { return b.x > right(f) && b.y > bottom(f); })},
+      {"top when fast", stops_where([](B b, F) { return b.y < 0.0 && b.vx > 2000.0; })},
+      {"ground when fast", stops_where([](B b, F f) { return b.y > bottom(f) && b.vy > 3000.0; })},
+      {"four conditions", stops_where([](B b, F f) {
+         return b.vx > 1000.0 && b.vy < -1000.0 && b.y < 100.0 && f.dt > 0.02;
+       })},
+      {"drag of slow frames", [](Listing& l) {
+         l.before_drag = [](Body& b, F f) {
+           if (f.dt > 0.5) b.vx = b.vx * pow(Real(0.999), f.dt * Real(60.0));
+         };
+       }},
+      {"one fused operation where it is rare", [](Listing& l) {
+         l.before_walls = [](Body& b, F f) {
+           if (b.x > right(f) && b.y < 0.0) b.y = fma(b.vy, f.dt, b.y);
+         };
+       }},
+      {"three equalities",
+       slower_where([](B, F f) {
+         return f.window_width == Whole(2560) && f.sprite_width == Whole(96) && f.dt == 1.0 / 165.0;
+       })},
+      {"a place", stops_where([](B b, F) {
+         return b.x > 100.0 && b.x < 100.5 && b.y > 100.0 && b.y < 100.5;
+       })},
+      {"speed in a band",
+       slower_where([](B b, F) {
+         return sqrt(b.vx * b.vx + b.vy * b.vy) > 5000.0 && sqrt(b.vx * b.vx + b.vy * b.vy) < 5001.0;
+       })},
+      {"nearly equal speeds", slower_where([](B b, F) { return fabs(fabs(b.vx) - fabs(b.vy)) < 0.01; })},
+      {"exactly on the ground", stops_where([](B b, F f) { return b.y == bottom(f) && b.vy > 0.0; })},
+      {"every seventh width", slower_where([](B, F f) { return f.window_width % Whole(7) == Whole(3); })},
+      {"no motion", slower_where([](B b, F f) { return b.x + b.vx * f.dt == b.x && b.vx > 1.0; })},
+      {"windows of one ratio",
+       slower_where([](B, F f) { return f.window_width * Whole(9) == f.window_height * Whole(16); })},
+      {"whole pixels", stops_where([](B b, F) { return to_real(to_whole(b.x)) == b.x; })},
+      {"subnormal speeds", slower_where([](B b, F) { return b.vx > 0.0 && b.vx < 1e-308; })},
+      {"zeros", [](Listing& l) { l.at_end = [](Body& b, F) { b.x = b.x + Real(0.0); }; }},
+      {"gravity by an ulp", [](Listing& l) { l.gravity = 1200.0000000000002; }},
+      {"rest threshold", [](Listing& l) { l.threshold = 5.0000001; }},
+      {"friction", [](Listing& l) { l.friction = 0.81; }}};
+  return all;
+}
+
+std::vector<std::string> texts_of(const Edit& edit) {
+  const StepPair pair(canonical(record_listing()), edited(edit));
+  std::vector<std::string> texts;
+  for (const StepDifference& difference : pair.differences())
+    texts.push_back((difference.is_in_accepted ? "- " : "+ ") + difference.text);
+  return texts;
+}
+
+TEST(StepDifferences, OfEqualStepsAreNone) {
+  const StepPair pair(canonical(record_listing()), edited([](Listing&) {}));
+  EXPECT_TRUE(pair.differences().empty());
+  EXPECT_TRUE(pair.are_setters_equal());
+}
+
+TEST(StepDifferences, AreTheInnermostOnes) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(texts_of([](Listing& l) { l.gravity = 1250.0; }), (Texts{"- dt * 1200", "+ dt * 1250"}));
+  EXPECT_EQ(texts_of(before_move([](B b, F) { return b.vx > 9000.0; }, [](Body& b) { b.vx = 9000.0; })),
+            (Texts{"+ vx * 0.999 > 9000", "+ dt * 9000", "+ 9000 * 0.6", "+ 9000 * 0.8"}));
+  EXPECT_EQ(texts_of([](Listing& l) { l.threshold = 6.0; }),
+            (Texts{"- fabs(-((vy + dt * 1200) * 0.999 * 0.6)) < 5",
+                   "+ fabs(-((vy + dt * 1200) * 0.999 * 0.6)) < 6"}));
+}
+
+TEST(StepDifferences, AreFoundWhereBothStepsCalculateAndCompareTheSame) {
+  const auto update = [](bool swaps) {
+    return canonical(record([=](Body& body, const Frame& frame) {
+      const Real a = body.vx * frame.dt;
+      const Real b = body.vy * frame.dt;
+      const bool is_low = body.x < body.y;
+      body.x = is_low != swaps ? a : b;
+      body.y = is_low != swaps ? b : a;
+    }));
+  };
+  const StepPair pair(update(false), update(true));
+  ASSERT_FALSE(pair.differences().empty());
+  EXPECT_TRUE(pair.search(0, 1, 1000).found);
+}
+
+TEST(StepDifferences, OfSettersAreApart) {
+  const TracedStep listing = canonical(record_listing());
+  TracedStep other = listing;
+  const auto set_velocity = static_cast<std::size_t>(CoreFunction::set_velocity);
+  std::swap(other.paths[set_velocity][0].members[2], other.paths[set_velocity][0].members[3]);
+  const StepPair pair(listing, canonical(other));
+  EXPECT_TRUE(pair.differences().empty());
+  EXPECT_FALSE(pair.are_setters_equal());
+}
+
+TEST(StepDifferences, AreNoticedOnlyWhereTheyAreEvaluated) {
+  const StepPair pair(canonical(record_listing()), edited([](Listing& l) { l.friction = 0.81; }));
+  std::vector<bool> noticed(pair.differences().size());
+  EXPECT_FALSE(pair.notice({{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
+  EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 0);
+  EXPECT_TRUE(pair.notice({{{100, 936, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
+  // Of the four not those of a contact with a wall as well.
+  EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 2);
+}
+
+// What is a difference of the step and none of any result.
+bool has_no_effect(const std::string& text) {
+  return text == "0 + 0" || text == "window_width - sprite_width + 0";
+}
+
+TEST(StepSearch, FindsAStepForEveryConditionalChange) {
+  const TracedStep listing = canonical(record_listing());
+  for (const Change& change : changes()) {
+    const StepPair pair(listing, edited(change.edit));
+    EXPECT_FALSE(pair.differences().empty()) << change.name;
+    std::vector<bool> noticed(pair.differences().size());
+    for (std::size_t index = 0; index < noticed.size(); ++index) {
+      if (noticed[index] || has_no_effect(pair.differences()[index].text)) continue;
+      const DifferenceSearch search = pair.search(index, 1, 100'000);
+      ASSERT_TRUE(search.found) << change.name << ": " << pair.differences()[index].text;
+      EXPECT_EQ(search.frames, 1);
+      EXPECT_TRUE(pair.notice(*search.found, noticed)) << change.name;
+      EXPECT_TRUE(noticed[index]) << change.name;
+    }
+  }
+}
+
+TEST(StepSearch, StaysWithinWhatScenariosAllowAndItsSteps) {
+  const TracedStep listing = canonical(record_listing());
+  const StepPair pair(listing, edited(slower_where([](B b, F) { return b.vx > 2e12; })));
+  ASSERT_FALSE(pair.differences().empty());
+  const DifferenceSearch search = pair.search(0, 1, 20'000);
+  EXPECT_FALSE(search.found);
+  EXPECT_GE(search.steps_tried, 20'000);
+  EXPECT_LT(search.steps_tried, 20'020);
+}
+
+TEST(StepSearch, TriesTheSameStepsForTheSameSeed) {
+  const StepPair pair(canonical(record_listing()),
+                      edited(slower_where([](B, F f) { return f.window_width % Whole(7) == Whole(3); })));
+  const DifferenceSearch a = pair.search(0, 5, 100'000);
+  const DifferenceSearch b = pair.search(0, 5, 100'000);
+  ASSERT_TRUE(a.found && b.found);
+  EXPECT_EQ(a.steps_tried, b.steps_tried);
+  EXPECT_TRUE(same_bits(a.found->world.state, b.found->world.state));
+}
+
+// A fifth member that counts contacts, and slows the body down after some.
+TracedStep counting(double contacts_max) {
+  TracedStep step = record([=](Body& body, const Frame& frame) {
+    const Whole bounces = Whole::argument("member_5");
+    Listing listing;
+    listing.at_end = [=](Body& b, const Frame&) {
+      if (bounces > Whole(contacts_max)) b.vx = b.vx * Real(0.5);
+    };
+    listing(body, frame);
+  });
+  step.members.push_back(NumberKind::whole);
+  const auto add = [&](const Expression& expression) {
+    step.expressions.push_back(expression);
+    return static_cast<std::int32_t>(step.expressions.size() - 1);
+  };
+  const auto whole = [](Operator op) { return Expression{.op = op, .kind = NumberKind::whole}; };
+  const std::int32_t zero = add(whole(Operator::constant));
+  Expression one = whole(Operator::constant);
+  one.value = 1.0;
+  Expression before = whole(Operator::argument);
+  before.name = "member_5";
+  Expression more = whole(Operator::add);
+  more.operands = {add(before), add(one), -1};
+  const std::int32_t counted = add(more);
+  for (std::size_t function = 0; function < kCoreFunctions; ++function)
+    for (StepPath& path : step.paths[function])
+      path.members.push_back(static_cast<CoreFunction>(function) == CoreFunction::construct ? zero
+                             : static_cast<CoreFunction>(function) == CoreFunction::update
+                                 ? counted
+                                 : more.operands[0]);
+  return canonical(step);
+}
+
+TEST(StepSearch, PlaysFlingsWhereThereAreFurtherMembers) {
+  const TracedStep a = counting(100.0);
+  const std::optional<TracedStep> read = read_step(step_text(a));
+  ASSERT_TRUE(read);
+  const StepPair pair(*read, counting(200.0));
+  ASSERT_EQ(pair.differences().size(), 2u);
+  const DifferenceSearch search = pair.search(0, 1, 20'000);
+  ASSERT_TRUE(search.found);
+  EXPECT_GT(search.frames, 100);
+  EXPECT_LE(search.frames, 201);
+}
+
+}  // namespace
+}  // namespace hyrax

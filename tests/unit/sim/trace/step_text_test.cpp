@@ -1,0 +1,233 @@
+#include "sim/trace/step_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include "recording.h"
+#include "sim/trace/core_record.h"
+
+namespace hyrax {
+namespace {
+
+using namespace recording;  // NOLINT(build/namespaces)
+
+std::string text_of(const Update& update) { return step_text(canonical(record(update))); }
+std::string text_of_sum(const std::function<Real(const Body&, const Frame&)>& x) {
+  return text_of([&](Body& body, const Frame& frame) { body.x = x(body, frame); });
+}
+
+// The same step with its expressions and comparisons in another order.
+TracedStep shuffled(const TracedStep& step, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  TracedStep other = step;
+  std::vector<std::int32_t> place(step.expressions.size(), -1);
+  other.expressions.clear();
+  std::vector<std::size_t> open(step.expressions.size());
+  for (std::size_t index = 0; index < open.size(); ++index) open[index] = index;
+  while (!open.empty()) {
+    const std::size_t pick = random() % open.size();
+    Expression expression = step.expressions[open[pick]];
+    bool has_operands = true;
+    for (std::int32_t& operand : expression.operands) {
+      if (operand < 0) continue;
+      operand = place[static_cast<std::size_t>(operand)];
+      has_operands &= operand >= 0;
+    }
+    if (!has_operands) continue;
+    if ((expression.op == Operator::add || expression.op == Operator::multiply) && random() % 2 == 0)
+      std::swap(expression.operands[0], expression.operands[1]);
+    place[open[pick]] = static_cast<std::int32_t>(other.expressions.size());
+    other.expressions.push_back(expression);
+    open.erase(open.begin() + static_cast<std::ptrdiff_t>(pick));
+  }
+  for (StepComparison& comparison : other.comparisons) {
+    comparison.left = place[static_cast<std::size_t>(comparison.left)];
+    comparison.right = place[static_cast<std::size_t>(comparison.right)];
+  }
+  std::reverse(other.comparisons.begin(), other.comparisons.end());
+  for (std::vector<StepPath>& paths : other.paths) {
+    for (StepPath& path : paths) {
+      for (StepOutcome& outcome : path.outcomes)
+        outcome.comparison = static_cast<std::int32_t>(step.comparisons.size()) - 1 - outcome.comparison;
+      std::shuffle(path.outcomes.begin(), path.outcomes.end(), random);
+      for (std::int32_t& member : path.members) member = place[static_cast<std::size_t>(member)];
+    }
+    std::shuffle(paths.begin(), paths.end(), random);
+  }
+  return other;
+}
+
+TEST(StepText, HasALineForEachExpressionComparisonAndPath) {
+  EXPECT_EQ(text_of([](Body& body, const Frame& frame) {
+              body.x = body.x + body.vx * Real(0.999) * frame.dt;
+              if (body.x > to_real(frame.window_width - frame.sprite_width)) body.vx = -body.vx;
+            }),
+            R"(hyrax-step/1
+members: real real real real
+dt: real
+new_vx: real
+new_vy: real
+new_x: real
+new_y: real
+start_vx: real
+start_vy: real
+start_x: real
+start_y: real
+vx: real
+vy: real
+x: real
+y: real
+sprite_width: whole
+window_width: whole
+e0: real = -vx
+e1: whole = -sprite_width
+e2: real = vx * 0.999{0x1.ff7ced916872bp-1}
+e3: whole = window_width + e1
+e4: real = dt * e2
+e5: real = x + e4
+e6: real = to_real(e3)
+c0: e6 < e5
+construct: = start_x start_y start_vx start_vy
+update: !c0 = e5 y vx vy
+update: c0 = e5 y e0 vy
+set_position: = new_x new_y vx vy
+set_velocity: = x y new_vx new_vy
+reset_velocity: = x y 0{0x0p+0} 0{0x0p+0}
+checksum: 7e67a91a5efc6dfe
+)");
+}
+
+TEST(StepText, DoesNotDependOnHowTheStepWasRecorded) {
+  const TracedStep listing = record_listing();
+  const std::string text = step_text(canonical(listing));
+  EXPECT_EQ(listing.paths_of(CoreFunction::update).size(), 12u);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed)
+    ASSERT_EQ(step_text(canonical(shuffled(listing, seed))), text) << seed;
+}
+
+TEST(StepText, OfTheShippedHeaderIsThatOfTheListing) {
+  EXPECT_EQ(core_record().step, step_text(canonical(record_listing())));
+}
+
+TEST(StepText, IsOneForStepsOfTheSameBits) {
+  const auto is_same = [](const auto& a, const auto& b) { return text_of_sum(a) == text_of_sum(b); };
+  using In = const Body&;
+  using At = const Frame&;
+  EXPECT_TRUE(is_same([](In b, At) { return b.x + b.vx; }, [](In b, At) { return b.vx + b.x; }));
+  EXPECT_TRUE(
+      is_same([](In b, At) { return -b.vx * Real(0.6); }, [](In b, At) { return -(b.vx * Real(0.6)); }));
+  EXPECT_TRUE(
+      is_same([](In b, At) { return b.vx * Real(-0.6); }, [](In b, At) { return -b.vx * Real(0.6); }));
+  EXPECT_TRUE(is_same([](In b, At) { return -b.vx / b.vy; }, [](In b, At) { return b.vx / -b.vy; }));
+  EXPECT_TRUE(is_same([](In b, At) { return -(-b.vx); }, [](In b, At) { return b.vx; }));
+  EXPECT_TRUE(is_same([](In b, At) { return b.x - b.vx * Real(-2.0); },
+                      [](In b, At) { return b.x + b.vx * Real(2.0); }));
+  EXPECT_FALSE(is_same([](In b, At) { return -(b.x - b.vx); }, [](In b, At) { return b.vx - b.x; }));
+  EXPECT_FALSE(
+      is_same([](In b, At) { return b.x + b.vx + b.vy; }, [](In b, At) { return b.x + (b.vx + b.vy); }));
+  EXPECT_FALSE(is_same([](In b, At) { return b.x + Real(0.0); }, [](In b, At) { return b.x + Real(-0.0); }));
+  EXPECT_FALSE(is_same([](In, At f) { return to_real(f.window_width / Whole(2)); },
+                       [](In, At f) { return to_real(f.window_width) / Real(2.0); }));
+  // The quotient of the least int and -1 is none.
+  EXPECT_FALSE(is_same([](In, At f) { return to_real(-f.window_width / Whole(2)); },
+                       [](In, At f) { return to_real(-(f.window_width / Whole(2))); }));
+}
+
+TEST(StepText, IsOneHoweverAConditionIsWritten) {
+  const std::string less = text_of([](Body& body, const Frame&) {
+    if (body.x < body.vx && !(body.y == body.vy)) body.x = body.vy;
+  });
+  EXPECT_EQ(text_of([](Body& body, const Frame&) {
+              if (body.vx > body.x && !(body.vy == body.y)) body.x = body.vy;
+            }),
+            less);
+  EXPECT_NE(text_of([](Body& body, const Frame&) {
+              if (body.x <= body.vx && !(body.y == body.vy)) body.x = body.vy;
+            }),
+            less);
+}
+
+TEST(StepText, MergesComparisonsThatAreOne) {
+  EXPECT_EQ(text_of([](Body& body, const Frame&) {
+              if (body.x * body.y < 1.0) body.vx = 1.0;
+              if (body.y * body.x < 1.0) body.vy = 2.0;
+            }),
+            text_of([](Body& body, const Frame&) {
+              if (body.x * body.y < 1.0) {
+                body.vx = 1.0;
+                body.vy = 2.0;
+              }
+            }));
+}
+
+TEST(StepText, ReadsWhatItWrites) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const auto some = [&](Body& body, const Frame& frame) {
+    const Single single = to_single(body.vx) * Single(static_cast<double>(0.1f));
+    if (to_real(single) < Real(std::numeric_limits<double>::infinity()))
+      body.vx = to_real(single / Single(3e-45));
+    if (frame.window_width % Whole(7) == Whole(-2147483648.0)) body.vy = fma(body.x, body.y, body.vx);
+    body.x = pow(body.x, Real(tiny)) + Real(-std::numeric_limits<double>::max());
+    body.y = Real(std::numeric_limits<double>::quiet_NaN());
+    body.vy = body.vy + to_real(to_whole(sqrt(body.vx) / Real(1e22)));
+  };
+  for (const TracedStep& raw : {record_listing(), record(some)}) {
+    const TracedStep step = canonical(raw);
+    const std::string text = step_text(step);
+    const std::optional<TracedStep> read = read_step(text);
+    ASSERT_TRUE(read) << text;
+    EXPECT_EQ(step_text(*read), text);
+    EXPECT_EQ(canonical(step).comparisons, step.comparisons);
+    EXPECT_EQ(step_text(canonical(step)), text);
+  }
+}
+
+// With the checksum put right, as one who edits by hand might.
+std::string with_checksum(const std::string& text) {
+  const std::string body = text.substr(0, text.rfind("checksum: "));
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char byte : body) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  char line[32];
+  std::snprintf(line, sizeof line, "checksum: %016llx\n", static_cast<unsigned long long>(hash));
+  return body + line;
+}
+
+TEST(StepText, RefusesEveryDamagedByteAndEveryCut) {
+  const std::string text = step_text(canonical(record_listing()));
+  ASSERT_EQ(with_checksum(text), text);
+  for (std::size_t place = 0; place < text.size(); ++place) {
+    EXPECT_FALSE(read_step(text.substr(0, place))) << place;
+    for (const int flip : {1, 2, 16, 32, 128}) {
+      std::string damaged = text;
+      damaged[place] = static_cast<char>(damaged[place] ^ flip);
+      EXPECT_FALSE(read_step(damaged)) << place << " " << flip;
+    }
+  }
+  EXPECT_FALSE(read_step(text + "\n"));
+  EXPECT_FALSE(read_step(text + text));
+}
+
+TEST(StepText, ReadsNothingButCanonicalTextsHoweverTheChecksumIsMade) {
+  const std::string text = step_text(canonical(record_listing()));
+  int read_back = 0;
+  for (std::size_t place = 0; place < text.rfind("checksum: "); ++place)
+    for (const int flip : {1, 8}) {
+      std::string edited = text;
+      edited[place] = static_cast<char>(edited[place] ^ flip);
+      edited = with_checksum(edited);
+      if (const std::optional<TracedStep> step = read_step(edited)) {
+        EXPECT_EQ(step_text(canonical(*step)), edited);
+        ++read_back;
+      }
+    }
+  EXPECT_LT(read_back, 200);
+  // Without a line some outcomes lead to no path.
+  const std::size_t line = text.find("\nupdate:");
+  EXPECT_FALSE(read_step(with_checksum(text.substr(0, line) + text.substr(text.find('\n', line + 1)))));
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,45 @@
+// The accepted core: golden/core/, the core with which a library was last accepted.
+//
+// Three files: the header, byte for byte; step.txt, its step in canonical text, if that is complete; and
+// accepted.txt, written last, with the checksums of both. Nothing of it is compiled.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/files/atomic_file.h"
+
+namespace hyrax {
+
+struct AcceptedCore {
+  std::string model;           ///< The class: the name of its physics model.
+  std::string header;          ///< Its bytes.
+  std::string step;            ///< Canonical text (sim/trace/step_text.h); empty: not complete.
+  std::string why_incomplete;  ///< As "more than 4,096 paths".
+  /// Other cores that golden files name which agreed when this one was accepted.
+  std::vector<std::string> agreeing_cores;
+  std::string reason;
+
+  /// What golden files call it: the checksum of its step, else of its header.
+  [[nodiscard]] std::string name() const;
+  /// Whether a golden file of that core agreed with this one.
+  [[nodiscard]] bool covers(const std::string& core_name) const;
+};
+
+/// This program's core, without a reason.
+[[nodiscard]] AcceptedCore program_core();
+
+/// FOLDER/core.
+[[nodiscard]] std::string accepted_core_folder(const std::string& golden_folder);
+
+/// Nothing if FOLDER/core does not exist or is empty.
+/// ERRORS: Failure(disagreed) "FILE: ...; REMEDY" where it is damaged, half written or edited by hand;
+/// Failure(cannot_access) where a file cannot be read.
+[[nodiscard]] std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder);
+
+/// Replaces it. A killed program leaves the old one, or one that read_accepted_core calls half written.
+/// ERRORS: Failure(cannot_access).
+void write_accepted_core(const std::string& golden_folder, const AcceptedCore& core);
+
+}  // namespace hyrax

@@ -1,0 +1,50 @@
+// `bless` accepts the core with the library: planned before the first write.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/hyrax-sim/golden/accepted_core.h"
+#include "tools/hyrax-sim/golden/blessing.h"
+#include "tools/hyrax-sim/golden/core_check.h"
+
+namespace hyrax {
+
+/// What becomes of the accepted core of one golden folder.
+struct CoreAcceptance {
+  std::string golden_folder;
+  AcceptedCore core;        ///< This program's.
+  std::string why_not;      ///< As "3 of 99 scenarios do not agree, the first is ..."; empty: it is accepted.
+  CoreVerdict differences;  ///< From the one accepted before.
+};
+
+/// A library: a folder named `scenarios`, and its golden folder.
+struct Library {
+  std::string scenarios_folder;
+  std::string golden_folder;
+  std::string golden_option;  ///< --golden as given; empty if it was not.
+};
+
+/// The libraries that the scenarios belong to, each once; those outside of any have no accepted core.
+[[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& scenario_paths,
+                                                const std::string& golden_option);
+
+/// All scenarios in the folder that can be read.
+[[nodiscard]] std::vector<Scenario> scenarios_in(const std::string& folder);
+
+/// Of the libraries that the scenarios belong to. Plays each whole, unless its accepted core is this
+/// program's already: then nothing is planned.
+/// @param blessings of scenarios that will agree.
+[[nodiscard]] std::vector<CoreAcceptance> plan_core_acceptances(
+    const std::vector<std::string>& scenario_paths, const std::vector<Blessing>& blessings,
+    const BlessOptions& options);
+
+/// Writes those that are accepted, unless a blessing has failed.
+/// ERRORS: as write_accepted_core's.
+void write_cores(const std::vector<CoreAcceptance>& cores, const std::vector<Blessing>& blessings);
+
+/// "core: accepted in golden/core", or why not. Complete lines.
+[[nodiscard]] std::string acceptances_text(const std::vector<CoreAcceptance>& cores, bool is_written);
+
+}  // namespace hyrax
