@@ -111,9 +111,7 @@ function(literal variable file)
     file(READ ${file} hex HEX)
   endif()
   string(REGEX REPLACE "(..)" "\\\\x\\1" bytes "${hex}")
-  string(LENGTH "${hex}" length)
-  math(EXPR length "${length} / 2")
-  set(${variable} "std::string_view(\"${bytes}\", ${length})" PARENT_SCOPE)
+  set(${variable} "\"${bytes}\"sv" PARENT_SCOPE)
 endfunction()
 
 trace()
@@ -133,6 +131,7 @@ file(
 namespace hyrax {
 
 const CoreRecord& core_record() {
+  using namespace std::string_view_literals;
   static constexpr CoreRecord kRecord = {.header = ${header_bytes},
                                          .step = ${step_bytes},
                                          .why_incomplete = ${why_bytes}};
