@@ -38,7 +38,7 @@ import unittest
 from process import run
 from program import PROGRAM, SOURCE
 
-README_WORDS_MAX = 1500
+README_WORDS_MAX = 1200
 COPIED = ("scenarios", "golden", "tests/robustness/fuzz/found")
 FOLDERS = ("golden", "scenarios", "sim", "tests", "tools")
 DOCUMENTS = sorted([*SOURCE.glob("*.md"), *(path for folder in FOLDERS for path in (SOURCE / folder).rglob("*.md"))])
@@ -222,7 +222,9 @@ class Documents(unittest.TestCase):
 
     def test_every_command_of_the_task_table_works(self):
         text = (SOURCE / "README.md").read_text(encoding="utf-8")
-        commands = re.findall(r"^\|[^|]*\| `(hyrax-sim [^`]*)` *\|", text, re.MULTILINE)
+        rows = re.findall(r"^\|[^|]*\|([^|]*)\|$", text, re.MULTILINE)
+        commands = [command for row in rows for command in re.findall(r"`(hyrax-sim [^`]*)`", row)
+                    if "sweep.json" not in command]  # A file of its own page.
         self.assertGreater(len(commands), 8, "README.md: the task table was not found")
         with Scratch() as scratch:
             for block in blocks_of(SOURCE / "README.md"):

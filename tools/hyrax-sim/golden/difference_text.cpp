@@ -79,6 +79,11 @@ bool differs(const Provenance& a, const Provenance& b, const ProvenanceField& fi
   return both_recorded(a, b, field) && a.*field.value != b.*field.value;
 }
 
+// The program's version is no setting of its build.
+bool setting_differs(const Provenance& a, const Provenance& b, const ProvenanceField& field) {
+  return field.value != &Provenance::program && differs(a, b, field);
+}
+
 std::string_view meaning(DifferenceClass difference, bool builds_differ) {
   if (difference == DifferenceClass::shape)
     return "not explained by the build: the files are not two complete runs of one scenario";
@@ -128,7 +133,7 @@ std::string build_text(const Provenance& a, const Provenance& b,
   const auto any = [&](const auto& holds) {
     return std::ranges::any_of(kProvenanceFields, [&](const auto& field) { return holds(a, b, field); });
   };
-  const bool builds_differ = any(differs);
+  const bool builds_differ = any(setting_differs);
   std::string text = fmt::format("  build settings: {}{}\n", builds_differ ? "differ" : "identical",
                                  any(std::not_fn(both_recorded)) ? " where recorded" : "");
   for (const ProvenanceField& field : kProvenanceFields)

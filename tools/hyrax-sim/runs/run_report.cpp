@@ -116,14 +116,16 @@ void print_details(const RunSummary& summary) {
                summary.period_steps, summary.period_steps == 1 ? "" : "s");
 }
 
-void print_expectations(const std::vector<Expectation>& expectations) {
+// Those that do not hold, or all.
+void print_expectations(const std::vector<Expectation>& expectations, bool all) {
   if (expectations.empty()) return;
   const auto holding = std::ranges::count_if(expectations, &Expectation::holds);
   print_text("  expect         {} of {} hold\n", holding, expectations.size());
   for (const Expectation& expectation : expectations)
-    print_text("    {}: {}\n",
-               expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
-               expectation_text(expectation));
+    if (all || !expectation.holds)
+      print_text("    {}: {}\n",
+                 expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
+                 expectation_text(expectation));
 }
 
 void print_golden(const ScenarioRun& run) {
@@ -165,7 +167,7 @@ void print_run(const ScenarioRun& run, const Printing& printing) {
   const Coverage coverage = coverage_of(run);
   print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n", joined(coverage.exercised),
              joined(coverage.never_touched), joined(coverage.not_computed));
-  print_expectations(run.expectations);
+  print_expectations(run.expectations, printing.is_verbose());
   print_golden(run);
   print_text("  state hash     {}\n", hex(summary.state_hash));
   print_text("  written        {} ({} rows)\n", run.output, run.rows_recorded);
