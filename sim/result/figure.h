@@ -2,6 +2,7 @@
 // draws; tools/report draws any figure and knows no study.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -31,6 +32,10 @@ enum class Tone : std::uint8_t {
   shade,
   none
 };
+
+/// Of walls in every picture: left, right, top, ground. The page has the same in painter.js.
+inline constexpr std::array<Tone, 4> kWallTones = {Tone::sky_blue, Tone::vermilion, Tone::purple,
+                                                   Tone::orange};
 
 inline constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 

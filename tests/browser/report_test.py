@@ -32,7 +32,7 @@ SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_move
 # How many pixels of a canvas have the colour of what is wrong.
 MARKED = """(() => {{
   const canvas = document.getElementById('{}'), probe = document.createElement('canvas').getContext('2d');
-  probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--vermilion').trim();
+  probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--bad').trim();
   probe.fillRect(0, 0, 1, 1);
   const wanted = probe.getImageData(0, 0, 1, 1).data;
   const found = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;

@@ -102,7 +102,7 @@ class Needs(StudyTest):
 
     def test_all_unneeded_parts_can_go_at_once_and_the_cheapest_method_is_reported(self):
         scene = self.needs(self.write("fling.json", fling()))
-        self.assertTrue(scene["holds"])
+        self.assertLessEqual(scene["without_all_unneeded_px"], 1.0)
         if scene["cheapest"] is not None:  # The clock was steady.
             self.assert_shape(scene["cheapest"], {"method": str, "rate_hz": NUMBER, "cost_ns_per_s": NUMBER})
 

@@ -21,11 +21,7 @@ constexpr std::size_t kArcsMarkedMax = 80;
 constexpr std::array<std::string_view, 5> kSuffixes = {"-energy", "-energy-drift", "-errors", "-restitution",
                                                        "-drift-causes"};
 
-// The colours of walls in all pictures.
-Tone tone_of(Wall wall) {
-  constexpr std::array<Tone, 4> kTones = {Tone::sky_blue, Tone::vermilion, Tone::purple, Tone::orange};
-  return kTones[wall_index(wall)];
-}
+Tone tone_of(Wall wall) { return kWallTones[wall_index(wall)]; }
 
 std::string note_of(const DriftPicture& picture) {
   if (picture.arcs.empty()) return "";

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tools/report/figure_body.h"
 #include "tools/report/figure_style.h"
 #include "tools/report/gnuplot.h"
 #include "tools/report/run_labels.h"
@@ -166,7 +167,7 @@ std::string plot_command(const RunScene& scene) {
           ", ${0}_sides title 'contacts: {0}' with lines lw 5 lc rgb '{1}', ${0}_dots title 'contacts: {0}' "
           "with points pt 7 ps 1.0 lc rgb '{2}', "
           "${0}_dots title 'contacts: {0}' with points pt 7 ps 0.7 lc rgb '{1}'",
-          kWallNames[i], kWallColours[i], style::kPaper);
+          kWallNames[i], colour_of(kWallTones[i]), style::kPaper);
   if (scene.not_finite)
     command +=
         fmt::format(", $not_finite title 'not finite' with points pt 2 ps 2 lc rgb '{}'", style::kVermilion);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/figure_body.h"
+
 namespace hyrax {
 namespace {
 
@@ -114,7 +116,7 @@ std::string run_legend(const RunPlot& plot, const RunScene& scene) {
   if (scene.contacts != WallCounts{}) legend.heading("contacts");
   for (std::size_t i = 0; i < kWalls.size(); ++i)
     if (const std::int64_t count = scene.contacts[kWalls[i]]; count > 0)
-      legend.wall(fmt::format("{} {}", kWallNames[i], count), kWallColours[i]);
+      legend.wall(fmt::format("{} {}", kWallNames[i], count), colour_of(kWallTones[i]));
   if (scene.throws.size() == 1)
     legend.throws(fmt::format("thrown at {:.4g} px/s", speed_px_per_s(scene.throws.front().velocity)));
   if (scene.throws.size() > 1) legend.throws("thrown");

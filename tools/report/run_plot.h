@@ -1,7 +1,6 @@
 // The canvas of a run's picture: the plot to scale, axes, colour bar and legend.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 
@@ -38,10 +37,6 @@ struct RunPlot {
 /// The commands that set the range of speeds and draw the colour bar beside the plot; no bar if nothing
 /// moves.
 [[nodiscard]] std::string run_colour_bar(const RunPlot& plot, const RunPath& path);
-
-/// In the order of kWalls.
-inline constexpr std::array<std::string_view, 4> kWallColours = {style::kSkyBlue, style::kVermilion,
-                                                                 style::kPurple, style::kOrange};
 
 inline constexpr std::string_view kMovedDashes = "(4,4)";
 inline constexpr std::string_view kUnrecordedDashes = "(1,5)";

@@ -59,7 +59,6 @@ Table coverage_table(const std::vector<ScenarioNeeds>& scenarios) {
 Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
   std::vector<std::int64_t> exercised(coverage_columns().size()), needed(coverage_columns().size());
   std::vector<std::string> examples(coverage_columns().size());
-  std::size_t agreeing = 0;
   for (const ScenarioNeeds& needs : scenarios) {
     const std::vector<Need> coverage = coverage_of(needs);
     for (std::size_t column = 0; column < coverage.size(); ++column) {
@@ -67,7 +66,6 @@ Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double wit
       if (is_unneeded(coverage[column])) continue;
       if (++needed[column] == 1) examples[column] = needs.scenario;
     }
-    agreeing += needs.broken.empty();
   }
   const std::vector<std::string> never = never_exercised(scenarios);
   return {{fmt::format("What {} scenarios exercise, within {:g} px:", scenarios.size(), within_px),
@@ -78,8 +76,7 @@ Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double wit
                   {"needed", "1", "", std::move(needed)},
                   {"for_example_by", "", "", std::move(examples)}}},
            never.empty() ? "Every part is exercised by some scenario."
-                         : fmt::format("Exercised by no scenario: {}.", fmt::join(never, ", ")),
-           fmt::format("{} of {} scenarios agree with the replay.", agreeing, scenarios.size())},
+                         : fmt::format("Exercised by no scenario: {}.", fmt::join(never, ", "))},
           {}};
 }
 

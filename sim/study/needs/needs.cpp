@@ -5,7 +5,6 @@
 
 #include "sim/compare/comparison.h"
 #include "sim/replay/core_constants.h"
-#include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/problem.h"
 #include "sim/study/methods/script.h"
@@ -244,65 +243,6 @@ void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& 
   }
 }
 
-// Compares the replay's rows with the script's, and gathers the walls that the replay touches.
-class ReplayedRows final : public RowSink {
- public:
-  explicit ReplayedRows(const Rows& complete) : complete_(complete) {}
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) compare(batch.row(index));
-  }
-  [[nodiscard]] std::int64_t first_difference() const { return first_difference_; }
-  [[nodiscard]] bool touched(Wall wall) const { return touches(contacts_, wall); }
-  [[nodiscard]] bool touched_any() const {
-    return touched(Wall::ground) || touched(Wall::top) || touched_side();
-  }
-
- private:
-  [[nodiscard]] bool touched_side() const { return touched(Wall::left) || touched(Wall::right); }
-  void compare(const Row& row) {
-    if (row.step == 0) return;
-    contacts_ = static_cast<std::uint8_t>(contacts_ | row.contact);
-    const State& script = complete_.all()[static_cast<std::size_t>(row.step) - 1].frame.to;
-    const bool is_same = same_bits(script.x_px, row.x_px) && same_bits(script.y_px, row.y_px) &&
-                         same_bits(script.vx_px_per_s, row.vx_px_per_s) &&
-                         same_bits(script.vy_px_per_s, row.vy_px_per_s);
-    if (!is_same && first_difference_ < 0) first_difference_ = row.step;
-  }
-
-  const Rows& complete_;
-  std::uint8_t contacts_ = 0;
-  std::int64_t first_difference_ = -1;
-};
-
-// What the replay's contacts say about a part.
-struct Evidence {
-  bool may_be_exercised = true;
-  bool must_be_exercised = false;
-};
-Evidence evidence_of(Part part, const ReplayedRows& replayed) {
-  const auto wall = [&](Wall which) { return Evidence{replayed.touched(which), replayed.touched(which)}; };
-  switch (part) {
-    case Part::left_wall:
-      return wall(Wall::left);
-    case Part::right_wall:
-      return wall(Wall::right);
-    case Part::top_wall:
-      return wall(Wall::top);
-    case Part::ground:
-      return wall(Wall::ground);
-    case Part::friction:
-    case Part::rest_rule:
-      return {replayed.touched(Wall::ground), false};
-    case Part::restitution:
-      return {replayed.touched_any(), false};
-    case Part::gravity:
-    case Part::drag:
-      return {};
-  }
-  return {};
-}
-
 void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
                   const NanosecondClock& now_ns) {
   const ScenarioProblem made = problem_of(scenario);
@@ -316,29 +256,6 @@ void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOpt
 }
 
 }  // namespace
-
-std::vector<std::string> contradictions_of(const Scenario& scenario, const std::vector<PartNeed>& parts) {
-  const Script script = script_of(scenario);
-  const Rows complete = play_rows(script, AllParts());
-  ReplayedRows replayed(complete);
-  Replay run(scenario, replayed);
-  run.play_to(static_cast<std::int64_t>(complete.all().size()));
-  run.finish();
-  std::vector<std::string> broken;
-  if (replayed.first_difference() >= 0)
-    broken.push_back("with all parts its row " + std::to_string(replayed.first_difference()) +
-                     " is not the replay's, bit for bit");
-  for (const PartNeed& part : parts) {
-    if (!part.model_part) continue;
-    const Evidence evidence = evidence_of(*part.model_part, replayed);
-    const bool is_exercised = part.need != Need::not_exercised;
-    if (is_exercised && !evidence.may_be_exercised)
-      broken.push_back(part.part + " is exercised, but the replay touches no wall at which it acts");
-    if (!is_exercised && evidence.must_be_exercised)
-      broken.push_back(part.part + " is not exercised, but the replay touches it");
-  }
-  return broken;
-}
 
 std::string_view name_of(Need need) {
   constexpr std::array<std::string_view, 4> kNames = {"needed", "needed with others left out",
@@ -366,7 +283,6 @@ ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
         difference_of(complete, play_rows(without(script, omission.omitted), parts_without(omission.part)));
     needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
   }
-  needs.broken = contradictions_of(scenario, needs.parts);
   leave_out_unneeded(needs, script, complete, omissions, options.within_px);
   take_times(needs, script, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);

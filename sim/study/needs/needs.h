@@ -53,8 +53,6 @@ struct ScenarioNeeds {
   ClockProbe probe = {};        ///< When the steps were timed.
   std::vector<PartNeed> parts;
   PathDifference without_all_unneeded;  ///< All that are not needed, at once.
-  /// contradictions_of(scenario, parts).
-  std::vector<std::string> broken;
   /// The cheapest method and rate within the tolerance of the exact motion, if NeedsOptions::rates_hz has
   /// any.
   std::optional<SpeedError> methods;
@@ -70,14 +68,6 @@ struct NeedsOptions {
 /// Plays the scenario with each part left out in turn, and times it.
 [[nodiscard]] ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
                                         const NanosecondClock& now_ns);
-
-/// Checks the result of a scenario against the replay, which knows nothing of parts:
-/// 1. with all parts the script's run has the same bits as the replay's;
-/// 2. a wall is exercised if and only if the replay has a contact with it;
-/// 3. friction and the rest rule are exercised only with a ground contact, restitution only with a contact.
-/// What does not agree, one sentence each without its full stop.
-[[nodiscard]] std::vector<std::string> contradictions_of(const Scenario& scenario,
-                                                         const std::vector<PartNeed>& parts);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
 

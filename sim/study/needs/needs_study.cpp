@@ -72,9 +72,7 @@ Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_p
            column_of<double>("path_difference", "px", "largest distance at equal times", scenarios,
                              [](Needs needs) { return needs.without_all_unneeded.path_px; }),
            column_of<double>("tolerance", "px", "largest distance allowed", scenarios,
-                             [within_px](Needs) { return within_px; }),
-           column_of<std::int64_t>("holds", "1", "1: the scene agrees with the replay", scenarios,
-                                   [](Needs needs) { return needs.broken.empty(); })}};
+                             [within_px](Needs) { return within_px; })}};
 }
 
 // The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
@@ -148,7 +146,6 @@ std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, doubl
             column_of<Table>("parts", "", "", scenarios, parts_summary),
             column_of<double>("without_all_unneeded", "px", "", scenarios,
                               [](Needs needs) { return needs.without_all_unneeded.path_px; }),
-            column_of<bool>("holds", "", "", scenarios, [](Needs needs) { return needs.broken.empty(); }),
             column_of<Table>("cheapest", "", "", scenarios, cheapest_summary)}},
           {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
 }
@@ -263,9 +260,6 @@ StudyResult run_needs(const StudyRequest& request) {
     result.verdict = coverage_verdict(scenarios, within_px);
     result.figures = {coverage_figure(scenarios, within_px)};
   }
-  for (const ScenarioNeeds& needs : scenarios)
-    for (const std::string& sentence : needs.broken)
-      result.verdict.broken.push_back(fmt::format("{}: {}", needs.scenario, sentence));
   return result;
 }
 

@@ -1,6 +1,7 @@
 // Contacts, what was modelled and left out, how it was made.
 import { element, make, report, save } from './data.js';
 import { count, rounded } from './numbers.js';
+import { wallColors } from './painter.js';
 
 const shownMax = 200;
 const wallNames = { 1: 'left', 2: 'right', 4: 'top', 8: 'ground' };
@@ -21,7 +22,7 @@ function contactRow({ contacts, contactErrors }, errors, i, seek) {
   const error = errors.get(`${contacts.step[i]} ${wall}`);
   const measured = error === undefined ? [null, null] : [1000 * contactErrors.time[error], contactErrors.restitution[error]];
   return make('tr', {}, make('td', {}, step, ' ', make('span', { class: 'quiet' }, last)),
-    make('td', {}, make('span', { class: `wall wall-${wallNames[wall]}` }), wallNames[wall]),
+    make('td', {}, make('span', { class: 'wall', style: `color: var(--${wallColors[wall]})` }), wallNames[wall]),
     ...[contacts.t[i], before, after, contacts.overshoot[i], ...measured].map(value => make('td', { class: 'number' }, rounded(value))));
 }
 

@@ -14,7 +14,8 @@ function poseImage(svg, pose, onload) {
 }
 
 export const color = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-export const wallColors = { 1: 'purple', 2: 'orange', 4: 'blue', 8: 'green' };
+/** By a contact's bit; as kWallTones of sim/result/figure.h. */
+export const wallColors = { 1: 'sky-blue', 2: 'vermilion', 4: 'purple', 8: 'orange' };
 
 export class Painter {
   #images;
@@ -88,7 +89,7 @@ export class Painter {
     context.lineJoin = 'round';
     if (scene.other) {
       context.setLineDash([5 * ratio, 4 * ratio]);
-      context.strokeStyle = color('vermilion');
+      context.strokeStyle = color('bad');
       context.lineWidth = 1.5 * ratio;
       this.#path(context, scene.other, scene.other.step.length);
       context.setLineDash([]);
@@ -110,7 +111,7 @@ export class Painter {
     const { sprite } = sizesAt(sizes, rows.step[row]);
     const [x, y] = [(rows.x[row] + sprite[0] / 2) * scale, (rows.y[row] + sprite[1] / 2) * scale];
     const arm = 7 * ratio;
-    context.strokeStyle = context.fillStyle = color('vermilion');
+    context.strokeStyle = context.fillStyle = color('bad');
     context.lineWidth = 3 * ratio;
     context.beginPath();
     for (const side of [-1, 1]) {

@@ -122,7 +122,7 @@ export class Player {
       context.fillStyle = color(wallColors[this.contacts.wall[i]]);
       tick(this.contacts.step[i], 1);
     }
-    context.fillStyle = color('vermilion');
+    context.fillStyle = color('bad');
     if (this.run.non_finite) tick(this.run.steps, 1, 5);
   }
 }

@@ -5,14 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/replay/core_constants.h"
-#include "sim/replay/replay.h"
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/needs/needs_figure.h"
 #include "sim/study/study.h"
-#include "sim/trajectory/row.h"
-#include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/sim/study/clocks.h"
 #include "tools/files/scenario_reader.h"
 
@@ -39,39 +35,12 @@ PartNeed part_of(const ScenarioNeeds& needs, const std::string& part) {
 }
 Need need_of_part(const ScenarioNeeds& needs, const std::string& part) { return part_of(needs, part).need; }
 
-// The script with every part is the replay's run, so what is left out of it is left out of that.
-TEST(Script, WithAllPartsIsTheReplayBitForBit) {
-  for (const char* name :
-       {"flings/first-fling", "flings/corner-fling", "flings/grab-and-throw", "clocks/jitter-normal",
-        "clocks/trace-60-hz", "clocks/hitch-at-contact", "hard/window-of-no-size",
-        "hard/sprite-larger-than-window", "flings/kept-aloft", "paper/exact-bounds"}) {
-    const Scenario scenario = scenario_named(name);
-    Scenario every = scenario;
-    every.record_every = 1;
-    TraceSink trace({.rows_every = 1});
-    replay(every, trace);
-    std::size_t row = 1;
-    play(script_of(scenario), core_constants(), AllParts(), [&](const ScriptFrame& frame) {
-      const State& m = frame.to;
-      const Row& wanted = trace.rows().at(row++);
-      ASSERT_TRUE(same_bits(m.x_px, wanted.x_px) && same_bits(m.y_px, wanted.y_px) &&
-                  same_bits(m.vx_px_per_s, wanted.vx_px_per_s) &&
-                  same_bits(m.vy_px_per_s, wanted.vy_px_per_s))
-          << name << ", row " << row - 1;
-      // What clamps without moving the sprite by a bit is no contact to the replay.
-      ASSERT_EQ(frame.contact & 15 & wanted.contact, wanted.contact & 15) << name << ", row " << row - 1;
-    });
-    EXPECT_EQ(row, trace.rows().size());
-  }
-}
-
 TEST(Needs, OfAFlingAreThePartsItExercises) {
   const ScenarioNeeds needs = needs_of(scenario_named("flings/first-fling"));
   for (const char* part : {"gravity", "drag", "right wall", "ground", "friction", "restitution"})
     EXPECT_EQ(need_of_part(needs, part), Need::needed) << part;
   for (const char* part : {"left wall", "top"})
     EXPECT_EQ(need_of_part(needs, part), Need::not_exercised) << part;
-  EXPECT_TRUE(needs.broken.empty());
   EXPECT_TRUE(needs.comes_to_rest);
 }
 
@@ -100,7 +69,6 @@ TEST(Needs, FindPartsThatReplaceEachOther) {
   const ScenarioNeeds needs = needs_of(scenario_named("paper/rest-threshold"));
   const auto is_joint = [](const PartNeed& part) { return part.need == Need::needed_jointly; };
   EXPECT_GT(std::count_if(needs.parts.begin(), needs.parts.end(), is_joint), 0);
-  EXPECT_TRUE(needs.broken.empty());
   EXPECT_LE(needs.without_all_unneeded.path_px, 1.0);
 }
 
@@ -148,27 +116,6 @@ TEST(Needs, TimesOfPartsAreThoseOfOnePath) {
   for (const PartNeed& part : needs.parts)
     EXPECT_EQ(std::isnan(part.saved_ns_per_step.median), !(part.model_part && part.difference.is_same_bits))
         << part.part;
-}
-
-// The replay of the first fling touches the right wall and the ground.
-TEST(Needs, MustAgreeWithTheWallsThatTheReplayTouches) {
-  const Scenario scenario = scenario_named("flings/first-fling");
-  const auto contradictions = [&](Part part, Need need) {
-    PartNeed changed;
-    changed.part = kPartNames[static_cast<std::size_t>(part)];
-    changed.model_part = part;
-    changed.need = need;
-    return contradictions_of(scenario, {changed}).size();
-  };
-  for (const Part part : {Part::right_wall, Part::ground}) {
-    EXPECT_EQ(contradictions(part, Need::below), 0u);
-    EXPECT_EQ(contradictions(part, Need::not_exercised), 1u);
-  }
-  for (const Part part : {Part::left_wall, Part::top_wall}) {
-    EXPECT_EQ(contradictions(part, Need::not_exercised), 0u);
-    EXPECT_EQ(contradictions(part, Need::below), 1u);
-  }
-  EXPECT_EQ(contradictions(Part::friction, Need::not_exercised), 0u);
 }
 
 TEST(Needs, CountContactsThatMove) {

@@ -1,6 +1,9 @@
 // Figures, tables and verdicts as the report page reads them.
 #include <gtest/gtest.h>
 
+#include <regex>
+
+#include "tools/files/text_file.h"
 #include "tools/report/figure_json.h"
 
 namespace hyrax {
@@ -24,6 +27,23 @@ TEST(FigureJson, NamesTonesAndFormsAndLeavesMissingNumbersOut) {
        {R"("title":"T")", R"("form":"bars","tone":"sky_blue")", R"("x":[1.5,null])", R"("low":null)",
         R"("is_logarithmic":true)", R"("text":"mark","tone":"none")"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+}
+
+TEST(FigureJson, NamesTheColoursOfWallsAsThePageDoes) {
+  const std::string page = read_text_file(std::string(HYRAX_SOURCE_DIR) + "/tools/report/page/painter.js");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(
+      page, found,
+      std::regex("wallColors = \\{ 1: '([-a-z]+)', 2: '([-a-z]+)', 4: '([-a-z]+)', 8: '([-a-z]+)' \\};")));
+  for (std::size_t wall = 0; wall < kWallTones.size(); ++wall) {
+    std::string tone = found[wall + 1].str();
+    std::replace(tone.begin(), tone.end(), '-', '_');
+    Plot plot;
+    plot.marks = {{.at = 0.0, .text = "", .tone = kWallTones[wall]}};
+    EXPECT_NE(compact(figure_json({.body = std::vector{plot}})).find(R"("tone":")" + tone + '"'),
+              std::string::npos)
+        << tone;
+  }
 }
 
 TEST(FigureJson, HoldsGridsAndLists) {
