@@ -7,6 +7,7 @@ import functools
 import os
 import pathlib
 import re
+import tempfile
 
 from process import run
 from program import SOURCE, ProgramTest
@@ -33,10 +34,14 @@ def changed_steps():
     return [name for name, (operation, _) in altered_cores().items() if not re.search("clock|inputs", operation)]
 
 
-class StudyControl(ProgramTest):
-    """A study by a program whose core is altered."""
+@functools.cache
+def studied(core, name, *options):
+    """The outcome of the study with that core and --gate, with its JSON document."""
+    with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+        return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", folder, *options)
 
-    def study(self, core, name, *options):
-        """Runs the study with that core and --gate; returns the outcome with its JSON document."""
-        return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", self.folder,
-                           *options)
+
+class StudyControl(ProgramTest):
+    """A study by a program whose core is altered, played once in a file."""
+
+    study = staticmethod(studied)

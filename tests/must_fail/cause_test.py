@@ -18,10 +18,11 @@ from program import AGREED, SOURCE, main
 README = SOURCE / "tests/must_fail/README.md"
 BEGIN, END = "<!-- table of cause_test.py -->\n", "<!-- end of the table -->\n"
 
-SCENARIOS = ["scenarios/flings", *(f"scenarios/{name}.json" for name in (
-    "paper/exact-bounds", "paper/corner-x-before-y", "hard/corners", "hard/rest", "hard/on-a-bound", "hard/grazing",
-    "hard/sprite-larger-than-window", "hard/frames-of-no-time", "hard/trace-of-extremes", "clocks/jitter-normal",
-    "clocks/jitter-uniform", "clocks/missed-frames"))]
+SCENARIOS = [f"scenarios/{name}.json" for name in (
+    "flings/first-fling", "flings/grab-and-throw", "flings/slide-and-refling", "flings/stop-in-flight", "flings/into-the-ceiling",
+    "flings/sprite-grows-and-shrinks", "flings/window-edge-dragged", "paper/exact-bounds", "paper/corner-x-before-y",
+    "hard/corners", "hard/rest", "hard/on-a-bound", "hard/grazing", "hard/sprite-larger-than-window", "hard/frames-of-no-time",
+    "hard/trace-of-extremes", "clocks/jitter-normal", "clocks/jitter-uniform", "clocks/missed-frames")]
 
 # The same arithmetic in another order: no bit of any run changes.
 SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_moves_before_x"}

@@ -226,5 +226,4 @@ PAIRS = (
 )
 
 ALL = SINGLE + CONDITIONAL + EQUAL + PAIRS
-EVERYDAY = ("GRAVITY_1250.0", "drag_by_time", "no_friction", "right_bound_of_1", "rest_only_above_-600", "helper_function",
-            "bound_of_doubles", "GRAVITY_1250.0+REST_THRESHOLD_7.0")
+EVERYDAY = ("drag_by_time", "rest_only_above_-600", "helper_function", "bound_of_doubles", "GRAVITY_1250.0+REST_THRESHOLD_7.0")

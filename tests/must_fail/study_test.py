@@ -3,6 +3,7 @@
 """
 
 import json
+import pathlib
 
 from altered import StudyControl
 from program import AGREED, DISAGREED, SOURCE, main
@@ -108,12 +109,16 @@ NEVER_FLIPPED = {
 class Paper(StudyControl):
     """A changed core flips the verdicts that its change is about, and the program reports which."""
 
-    EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
+    EXPECTED = str(SOURCE / "tests/cli/paper_verdicts.json")
+
+    def expected(self):
+        """{claim: verdict} of the paper's core."""
+        return json.loads(pathlib.Path(self.EXPECTED).read_text(encoding="utf-8"))["verdicts"]
 
     def flipped(self, control):
         """The claims with another verdict than the paper's core has: {claim: verdict}."""
-        outcome = self.study(control, "paper", "--expect", str(self.EXPECTED))
-        expected = json.loads(self.EXPECTED.read_text(encoding="utf-8"))["verdicts"]
+        outcome = self.study(control, "paper", "--expect", self.EXPECTED)
+        expected = self.expected()
         flipped = {claim["claim"]: claim["verdict"] for claim in outcome.json["claims"]
                    if claim["verdict"] != expected[claim["claim"]]}
         self.assertEqual(outcome.exit_code, DISAGREED if flipped else AGREED, outcome)
@@ -130,7 +135,7 @@ class Paper(StudyControl):
                 self.assertLessEqual(claims.items(), flipped.items())
 
     def test_each_claim_is_flipped_by_some_core(self):
-        expected = json.loads(self.EXPECTED.read_text(encoding="utf-8"))["verdicts"]
+        expected = self.expected()
         flipped = {claim for claims in FLIPS.values() for claim in claims}
         self.assertEqual(set(expected) - flipped, set(NEVER_FLIPPED))
 

@@ -2,7 +2,6 @@
 """Makes every small change of the core, the jitter and the events, and runs `hyrax-sim check` to detect it.
 
     mutation.py --build build/release                     # all mutants, in a table
-    mutation.py --build build/release --some 20           # twenty of them, spread over all
     mutation.py --build build/release --one-in 5          # a fifth of each kind of change in each file
     mutation.py --build build/release --only 'update: .* <= '
 
@@ -27,13 +26,6 @@ from table import summary_of, table_of
 from workshop import CannotBuild, Workshop
 
 ALL_IS_WELL, SURVIVED, CANNOT_BUILD = 0, 1, 3
-
-
-def spread(mutants, count):
-    """So many of them, evenly spread; all by default."""
-    if count is None or count >= len(mutants):
-        return mutants
-    return [mutants[number * len(mutants) // count] for number in range(count)]
 
 
 def one_in(share, mutants):
@@ -84,7 +76,6 @@ def options():
     parser.add_argument("--source", type=pathlib.Path, default=here.parents[2], help="the project")
     parser.add_argument("--scenarios", type=pathlib.Path, default="scenarios", help="what is checked")
     parser.add_argument("--reasons", type=pathlib.Path, default=here / "reasons.json", help="why some cannot be caught")
-    parser.add_argument("--some", type=int, metavar="N", help="N mutants, evenly spread over all")
     parser.add_argument("--one-in", type=int, metavar="N", default=1,
                         help="every Nth of each kind of change in each file, at least one of each (1)")
     parser.add_argument("--only", type=re.compile, metavar="REGEX", help="those whose file and name match")
@@ -99,7 +90,7 @@ def main():
     asked = options()
     mutants = [mutant for subject in SUBJECTS for mutant in subject.mutants(asked.source)]
     chosen = [mutant for mutant in mutants if not asked.only or asked.only.search(f"{mutant.path}: {mutant.name}")]
-    chosen = spread(one_in(asked.one_in, chosen), asked.some)
+    chosen = one_in(asked.one_in, chosen)
     if asked.list:
         print("\n".join(f"{mutant.kind:16} {mutant.path}: {mutant.name}" for mutant in chosen))
         return ALL_IS_WELL

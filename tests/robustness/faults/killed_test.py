@@ -14,7 +14,8 @@ import time
 from program import AGREED, ANOTHER_START, DISAGREED, ProgramTest, fling, main
 
 LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
-KILLS = int(os.environ.get("HYRAX_KILLS", "24"))
+KILLS = int(os.environ.get("HYRAX_KILLS", "6"))
+CALLS_MAX = 40 if KILLS > 100 else 16
 
 
 class Killed(ProgramTest):
@@ -74,8 +75,8 @@ class Killed(ProgramTest):
         for name in set(new) - {name for name in new if name.endswith(".txt")}:
             self.assertEqual(now[name], new[name], name)
 
-    def kill_everywhere(self, *arguments, tries_max=40):
-        """Kills the command before calls that change files: each, or so many spread over all of them."""
+    def kill_everywhere(self, *arguments, tries_max=CALLS_MAX):
+        """Kills the command before calls that change files: each, or so many spread over all, the first and the last among them."""
         calls = self.calls_of(*arguments)
         self.assertGreater(calls, 3)
         for at in sorted({1 + index * (calls - 1) // (tries_max - 1) for index in range(tries_max)}):
