@@ -1,0 +1,212 @@
+#include "sim/trace/listing_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/trace/step_difference.h"
+#include "sim/trace/step_grammar.h"
+#include "sim/trace/step_text.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kListingMembers = 4;
+constexpr std::size_t kConstants = 5;
+constexpr std::array<double Constants::*, kConstants> kConstantFields = {
+    &Constants::gravity_px_per_s2, &Constants::air_drag, &Constants::restitution, &Constants::ground_friction,
+    &Constants::rest_threshold_px_per_s};
+constexpr std::array<std::string_view, kConstants> kConstantNames = {"GRAVITY", "AIR_DRAG", "RESTITUTION",
+                                                                     "GROUND_FRICTION", "REST_THRESHOLD"};
+
+// The operations of the listing, in its order.
+class Listing {
+ public:
+  // A constant that is NaN is not known: an argument of the paper's name takes its place.
+  explicit Listing(const Constants& constants) {
+    for (std::size_t place = 0; place < kConstants; ++place) {
+      const double value = constants.*kConstantFields[place];
+      constants_[place] = std::isnan(value) ? argument(kConstantNames[place]) : constant(value);
+    }
+  }
+
+  TracedStep step() {
+    add_update();
+    const std::array<Index, 4> members = {argument("x"), argument("y"), argument("vx"), argument("vy")};
+    const auto [x, y, vx, vy] = members;
+    add_path(CoreFunction::construct, {},
+             {argument("start_x"), argument("start_y"), argument("start_vx"), argument("start_vy")});
+    add_path(CoreFunction::set_position, {}, {argument("new_x"), argument("new_y"), vx, vy});
+    add_path(CoreFunction::set_velocity, {}, {x, y, argument("new_vx"), argument("new_vy")});
+    add_path(CoreFunction::reset_velocity, {}, {x, y, constant(0.0), constant(0.0)});
+    return canonical(step_);
+  }
+
+ private:
+  using Index = std::int32_t;
+  // What an axis is after its walls: where it was found so.
+  struct Case {
+    std::vector<StepOutcome> outcomes;
+    Index position = -1;
+    Index speed = -1;
+    bool is_ground = false;
+  };
+
+  Index add(Expression expression) {
+    step_.expressions.push_back(std::move(expression));
+    return static_cast<Index>(step_.expressions.size() - 1);
+  }
+  Index argument(std::string_view name, NumberKind kind = NumberKind::real) {
+    return add({.op = Operator::argument, .kind = kind, .name = std::string(name)});
+  }
+  Index constant(double value) { return add({.op = Operator::constant, .value = value}); }
+  Index apply(Operator op, Index a, Index b = -1) { return add({.op = op, .operands = {a, b, -1}}); }
+  Index product(Index a, Index b) { return apply(Operator::multiply, a, b); }
+  Index sum(Index a, Index b) { return apply(Operator::add, a, b); }
+  Index compare(Index left, Index right) {
+    step_.comparisons.push_back({Relation::less, left, right});
+    return static_cast<Index>(step_.comparisons.size() - 1);
+  }
+  void add_path(CoreFunction function, std::vector<StepOutcome> outcomes, std::vector<Index> members) {
+    step_.paths[static_cast<std::size_t>(function)].push_back({std::move(outcomes), std::move(members)});
+  }
+
+  Index bound(std::string_view window, std::string_view sprite) {
+    const Index size = add({.op = Operator::negate,
+                            .kind = NumberKind::whole,
+                            .operands = {argument(sprite, NumberKind::whole), -1, -1}});
+    return apply(Operator::to_real, add({.op = Operator::add,
+                                         .kind = NumberKind::whole,
+                                         .operands = {argument(window, NumberKind::whole), size, -1}}));
+  }
+
+  // Free, at the near wall (0), and at the far one.
+  std::vector<Case> cases_of(Index position, Index speed, Index far) {
+    const Index zero = constant(0.0);
+    const Index is_near = compare(position, zero);
+    const Index is_far = compare(far, position);
+    const Index turned = product(apply(Operator::negate, speed), constants_[2]);
+    return {{{{is_near, false}, {is_far, false}}, position, speed},
+            {{{is_near, true}}, zero, turned},
+            {{{is_near, false}, {is_far, true}}, far, turned, true}};
+  }
+
+  void add_update() {
+    const auto [gravity, drag, restitution, friction, threshold] = constants_;
+    const Index dt = argument("dt");
+    const Index vx = product(argument("vx"), drag);
+    const Index vy = product(sum(argument("vy"), product(gravity, dt)), drag);
+    const std::vector<Case> x_cases =
+        cases_of(sum(argument("x"), product(vx, dt)), vx, bound("window_width", "sprite_width"));
+    std::vector<Case> y_cases =
+        cases_of(sum(argument("y"), product(vy, dt)), vy, bound("window_height", "sprite_height"));
+    Case rest = y_cases.back();
+    const Index size = add({.op = Operator::call, .operands = {rest.speed, -1, -1}, .name = "fabs"});
+    const Index is_slow = compare(size, threshold);
+    y_cases.back().outcomes.push_back({is_slow, false});
+    rest.outcomes.push_back({is_slow, true});
+    rest.speed = constant(0.0);
+    y_cases.push_back(rest);
+    for (const Case& in_x : x_cases)
+      for (const Case& in_y : y_cases) {
+        std::vector<StepOutcome> outcomes = in_x.outcomes;
+        outcomes.insert(outcomes.end(), in_y.outcomes.begin(), in_y.outcomes.end());
+        add_path(CoreFunction::update, std::move(outcomes),
+                 {in_x.position, in_y.position, in_y.is_ground ? product(in_x.speed, friction) : in_x.speed,
+                  in_y.speed});
+      }
+  }
+
+  TracedStep step_{.members = std::vector<NumberKind>(kListingMembers, NumberKind::real)};
+  std::array<Index, kConstants> constants_{};
+};
+
+TracedStep without_further_members(TracedStep step) {
+  step.members.resize(kListingMembers);
+  for (std::vector<StepPath>& paths : step.paths)
+    for (StepPath& path : paths) path.members.resize(kListingMembers);
+  return canonical(step);
+}
+
+// How many of the listing's operations and conditions the step does not have; then, negative, how many the
+// listing has. Of two signs of a constant, that which the step has leaves no operation out: it has the less
+// misfit.
+std::pair<std::int64_t, std::int64_t> misfit(const TracedStep& listing, const TracedStep& step) {
+  std::int64_t count = 0;
+  std::vector<std::int32_t> places;  // In the step; -1: it has no such expression.
+  const auto place_of = [&](std::int32_t index) {
+    return index < 0 ? index : places[static_cast<std::size_t>(index)];
+  };
+  for (Expression expression : listing.expressions) {
+    bool has_operands = true;
+    for (std::int32_t& operand : expression.operands) {
+      has_operands &= operand < 0 || place_of(operand) >= 0;
+      operand = place_of(operand);
+    }
+    if (is_commutative(expression.op) && expression.operands[1] < expression.operands[0])
+      std::swap(expression.operands[0], expression.operands[1]);
+    const auto found = std::ranges::find(step.expressions, expression);
+    const bool is_common = has_operands && found != step.expressions.end();
+    places.push_back(is_common ? static_cast<std::int32_t>(found - step.expressions.begin()) : -1);
+    if (!is_common && expression.op > Operator::constant) ++count;
+  }
+  for (const StepComparison& comparison : listing.comparisons) {
+    const StepComparison placed{comparison.relation, place_of(comparison.left), place_of(comparison.right)};
+    if (std::ranges::find(step.comparisons, placed) == step.comparisons.end()) ++count;
+  }
+  return {count, -std::ssize(listing.expressions)};
+}
+
+// One constant after the other, in the order in which the listing needs them: the number of the step's own
+// with which the least of the listing is missing. NaN where none is better than none.
+Constants fitted_constants(const TracedStep& step) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> numbers;
+  for (const Expression& expression : step.expressions)
+    if (expression.op == Operator::constant && expression.kind == NumberKind::real) {
+      numbers.push_back(expression.value);
+      numbers.push_back(-expression.value);
+    }
+  Constants constants{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
+  for (double Constants::*const field : kConstantFields) {
+    auto least = misfit(Listing(constants).step(), step);
+    double fitted = kUnknown;
+    for (const double number : numbers) {
+      constants.*field = number;
+      const auto missing = misfit(Listing(constants).step(), step);
+      if (missing >= least) continue;
+      least = missing;
+      fitted = number;
+    }
+    constants.*field = fitted;
+  }
+  return constants;
+}
+
+std::string difference_of(const TracedStep& step, const Constants& constants) {
+  if (step.members != std::vector<NumberKind>(kListingMembers, NumberKind::real))
+    return "x, y, vx and vy that are not double";
+  const StepPair pair(Listing(constants).step(), step);
+  const auto& differences = pair.differences();
+  if (differences.empty()) return "what the constructor or a setter does";
+  const auto own = std::ranges::find(differences, false, &StepDifference::is_in_accepted);
+  return own != differences.end() ? own->text : "the paper's " + differences.front().text + " is missing";
+}
+
+}  // namespace
+
+TracedStep listing_step(const Constants& constants) { return Listing(constants).step(); }
+
+StepShape shape_of(const TracedStep& step) {
+  const TracedStep listed = without_further_members(step);
+  const Constants constants = fitted_constants(listed);
+  if (step_text(listing_step(constants)) == step_text(listed)) return {.constants = constants};
+  return {.difference = difference_of(listed, constants)};
+}
+
+}  // namespace hyrax

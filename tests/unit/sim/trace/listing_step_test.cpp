@@ -1,0 +1,118 @@
+#include "sim/trace/listing_step.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "recording.h"
+#include "sim/trace/core_record.h"
+
+namespace hyrax {
+namespace {
+
+using namespace recording;  // NOLINT(build/namespaces)
+
+constexpr Constants kShipped = {physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
+                                physics::GROUND_FRICTION, physics::REST_THRESHOLD};
+
+// The shape of the listing as a test changes it. Made in a call, so that its numbers are of one recording.
+StepShape shape_with(const std::function<void(Listing&)>& change) {
+  return shape_of(canonical(record([&](Body& body, const Frame& frame) {
+    Listing listing;
+    change(listing);
+    listing(body, frame);
+  })));
+}
+
+std::string difference_with(const std::function<void(Listing&)>& change) {
+  const StepShape shape = shape_with(change);
+  EXPECT_FALSE(shape.constants);
+  return shape.difference;
+}
+
+void set(Listing& listing, const Constants& to) {
+  listing.gravity = to.gravity_px_per_s2;
+  listing.restitution = to.restitution;
+  listing.drag = to.air_drag;
+  listing.friction = to.ground_friction;
+  listing.threshold = to.rest_threshold_px_per_s;
+}
+
+TEST(ListingStep, IsTheShippedHeadersStep) {
+  EXPECT_EQ(step_text(listing_step(kShipped)), core_record().step);
+  EXPECT_EQ(step_text(listing_step(kShipped)), step_text(canonical(record_listing())));
+  std::ifstream accepted(HYRAX_SOURCE_DIR "/golden/core/step.txt", std::ios::binary);
+  EXPECT_EQ(step_text(listing_step(kShipped)), std::string(std::istreambuf_iterator<char>(accepted), {}));
+  Constants other = kShipped;
+  other.ground_friction = 0.79;
+  EXPECT_NE(step_text(listing_step(other)), core_record().step);
+}
+
+TEST(ListingStep, GivesTheConstantsOfAnyCoreOfItsShape) {
+  const Constants cores[] = {kShipped,
+                             {980.0, 0.75, 0.9985, 0.65, 12.0},
+                             {-1200.0, 0.6, 0.999, 0.8, 5.0},
+                             {0.0, 0.6, 0.999, 0.8, 5.0},
+                             {5.0, 5.0, 5.0, 5.0, 5.0},
+                             {0.8, 0.6, 0.8, 0.6, 0.8},
+                             {1200.0, -0.6, -0.999, -0.8, -5.0},
+                             {1200.0, 0.6, 0.999, 0.6, 0.0},
+                             {1.0, 0.0, 1.0, 0.0, 1.0},
+                             {1e300, 1e-300, 5e-324, 0.1, 0.2}};
+  for (const Constants& core : cores) {
+    const StepShape shape = shape_with([&](Listing& listing) { set(listing, core); });
+    ASSERT_TRUE(shape.constants) << core.gravity_px_per_s2 << ": " << shape.difference;
+    EXPECT_TRUE(same_bits(*shape.constants, core)) << core.gravity_px_per_s2;
+  }
+}
+
+TEST(ListingStep, NamesTheFirstExpressionOfAnotherStep) {
+  EXPECT_EQ(difference_with([](Listing& listing) {
+              listing.gravity = 980.0;
+              listing.before_move = [](Body& body, const Frame& frame) {
+                body.vx = body.vx + Real(3.0) * frame.dt;
+              };
+            }),
+            "dt * 3");
+  EXPECT_EQ(difference_with([](Listing& listing) {
+              listing.restitution = 0.9;
+              listing.extra_right = [](const Body& body, const Frame&) { return body.y < 500.0; };
+            }),
+            "y + dt * ((vy + dt * 1200) * 0.999) < 500");
+}
+
+TEST(ListingStep, NamesWhatIsMissing) {
+  EXPECT_EQ(shape_of(canonical(record([](Body& body, const Frame& frame) {
+              body.vx = body.vx * Real(0.5);
+              body.x = body.x + body.vx * frame.dt;
+            }))).difference,
+            "the paper's x + dt * (vx * 0.5) < 0 is missing");
+}
+
+TEST(ListingStep, AllowsFurtherMembersThatNothingReads) {
+  TracedStep step = listing_step({980.0, 0.6, 0.999, 0.8, 5.0});
+  step.members.push_back(NumberKind::whole);
+  const auto count = static_cast<std::int32_t>(step.expressions.size());
+  step.expressions.push_back({.op = Operator::argument, .kind = NumberKind::whole, .name = "member_5"});
+  for (std::vector<StepPath>& paths : step.paths)
+    for (StepPath& path : paths) path.members.push_back(count);
+  const StepShape shape = shape_of(canonical(step));
+  ASSERT_TRUE(shape.constants) << shape.difference;
+  EXPECT_EQ(shape.constants->gravity_px_per_s2, 980.0);
+  // As soon as one is read, the step is another.
+  step.comparisons.push_back({Relation::equal, count, count});
+  for (StepPath& path : step.paths[static_cast<std::size_t>(CoreFunction::update)])
+    path.outcomes.push_back({static_cast<std::int32_t>(step.comparisons.size() - 1), true});
+  EXPECT_EQ(shape_of(canonical(step)).difference, "member_5 == member_5");
+}
+
+TEST(ListingStep, SettersArePartOfTheShape) {
+  TracedStep step = listing_step(kShipped);
+  StepPath& path = step.paths[static_cast<std::size_t>(CoreFunction::set_velocity)].front();
+  std::swap(path.members[2], path.members[3]);
+  EXPECT_EQ(shape_of(canonical(step)).difference, "what the constructor or a setter does");
+}
+
+}  // namespace
+}  // namespace hyrax
