@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "sim/scenario/split_mix64.h"
 
@@ -25,9 +26,9 @@ class Draws {
   }
   /// True once in `times`. REQUIRES: times > 0.
   [[nodiscard]] bool once_in(std::uint64_t times) { return below(times) == 0; }
-  template <class Value, std::size_t kCount>
-  [[nodiscard]] const Value& one_of(const Value (&values)[kCount]) {
-    return values[below(kCount)];
+  template <class Values>
+  [[nodiscard]] const auto& one_of(const Values& values) {
+    return values[below(std::size(values))];
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "sim/motion/displays.h"
 #include "sim/replay/core_constants.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/draws.h"
@@ -11,8 +12,6 @@
 namespace hyrax {
 namespace {
 
-constexpr Size kDisplays[] = {{1920, 1080}, {1280, 720}, {2560, 1440}, {3840, 2160}, {1000, 1000}};
-constexpr double kRates_hz[] = {24.0, 30.0, 50.0, 60.0, 75.0, 90.0, 120.0, 144.0, 240.0, 360.0};
 constexpr double kPowersOfTen[] = {1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
 constexpr double kLongFrames_s[] = {0.1, 0.25, 1.0, 10.0, 1e3, 1e6, 1e9};
 
@@ -130,7 +129,7 @@ class Maker {
   }
 
   double any_dt_s() {
-    if (!has(Feature::any_rate)) return 1.0 / draws_.one_of(kRates_hz);
+    if (!has(Feature::any_rate)) return 1.0 / draws_.one_of(kDisplayRates_hz);
     return draws_.between(0.0, draws_.once_in(4) ? 0.5 : 0.05);
   }
   double any_hitch_s() {
@@ -146,7 +145,7 @@ class Maker {
     else if (has(Feature::any_rate))
       clock.base = FixedStep{any_dt_s()};
     else
-      clock.base = FixedRate{draws_.one_of(kRates_hz)};
+      clock.base = FixedRate{draws_.one_of(kDisplayRates_hz)};
     if (has(Feature::jitter)) clock.jitter = any_jitter(base_dt_s(clock));
     return clock;
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 #include "sim/result/table.h"
 #include "sim/result/verdict.h"
 #include "sim/scenario/scenario.h"
+#include "sim/trace/step_player.h"
 
 namespace hyrax {
 
@@ -34,6 +36,7 @@ struct StudyRequest {
   bool is_quick = false;                      ///< A smaller study, in seconds.
   std::optional<double> within_px = {};       ///< A tolerance.
   std::optional<ExpectedVerdicts> expected = {};
+  std::shared_ptr<const StepProgram> core_step = {};  ///< Null: the core's step is not complete.
   std::string machine = {};            ///< Name of the processor, for results that depend on it.
   std::int64_t (*now_ns)() = nullptr;  ///< A clock that never goes back.
   /// Called from time to time with what is counted ("steps"), how many are done, and of how many.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/motion/displays.h"
+
 namespace hyrax {
 namespace {
 
@@ -10,17 +12,6 @@ constexpr double kSideMax_px = 1'000'000.0;
 constexpr double kMotionMax = 1e12;  // Of coordinates in px and of speeds in px/s.
 constexpr double kFrameMax_s = 1e9;
 
-constexpr std::array<std::array<double, 2>, 10> kDisplays = {{{1366, 768},
-                                                              {1920, 1080},
-                                                              {2560, 1440},
-                                                              {3840, 2160},
-                                                              {5120, 1440},
-                                                              {1280, 720},
-                                                              {3440, 1440},
-                                                              {640, 480},
-                                                              {320, 240},
-                                                              {150, 140}}};
-constexpr std::array kRates_hz = {24.0, 30.0, 50.0, 60.0, 75.0, 90.0, 100.0, 120.0, 144.0, 165.0, 240.0};
 constexpr std::array kLongFrames_s = {0.01, 0.05, 0.1, 0.11, 0.125, 0.2, 0.25, 0.35, 0.5, 1.0, 0.0};
 
 double& of(StepNumbers& numbers, StepNumber number) { return numbers[static_cast<std::size_t>(number)]; }
@@ -89,13 +80,13 @@ StepNumbers StepDraw::numbers(bool is_real) {
 }
 
 void StepDraw::draw_sizes(StepNumbers& numbers, bool is_real) {
-  const auto& display = kDisplays[below(kDisplays.size())];
+  const Size& display = kDisplays[below(kDisplays.size())];
   const double side_px = below(4) != 0 ? 128.0 : below(2) == 0 ? 64.0 : std::nearbyint(uniform(1.0, 300.0));
   for (std::size_t axis = 0; axis < 2; ++axis) {
     double& window_px = numbers[static_cast<std::size_t>(StepNumber::window_width) + axis];
     double& sprite_px = numbers[static_cast<std::size_t>(StepNumber::sprite_width) + axis];
     sprite_px = is_real || below(4) != 0 ? side_px : any_side();
-    window_px = is_real || below(4) == 0 ? display[axis] : any_side();
+    window_px = is_real || below(4) == 0 ? (axis == 0 ? display.width_px : display.height_px) : any_side();
     // A bound rather than a side may be what is asked for.
     if (!is_real && below(3) == 0) window_px += sprite_px;
   }
@@ -117,7 +108,7 @@ double StepDraw::any_side() {
 }
 
 double StepDraw::drawn_dt_s(bool is_real) {
-  if (is_real ? below(8) != 0 : below(2) != 0) return 1.0 / kRates_hz[below(kRates_hz.size())];
+  if (is_real ? below(8) != 0 : below(2) != 0) return 1.0 / kDisplayRates_hz[below(kDisplayRates_hz.size())];
   if (is_real || below(2) == 0) return kLongFrames_s[below(kLongFrames_s.size())];
   if (below(4) == 0) return constants_[below(constants_.size())];
   return std::fabs(below(8) == 0 ? of_any_size(-40, 30) : of_any_size(-10, 1));

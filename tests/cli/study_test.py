@@ -90,6 +90,15 @@ class Needs(StudyTest):
         for part in ("left wall", "top"):
             self.assertEqual(verdicts[part], "not exercised", part)
 
+    def test_it_counts_the_paths_of_the_step(self):
+        self.write("still.json", fling(name="still", steps=0))
+        document = self.expect(AGREED, "study", "needs", self.write("fling.json", fling()), "still.json", "--quick",
+                               "--no-figures", "--json").json
+        self.assertEqual([scene["paths_taken"] for scene in document["scenes"]][1], 0)
+        self.assertGreaterEqual(document["scenes"][0]["paths_taken"], 3)
+        self.assertEqual(document["paths_taken"], document["scenes"][0]["paths_taken"])
+        self.assertEqual(document["paths"], 12)
+
     def test_what_counts_depends_on_the_tolerance(self):
         path = self.write("fling.json", fling())
         self.assertEqual(self.verdicts(path, "--within", "100000px")["drag"], "below the tolerance")

@@ -12,13 +12,13 @@ std::optional<double> value_of(const std::optional<Worst>& worst) {
 
 }  // namespace
 
-ReplayOptions judged_options(const Scenario& scenario) {
-  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds};
+ReplayOptions judged_options(const Scenario& scenario, const Kernel& kernel) {
+  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds, .kernel = &kernel};
 }
 
-RunSummary play(const Scenario& scenario) {
+RunSummary play(const Scenario& scenario, const Kernel& kernel) {
   RowSink nothing_wanted;
-  return replay(scenario, nothing_wanted, judged_options(scenario));
+  return replay(scenario, nothing_wanted, judged_options(scenario, kernel));
 }
 
 std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,

@@ -7,6 +7,7 @@
 
 #include "sim/compare/expectations.h"
 #include "sim/reference/drift.h"
+#include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/scenario.h"
 #include "tools/files/json.h"
@@ -14,10 +15,10 @@
 namespace hyrax {
 
 /// The options of a replay whose summary has all that `expect` judges.
-[[nodiscard]] ReplayOptions judged_options(const Scenario& scenario);
+[[nodiscard]] ReplayOptions judged_options(const Scenario& scenario, const Kernel& kernel = core_kernel());
 
 /// Plays the scenario for its summary alone.
-[[nodiscard]] RunSummary play(const Scenario& scenario);
+[[nodiscard]] RunSummary play(const Scenario& scenario, const Kernel& kernel = core_kernel());
 
 /// The verdicts on the scenario's `expect`.
 /// @param measured the errors against the reference; without it the run is played again where one is bounded.

@@ -22,6 +22,9 @@ namespace hyrax {
 /// A row for each scenario, a column for each of coverage_columns().
 [[nodiscard]] Table coverage_table(const std::vector<ScenarioNeeds>& scenarios);
 
+/// The paths of the core's step that any of them takes.
+[[nodiscard]] std::set<std::int32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios);
+
 /// The verdict's text: for each column, how many scenarios exercise and need it.
 [[nodiscard]] Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double within_px);
 

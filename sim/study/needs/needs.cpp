@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/cause/watched_kernel.h"
 #include "sim/compare/comparison.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/problem.h"
 #include "sim/study/methods/script.h"
+#include "sim/trace/step_program.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
 
@@ -243,6 +246,15 @@ void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& 
   }
 }
 
+void count_paths(ScenarioNeeds& needs, const Scenario& scenario, const StepProgram& step) {
+  const WatchedKernel watched(
+      core_kernel(), [&](const StepInput& input) { needs.paths_taken.insert(step.path_taken(input)); });
+  RowSink nothing_wanted;
+  Replay run(scenario, nothing_wanted, {.kernel = &watched});
+  run.play_to(needs.steps);
+  static_cast<void>(run.finish());
+}
+
 void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
                   const NanosecondClock& now_ns) {
   const ScenarioProblem made = problem_of(scenario);
@@ -284,6 +296,7 @@ ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
     needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
   }
   leave_out_unneeded(needs, script, complete, omissions, options.within_px);
+  if (options.core_step) count_paths(needs, scenario, *options.core_step);
   take_times(needs, script, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);
   return needs;

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/script.h"
 #include "sim/study/speed_error/speed_error.h"
+#include "sim/trace/step_player.h"
 
 namespace hyrax {
 
@@ -52,6 +55,7 @@ struct ScenarioNeeds {
   MedianEstimate step_ns = {};  ///< Of the variant kernel with all parts.
   ClockProbe probe = {};        ///< When the steps were timed.
   std::vector<PartNeed> parts;
+  std::set<std::int32_t> paths_taken;   ///< Of NeedsOptions::core_step.
   PathDifference without_all_unneeded;  ///< All that are not needed, at once.
   /// The cheapest method and rate within the tolerance of the exact motion, if NeedsOptions::rates_hz has
   /// any.
@@ -62,6 +66,8 @@ struct ScenarioNeeds {
 struct NeedsOptions {
   double within_px = 1.0;
   CostOptions cost;
+  /// The core's, whose paths are counted; null: they are not.
+  std::shared_ptr<const StepProgram> core_step = {};
   std::vector<double> rates_hz;  ///< For the cheapest method; empty: it is not searched for.
 };
 

@@ -7,6 +7,7 @@
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs_figure.h"
 #include "sim/study/study.h"
+#include "sim/trace/step_program.h"
 
 namespace hyrax {
 namespace {
@@ -21,6 +22,8 @@ using Needs = const ScenarioNeeds&;
 Column scenario_column(const std::vector<ScenarioNeeds>& scenarios) {
   return column_of<std::string>("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario);
 }
+
+std::int64_t path_count_taken(Needs needs) { return std::ssize(needs.paths_taken); }
 
 Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
   struct PartOfScene {
@@ -72,7 +75,9 @@ Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_p
            column_of<double>("path_difference", "px", "largest distance at equal times", scenarios,
                              [](Needs needs) { return needs.without_all_unneeded.path_px; }),
            column_of<double>("tolerance", "px", "largest distance allowed", scenarios,
-                             [within_px](Needs) { return within_px; })}};
+                             [within_px](Needs) { return within_px; }),
+           column_of<std::int64_t>("paths_taken", "1", "paths of the core's step taken", scenarios,
+                                   path_count_taken)}};
 }
 
 // The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
@@ -136,14 +141,30 @@ Table cheapest_summary(const ScenarioNeeds& needs) {
   return table;
 }
 
-std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
-  return {{"", "", {{"within", "px", "", std::vector{within_px}}}, JsonShape::members},
+std::size_t path_count(const StepProgram& core_step) {
+  return core_step.step().paths_of(CoreFunction::update).size();
+}
+
+std::string paths_text(const std::set<std::int32_t>& taken, const StepProgram& core_step) {
+  return fmt::format("{} of {} paths", taken.size(), path_count(core_step));
+}
+
+std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, double within_px,
+                              const StepProgram* core_step) {
+  return {{"",
+           "",
+           {{"within", "px", "", std::vector{within_px}},
+            {"paths", "1", "",
+             std::vector{core_step == nullptr ? kNotGiven : static_cast<double>(path_count(*core_step))}},
+            {"paths_taken", "1", "", std::vector{std::ssize(paths_taken(scenarios))}}},
+           JsonShape::members},
           {"scenes",
            "",
            {scenario_column(scenarios),
             column_of<std::int64_t>("steps", "1", "", scenarios, &ScenarioNeeds::steps),
             column_of<double>("step", "ns", "", scenarios, [](Needs needs) { return needs.step_ns.median; }),
             column_of<Table>("parts", "", "", scenarios, parts_summary),
+            column_of<std::int64_t>("paths_taken", "1", "", scenarios, path_count_taken),
             column_of<double>("without_all_unneeded", "px", "", scenarios,
                               [](Needs needs) { return needs.without_all_unneeded.path_px; }),
             column_of<Table>("cheapest", "", "", scenarios, cheapest_summary)}},
@@ -208,7 +229,7 @@ std::string step_text(const ScenarioNeeds& needs, const std::string& machine) {
                      needs.step_ns.low, needs.step_ns.high, machine);
 }
 
-void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, const std::string& machine) {
+void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, const StudyRequest& request) {
   verdict.text.push_back(
       fmt::format("{}What {} needs, within {:g} px, over {}{} steps ({}):", verdict.text.empty() ? "" : "\n",
                   needs.scenario, within_px, needs.is_cut ? "its first " : "", needs.steps,
@@ -217,9 +238,13 @@ void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, c
   if (needs.parts.size() > kPartsPrintedMax)
     verdict.text.push_back(fmt::format("  and {} more, in the files", needs.parts.size() - kPartsPrintedMax));
   verdict.text.push_back(fmt::format(
-      "{}\n"
+      "{}{}\n"
       "With all {} parts that are not needed left out at once, the path moves {}, {} {:g} px.{}",
-      step_text(needs, machine), unneeded_count(needs), length_text(needs.without_all_unneeded.path_px),
+      request.core_step
+          ? fmt::format("It takes {} of the step.\n", paths_text(needs.paths_taken, *request.core_step))
+          : "",
+      step_text(needs, request.machine), unneeded_count(needs),
+      length_text(needs.without_all_unneeded.path_px),
       needs.without_all_unneeded.path_px <= within_px ? "within" : "more than", within_px,
       cheapest_text(needs, within_px)));
 }
@@ -241,6 +266,7 @@ StudyResult run_needs(const StudyRequest& request) {
   const bool has_few_scenarios = request.scenarios.size() <= kScenariosWithMethodsMax;
   NeedsOptions options;
   options.within_px = request.within_px.value_or(kWithin_px);
+  options.core_step = request.core_step;
   if (request.is_quick) options.cost.sample_ns = 5'000;
   if (has_few_scenarios)
     options.rates_hz =
@@ -250,14 +276,17 @@ StudyResult run_needs(const StudyRequest& request) {
   const double within_px = options.within_px;
   StudyResult result{.tables = {part_table(scenarios), coverage_table(scenarios),
                                 control_table(scenarios, within_px), cheapest_table(scenarios)},
-                     .summary = summary_of(scenarios, within_px)};
+                     .summary = summary_of(scenarios, within_px, options.core_step.get())};
   if (has_few_scenarios) {
     for (const ScenarioNeeds& needs : scenarios) {
-      add_needs(result.verdict, needs, within_px, request.machine);
+      add_needs(result.verdict, needs, within_px, request);
       result.figures.push_back(needs_figure(needs, within_px));
     }
   } else {
     result.verdict = coverage_verdict(scenarios, within_px);
+    if (options.core_step)
+      result.verdict.text.push_back(
+          fmt::format("They take {} of the step.", paths_text(paths_taken(scenarios), *options.core_step)));
     result.figures = {coverage_figure(scenarios, within_px)};
   }
   return result;

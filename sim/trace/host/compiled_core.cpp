@@ -7,23 +7,12 @@
 #include <random>
 #include <vector>
 
+#include "sim/motion/displays.h"
 #include "sim/trace/step_player.h"
 
 namespace hyrax::trace {
 namespace {
 
-constexpr std::array kRatesHz = {24.0,  30.0,  50.0,  60.0,  75.0,  90.0,
-                                 100.0, 120.0, 144.0, 165.0, 240.0, 360.0};
-constexpr std::array<Size, 10> kWindows = {{{1920, 1080},
-                                            {2560, 1440},
-                                            {3840, 2160},
-                                            {1366, 768},
-                                            {5120, 1440},
-                                            {1280, 720},
-                                            {800, 600},
-                                            {1080, 1920},
-                                            {640, 480},
-                                            {300, 200}}};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What a call of `function` gets.
@@ -190,7 +179,7 @@ class Draw {
       case 2:
         return std::ldexp(uniform(1.0, 2.0), static_cast<int>(below(30)) - 26);
       default:
-        return below(20) == 0 ? 0.0 : 1.0 / pick(kRatesHz);
+        return below(20) == 0 ? 0.0 : 1.0 / pick(kDisplayRates_hz);
     }
   }
   int size(int usual) {
@@ -200,7 +189,7 @@ class Draw {
                          : 1 + static_cast<int>(below(9000));
   }
   std::array<int, 4> sizes() {
-    const Size window = pick(kWindows);
+    const Size window = pick(kDisplays);
     const int sprite_px = 16 << below(5);
     return {size(window.width_px), size(window.height_px), size(sprite_px), size(sprite_px)};
   }

@@ -229,12 +229,15 @@ ExitCode check(CheckRequest& request) {
       guard.admit("hyrax-sim check: --summary", path);
   }
   const std::int64_t jobs = request.jobs.value_or(processors());
-  std::vector<CheckVerdict> verdicts = check_all(paths, {.golden_folder = request.golden_folder}, jobs);
+  std::vector<CheckVerdict> verdicts =
+      check_all(paths,
+                {.golden_folder = request.golden_folder,
+                 .watched_step = request.printing.is_json ? program_step() : nullptr},
+                jobs);
   std::ranges::move(selection.unreferenced, std::back_inserter(verdicts));
   last_failed.update(verdicts, guard);
   CheckReport report(std::move(verdicts), arguments, golden_folder);
   report.judge_cores(whole_libraries(request));
-  if (request.printing.is_json) report.count_paths();
   if (request.printing.is_json)
     print_text("{}\n", to_text(check_json(report), {.depth_indented = 2}));
   else

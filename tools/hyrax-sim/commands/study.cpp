@@ -18,6 +18,7 @@
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/progress.h"
+#include "tools/hyrax-sim/golden/accepted_core.h"
 #include "tools/hyrax-sim/studies/expected_verdicts.h"
 #include "tools/report/figure_json.h"
 #include "tools/report/figure_script.h"
@@ -115,8 +116,10 @@ std::vector<std::string> scenario_files(const Study& study, const StudyArguments
 StudyRequest request_of(const Study& study, const StudyArguments& arguments,
                         const std::vector<std::string>& scenarios) {
   std::set<std::string> names;
-  StudyRequest request{
-      .is_quick = arguments.is_quick, .machine = processor_name(), .now_ns = steady_clock_ns};
+  StudyRequest request{.is_quick = arguments.is_quick,
+                       .core_step = program_step(),
+                       .machine = processor_name(),
+                       .now_ns = steady_clock_ns};
   for (const std::string& path : scenarios) {
     request.scenarios.push_back({path, load_scenario(path)});
     const std::string& name = request.scenarios.back().scenario.name;

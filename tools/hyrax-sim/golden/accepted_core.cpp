@@ -10,6 +10,7 @@
 #include "sim/cause/header_change.h"
 #include "sim/replay/core_constants.h"
 #include "sim/trace/core_record.h"
+#include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/failure.h"
@@ -103,6 +104,11 @@ AcceptedCore program_core() {
           .why_incomplete = std::string(record.why_incomplete),
           .agreeing_cores = {},
           .reason = {}};
+}
+
+std::shared_ptr<const StepProgram> program_step() {
+  const std::optional<TracedStep> step = read_step(core_record().step);
+  return step ? make_step_program(*step) : nullptr;
 }
 
 std::string accepted_core_folder(const std::string& golden_folder) { return golden_folder + "/core"; }

@@ -4,10 +4,12 @@
 // accepted.txt, written last, with the checksums of both. Nothing of it is compiled.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/trace/step_player.h"
 #include "tools/files/atomic_file.h"
 
 namespace hyrax {
@@ -29,6 +31,9 @@ struct AcceptedCore {
 
 /// This program's core, without a reason.
 [[nodiscard]] AcceptedCore program_core();
+
+/// This program's step, ready to be played; null if it is not complete.
+[[nodiscard]] std::shared_ptr<const StepProgram> program_step();
 
 /// FOLDER/core.
 [[nodiscard]] std::string accepted_core_folder(const std::string& golden_folder);

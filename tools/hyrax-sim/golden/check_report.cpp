@@ -146,7 +146,7 @@ CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::st
     verdict_on_[&verdict.comparison] = &verdict;
     const std::string folder =
         verdict.is_scenario ? golden_folder_for(verdict.path, verdict.golden_folder) : "";
-    if (is_folder(folder)) static_cast<void>(cores_.of(folder));
+    if (is_folder(folder)) cores_.of(folder).take_paths(verdict.paths_taken);
     if (verdict.status == Status::disagreed && !verdict.comparison.agrees)
       differing.push_back({verdict.path, &verdict.comparison, verdict.runs.get(), folder});
   }
@@ -165,16 +165,6 @@ void CheckReport::judge_cores(const std::vector<Library>& libraries) {
   for (const Library& library : libraries)
     if (is_folder(library.golden_folder))
       cores_.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
-}
-
-void CheckReport::count_paths() {
-  std::map<std::string, std::vector<Scenario>> scenarios;
-  for (const CheckVerdict& verdict : verdicts_)
-    if (verdict.is_scenario && verdict.status != Status::failed)
-      scenarios[golden_folder_for(verdict.path, verdict.golden_folder)].push_back(
-          load_scenario(verdict.path));
-  for (const auto& [folder, played] : scenarios)
-    if (is_folder(folder)) cores_.of(folder).count_paths(played);
 }
 
 std::int64_t CheckReport::count(Status status) const {

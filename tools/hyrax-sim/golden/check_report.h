@@ -33,8 +33,6 @@ class CheckReport {
 
   /// Looks for changes of the core that none of the libraries' scenarios notices.
   void judge_cores(const std::vector<Library>& libraries);
-  /// Counts the paths of the core's step that the scenarios take.
-  void count_paths();
 
   [[nodiscard]] std::int64_t count(CheckVerdict::Status status) const;
   /// Unreferenced golden files and folders are no scenarios.

@@ -5,6 +5,8 @@
 #include <new>
 #include <optional>
 
+#include "sim/cause/watched_kernel.h"
+#include "sim/trace/step_program.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
@@ -23,8 +25,12 @@ void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerd
   require_measurable(verdict.path, scenario);
   verdict.golden = golden_place(verdict.path, options.golden_folder);
   const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
-  auto pair = has_golden ? compare_with_pair(scenario, *verdict.golden, options.reads_golden)
-                         : PairComparison{.summary = play(scenario)};
+  const WatchedKernel watched(core_kernel(), [&](const StepInput& input) {
+    verdict.paths_taken.insert(options.watched_step->path_taken(input));
+  });
+  const Kernel& kernel = options.watched_step ? watched : core_kernel();
+  auto pair = has_golden ? compare_with_pair(scenario, *verdict.golden, options.reads_golden, kernel)
+                         : PairComparison{.summary = play(scenario, kernel)};
   verdict.is_open = !pair;
   if (!pair) return;
   verdict.comparison = std::move(pair->comparison);

@@ -1,12 +1,15 @@
 // The verdict of `check` on one scenario, and on all.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
+#include "sim/trace/step_player.h"
 #include "tools/files/check_status.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
@@ -30,6 +33,7 @@ struct CheckVerdict {
   std::string state_hash;
   std::string note;                      ///< A remark on one that agrees; may be empty.
   std::shared_ptr<const PairRuns> runs;  ///< Of one that differs; see PairComparison.
+  std::set<std::int32_t> paths_taken;    ///< Of CheckOptions::watched_step.
   bool is_open = false;                  ///< Undecided: the golden file must be read.
   ExitCode exit_code = ExitCode::agreed;
   double seconds = 0.0;
@@ -38,6 +42,8 @@ struct CheckVerdict {
 struct CheckOptions {
   std::string golden_folder;
   bool reads_golden = true;  ///< If the summary does not decide. REQUIRES: no other threads.
+  /// The program's, whose paths are noted as they are taken, which takes time; null: not noted.
+  std::shared_ptr<const StepProgram> watched_step = nullptr;
 };
 
 /// Plays a scenario and compares; never throws Failure: it becomes a verdict.

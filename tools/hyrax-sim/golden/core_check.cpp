@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
 
 #include "sim/cause/constant_change.h"
@@ -16,7 +15,6 @@
 #include "sim/replay/traced_kernel.h"
 #include "sim/search/shrink.h"
 #include "sim/trace/step_difference.h"
-#include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/scenario_writer.h"
@@ -254,16 +252,6 @@ void CoreCheck::judge_differences(const std::vector<Scenario>& library) {
     verdict_.why = "the constructor or a setter is another one, and no scenario shows it";
 }
 
-void CoreCheck::count_paths(const std::vector<Scenario>& scenarios) {
-  if (!steps_->program) return;
-  const auto program = make_step_program(*steps_->program);
-  std::set<std::int32_t> taken;
-  const WatchedKernel watched(core_kernel(),
-                              [&](const StepInput& input) { taken.insert(program->path_taken(input)); });
-  for (const Scenario& scenario : scenarios) static_cast<void>(played(scenario, watched));
-  verdict_.paths_taken = static_cast<std::int64_t>(taken.size());
-}
-
 std::string core_text(const CoreVerdict& verdict) {
   switch (verdict.status) {
     case CoreStatus::accepted:
@@ -321,7 +309,7 @@ Json core_json(const CoreVerdict& verdict) {
                       {"status", kCoreStatusNames[static_cast<std::size_t>(verdict.status)]},
                       {"why", verdict.why.empty() ? Json() : Json(verdict.why)},
                       {"paths", or_null(verdict.paths)},
-                      {"paths_taken", verdict.paths_taken},
+                      {"paths_taken", std::ssize(verdict.paths_taken)},
                       {"changes", std::move(changes)},
                       {"unnoticed", std::move(unnoticed)}};
 }

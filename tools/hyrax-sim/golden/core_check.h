@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,8 +48,8 @@ struct CoreVerdict {
   CoreStatus status = CoreStatus::none;
   std::string why;  ///< Of none and not_proved.
   std::vector<CoreChange> changes;
-  std::optional<std::int64_t> paths;  ///< Of update; nothing where the program's step is not complete.
-  std::int64_t paths_taken = 0;       ///< By the scenarios checked; only where asked for.
+  std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
+  std::set<std::int32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
   std::vector<UnnoticedDifference> unnoticed;
   ExitCode exit_code = ExitCode::agreed;
 };
@@ -72,8 +73,10 @@ class CoreCheck {
   void take_core_runs(const std::vector<const StoredRun*>& fresh);
   /// Plays the whole library by the accepted step, and looks for steps that show what it does not notice.
   void judge_differences(const std::vector<Scenario>& library);
-  /// Counts the paths that the scenarios take.
-  void count_paths(const std::vector<Scenario>& scenarios);
+  /// A scenario took these paths of the program's step.
+  void take_paths(const std::set<std::int32_t>& paths) {
+    verdict_.paths_taken.insert(paths.begin(), paths.end());
+  }
 
  private:
   struct Steps;

@@ -113,10 +113,10 @@ bool gives_its_rows(const StoredRun& kept) {
          compare_with(kept, kept.scenario).comparison.agrees;
 }
 
-FreshRun play_for_golden(const Scenario& scenario) {
+FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel) {
   FreshRecorder recorder(step_count(scenario));
   WaypointMeter waypoints(step_count(scenario));
-  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, judged_options(scenario));
+  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, judged_options(scenario, kernel));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};

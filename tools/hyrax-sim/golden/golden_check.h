@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/compare/comparison.h"
+#include "sim/replay/kernel.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/run_summary.h"
 #include "sim/trajectory/stored_run.h"
@@ -29,6 +30,6 @@ struct FreshRun {
   RunSummary summary;
   Waypoints waypoints;
 };
-[[nodiscard]] FreshRun play_for_golden(const Scenario& scenario);
+[[nodiscard]] FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel = core_kernel());
 
 }  // namespace hyrax

@@ -144,10 +144,10 @@ std::string summary_of(const FreshRun& fresh, const std::string& reason, const s
 }
 
 std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
-                                                bool reads_h5) {
+                                                bool reads_h5, const Kernel& kernel) {
   const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
-  FreshRun fresh = play_for_golden(scenario);
+  FreshRun fresh = play_for_golden(scenario, kernel);
   // A summary costs a margin, which takes longer than the run: not where the run is another one.
   const bool has_hash = text.find(fresh.run.state_hash) != std::string::npos;
   const auto summary = [&] {

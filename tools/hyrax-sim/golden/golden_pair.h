@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/replay/kernel.h"
 #include "sim/trajectory/stored_run.h"
 #include "tools/files/golden_place.h"
 #include "tools/hyrax-sim/golden/golden_check.h"
@@ -33,10 +34,12 @@ struct PairComparison {
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
 /// summary, every line of it but the reason's text, is not the one that blessing the run would write.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
+/// @param kernel the program's core, or what watches it.
 /// REQUIRES: the .h5 file exists (without its .txt the pair never agrees); with `reads_h5`, as read_isolated.
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
-                                                              const GoldenPlace& place, bool reads_h5);
+                                                              const GoldenPlace& place, bool reads_h5,
+                                                              const Kernel& kernel = core_kernel());
 
 /// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
 /// would, its provenance aside, whatever the summary says.

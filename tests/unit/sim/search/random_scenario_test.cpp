@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "sim/motion/displays.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
@@ -72,6 +73,18 @@ TEST(RandomRun, ReachesWhatTheFormatAllows) {
   EXPECT_EQ(jitters.size(), 3u);
   EXPECT_GT(oversized, 50);
   EXPECT_GT(zero_frames, 50);
+}
+
+TEST(RandomRun, IsPlayedOnEachDisplayAtEachRate) {
+  std::set<std::pair<std::int32_t, double>> drawn;
+  for (std::uint64_t run = 0; run < 40'000; ++run) {
+    const Scenario scenario = random_run(7, run).scenario;
+    const auto* const rate = std::get_if<FixedRate>(&scenario.clock.base);
+    if (rate != nullptr) drawn.emplace(scenario.window.width_px, rate->rate_hz);
+  }
+  for (const Size& display : kDisplays)
+    for (const double rate_hz : kDisplayRates_hz)
+      EXPECT_TRUE(drawn.contains({display.width_px, rate_hz})) << display.width_px << " at " << rate_hz;
 }
 
 TEST(CheckRun, TheShippedCoreBreaksNoRule) {

@@ -9,6 +9,9 @@
 #include "sim/study/needs/needs.h"
 #include "sim/study/needs/needs_figure.h"
 #include "sim/study/study.h"
+#include "sim/trace/core_record.h"
+#include "sim/trace/step_program.h"
+#include "sim/trace/step_text.h"
 #include "tests/unit/sim/study/clocks.h"
 #include "tools/files/scenario_reader.h"
 
@@ -139,8 +142,10 @@ TEST(Coverage, IsTheMostThatASceneNeeds) {
   EXPECT_EQ(at("stop"), Need::below);
 }
 
-StudyResult studied(const std::vector<std::string>& names) {
-  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = steady_ns};
+StudyResult studied(const std::vector<std::string>& names,
+                    std::shared_ptr<const StepProgram> core_step = nullptr) {
+  StudyRequest request{
+      .is_quick = true, .core_step = std::move(core_step), .machine = "some machine", .now_ns = steady_ns};
   for (const std::string& name : names) {
     request.scenarios.push_back({name, scenario_named(name)});
     Scenario& scenario = request.scenarios.back().scenario;
@@ -173,6 +178,23 @@ TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   EXPECT_EQ(std::get<std::vector<std::int64_t>>(coverage.columns[2].values)[0], 5) << "need gravity";
   ASSERT_EQ(result.figures.size(), 1u);
   EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
+}
+
+TEST(NeedsStudy, CountsThePathsOfTheStepThatScenariosTake) {
+  const auto text_of = [](const StudyResult& result, std::size_t from_end) {
+    return std::get<std::string>(result.verdict.text[result.verdict.text.size() - from_end]);
+  };
+  const std::shared_ptr<const StepProgram> step = make_step_program(read_step(core_record().step).value());
+  EXPECT_EQ(text_of(studied({"flings/first-fling"}, step), 1).find("It takes 1 of 12 paths of the step.\n"),
+            0u)
+      << "it flies";
+  EXPECT_EQ(text_of(studied({"hard/sprite-larger-than-window"}, step), 1).find("It takes 3 of 12 paths"), 0u);
+  EXPECT_EQ(text_of(studied({"flings/first-fling", "hard/sprite-larger-than-window", "flings/first-fling",
+                             "flings/first-fling", "flings/first-fling"},
+                            step),
+                    1),
+            "They take 4 of 12 paths of the step.");
+  EXPECT_EQ(text_of(studied({"flings/first-fling"}), 1).find("paths"), std::string::npos) << "not recorded";
 }
 
 TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
