@@ -69,6 +69,22 @@ class CoreRecord(ProgramTest):
         size = self.changed(MOVE, MOVE + " m_x += sizeof(m_x) - 8;")
         self.assertIn("the traced step does not give the compiled core's bits: update of (", self.record(size))
 
+    def test_a_variable_whose_numbers_never_meet_the_state_is_memory_outside_the_body(self):
+        asks = "if (++calls > 1000000000) m_x = 0.0;"
+        headers = {"function": self.changed(MOVE, f"static double calls = 0.0; {asks} {MOVE}"),
+                   "thread": self.changed(MOVE, f"static thread_local int calls = 0; {asks} {MOVE}"),
+                   "class": self.changed(MOVE, f"{asks} {MOVE}").replace("public:", "public:\n  static inline int calls = 0;", 1),
+                   "namespace": self.changed(MOVE, f"{asks} {MOVE}").replace("class physics", "static float calls;\nclass physics", 1)}
+        constant = self.changed(MOVE, f"static const double kOne = 1.0; static constexpr double kTwo[] = {{1.0, 2.0}}; {MOVE}")
+        for compiler in ("g++", "clang++"):
+            if shutil.which(compiler) is None:
+                continue
+            options = {"compiler": compiler, "flags": "-std=c++20;-O2;-ffp-contract=off"}
+            for kind, header in headers.items():
+                with self.subTest(compiler=compiler, kind=kind):
+                    self.assertRegex(self.record(header, **options), r"^memory outside the body: (physics::.*)?calls$")
+            self.assertEqual(self.record(constant, **options), (SETTINGS.parent / "step.txt").read_text(encoding="utf-8"))
+
     def test_no_compiler(self):
         self.assertEqual(self.record(LISTING, compiler=""), "no compiler of this machine")
 

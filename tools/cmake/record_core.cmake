@@ -60,11 +60,15 @@ function(build_host_programs)
              ${libraries} -o ${folder}/record_step)
   execute_process(
     COMMAND ${record} -DHYRAX_TRACES_BOOL
-    COMMAND ${compile} ${root}/sim/trace/host/programs/check_core.cpp ${libraries} -o ${folder}/check_core
+    COMMAND ${compile} -fno-lto -c ${root}/sim/trace/host/programs/check_core.cpp -o ${folder}/check_core.o
     RESULTS_VARIABLE results OUTPUT_QUIET ERROR_VARIABLE messages TIMEOUT 120)
   list(POP_FRONT results traced compiled)
   if(NOT traced EQUAL 0) # A header may do with `bool` what only the language's own can.
     execute_process(COMMAND ${record} RESULT_VARIABLE traced OUTPUT_QUIET ERROR_VARIABLE trace_messages TIMEOUT 120)
+  endif()
+  if(compiled EQUAL 0)
+    execute_process(COMMAND ${compile} ${folder}/check_core.o ${libraries} -o ${folder}/check_core RESULT_VARIABLE compiled
+                    OUTPUT_QUIET ERROR_VARIABLE messages TIMEOUT 120)
   endif()
   if(NOT traced EQUAL 0)
     first_error(error "${trace_messages}")
@@ -72,6 +76,23 @@ function(build_host_programs)
   elseif(NOT compiled EQUAL 0)
     first_error(error "${messages}")
     set(why_not "the compiled core cannot be tried: ${error}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+# A variable of static storage whose numbers never meet those of a state leaves no trace: the object has its symbol. Sets
+# `why_not` if there is one.
+function(find_static_variables)
+  find_program(nm NAMES nm llvm-nm)
+  execute_process(COMMAND ${nm} -C --format=sysv ${folder}/check_core.o OUTPUT_VARIABLE symbols ERROR_QUIET)
+  if(NOT symbols MATCHES "\nmain *\\|[^\n]*FUNC")
+    set(why_not "memory outside the body cannot be ruled out: `nm` does not list the symbols of its object" PARENT_SCOPE)
+  endif()
+  string(REGEX MATCHALL "\n[^|\n]+\\|[^|\n]*\\|[^|\n]*\\| *(OBJECT|TLS)\\|[^|\n]*\\|[^|\n]*\\|\\.(t?bss|t?data)[^\n]*" variables "${symbols}")
+  list(FILTER variables EXCLUDE REGEX "^\n(hyrax::|std::|guard variable|__|DW\\.ref)|\\.data\\.rel\\.ro")
+  if(variables)
+    list(GET variables 0 variable)
+    string(REGEX REPLACE "^\n([^|]*[^| ]) *\\|.*" "\\1" name "${variable}")
+    set(why_not "memory outside the body: ${name}" PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -89,6 +110,9 @@ function(trace)
   write_prelude("${own_files}")
   if(NOT why_not)
     build_host_programs()
+  endif()
+  if(NOT why_not)
+    find_static_variables()
   endif()
   if(NOT why_not)
     run(record_step)
