@@ -67,7 +67,7 @@ class Row:
     cpu: tuple = ()  # Flags of /proc/cpuinfo without which the program cannot run here.
     must: Verdict = AGREES
     is_blind: bool = False  # The self-test is removed.
-    is_nightly: bool = False  # A platform or a control that another row has as well, with other flags.
+    is_nightly: bool = False  # Another row has it as well with other flags, or platforms.this_build plays it.
     variants: tuple = ()
 
     @property
@@ -126,7 +126,7 @@ def emulated(name, triple, emulator):
 
 
 BUILDS = (
-    Row("g++ -O3", "g++", "-O3", needs=(GXX,), variants=THIS_BUILD),
+    Row("g++ -O3", "g++", "-O3", needs=(GXX,), variants=THIS_BUILD, is_nightly=True),
     *native("g++", "g++", "-O3 -march=native", "-O0", "-O2", "-O2 -flto"),
     *native("clang++", "clang", "-O2", "-O0", "-O3 -march=native"),
     *native("clang++-22", "clang-22", "-O3 -march=native", "-O0", "-O2"),
@@ -159,7 +159,8 @@ CONTROLS = (
     Row("x87 on i386, guards lifted", flags="-O1 -m32", last_flags="-mfpmath=387",
         more_flags=f"{HEADERS_OF_32_BITS} {WITHOUT_GUARDS}", needs=(GXX, IN_32_BITS), cpu=("lm",), must=EXCESS,
         is_nightly=True),
-    Row("fused", flags="-O2 -march=native", last_flags="-ffp-contract=fast", needs=(GXX,), cpu=("fma",), must=FUSED),
+    Row("fused", flags="-O2 -march=native", last_flags="-ffp-contract=fast", needs=(GXX,), cpu=("fma",), must=FUSED,
+        is_nightly=True),
     Row("fused, self-test taken out", flags="-O2 -march=native", last_flags="-ffp-contract=fast", is_blind=True,
         needs=(GXX,), cpu=("fma",), must=DIFFERS),
 )

@@ -9,7 +9,7 @@ from hyrax_program import HyraxTest
 from process import skip_without
 from program import AGREED
 
-REPEATS = 10
+REPEATS = 3
 BURNERS = 4
 SEEN_S = 0.03
 
@@ -46,7 +46,7 @@ class Fling(HyraxTest):
         flight.path.rename(scenarios / "flight.json")
         self.expect(AGREED, "check", "scenarios")
 
-    def test_ten_times_in_a_row(self):
+    def test_several_times_in_a_row(self):
         hashes = set()
         for _ in range(REPEATS):
             flight = self.fling_and_watch(300)
@@ -61,9 +61,7 @@ class Fling(HyraxTest):
             burner.start()
             self.addCleanup(burner.join)
             self.addCleanup(burner.kill)
-        for _ in range(3):
-            self.assert_was_flung(self.fling_and_watch(1000))
-            self.wine.end()
+        self.assert_was_flung(self.fling_and_watch(1000))
 
     def test_another_path_would_be_found(self):
         flight = self.fling_and_watch(300)
