@@ -5,20 +5,18 @@ Runs a copy of the scripts in a project whose build folder has a ninja file of o
 """
 
 import os
-import shutil
 import signal
 import time
-import unittest
 
-from process import Process, run
+from process import Process, run, skip_unless_installed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
 
 
-@unittest.skipUnless(shutil.which("ninja"), "ninja is not installed")
 class CheckScript(ProgramTest):
     """A project with a build folder that is configured."""
 
     def setUp(self):
+        skip_unless_installed("ninja")
         super().setUp()
         self.scenario, = self.project("one")
         for script in ("check", "setup.sh"):

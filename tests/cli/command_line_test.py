@@ -5,7 +5,7 @@ import itertools
 import os
 import re
 
-from process import run
+from process import run, skip_for_lack_of
 from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling,
                      main)
 
@@ -231,7 +231,7 @@ class Streams(ProgramTest):
 
     def test_a_full_standard_output_is_exit_3(self):
         if not os.path.exists("/dev/full"):
-            self.skipTest("there is no /dev/full here")
+            skip_for_lack_of("/dev/full")
         for arguments in self.loud:
             with open("/dev/full", "wb") as full:
                 outcome = self.expect(CANNOT_ACCESS, *arguments, stdout=full)

@@ -7,9 +7,8 @@ The cases that need no compiler of their own are in tests/unit/sim/trace/host.
 import os
 import pathlib
 import re
-import shutil
 
-from process import succeed
+from process import skip_unless_installed, succeed
 from program import SOURCE, ProgramTest, main
 
 SETTINGS = pathlib.Path(os.environ["HYRAX_RECORD_SETTINGS"])
@@ -89,8 +88,7 @@ class CoreRecord(ProgramTest):
         self.assertEqual(self.record(LISTING, compiler=""), "no compiler of this machine")
 
     def test_clang_records_the_same_text(self):
-        if shutil.which("clang++") is None:
-            self.skipTest("no clang++")
+        skip_unless_installed("clang++")
         step = self.record(LISTING, compiler="clang++", flags="-std=c++20;-ffp-contract=off")
         self.assertEqual(step, (SETTINGS.parent / "step.txt").read_text(encoding="utf-8"))
 

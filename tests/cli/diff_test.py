@@ -7,6 +7,7 @@ import shutil
 import h5py
 import numpy
 
+from process import skip_unless_installed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
 
 DIFF = {"agree": bool, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE), "worst": object,
@@ -193,8 +194,7 @@ class Diff(ProgramTest):
         for path, says in (("golden/a.svg", "golden"), ("fig.png", ".svg")):
             self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--figure", path, says=says)
         self.assertEqual(self.state_of("."), before)
-        if shutil.which("gnuplot") is None:
-            self.skipTest("gnuplot is not installed")
+        skip_unless_installed("gnuplot")
         outcome = self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--figure", "diff.svg")
         self.assertIn("  figure     diff.svg\n", outcome.out)
         svg = (self.folder / "diff.svg").read_text()

@@ -12,12 +12,14 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 sys.dont_write_bytecode = True  # A test leaves nothing behind in the source tree.
 
 TIMEOUT_S = 120  # Enough for a build with sanitizers on a busy machine.
 _CHUNK_BYTES = 1 << 16
 _SKIPPED = 77  # To ctest, by SKIP_RETURN_CODE.
+_IS_CI = os.environ.get("CI") == "true"
 
 
 class TimedOut(Exception):
@@ -167,7 +169,18 @@ def skip_without(*programs):
     missing = [program for program in programs if shutil.which(program) is None]
     if missing:
         print(f"{', '.join(missing)}: missing; tools/test --all installs it", file=sys.stderr)
-        sys.exit(1 if os.environ.get("CI") == "true" else _SKIPPED)
+        sys.exit(1 if _IS_CI else _SKIPPED)
+
+
+def skip_for_lack_of(what):
+    """Skips a test that this machine cannot run; if CI is set, that is a failure."""
+    raise AssertionError(f"CI needs {what}") if _IS_CI else unittest.SkipTest(f"no {what} here")
+
+
+def skip_unless_installed(program):
+    """Skips a test if a program is missing; if CI is set, that is a failure."""
+    if shutil.which(program) is None:
+        skip_for_lack_of(program)
 
 
 # A process counts as held what the one that started it holds: a small one has to start what is measured.

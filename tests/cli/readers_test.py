@@ -1,13 +1,12 @@
 #!/usr/bin/python3
 """Other people's readers open a run file and find axes, units and names: h5py, xarray, h5dump, h5diff."""
 
-import shutil
 
 import h5py
 import numpy
 import xarray
 
-from process import succeed
+from process import skip_unless_installed, succeed
 from program import AGREED, ProgramTest, fling, main
 
 UNITS = {"t": "s", "dt": "s", "x": "px", "y": "px", "vx": "px/s", "vy": "px/s"}
@@ -31,8 +30,7 @@ class Reader(ProgramTest):
 
     def tool(self, *command):
         """The output of a command-line tool, which must succeed."""
-        if shutil.which(command[0]) is None:
-            self.skipTest(f"{command[0]} is not installed (package hdf5-tools)")
+        skip_unless_installed(command[0])
         return succeed(*command, cwd=self.folder).out
 
 

@@ -6,8 +6,8 @@ import shutil
 import signal
 import time
 
-from process import run
-from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main)
+from process import skip_for_lack_of
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
 
 class BadInput(ProgramTest):
@@ -78,17 +78,6 @@ class UnwritableOutput(ProgramTest):
     def setUp(self):
         super().setUp()
         self.scenario = self.write("fling.json", fling())
-
-    def in_private_mount(self, mount, *script):
-        """Runs a script in `disk`, a private file system; $1 is the program."""
-        (self.folder / "disk").mkdir()
-        lines = [f"mount -t tmpfs {mount} tmpfs disk", *script]
-        unshare = ("unshare", "--mount", "--map-root-user")
-        if run(*unshare, "mount", "-t", "tmpfs", "tmpfs", self.folder / "disk").exit_code != 0:
-            self.skipTest("no file system can be mounted here (unshare --mount --map-root-user)")
-        # HDF5 1.10 leaks the memory of a file that it could not finish writing.
-        environment = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
-        return run(*unshare, "sh", "-ec", "\n".join(lines), "sh", PROGRAM, cwd=self.folder, env=environment)
 
     def test_a_full_disk_leaves_the_old_file_and_no_part(self):
         done = self.in_private_mount("-o size=40k", "printf before > disk/fling.h5", "code=0",
@@ -163,7 +152,7 @@ class UnwritableOutput(ProgramTest):
 
     def test_standard_output_that_cannot_be_written_is_exit_3(self):
         if not os.path.exists("/dev/full"):
-            self.skipTest("there is no /dev/full here")
+            skip_for_lack_of("/dev/full")
         with open("/dev/full", "wb") as full:
             self.expect(CANNOT_ACCESS, "run", self.scenario, stdout=full, says="standard output cannot be written")
 

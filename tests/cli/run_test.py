@@ -4,10 +4,10 @@
 import os
 import pty
 import re
-import shutil
 
 import h5py
 
+from process import skip_unless_installed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
 
 COUNTS = {"left": int, "right": int, "top": int, "ground": int}
@@ -234,8 +234,7 @@ class Figure(ProgramTest):
         return sum(len(re.findall(r"[\d.]+,[\d.]+", part)) for name, part in parts if name.startswith(title))
 
     def test_the_path_is_drawn_through_every_row_that_moves_and_every_contact_is_marked(self):
-        if shutil.which("gnuplot") is None:
-            self.skipTest("gnuplot is not installed")
+        skip_unless_installed("gnuplot")
         path = self.write("fling.json", fling())
         self.expect(AGREED, "run", path, "--figure", "fling.svg")
         svg = (self.folder / "fling.svg").read_text()

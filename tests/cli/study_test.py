@@ -4,15 +4,13 @@
 import csv
 import math
 import pathlib
-import shutil
-import unittest
 import xml.etree.ElementTree
 
 import h5py
 
+from process import skip_unless_installed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, NUMBER, SOURCE, ProgramTest, fling, main
 
-WITHOUT_GNUPLOT = shutil.which("gnuplot") is None
 
 
 class StudyTest(ProgramTest):
@@ -198,9 +196,12 @@ class SpeedError(StudyTest):
         self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="must differ from the other problems' (found fling)")
 
 
-@unittest.skipIf(WITHOUT_GNUPLOT, "gnuplot is not installed")
 class Figures(StudyTest):
     """The pictures."""
+
+    def setUp(self):
+        skip_unless_installed("gnuplot")
+        super().setUp()
 
     def test_needs_are_drawn_scene_by_scene(self):
         self.expect(AGREED, "study", "needs", self.write("fling.json", fling()), "--quick")

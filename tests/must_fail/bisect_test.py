@@ -8,10 +8,9 @@ import os
 import re
 import shlex
 import shutil
-import unittest
 
 from altered import ALTERED
-from process import succeed
+from process import skip_unless_installed, succeed
 from program import SOURCE, ProgramTest, main
 
 SCENARIO = "flings/first-fling"
@@ -38,11 +37,11 @@ def recipe():
     return re.findall(r"^```sh\n(.*?)^```$", section[:section.index("\n## ", 3)], re.MULTILINE | re.DOTALL)
 
 
-@unittest.skipIf(shutil.which("git") is None, "git is not installed")
 class Bisect(ProgramTest):
     """A repository of seven commits."""
 
     def setUp(self):
+        skip_unless_installed("git")
         super().setUp()
         self.repository = self.folder / "project"
         for name in (f"scenarios/{SCENARIO}.json", f"golden/{SCENARIO}.h5", f"golden/{SCENARIO}.txt"):

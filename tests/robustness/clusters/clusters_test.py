@@ -6,9 +6,8 @@ import os
 import pathlib
 import signal
 import time
-import unittest
 
-from process import skip_without, succeed
+from process import skip_for_lack_of, skip_without, succeed
 from program import AGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling, main
 from slurm import Cluster
 
@@ -76,9 +75,10 @@ class Clusters(ProgramTest):
         self.expect(GOLDEN_MISSING, "sweep", "--merge", *parts[:3], "-o", "merged.h5")
         self.assert_same_as_one_process(parts)
 
-    @unittest.skipIf(os.geteuid() != 0, "the daemons of Slurm need root")
     def test_a_slurm_array_of_which_tasks_are_killed(self):
         """By the job file that is shipped. One task is killed, one is requeued while it runs."""
+        if os.geteuid() != 0:
+            skip_for_lack_of("root, which the daemons of Slurm need")
         self.write("sweep.json", sweep(320_000))
         parts = [self.folder / f"sweep.part-{index}-of-{TASKS}.h5" for index in range(TASKS)]
         with Cluster() as cluster:

@@ -6,7 +6,7 @@ import os
 import resource
 import shutil
 
-from process import run
+from process import run, skip_for_lack_of
 from program import AGREED, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 # HDF5 1.10 leaks the memory of a file that it could not finish writing.
@@ -111,7 +111,7 @@ class Place(Unwritable):
         command = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
         self.set_modes(0o755, 0o644)
         if shutil.which("setpriv") is None or run(*command, PROGRAM, "--version", cwd="/").exit_code != 0:
-            self.skipTest("the program cannot run as another user here (setpriv --reuid=65534)")
+            skip_for_lack_of("way to run the program as another user (setpriv --reuid=65534)")
         return command
 
     def as_other(self, *arguments):
@@ -169,15 +169,10 @@ class FullDisk(Unwritable):
     """golden/ on a disk that has room for the digest, and not for the rows."""
 
     def test_bless_leaves_both_files_as_they_were(self):
-        script = "\n".join(["mount -t tmpfs -o size=44k tmpfs disk", "cp golden/fling.* disk",
-                            'code=0; "$1" bless scenarios --golden disk --reason x || code=$?',
-                            "cmp golden/fling.h5 disk/fling.h5", "cmp golden/fling.txt disk/fling.txt", "echo",
-                            "echo exit $code: $(ls -A disk)"])
-        (self.folder / "disk").mkdir()
-        unshare = ["unshare", "--mount", "--map-root-user"]
-        if run(*unshare, "mount", "-t", "tmpfs", "tmpfs", self.folder / "disk").exit_code != 0:
-            self.skipTest("no file system can be mounted here (unshare --mount --map-root-user)")
-        done = run(*unshare, "sh", "-ec", script, "sh", PROGRAM, cwd=self.folder, env=ENVIRONMENT)
+        done = self.in_private_mount("-o size=44k", "cp golden/fling.* disk",
+                                     'code=0; "$1" bless scenarios --golden disk --reason x || code=$?',
+                                     "cmp golden/fling.h5 disk/fling.h5", "cmp golden/fling.txt disk/fling.txt", "echo",
+                                     "echo exit $code: $(ls -A disk)")
         self.assertIn("exit 3: fling.h5 fling.txt\n", done.out, done.err)
         self.assertIn("cannot be written: No space left on device", done.err)
 

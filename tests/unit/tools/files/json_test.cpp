@@ -6,6 +6,7 @@
 #include <bit>
 #include <clocale>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "sim/scenario/split_mix64.h"
@@ -90,8 +91,10 @@ TEST(Json, WritesTheShortestTextThatReadsBack) {
 TEST(Json, ReadsBackTheBitsOfEveryDouble) { EXPECT_EQ(count_doubles_lost(100'000), 0); }
 
 TEST(Json, ReadsAndWritesTheSameWhereACommaMarksDecimals) {
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+    ASSERT_EQ(std::getenv("CI"), nullptr) << "no German locale";
     GTEST_SKIP() << "no German locale here; ctest makes one where localedef can";
+  }
   const std::string comma = std::localeconv()->decimal_point;
   const std::int64_t lost = count_doubles_lost(10'000);
   const std::string written = to_text(parsed("[0.5, 1e-3, 60.5]"));
