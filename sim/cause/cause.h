@@ -24,6 +24,9 @@ inline constexpr std::array<std::string_view, 7> kCauseKindNames = {"non_finite"
   return kCauseKindNames[static_cast<std::size_t>(kind)];
 }
 
+inline constexpr std::string_view kNotRepeated =
+    "this program does not repeat itself: played twice, the scenario gives different bits";
+
 struct Cause {
   CauseKind kind = CauseKind::unknown;
   std::string detail;  ///< As "GRAVITY 1200 -> 1250"; of an unknown one, what is known.

@@ -86,7 +86,9 @@ class CauseFinder {
   explicit CauseFinder(const CauseBase& base) : base_(base) {}
 
   [[nodiscard]] Cause cause_of(const DifferingRun& run) const {
-    const auto& [golden, fresh, scenario_change, is_as_blessed, names_accepted] = run;
+    const auto& [golden, fresh, scenario_change, is_as_blessed, names_accepted, is_repeated] = run;
+    if (!is_repeated || !match(base_.program, fresh.scenario, fresh).rows)
+      return {CauseKind::unknown, std::string(kNotRepeated)};
     const bool is_judged = base_.accepted != nullptr && names_accepted;
     const Kernel& core = is_judged ? *base_.accepted : base_.program;
     const bool has_equal_rows = golden.state_hash == fresh.state_hash;

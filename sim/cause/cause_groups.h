@@ -18,7 +18,8 @@ struct DifferingRun {
   std::string scenario_change;       ///< As "/start/vx_px_per_s 40000 -> 40001"; empty: both play the same.
   bool is_golden_as_blessed = true;  ///< Else the file was changed after it was blessed.
   bool names_accepted_core =
-      false;  ///< The golden file was blessed with the accepted core, or agreed with it.
+      false;                ///< The golden file was blessed with the accepted core, or agreed with it.
+  bool is_repeated = true;  ///< Else another play of the scenario is known to have given other bits.
 };
 
 /// The cores that the runs are judged by.
@@ -37,7 +38,8 @@ struct CauseGroup {
   std::vector<std::size_t> runs;  ///< By their index, in order.
 };
 
-/// Each run in one group: known causes by their size, then unknown ones. The cause is the core where the
+/// Each run in one group: known causes by their size, then unknown ones. Of a program that does not give the
+/// fresh run again nothing else is said. The cause is the core where the
 /// accepted step gives the golden file, frame times and contacts included. Else in this order: frame times,
 /// inputs, the scenario's own text, a golden file that was changed, unknown.
 [[nodiscard]] std::vector<CauseGroup> group_by_cause(const std::vector<DifferingRun>& runs,

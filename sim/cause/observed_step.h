@@ -21,11 +21,12 @@ struct ObservedStep {
 
 /// The steps of a run: all of a short one; of a long one those of the first block
 /// whose digest is not the one in `other`, and of the block before it. Held frames have none.
-/// @param core plays the rows of a long run's blocks, from their keyframes.
+/// @param core plays the rows of a long run's blocks, from their keyframes. REQUIRES: as StepJudge.
 [[nodiscard]] std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other,
                                                        const Kernel& core);
 
-/// Takes single steps by a core, to compare them with what was observed.
+/// Takes single steps by a core, to compare them with what was observed. REQUIRES: a core without members
+/// besides x, y, vx and vy, since a row is all that is known of its state (make_traced_kernel has no other).
 class StepJudge {
  public:
   /// Refers to the core.

@@ -49,9 +49,9 @@ void add_groups(const std::vector<DifferingScenario>& scenarios, CoreCheck& core
                 std::vector<DifferenceGroup>& groups) {
   std::vector<DifferingRun> runs;
   for (const DifferingScenario& scenario : scenarios) {
-    const auto& [golden, fresh, is_as_blessed, core_name] = *scenario.runs;
+    const auto& [golden, fresh, is_as_blessed, core_name, is_repeated] = *scenario.runs;
     runs.push_back({golden, fresh, scenario_changes(golden.scenario, fresh.scenario), is_as_blessed,
-                    core.covers(core_name)});
+                    core.covers(core_name), is_repeated});
   }
   std::vector<const StoredRun*> core_runs;
   for (const CauseGroup& group : group_by_cause(runs, core.base())) {

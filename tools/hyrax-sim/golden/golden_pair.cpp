@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/cause/cause.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
@@ -86,8 +87,12 @@ std::optional<std::string> fault_in(const std::string& text, const StoredRun& ke
 void refuse_pair(Comparison& comparison, const std::string& fault) {
   comparison.agrees = false;
   comparison.difference = DifferenceClass::shape;
-  comparison.shape = "the golden file was changed since it was blessed: " + fault +
-                     "; restore it, or bless the scenario again";
+  comparison.shape = fault;
+}
+
+std::string changed_text(const std::string& fault) {
+  return "the golden file was changed since it was blessed: " + fault +
+         "; restore it, or bless the scenario again";
 }
 
 // Whether a row, a contact or the scenario differs; else only what the golden file says of itself.
@@ -112,17 +117,19 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
   const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
   const bool is_blessed_file = blessed_checksum == h5_checksum;
-  if (!is_blessed_file && !plays_the_same(kept.scenario, scenario) && !gives_its_rows(kept)) {
+  const bool is_repeated = fresh.run.state_hash == hex(compared.summary.state_hash);
+  if (is_repeated && !is_blessed_file && !plays_the_same(kept.scenario, scenario) && !gives_its_rows(kept)) {
     pair.gives_its_rows = false;
-    refuse_pair(pair.comparison, place.h5_path + ": its scenario does not give its rows");
+    refuse_pair(pair.comparison, changed_text(place.h5_path + ": its scenario does not give its rows"));
     return pair;
   }
-  if (has_other_run(pair.comparison, kept, scenario))
+  if (!is_repeated || has_other_run(pair.comparison, kept, scenario))
     pair.runs = std::make_shared<const PairRuns>(
-        PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file, summary_core(text)});
+        PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file, summary_core(text), is_repeated});
+  if (!is_repeated) refuse_pair(pair.comparison, std::string(kNotRepeated));
   if (!pair.comparison.agrees) return pair;
   if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, is_blessed_file, place))
-    refuse_pair(pair.comparison, *fault);
+    refuse_pair(pair.comparison, changed_text(*fault));
   else if (!is_blessed_file)
     pair.note = place.h5_path + ": agrees, but does not have the checksum in " + place.txt_path +
                 ": its provenance or its layout differs";

@@ -18,6 +18,7 @@ struct PairRuns {
   StoredRun fresh;                   ///< The run of this program.
   bool is_golden_as_blessed = true;  ///< The .h5 file has the checksum in its summary.
   std::string core;                  ///< The core that the summary names; empty: written before 0.2.
+  bool is_repeated = true;           ///< The run was played twice, and the bits were the same.
 };
 
 struct PairComparison {
@@ -27,7 +28,8 @@ struct PairComparison {
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
   bool gives_its_rows = true;  ///< False: the scenario in the .h5 file was changed since it was blessed.
-  /// Where rows, contacts or scenarios differ; nullptr where the pair agrees or the golden file was changed.
+  /// Where rows, contacts, scenarios or two plays differ; nullptr where the pair agrees or the golden file
+  /// was changed.
   std::shared_ptr<const PairRuns> runs{};
 };
 
