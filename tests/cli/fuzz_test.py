@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""fuzz: random scenarios, parts of them, another program, bad options. must_fail/fuzz_test.py has what it finds."""
+"""fuzz: random scenarios, parts of them, another program, bad options. HYRAX_ALTERED_SIM is a
+hyrax-sim with altered cores; must_fail/fuzz_test.py has what it finds."""
 
 import os
 
+from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, main
 
 
@@ -34,10 +36,22 @@ class Fuzz(ProgramTest):
         self.assertEqual([document["runs"] for document in runs], [34, 33, 33])
         self.assertEqual(runs[1]["part"], {"index": 1, "count": 3})
         self.assertEqual(self.fuzz("--runs", "2", "--part", "2/3")["runs"], 0)
+        firsts = [self.first_failure("--part", f"{index}/3") for index in range(3)]
+        self.assertEqual([first % 3 for first in firsts], [0, 1, 2])
+        self.assertEqual(min(firsts), self.first_failure())
+        self.assertNotIn(0, firsts, "any core fails there")
+
+    def first_failure(self, *options):
+        """The first run in which a core that differs on bounds only breaks a rule."""
+        outcome = run(os.environ["HYRAX_ALTERED_SIM"], "fuzz", "--runs", "1000", "--json", *options, cwd=self.folder,
+                      env={**os.environ, "HYRAX_ALTERED_CORE": "ground_not_strict"})
+        failure, = outcome.json["failures"]
+        return failure["run"]
 
     def test_the_part_is_taken_from_the_environment(self):
         for variables, options, part in (
                 ({"SLURM_ARRAY_TASK_ID": "6", "SLURM_ARRAY_TASK_MIN": "5", "SLURM_ARRAY_TASK_COUNT": "4"}, (), (1, 4)),
+                ({"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "4"}, (), (1, 4)),
                 ({"OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"}, (), (2, 3)),
                 ({"JOB_COMPLETION_INDEX": "4"}, ("--parts", "5"), (4, 5)),
                 ({"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "4"}, ("--part", "0/2"), (0, 2))):
@@ -48,7 +62,6 @@ class Fuzz(ProgramTest):
     def test_the_same_program_has_the_same_hashes(self):
         document = self.fuzz("--runs", "40", "--against", PROGRAM)
         self.assertEqual((document["against"], document["failures"]), (str(PROGRAM), []))
-
 
     def test_another_program_that_does_not_end_is_not_waited_for(self):
         (self.folder / "other").write_text(f'#!/bin/sh\nmkdir asked 2>&- && exec {PROGRAM} "$@"\nexec sleep 600\n')

@@ -5,7 +5,7 @@ import os
 import pathlib
 import re
 
-from process import run
+from process import preloading, run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, ProgramTest, fling, main
 from replay_check import ReplayCheckCases
 
@@ -62,8 +62,7 @@ class HyraxReplay(ProgramTest):
     def test_disturbed_arithmetic_is_refused(self):
         path = self.write("fling.json", fling())
         for how, fault in (("flush", "flushed to zero"), ("round", "not rounded to nearest")):
-            environment = {**os.environ, "LD_PRELOAD": DISTURBED_ARITHMETIC, "HYRAX_DISTURBED": how,
-                           "ASAN_OPTIONS": "verify_asan_link_order=0"}
+            environment = {**os.environ, **preloading(DISTURBED_ARITHMETIC), "HYRAX_DISTURBED": how}
             self.assertEqual(self.replay(NOT_STRICT, path, says=fault, env=environment).out, "")
             self.assertEqual(self.replay(NOT_STRICT, "check", path, says=fault, env=environment).out, "")
             self.replay(AGREED, "--help", env=environment)

@@ -150,6 +150,13 @@ class Process:
         return Outcome(self._popen.returncode, out, err)
 
 
+def preloading(library):
+    """The variables with which a program loads a library before all others. Their folder may have a space in its name."""
+    folder, name = os.path.split(library)
+    return {"LD_PRELOAD": name, "LD_LIBRARY_PATH": folder,
+            "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
+
+
 def run(*command, timeout=TIMEOUT_S, **options):
     """Runs a program to its end; returns its outcome. Options: those of Process. Raises TimedOut."""
     with Process(*command, **options) as process:

@@ -11,7 +11,7 @@ import shutil
 import tempfile
 import unittest
 
-from process import Process, run, run_measured, skip_for_lack_of
+from process import Process, preloading, run, run_measured, skip_for_lack_of
 
 # `check` records there what did not agree: of tests, not in the user's own.
 CACHE = tempfile.TemporaryDirectory(prefix="hyrax-test-cache-")
@@ -39,8 +39,7 @@ ANOTHER_START = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": 
 
 def few_threads(allowed, environment=os.environ):
     """The environment in which a program can start only so many threads; ctest gives the path of what sees to it."""
-    return {**environment, "LD_PRELOAD": os.environ["HYRAX_FEW_THREADS"], "HYRAX_THREADS": str(allowed),
-            "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
+    return {**environment, **preloading(os.environ["HYRAX_FEW_THREADS"]), "HYRAX_THREADS": str(allowed)}
 
 
 def fling(**changes):

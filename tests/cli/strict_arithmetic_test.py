@@ -6,6 +6,7 @@ HYRAX_DISTURBED_ARITHMETIC names the library that changes it, disturbed_arithmet
 
 import os
 
+from process import preloading
 from program import AGREED, NOT_STRICT, ProgramTest, fling, main
 
 LIBRARY = os.environ["HYRAX_DISTURBED_ARITHMETIC"]
@@ -16,8 +17,7 @@ class Disturbed(ProgramTest):
 
     def disturbed(self, how):
         """The environment in which it runs."""
-        return {**os.environ, "LD_PRELOAD": LIBRARY, "HYRAX_DISTURBED": how,
-                "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
+        return {**os.environ, **preloading(LIBRARY), "HYRAX_DISTURBED": how}
 
     def setUp(self):
         super().setUp()

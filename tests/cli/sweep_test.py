@@ -29,14 +29,19 @@ class EveryMember(SweepTest):
             self.sweep("sweep.json", "-o", "few.h5", "--threads=3", env=few_threads(allowed, NO_CLUSTER))
             assert_same_bits(self, datasets(self.folder / "few.h5"), threads, f"{allowed} threads")
 
-    def test_a_file_of_a_member_gives_its_numbers(self):
-        sweep = document(keep=ALL)
+    def test_members_at_every_end_of_lanes_and_chunks_are_their_runs(self):
+        members = [0, 1, 7, 8, 9, 63, 64, 65, 1023, 1024, 1025, 2048, 4095, 4096, 4097, 65_535, 65_536, 65_537, 65_539]
+        sweep = document(members=65_540, keep=ALL, base=base(steps=100))
         found = self.computed(sweep)
-        for member in (0, 17, 99):
+        assert_same_bits(self, {name: values[members] for name, values in found.items()},
+                         Members(self, sweep).columns(members), "alone")
+        self.assertEqual(len(numpy.unique(found["members/state_hash"], axis=0)), 65_540, "a member is another one")
+        for member in (0, 1024, 65_537):
             self.sweep("sweep.json", "--member", str(member), "-o", f"m{member}.json")
+            document_of_member = json.loads((self.folder / f"m{member}.json").read_text())
+            self.assertIn(str(member), document_of_member["name"])
             run = self.expect(AGREED, "run", f"m{member}.json", "--json").json["runs"][0]
             self.assertEqual(bytes(found["members/state_hash"][member]).hex(), run["state_hash"])
-            self.assertEqual(found["members/x"][member], run["final"]["x_px"])
 
     def test_what_is_not_kept_is_not_there(self):
         final = ["members/vx", "members/vy", "members/x", "members/y"]

@@ -6,6 +6,8 @@ import os
 import pathlib
 import tempfile
 
+import h5py
+
 from altered import CONTROLS, run_altered
 from process import run, succeed
 from program import AGREED, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
@@ -103,6 +105,12 @@ class ChangedCore(ProgramTest):
         self.assertEqual((group["operation"], group["detail"], group["scenarios"]), ("non_finite", of_first, [FIRST_FLING]))
         outcome = self.check("bounce_explodes", "scenarios/flings")
         self.assertRegex(outcome.out, r"^15 of 16 scenarios become non-finite: in the worst, v[xy] is infinite from step \d+ of 600 ")
+        for name in ("a.h5", "a.csv"):
+            run_altered("bounce_explodes", "run", FIRST_FLING, "-o", self.folder / name)
+        lines = (self.folder / "a.csv").read_text().splitlines()
+        self.assertEqual(lines[-1].split(",")[:6:5], ["120", "-inf"])
+        with h5py.File(self.folder / "a.h5") as file:
+            self.assertEqual(list(file["trajectory/step"][:]), [int(line.split(",")[0]) for line in lines[1:]])
         for command in (("bless", FIRST_FLING, "--reason", "none"), ("run", FIRST_FLING, "-o", self.folder / "a.h5")):
             outcome = run_altered("bounce_explodes", *command)
             self.assertEqual(outcome.exit_code, DISAGREED)

@@ -2,7 +2,7 @@
 
 import functools
 
-from process import Failed, succeed
+from process import Failed, preloading, succeed
 from rows import HERE, PROJECT
 
 SOURCES = {"locale": HERE / "preloaded/locale.c", "fast_math": HERE / "preloaded/fast_math.c",
@@ -37,12 +37,11 @@ def build_locale(folder):
 def environment_for(variant, folder):
     """What a variant adds to the environment; its libraries and its locale are built on first use."""
     folder.mkdir(parents=True, exist_ok=True)
-    added = {"HYRAX_DISTURBED": "round", "ASAN_OPTIONS": "verify_asan_link_order=0"}
+    added = {"HYRAX_DISTURBED": "round"}
     for setting in variant.environment:
         name, value = setting.split("=", 1)
-        if value == "{locales}":
-            value = str(build_locale(folder))
-        elif value.startswith("{"):
-            value = str(build_library(value.strip("{}"), folder))
-        added[name] = value
+        if name == "LD_PRELOAD":
+            added |= preloading(build_library(value.strip("{}"), folder))
+        else:
+            added[name] = str(build_locale(folder)) if value == "{locales}" else value
     return added

@@ -6,7 +6,7 @@ import signal
 import unittest
 
 from hyrax_program import FLING, FLINGER, HyraxTest
-from process import skip_without, succeed
+from process import preloading, skip_without, succeed
 
 SPRITE_PX = 128
 SCREEN = [1024, 768]
@@ -124,7 +124,7 @@ class StoppedClock(HyraxTest):
         succeed("cc", "-shared", "-fPIC", "-O1", "-o", clock, pathlib.Path(__file__).with_name("standing_clock.c"),
                 "-ldl")
         self.wine.run(FLINGER, "sleep", 0)  # Starts Wine's server, whose clock goes on.
-        self.wine.environment.update(LD_PRELOAD=str(clock), HYRAX_CLOCK_STOPS=str(stop))
+        self.wine.environment.update(preloading(clock), HYRAX_CLOCK_STOPS=str(stop))
         process = self.start_and_fling()
         stop.touch()
         self.hand("sleep", 1000)

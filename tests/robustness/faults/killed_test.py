@@ -11,6 +11,7 @@ import shutil
 import signal
 import time
 
+from process import preloading
 from program import AGREED, ANOTHER_START, DISAGREED, ProgramTest, fling, main
 
 LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
@@ -44,9 +45,7 @@ class Killed(ProgramTest):
 
     def environment(self, at):
         """In which the program is killed at a call that changes files."""
-        return {**os.environ, "LD_PRELOAD": LIBRARY, "HYRAX_KILL_AT": str(at),
-                "HYRAX_CALLS": str(self.folder / "calls"),
-                "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
+        return {**os.environ, **preloading(LIBRARY), "HYRAX_KILL_AT": str(at), "HYRAX_CALLS": str(self.folder / "calls")}
 
     def calls_of(self, *arguments):
         """How many calls that change files the complete command makes; leaves its outcome in `after`."""

@@ -15,19 +15,43 @@ MemberNumbers numbers_of(const std::vector<double>& values, MemberRole role = Me
   return numbers;
 }
 
-TEST(MemberNumbers, HaveRangeAndMeanOfThoseThatAreKnown) {
-  const MemberNumbers numbers = numbers_of({3.0, std::nan(""), -1.0, 4.0});
-  EXPECT_EQ(numbers.smallest(), -1.0);
-  EXPECT_EQ(numbers.largest(), 4.0);
-  EXPECT_DOUBLE_EQ(numbers.mean(), 2.0);
-  EXPECT_EQ(numbers.missing(), 1);
-  EXPECT_TRUE(numbers.is_whole());
+// The values of a table's column.
+const auto& column(const Table& table, std::string_view name) {
+  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& each) { return each.name == name; });
+  return found->values;
+}
+
+TEST(MemberNumbers, OfAWholeNumberAreWhole) {
+  EXPECT_TRUE(numbers_of({3.0, std::nan(""), -1.0, 4.0}).is_whole());
   EXPECT_FALSE(numbers_of({0.5}).is_whole());
+}
+
+// Each column of a sample in which no two statistics are equal.
+TEST(MemberTable, HasTheStatisticThatEachColumnNames) {
+  const Table table = member_table({numbers_of({40.0, std::nan(""), 0.0, 10.0, 20.0, 130.0, std::nan("")})});
+  const auto text = [&](const char* name) {
+    return std::get<std::vector<std::string>>(column(table, name)).at(0);
+  };
+  const auto number = [&](const char* name) {
+    return std::get<std::vector<double>>(column(table, name)).at(0);
+  };
+  EXPECT_EQ(text("number"), "x");
+  EXPECT_EQ(text("unit"), "px");
+  EXPECT_EQ(text("meaning"), "left edge");
+  EXPECT_EQ(number("smallest"), 0.0);
+  EXPECT_DOUBLE_EQ(number("p10"), 4.0);
+  EXPECT_EQ(number("median"), 20.0);
+  EXPECT_DOUBLE_EQ(number("p90"), 94.0);
+  EXPECT_EQ(number("mean"), 40.0);
+  EXPECT_EQ(number("largest"), 130.0);
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(column(table, "missing")).at(0), 2);
 }
 
 TEST(MemberNumbers, OfNoMemberAreNotGiven) {
   EXPECT_TRUE(std::isnan(numbers_of({std::nan("")}).smallest()));
   EXPECT_TRUE(std::isnan(numbers_of({}).mean()));
+  EXPECT_TRUE(std::isnan(numbers_of({}).quantile(0.5)));
 }
 
 TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
@@ -54,13 +78,6 @@ TEST(MemberFigures, ShareAllMembersAmongTheIntervals) {
   const Series& points = std::get<std::vector<Plot>>(figures[1].body)[0].series[0];
   EXPECT_EQ(points.x, (std::vector<double>{5, 6, 7, 8}));
   EXPECT_EQ(points.y, (std::vector<double>{0, 1, 1, 2}));
-}
-
-TEST(MemberNumbers, HaveQuantilesOfThoseThatAreKnown) {
-  const MemberNumbers numbers = numbers_of({4.0, std::nan(""), 0.0, 2.0, 1.0, 3.0});
-  EXPECT_DOUBLE_EQ(numbers.quantile(0.5), 2.0);
-  EXPECT_DOUBLE_EQ(numbers.quantile(0.1), 0.4);
-  EXPECT_TRUE(std::isnan(numbers_of({}).quantile(0.5)));
 }
 
 // Two grids of 5 x 2 fields, two members each; the median of a field is the number of the field and a half.

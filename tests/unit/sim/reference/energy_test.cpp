@@ -119,14 +119,6 @@ TEST_F(FarFromTheOrigin, TheDriftKeepsItsDigits) {
   EXPECT_EQ(drift_end(kFar_px), -2.0 * kGravity * kGravity / 64.0 / 2.0);
 }
 
-// Control: energies taken at the coordinates and then subtracted do lose them.
-TEST_F(FarFromTheOrigin, SubtractedEnergiesLoseThem) {
-  const Columns rows = flight(kFar_px);
-  const double fall = energy(rows.row(127)) - energy(rows.row(0));
-  const double expected = -kGravity * kGravity / 64.0 / 2.0 * 127.0 / 64.0;
-  EXPECT_GT(std::fabs(fall - expected), 0.1);
-}
-
 // The contacts of a run, as files have them.
 struct ContactLog : RowSink {
   [[nodiscard]] Wants wants() const override { return {.contacts = true}; }

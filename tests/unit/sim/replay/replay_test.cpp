@@ -102,12 +102,6 @@ TEST(Replay, RecordsEveryFewRowsAndTheLastOne) {
   EXPECT_TRUE(trace.blocks().empty());
 }
 
-TEST(Replay, RecordsALastRowThatIsDueOnce) {
-  TraceSink trace(RowSink::Wants{.rows_every = 5});
-  replay(fling_at(60.0, 10), trace);
-  EXPECT_EQ(trace.rows().size(), 3u);
-}
-
 TEST(Replay, EndsAtTheStepThatIsNotFinite) {
   Scenario scenario = fling_at(60.0, 100, {{std::int64_t{20}, Fling{{kInfinity, 0.0}}}});
   TraceSink trace;

@@ -38,8 +38,9 @@ TEST(SplitMix64, DrawsThePublishedOutputs) {
 }
 
 TEST(SplitMix64, StaysBelowOne) {
-  // The largest possible output makes the largest unit draw.
-  EXPECT_LT(static_cast<double>(~std::uint64_t{0} >> 11) * 0x1p-53, 1.0);
+  constexpr std::uint64_t kSeed = 0x31628af67b2131ab;  // Of the largest output.
+  ASSERT_EQ(split_mix64(kSeed, 0), ~std::uint64_t{0});
+  EXPECT_EQ(split_mix64_unit(kSeed, 0), 1.0 - 0x1p-53);
 }
 
 TEST(Jitter, DrawsThePublishedFrames) {

@@ -55,32 +55,6 @@ TEST_F(StoredRunFile, HoldsEmptyListsAsDatasetsOfLengthZero) {
         << name;
 }
 
-TEST_F(StoredRunFile, WithoutStepsHoldsTheStart) {
-  write_run(path_, fling_at(60.0, 0));
-  const std::vector<Row> rows = rows_of(TrajectoryFile(path_));
-  ASSERT_EQ(rows.size(), 1u);
-  EXPECT_EQ(rows[0].x_px, 300.0);
-  EXPECT_EQ(rows[0].t_s, 0.0);
-}
-
-TEST_F(StoredRunFile, HoldsEveryKthRowAndTheLast) {
-  Scenario scenario = fling_at(60.0, 100);
-  scenario.record_every = 30;
-  write_run(path_, scenario);
-  std::vector<std::int64_t> steps;
-  for (const Row& row : rows_of(TrajectoryFile(path_))) steps.push_back(row.step);
-  EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 30, 60, 90, 100}));
-}
-
-TEST_F(StoredRunFile, GivesPartOfItsRows) {
-  write_run(path_, fling_at(60.0, 500));
-  const TrajectoryFile file(path_);
-  const Columns part = file.rows(490, 5);
-  ASSERT_EQ(part.size(), 5u);
-  EXPECT_EQ(part.step.front(), 490);
-  EXPECT_TRUE(same_row(part.row(4), rows_of(file)[494]));
-}
-
 TEST_F(StoredRunFile, IsTheSameBytesEachTime) {
   const std::string again = folder_.at("again.h5");
   for (const std::int64_t steps : {0, 330, 70'000}) {
@@ -91,16 +65,6 @@ TEST_F(StoredRunFile, IsTheSameBytesEachTime) {
     write_run(again, scenario);
     EXPECT_TRUE(bytes_of(path_) == bytes_of(again)) << steps;
   }
-}
-
-// More rows than a batch of the writer, and more than are gathered in memory.
-TEST_F(StoredRunFile, HoldsALongRun) {
-  Scenario scenario = fling_at(60.0, 150'000);
-  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.1, 3};
-  write_run(path_, scenario);
-  TraceSink played({.rows_every = 1});
-  static_cast<void>(replay(scenario, played));
-  EXPECT_TRUE(same_rows(rows_of(TrajectoryFile(path_)), played.rows()));
 }
 
 // A small file may hold a scenario whose parsing takes more memory, or more time for the frame of an `at_s`,
