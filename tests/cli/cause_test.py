@@ -93,7 +93,8 @@ class Causes(CauseTest):
         self.expect(AGREED, "check")
         self.assertEqual(self.expect(AGREED, "bless", "--core", "--reason", "again").out, "core: accepted already\n")
         self.expect(BAD_INPUT, "bless", self.write("alone.json", fling()), "--core", "--reason", "x", says="--core: needs scenarios")
-        self.expect(BAD_INPUT, "check", "scenarios/a", "--core", says="--core: needs a whole library")
+        self.expect(BAD_INPUT, "check", "alone.json", "--core", says="--core: needs a folder named scenarios")
+        self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
         self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
 
     def test_a_core_is_accepted_with_a_library_that_agrees_only(self):

@@ -23,7 +23,7 @@ CTEST_FAILED = 8
 FLING = "scenarios/flings/first-fling.json"
 PLAIN = """cmake_minimum_required(VERSION 3.25)
 project(plain LANGUAGES {language})
-find_package(hyrax 0.1 REQUIRED)
+find_package(hyrax 0.2 REQUIRED)
 hyrax_add_scenarios({arguments})
 """
 
@@ -61,7 +61,12 @@ class OutsideProject(ProgramTest):
                    f"-DCMAKE_CXX_FLAGS={os.environ['HYRAX_CXX_FLAGS']}", *options)
 
     def ctest(self, source, exit_code):
-        """Runs the project's tests, which must end with this exit code; returns {name: is passed}."""
+        """Runs the project's tests, which must end with this exit code; returns {name: is passed} of the scenarios'."""
+        tests = self.all_tests(source, exit_code)
+        return {name: is_passed for name, is_passed in tests.items() if not name.endswith(".accepted_core")}
+
+    def all_tests(self, source, exit_code):
+        """Those of ctest and the one of the accepted core."""
         outcome = run("ctest", "--test-dir", source / "build", "--output-on-failure")
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line]
@@ -104,6 +109,17 @@ class WithoutPhysics(OutsideProject):
         scenario = self.folder / FLING
         scenario.write_text(scenario.read_text(encoding="utf-8").replace('"x_px": 60', '"x_px": 61'), encoding="utf-8")
         self.assertEqual(self.ctest(self.folder, CTEST_FAILED), {"hyrax.first-fling": False, "hyrax.corner-fling": True})
+
+    def test_the_core_is_a_test_of_its_own_whatever_the_folder_is_called(self):
+        shutil.move(self.folder / "scenarios/flings", self.folder / "throws")
+        self.write("CMakeLists.txt", PLAIN.format(arguments="throws GOLDEN accepted", language="NONE"))
+        self.expect(AGREED, "bless", "throws", "--golden", "accepted", "--reason", "first", "--accept", "shape")
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        names = ("hyrax.first-fling", "hyrax.corner-fling", "hyrax.accepted_core")
+        self.assertEqual(self.all_tests(self.folder, 0), dict.fromkeys(names, True))
+        step = self.folder / "accepted/core/step.txt"
+        step.write_bytes(step.read_bytes() + b"\n")
+        self.assertFalse(self.all_tests(self.folder, CTEST_FAILED)["hyrax.accepted_core"])
 
     def test_wrong_arguments_are_refused(self):
         self.expect_refused("nowhere", "no scenario file, *.json, in")

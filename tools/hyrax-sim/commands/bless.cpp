@@ -51,7 +51,8 @@ ExitCode bless(BlessRequest& request) {
       blesses(request) ? list_scenarios(request.files) : std::vector<std::string>{};
   if (!request.accepts_core_only) report.blessings = plan_blessings(paths, request.options);
   if (refusal_sentence(report).empty())
-    report.cores = plan_core_acceptances(paths, report.blessings, request.options);
+    report.cores =
+        plan_core_acceptances(blesses(request) ? request.files : paths, report.blessings, request.options);
   const bool is_refused = !refusal_sentence(report).empty();
   CoreChecks cores;
   const std::vector<DifferenceGroup> groups = request.printing.is_quiet() && !request.printing.is_json
@@ -71,9 +72,10 @@ ExitCode bless(BlessRequest& request) {
     write_cores(report.cores, report.blessings);
   }
   if (request.accepts_core_only && report.cores.empty()) {
-    if (libraries_of(paths, request.options.golden_folder).empty())
+    if (libraries_of(request.files, request.options.golden_folder).empty())
       throw Failure(ExitCode::bad_input,
-                    "hyrax-sim bless: --core: needs scenarios below a folder named scenarios (found " +
+                    "hyrax-sim bless: --core: needs scenarios below a folder named scenarios, or a folder "
+                    "and --golden (found " +
                         request.files.front() + ")");
     if (!request.printing.is_json) print_text("core: accepted already\n");
   }

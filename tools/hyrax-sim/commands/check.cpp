@@ -162,7 +162,7 @@ std::vector<Library> whole_libraries(const CheckRequest& request) {
   std::vector<Library> whole;
   if (!request.filter.empty() || request.takes_last_failed) return whole;
   for (const std::string& argument : request.files)
-    for (Library& library : libraries_of({argument + "/x.json"}, request.golden_folder)) {
+    for (Library& library : libraries_of({argument}, request.golden_folder)) {
       std::error_code unknown;
       if (is_folder(argument) && std::filesystem::equivalent(argument, library.scenarios_folder, unknown))
         whole.push_back(std::move(library));
@@ -186,11 +186,12 @@ void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::st
 
 // Nothing but the core: no scenario is compared with its golden file.
 ExitCode check_core(const CheckRequest& request) {
-  const std::vector<Library> libraries = whole_libraries(request);
+  const std::vector<Library> libraries = libraries_of(request.files, request.golden_folder);
   if (libraries.empty())
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim check: --core: needs a whole library, a folder named scenarios (found " +
-                      request.files.front() + ")");
+    throw Failure(
+        ExitCode::bad_input,
+        "hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
+            request.files.front() + ")");
   CoreChecks cores;
   for (const Library& library : libraries)
     cores.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));

@@ -78,11 +78,14 @@ std::optional<CoreAcceptance> plan(const Library& library, const std::set<std::s
 
 }  // namespace
 
-std::vector<Library> libraries_of(const std::vector<std::string>& scenario_paths,
+std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
                                   const std::string& golden_option) {
   std::vector<Library> libraries;
-  for (const std::string& path : scenario_paths) {
-    const std::string scenarios = scenarios_folder_of(path);
+  for (const std::string& argument : arguments) {
+    const bool is_library = is_folder(argument) && !golden_option.empty();
+    const std::string path = is_folder(argument) ? argument + "/x.json" : argument;
+    std::string scenarios = scenarios_folder_of(path);
+    if (scenarios.empty() && is_library) scenarios = argument;
     if (scenarios.empty()) continue;
     const auto is_known = [&](const Library& library) { return library.scenarios_folder == scenarios; };
     if (std::ranges::any_of(libraries, is_known)) continue;
@@ -101,13 +104,13 @@ std::vector<Scenario> scenarios_in(const std::string& folder) {
   return scenarios;
 }
 
-std::vector<CoreAcceptance> plan_core_acceptances(const std::vector<std::string>& scenario_paths,
+std::vector<CoreAcceptance> plan_core_acceptances(const std::vector<std::string>& arguments,
                                                   const std::vector<Blessing>& blessings,
                                                   const BlessOptions& options) {
   std::set<std::string> blessed;
   for (const Blessing& blessing : blessings) blessed.insert(canonical_path(blessing.path));
   std::vector<CoreAcceptance> acceptances;
-  for (const Library& library : libraries_of(scenario_paths, options.golden_folder))
+  for (const Library& library : libraries_of(arguments, options.golden_folder))
     if (auto acceptance = plan(library, blessed, options.reason))
       acceptances.push_back(std::move(*acceptance));
   return acceptances;

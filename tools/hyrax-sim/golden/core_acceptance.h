@@ -19,26 +19,27 @@ struct CoreAcceptance {
   CoreVerdict differences;  ///< From the one accepted before.
 };
 
-/// A library: a folder named `scenarios`, and its golden folder.
+/// A library: a folder of scenarios, and its golden folder.
 struct Library {
   std::string scenarios_folder;
   std::string golden_folder;
   std::string golden_option;  ///< --golden as given; empty if it was not.
 };
 
-/// The libraries that the scenarios belong to, each once; those outside of any have no accepted core.
-[[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& scenario_paths,
+/// The libraries that scenarios or folders of them belong to, each once: the nearest folder named
+/// `scenarios`; with --golden also a folder that is in none. Scenarios outside of any have no accepted core.
+[[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
                                                 const std::string& golden_option);
 
 /// All scenarios in the folder that can be read.
 [[nodiscard]] std::vector<Scenario> scenarios_in(const std::string& folder);
 
-/// Of the libraries that the scenarios belong to. Plays each whole, unless its accepted core is this
+/// Of libraries_of(arguments). Plays each whole, unless its accepted core is this
 /// program's already: then nothing is planned.
 /// @param blessings of scenarios that will agree.
-[[nodiscard]] std::vector<CoreAcceptance> plan_core_acceptances(
-    const std::vector<std::string>& scenario_paths, const std::vector<Blessing>& blessings,
-    const BlessOptions& options);
+[[nodiscard]] std::vector<CoreAcceptance> plan_core_acceptances(const std::vector<std::string>& arguments,
+                                                                const std::vector<Blessing>& blessings,
+                                                                const BlessOptions& options);
 
 /// Writes those that are accepted, unless a blessing has failed.
 /// ERRORS: as write_accepted_core's.
