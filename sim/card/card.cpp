@@ -20,12 +20,16 @@ constexpr std::uint64_t kRandomRuns = 500;
 
 std::string place_of(const NamedScenario& named) { return "scenario " + named.path; }
 
+void add_rows(const CoreFunctions& core, const Scenario& scenario, const std::string& place,
+              StateHash& hash) {
+  for (const Row& row : play_by(core, scenario, place).rows) hash.add(row);
+}
+
 }  // namespace
 
 std::string rows_hash(const CoreFunctions& core, const CardRequest& request) {
   StateHash hash;
-  for (const NamedScenario& named : request.library)
-    for (const Row& row : play_by(core, named.scenario, place_of(named)).rows) hash.add(row);
+  for (const NamedScenario& named : request.library) add_rows(core, named.scenario, place_of(named), hash);
   return hex(hash.value());
 }
 
@@ -63,10 +67,10 @@ RecordingLine recordings_of(const CardRequest& request, const LibraryLine& libra
 
 using InvariantSet = std::bitset<kInvariantCount>;
 
-// A hard case or a random run, as one core plays it.
+// A hard case or a random run, as one core plays it. Where a core lacks constants, nothing is judged.
 struct HeldRun {
   std::string name;
-  Digest state_hash{};
+  Digest state_hash{};        // Both cores' alike: of the rows without contacts where nothing is judged.
   InvariantSet held = {};     // Where they were checked.
   InvariantSet failing = {};  // Do not hold,
   InvariantSet broken = {};   // and are not expected to fail.
@@ -79,10 +83,23 @@ struct HeldRun {
   }
 };
 
-std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<HardCase>& cases) {
+HeldRun unjudged_run(const CoreFunctions& core, const Scenario& scenario, const std::string& name,
+                     const std::string& place) {
+  StateHash hash;
+  add_rows(core, scenario, place, hash);
+  return {.name = name, .state_hash = hash.value()};
+}
+
+std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<HardCase>& cases,
+                                  bool is_judged) {
   std::vector<HeldRun> runs;
   for (const HardCase& hard_case : cases) {
-    const CoreInUse in_use(core, "hard case " + hard_case.name);
+    const std::string place = "hard case " + hard_case.name;
+    if (!is_judged) {
+      runs.push_back(unjudged_run(core, hard_case.scenario, hard_case.name, place));
+      continue;
+    }
+    const CoreInUse in_use(core, place);
     const HardCaseResult result = play_hard_case(hard_case);
     HeldRun run{.name = hard_case.name, .state_hash = result.state_hash};
     for (std::size_t index = 0; index < kInvariantCount; ++index) {
@@ -95,10 +112,16 @@ std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<H
   return runs;
 }
 
-std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<RandomRun>& random) {
+std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<RandomRun>& random,
+                                  bool is_judged) {
   std::vector<HeldRun> runs;
   for (const RandomRun& each : random) {
-    const CoreInUse in_use(core, "random run " + each.scenario.name);
+    const std::string place = "random run " + each.scenario.name;
+    if (!is_judged) {
+      runs.push_back(unjudged_run(core, each.scenario, each.scenario.name, place));
+      continue;
+    }
+    const CoreInUse in_use(core, place);
     const CheckedRun checked = check_run(each.scenario, each.stops);
     HeldRun run{.name = each.scenario.name, .state_hash = checked.summary.state_hash};
     for (std::size_t index = 0; index < kInvariantCount; ++index) {
@@ -146,15 +169,15 @@ InvariantLine invariant_line(bool is_general, const HeldRuns& cases, const HeldR
 }
 
 HardCaseLine measure_hard_cases(const CoreFunctions& base, const CoreFunctions& candidate,
-                                const CardRequest& request) {
+                                const CardRequest& request, bool is_judged) {
   std::vector<HardCase> cases;
   for (const NamedScenario& named : request.hard)
     for (HardCase& hard_case : hard_cases_of(named.scenario))
       if (!hard_case.is_long) cases.push_back(std::move(hard_case));
   std::vector<RandomRun> runs;
   for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(request.seed, run));
-  const HeldRuns held{held_runs_of(base, cases), held_runs_of(candidate, cases)};
-  const HeldRuns random{held_runs_of(base, runs), held_runs_of(candidate, runs)};
+  const HeldRuns held{held_runs_of(base, cases, is_judged), held_runs_of(candidate, cases, is_judged)};
+  const HeldRuns random{held_runs_of(base, runs, is_judged), held_runs_of(candidate, runs, is_judged)};
   return {.cases = std::ssize(cases),
           .other_cases = other_bits(held),
           .other_random_runs = {other_bits(random), std::ssize(runs)},
@@ -199,6 +222,28 @@ ClaimLine measure_claims(const CoreFunctions& base, const CoreFunctions& candida
   return line;
 }
 
+std::string lacking_text(const CoreFunctions& base, const CoreFunctions& candidate) {
+  std::string text;
+  for (const auto& [core, name] : {std::pair(&base, "the base"), {&candidate, "the candidate"}})
+    if (const char* const names = core->lacking())
+      text += (text.empty() ? "" : "; ") + std::string(name) + " has no " + names;
+  return text;
+}
+
+StepLine step_line(const CardRequest& request, bool has_other_bits) {
+  const StepProof& proof = request.proof;
+  StepLine line{.why = proof.why, .changes = request.changes};
+  if (proof.is_equal && has_other_bits) {
+    line.why = "the traced steps are equal, but the compiled cores give other bits";
+  } else if (has_other_bits) {
+    line.status = StepStatus::changed;
+    if (proof.is_complete) line.why.clear();
+  } else if (proof.is_equal) {
+    line.status = StepStatus::proved_equal;
+  }
+  return line;
+}
+
 }  // namespace
 
 void ClassCounts::add(const RunChange& change) {
@@ -219,6 +264,7 @@ Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate, con
   Card card{.seed = request.seed,
             .flings = request.flings,
             .scenarios = std::ssize(request.library),
+            .lacking = lacking_text(base, candidate),
             .cost = measure_cost(base, candidate, request.seed, request.now_ns)};
   measure_library(base, candidate, request, card);
   FlingLines flings = measure_flings(base, candidate, request.seed, request.flings);
@@ -226,8 +272,9 @@ Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate, con
   card.energy = flings.energy;
   card.exact = std::move(flings.exact);
   card.displays = measure_displays(base, candidate, request.seed, request.flings);
-  card.hard_cases = measure_hard_cases(base, candidate, request);
-  card.claims = measure_claims(base, candidate, card.cost);
+  card.hard_cases = measure_hard_cases(base, candidate, request, card.lacking.empty());
+  if (card.lacking.empty()) card.claims = measure_claims(base, candidate, card.cost);
+  card.step = step_line(request, card.has_other_bits());
   if (!request.recordings.empty()) card.recordings = recordings_of(request, card.library);
   // Some state shows only after many calls.
   for (const auto& [core, hash] :

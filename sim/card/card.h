@@ -9,6 +9,7 @@
 
 #include "sim/card/core_functions.h"
 #include "sim/card/core_run.h"
+#include "sim/cause/header_change.h"
 #include "sim/reference/model.h"
 #include "sim/result/interval.h"
 #include "sim/study/methods/cost.h"
@@ -31,6 +32,18 @@ struct CardRequest {
   std::int64_t flings = 1000;
   NanosecondClock now_ns = {};
   BeforeAfter<std::string> rows_hash = {};  ///< Of each core (hyrax::rows_hash), found by another process.
+  StepProof proof = {};                     ///< Of the candidate's traced step against the base's.
+  std::vector<HeaderChange> changes = {};   ///< From the base's header to the candidate's.
+};
+
+enum class StepStatus : std::uint8_t { proved_equal, changed, not_proved };
+inline constexpr std::array<std::string_view, 3> kStepStatusNames = {"proved_equal", "changed", "not_proved"};
+
+/// What the traced steps say, and whether any row that was played differs.
+struct StepLine {
+  StepStatus status = StepStatus::not_proved;
+  std::string why = {};  ///< Nothing is proved; empty where both steps are complete and bits differ.
+  std::vector<HeaderChange> changes = {};
 };
 
 /// Energy of 1 px of height by the paper's gravity.
@@ -166,6 +179,9 @@ struct Card {
   std::uint64_t seed = 1;
   std::int64_t flings = 0;
   std::int64_t scenarios = 0;
+  StepLine step = {};
+  /// Why invariants and claims were not measured, as "the candidate has no GRAVITY"; empty: they were.
+  std::string lacking = {};
   LibraryLine library = {};
   ContactLine contacts = {};
   FlingLine random = {};
@@ -176,6 +192,12 @@ struct Card {
   HardCaseLine hard_cases = {};
   ClaimLine claims = {};
   std::optional<RecordingLine> recordings = {};  ///< None without recordings.
+
+  /// Whether any row of a scenario, fling, hard case or random run differs.
+  [[nodiscard]] bool has_other_bits() const {
+    return !library.changed.empty() || random.classes.same_bits < flings || hard_cases.other_cases > 0 ||
+           hard_cases.other_random_runs.count > 0;
+  }
 };
 
 /// Of all rows of the library. ERRORS: CoreRefused.

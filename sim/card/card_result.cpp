@@ -181,7 +181,7 @@ Figure energy_figure(const EnergyLine& energy) {
 }  // namespace
 
 std::vector<Table> card_tables(const Card& card) {
-  std::vector<Table> tables = {scenario_table(card.library.changed)};
+  std::vector<Table> tables = {changes_table(card.step.changes), scenario_table(card.library.changed)};
   tables.push_back(invariant_table(card.hard_cases));
   tables.push_back(claim_table(card.claims.changed));
   if (card.recordings) tables.push_back(recording_table(card.recordings->moved));

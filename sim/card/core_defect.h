@@ -28,7 +28,7 @@ class DefectSearch {
     const auto by_setters = [](auto set) {
       return [set](Core& body) {
         const State state = state_of(body);
-        body = Core();
+        body = made({-1.0, -2.0, -3.0, -4.0});
         set(body, state);
       };
     };

@@ -9,6 +9,7 @@
 #endif
 
 #include "sim/physics/strict_arithmetic.h"
+#include "sim/reference/model.h"
 #include "sim/replay/core.h"
 #include "sim/replay/core_constants.h"
 
@@ -100,7 +101,15 @@ const Kernel& core_kernel() {
   return kernel;
 }
 std::string_view core_model() { return core().model(); }
-Constants core_constants() { return core().kernel->constants().value(); }
+Constants core_constants() {
+  if (core().lacking() == nullptr) return core().kernel->constants().value();
+  const Model paper;
+  return {.gravity_px_per_s2 = paper.gravity_px_per_s2,
+          .restitution = paper.restitution,
+          .air_drag = paper.air_drag,
+          .ground_friction = paper.ground_friction,
+          .rest_threshold_px_per_s = paper.rest_threshold_px_per_s};
+}
 State core_step(const State& body, double dt_s, const Bounds& bounds) {
   return watched(0, 0, [&] { return core().step(body, dt_s, bounds); });
 }

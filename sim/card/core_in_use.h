@@ -12,6 +12,9 @@ namespace hyrax {
 /// those of this core: so replays, invariants and studies measure any core without knowing it. A program that
 /// links hyrax_card has no other core. Refers to the functions. Not for several threads.
 ///
+/// Where its header lacks one of the constants, core_constants are the paper's, from which random runs and
+/// hard cases can be made; no run by it may be judged by them.
+///
 /// Each call of them ERRORS: CoreRefused, if the core throws or changes how the processor computes.
 class CoreInUse {
  public:

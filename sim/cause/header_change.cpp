@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace hyrax {
 namespace {
@@ -232,6 +233,30 @@ std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_
   return changes;
 }
 
+std::string change_text(const HeaderChange& change) {
+  return fmt::format("line {:<4} {}: {}", change.line,
+                     kHeaderChangeNames[static_cast<std::size_t>(change.kind)], change.detail);
+}
+
+Table changes_table(const std::vector<HeaderChange>& changes) {
+  const auto number = [&](const std::string& name, HeaderConstant HeaderChange::*constant) {
+    return column_of<double>(name, "", "of a constant", changes, [constant](const HeaderChange& change) {
+      return change.kind == HeaderChangeKind::constant ? (change.*constant).value
+                                                       : std::numeric_limits<double>::quiet_NaN();
+    });
+  };
+  const auto kind = [](const HeaderChange& change) {
+    return kHeaderChangeNames[static_cast<std::size_t>(change.kind)];
+  };
+  return {
+      "changes",
+      "what changed in the header",
+      {column_of<std::string>("kind", "", "constant, or a statement", changes, kind),
+       column_of<std::string>("detail", "", "what changed", changes, &HeaderChange::detail),
+       column_of<std::int64_t>("line", "", "of what was removed, in the base", changes, &HeaderChange::line),
+       number("from", &HeaderChange::from), number("to", &HeaderChange::to)}};
+}
+
 std::string changes_sentence(const std::vector<HeaderChange>& changes) {
   std::vector<std::string> parts;
   std::vector<std::int64_t> current, accepted;  // Lines.
@@ -248,6 +273,18 @@ std::string changes_sentence(const std::vector<HeaderChange>& changes) {
   if (!accepted.empty()) places.push_back(lines_text(accepted) + " of the accepted header");
   if (!places.empty()) parts.push_back(fmt::format("the core changed at {}", fmt::join(places, ", and at ")));
   return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+StepProof prove_equal(const std::string& base_name, const CoreRecord& base, const CoreRecord& core) {
+  StepProof proof{.is_complete = !base.step.empty() && !core.step.empty()};
+  proof.is_equal = proof.is_complete && base.step == core.step;
+  if (!proof.is_complete)
+    proof.why = core.step.empty()
+                    ? std::string(core.why_incomplete)
+                    : fmt::format("the step of {} is not complete: {}", base_name, base.why_incomplete);
+  else if (!proof.is_equal)
+    proof.why = "its step is another one; no step is known whose bits differ";
+  return proof;
 }
 
 }  // namespace hyrax

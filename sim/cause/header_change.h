@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/result/table.h"
+#include "sim/trace/core_record.h"
+
 namespace hyrax {
 
 /// A number that the header gives a name, as in `static constexpr double GRAVITY = 1200.0;`.
@@ -33,7 +36,24 @@ struct HeaderChange {
 /// Statement by statement; comments, blanks and line ends are no change.
 [[nodiscard]] std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current);
 
+/// "line 41   constant: GRAVITY 1200 -> 1250".
+[[nodiscard]] std::string change_text(const HeaderChange& change);
+
+/// `changes`: kind, detail, line; from and to of a constant.
+[[nodiscard]] Table changes_table(const std::vector<HeaderChange>& changes);
+
 /// "GRAVITY 1200 -> 1250", "the core changed at lines 41 and 48", or both. REQUIRES: there are changes.
 [[nodiscard]] std::string changes_sentence(const std::vector<HeaderChange>& changes);
+
+/// Of a core's step against another's.
+struct StepProof {
+  bool is_complete = false;  ///< Both steps are.
+  bool is_equal = false;  ///< The same operations on every path: the same bits for every state, dt and size.
+  std::string why = {};   ///< Not equal.
+};
+
+/// @param base_name as "the accepted core".
+[[nodiscard]] StepProof prove_equal(const std::string& base_name, const CoreRecord& base,
+                                    const CoreRecord& core);
 
 }  // namespace hyrax

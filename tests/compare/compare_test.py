@@ -13,11 +13,13 @@ import re
 import shutil
 import unittest
 
+import xxhash
+
 import candidates
 import evaluation
 import replay
 from process import run, succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, ProgramTest, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, SOURCE, ProgramTest, main
 
 BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
 COMPARE = BUILD / "bin/hyrax-compare"
@@ -210,12 +212,15 @@ class Same(CompareTest):
                               card["claims"]["other_numbers"]), ([], [], 0))
             self.assertEqual(card["recordings"]["moved"], [])
             self.assertEqual(card["consequence"], "None: every row has the same bits.")
+            self.assertEqual((card["step"]["status"], card["step"]["why"], card["lacking"]), ("proved_equal", None, None))
+            self.assertEqual(card["step"]["changes"] == [], name == "same")
             self.assertGreater(card["cost"]["step_ns"]["after"]["median"], 0.0)
 
     def test_the_text_is_one_screen_and_has_every_line(self):
         self.library()
         header = self.header("friction_wrong", candidates.COMPARED["friction_wrong"])
         text = self.compare(AGREED, header, "--scenarios", "library", "--flings", FLINGS).out
+        self.assertIn("  step            changed\n                  line 19   constant: GROUND_FRICTION 0.8 -> 0.7\n", text)
         for line in ("bits", "contacts", "landing", "displays", "energy", "exact motion", "speed", "invariants",
                      "paper's claims", "recordings", "consequence", "(seed 1)"):
             self.assertIn(line, text)
@@ -325,6 +330,94 @@ class Consequence(CompareTest):
         self.assertEqual(same["consequence"], "None: every row has the same bits.")
 
 
+class Step(CompareTest):
+    """What the traced steps say, before any figure."""
+
+    def step(self, name, edits):
+        """The line of the card, and its lines of changes."""
+        step = self.card(name, edits)["step"]
+        return step["status"], step["why"], step["changes"]
+
+    def test_a_change_is_said_in_the_headers_words(self):
+        status, why, changes = self.step("other", [("GRAVITY = 1200.0", "GRAVITY = 1250.0"), ("m_vx *= AIR_DRAG", "m_vx *= 0.998")])
+        self.assertEqual((status, why), ("changed", None))
+        self.assertEqual([change["kind"] for change in changes], ["constant", "altered"])
+        self.assertEqual((changes[0]["detail"], changes[0]["from"], changes[0]["to"]), ("GRAVITY 1200 -> 1250", 1200, 1250))
+        self.assertEqual(SHIPPED.splitlines()[changes[1]["line"] - 1].strip(), "m_vx *= AIR_DRAG;")
+
+    def test_what_is_not_proved_is_not_called_so(self):
+        # No scenario or fling of these comes there.
+        unseen = [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAG;\n    if (screenWidth == 31001) m_vx *= 0.5;")]
+        self.assertEqual(self.step("unseen", unseen)[:2],
+                         ("not_proved", "its step is another one; no step is known whose bits differ"))
+        # Traced, it is the shipped core; compiled, it is not.
+        two_faced = [("GRAVITY = 1200.0;", "GRAVITY =\n#ifdef HYRAX_CORE_HEADER\n 1200.0;\n#else\n 1250.0;\n#endif\n")]
+        self.assertEqual(self.step("two_faced", two_faced)[:2],
+                         ("not_proved", "the traced steps are equal, but the compiled cores give other bits"))
+        table = [("m_vx *= AIR_DRAG;", "const double drag[] = {0.998, 0.999};\n    m_vx *= drag[objWidth % 2];")]
+        status, why, _ = self.step("table", table)
+        self.assertEqual(status, "changed")
+        self.assertIn("integer", why)
+
+
+class Alone(CompareTest):
+    """Without a candidate: the project's core against the accepted one."""
+
+    def accepted(self, edits):
+        """A golden folder whose accepted core is the shipped one, edited, of which no step was traced."""
+        header = candidates.header(SHIPPED, edits)
+        constants = ", ".join(f"{name} {float(value):.12g}" for name, value in re.findall(r"double (\w+) = ([0-9.]+);", header))
+        text = (f"hyrax-core/1\nclass: hyrax-physics/1\nconstants: {constants}\n"
+                f"header: {xxhash.xxh3_128_hexdigest(header.encode())}\nstep: not complete: by hand\nreason: a test\n")
+        self.write("golden/core/physics.h", header)
+        self.write("golden/core/accepted.txt", text + f"checksum: {xxhash.xxh3_128_hexdigest(text.encode())}\n")
+
+    def test_the_accepted_core_needs_no_card(self):
+        self.assertEqual(self.compare(AGREED).out,
+                         "sim/physics/physics.h is the accepted core, golden/core/physics.h: nothing to compare\n")
+
+    def test_the_accepted_core_is_the_base(self):
+        self.library()
+        self.accepted([("GRAVITY = 1200.0", "GRAVITY = 1100.0")])
+        arguments = ["--golden", "golden", "--scenarios", "library", "--flings", FLINGS]
+        text = self.compare(AGREED, *arguments).out
+        self.assertTrue(text.startswith("sim/physics/physics.h against golden/core/physics.h\n"), text)
+        self.assertIn("changed; not all paths are known: the step of golden/core/physics.h is not complete: by hand\n"
+                      "                  line 16   constant: GRAVITY 1100 -> 1200\n", text)
+        (self.folder / "golden/core/physics.h").write_text(SHIPPED, encoding="utf-8")
+        outcome = self.compare(DISAGREED, *arguments)
+        self.assertRegex(outcome.err, r"\Agolden/core/physics\.h: does not have the checksum in accepted\.txt; .* bless --core .*\n\Z")
+        shutil.rmtree(self.folder / "golden")
+        outcome = self.compare(GOLDEN_MISSING, *arguments)
+        self.assertRegex(outcome.err, r"\Agolden/core: no accepted core; name a base, or accept .*: hyrax-sim bless --core .*\n\Z")
+
+
+class OtherInterface(CompareTest):
+    """Headers that are not written as the shipped one is."""
+
+    def test_without_constants_or_default_constructor_it_has_the_other_lines(self):
+        edits = [("  static constexpr double GRAVITY = 1200.0;       ///< px/s^2, downwards.\n", ""), ("GRAVITY", "1200.0"),
+                 ("  physics() : physics(0.0, 0.0) {}\n", "")]
+        card = self.card("same_step", edits)
+        self.assertEqual((card["lacking"], card["step"]["status"]), ("the candidate has no GRAVITY", "proved_equal"))
+        self.assertEqual((card["claims"], card["hard_cases"]["general"], card["hard_cases"]["listing"]), (None, None, None))
+        self.assertEqual((card["hard_cases"]["cases_changed"], card["hard_cases"]["random_runs_changed"]["count"]), (0, 0))
+        self.assertEqual(card["scenarios"]["same_bits"], len(LIBRARY))
+        card = self.card("other_step", [("AIR_DRAG = 0.999", "DRAG = 0.998"), ("AIR_DRAG", "DRAG"), *edits])
+        self.assertEqual(card["lacking"], "the candidate has no GRAVITY, AIR_DRAG")
+        self.assertGreater(card["hard_cases"]["random_runs_changed"]["count"], 100)
+        outcome = self.compare(AGREED, "same_step.h", "other_step.h", "--scenarios", "library", "--flings", FLINGS)
+        lacking = "not measured: the base has no GRAVITY, AIR_DRAG; the candidate has no GRAVITY\n"
+        self.assertIn(f"  invariants      {lacking}  paper's claims  {lacking}", outcome.out)
+
+    def test_what_it_prints_and_its_macros_change_nothing(self):
+        prints = [("#include <cmath>\n", "#include <cmath>\n#include <cstdio>\n#define State 1\n#define Bounds 2\n#  define core 3\n"
+                                         "#define Row *\n#define updates 4\n"),
+                  ("    m_vx *= AIR_DRAG;\n", "    m_vx *= AIR_DRAG;\n    if (m_x > 900.0) std::puts(\"far\");\n")]
+        card = self.card("prints", prints)
+        self.assertEqual(card["consequence"], "None: every row has the same bits.")
+
+
 class Refused(CompareTest):
     """Candidates whose results cannot be compared, and bad input."""
 
@@ -345,16 +438,15 @@ class Refused(CompareTest):
         outcome = self.compare(BAD_INPUT, self.header("same", []), base)
         self.assertRegex(outcome.err, "^flushes_to_zero.h: refused: changes how the processor computes")
 
-    def test_a_header_that_does_not_compile_shows_the_compilers_message(self):
-        header = self.header("broken", [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;")])
-        outcome = self.compare(BAD_INPUT, header, "--json")
-        self.assertIn("broken.h: does not compile (exit code 1)", outcome.err)
-        self.assertRegex(outcome.err, "error: .*AIR_DRAGG")
-        self.assertEqual(outcome.out, "")
+    def test_a_header_that_does_not_compile_gets_a_sentence(self):
+        for edit, reason in ((("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;"), r"broken\.h:\d+: 'AIR_DRAGG' was not declared.*"),
+                             (("double x() const", "double left() const"), r".*class physics needs .* const x, y, vx, vy")):
+            outcome = self.compare(BAD_INPUT, self.header("broken", [edit]), "--json")
+            self.assertRegex(outcome.err, rf"\Abroken\.h: does not compile: {reason}\n\Z")
+            self.assertEqual(outcome.out, "")
 
     def test_bad_usage_and_missing_files(self):
         for arguments, exit_code, says in (
-                ([], BAD_INPUT, "CANDIDATE.h [BASE.h]: at least 1 needed (found 0)"),
                 (["a.h", "b.h", "c.h"], BAD_INPUT, "CANDIDATE.h [BASE.h]: at most 2 allowed (found 3)"),
                 (["a.h", "--jsn"], BAD_INPUT, "unknown option (found --jsn)"),
                 (["a.h", "--seed", "x"], BAD_INPUT, "--seed: must be a whole number 0 .. 9223372036854775807 (found x)"),
@@ -366,7 +458,7 @@ class Refused(CompareTest):
                 outcome = self.compare(exit_code, *arguments)
                 self.assertIn(says, outcome.err)
                 self.assertEqual(outcome.out, "")
-        self.assertIn("Usage: hyrax-compare [OPTION]... CANDIDATE.h [BASE.h]", self.compare(AGREED, "--help").out)
+        self.assertIn("Usage: hyrax-compare [OPTION]... [CANDIDATE.h [BASE.h]]", self.compare(AGREED, "--help").out)
 
 
 if __name__ == "__main__":

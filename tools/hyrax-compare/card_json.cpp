@@ -1,3 +1,4 @@
+#include "tools/files/table_text.h"
 #include "tools/hyrax-compare/card_output.h"
 
 namespace hyrax {
@@ -89,12 +90,18 @@ Json invariants_json(const InvariantLine& line) {
                       {"mended", names_json(line.mended)}};
 }
 
-Json hard_cases_json(const HardCaseLine& line) {
+Json hard_cases_json(const HardCaseLine& line, bool is_judged) {
   return Json::Object{{"cases", line.cases},
                       {"cases_changed", line.other_cases},
                       {"random_runs_changed", json_of(line.other_random_runs)},
-                      {"general", invariants_json(line.general)},
-                      {"listing", invariants_json(line.listing)}};
+                      {"general", is_judged ? invariants_json(line.general) : Json()},
+                      {"listing", is_judged ? invariants_json(line.listing) : Json()}};
+}
+
+Json step_json(const StepLine& line) {
+  return Json::Object{{"status", kStepStatusNames[static_cast<std::size_t>(line.status)]},
+                      {"why", line.why.empty() ? Json() : Json(line.why)},
+                      {"changes", json_of(changes_table(line.changes))}};
 }
 
 Json claims_json(const ClaimLine& line) {
@@ -124,6 +131,8 @@ Json card_json(const Card& card, const CardTitle& title) {
       {"candidate", title.candidate},
       {"base", title.base},
       {"seed", card.seed},
+      {"step", step_json(card.step)},
+      {"lacking", card.lacking.empty() ? Json() : Json(card.lacking)},
       {"scenarios", library_json(card.library)},
       {"contacts", contacts_json(card.contacts)},
       {"flings", flings_json(card.random)},
@@ -135,8 +144,8 @@ Json card_json(const Card& card, const CardTitle& title) {
                               {"friction_px2_per_s2", json_of(card.energy.friction_px2_per_s2)}}},
       {"exact", array_of(card.exact, exact_json)},
       {"cost", Json::Object{{"step_ns", json_of(card.cost.step_ns)}, {"ratio", json_of(card.cost.ratio)}}},
-      {"hard_cases", hard_cases_json(card.hard_cases)},
-      {"claims", claims_json(card.claims)},
+      {"hard_cases", hard_cases_json(card.hard_cases, card.lacking.empty())},
+      {"claims", card.lacking.empty() ? claims_json(card.claims) : Json()},
       {"recordings", card.recordings ? recordings_json(*card.recordings) : Json()},
       {"consequence", consequence_of(card)}};
 }

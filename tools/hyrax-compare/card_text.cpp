@@ -49,6 +49,22 @@ std::string list_text(const std::vector<std::string>& names, std::size_t most = 
   return text;
 }
 
+void add_step(const StepLine& line, CardText& text) {
+  constexpr std::size_t kShown = 6;
+  if (line.status == StepStatus::proved_equal)
+    text.push_back({"step", "same operations on every path: proved"});
+  else if (line.status == StepStatus::not_proved)
+    text.push_back({"step", "not proved equal: " + line.why});
+  else
+    text.push_back({"step", line.why.empty() ? "changed" : "changed; not all paths are known: " + line.why});
+  if (line.changes.empty() && line.status == StepStatus::changed)
+    text.push_back({"", "the header did not change: an included header or a compiler option did"});
+  for (std::size_t index = 0; index < std::min(line.changes.size(), kShown); ++index)
+    text.push_back({"", change_text(line.changes[index])});
+  if (line.changes.size() > kShown)
+    text.push_back({"", fmt::format("and {} more", line.changes.size() - kShown)});
+}
+
 void add_bits(const Card& card, CardText& text) {
   text.push_back({"bits", "scenarios: " + text_of(card.library.classes)});
   text.push_back({"", "random flings: " + text_of(card.random.classes)});
@@ -119,6 +135,7 @@ std::string invariants_text(const std::vector<std::string>& broken) {
 }
 
 void add_hard_cases(const Card& card, CardText& text) {
+  if (!card.lacking.empty()) return text.push_back({"invariants", "not measured: " + card.lacking});
   const HardCaseLine& hard = card.hard_cases;
   const auto add = [&](const std::string& name, const std::string& kind, const InvariantLine& line) {
     const auto& [before, after] = line.random_runs;
@@ -135,6 +152,7 @@ void add_hard_cases(const Card& card, CardText& text) {
 }
 
 void add_claims(const Card& card, CardText& text) {
+  if (!card.lacking.empty()) return text.push_back({"paper's claims", "not measured: " + card.lacking});
   constexpr std::size_t kShown = 4;
   const std::vector<ChangedClaim>& changed = card.claims.changed;
   text.push_back(
@@ -177,6 +195,7 @@ std::string compared_text(const Card& card) {
 
 CardText card_lines(const Card& card) {
   CardText text;
+  add_step(card.step, text);
   add_bits(card, text);
   add_contacts(card, text);
   add_landing(card, text);

@@ -1,4 +1,4 @@
-// A core from a header: compiled and loaded.
+// A core from a header: compiled, traced and loaded.
 #pragma once
 
 #include <string>
@@ -6,18 +6,30 @@
 #include "sim/card/core_functions.h"
 #include "sim/card/play_watch.h"
 #include "tools/files/temporary_folder.h"
+#include "tools/hyrax-sim/golden/accepted_core.h"
 
 namespace hyrax {
 
-/// Compiles a header that defines `class physics`, with the flags of this build, into a library in the
-/// folder; returns the library's path. Several may compile at the same time, each with another `name`.
-/// ERRORS: Failure(bad_input) with the compiler's messages; Failure(cannot_access) if the header cannot be
-/// read or the compiler not be started.
-[[nodiscard]] std::string compile_core(const std::string& header, const TemporaryFolder& folder,
-                                       const std::string& name);
+struct CoreFile {
+  std::string library;
+  AcceptedCore core;  ///< Its header and its step.
+};
 
-/// The library of the shipped core, built with this program.
-[[nodiscard]] std::string shipped_core_library();
+/// Compiles a header that defines `class physics`, with the flags of this build, into a library in the
+/// folder, and traces its step meanwhile. Several may be made at the same time, each with another `name`.
+/// ERRORS: Failure(bad_input) with the compiler's first error; Failure(cannot_access) if the header cannot be
+/// read or the compiler not be started.
+[[nodiscard]] CoreFile make_core(const std::string& header, const TemporaryFolder& folder,
+                                 const std::string& name);
+
+/// The project's sim/physics/physics.h; it was compiled and traced with this program, unless it has changed
+/// since. ERRORS: as make_core's.
+[[nodiscard]] CoreFile core_of_project(const TemporaryFolder& folder, const std::string& name);
+
+/// The accepted core of a golden folder. ERRORS: as read_accepted_core's, and make_core's;
+/// Failure(golden_missing) if there is none.
+[[nodiscard]] CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder& folder,
+                                      const std::string& name);
 
 /// Loads a core's library into a core process (core_process.h), for as long as it runs.
 /// ERRORS: Failure(cannot_access); CoreRefused.

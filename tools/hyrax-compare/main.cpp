@@ -27,14 +27,19 @@ constexpr std::string_view kName = "hyrax-compare";
 constexpr std::string_view kSummary =
     "Prints what a candidate core would change, each line with its interval.\n\n"
     "CANDIDATE.h and BASE.h each define `class physics` as sim/physics/physics.h does, which is the\n"
-    "base if none is given. They are compiled with the compiler and the flags of this build.\n";
+    "candidate if none is given. The base is the accepted core, golden/core, if none is given. They are\n"
+    "compiled with the compiler and the flags of this build.\n";
 constexpr std::string_view kExitCodes =
-    "\nExit codes: 0 printed, whatever differs; 2 bad usage, or a core that does not compile or is\n"
-    "refused; 3 cannot read; 5 arithmetic is not strict IEEE-754; 70 internal error.\n";
+    "\nExit codes: 0 printed, whatever differs; 1 golden/core is damaged; 2 bad usage, or a core that does "
+    "not\n"
+    "compile or is refused; 3 cannot read; 4 no golden/core; 5 arithmetic is not strict IEEE-754; 70 "
+    "internal\n"
+    "error.\n";
 
 struct Arguments {
   std::vector<std::string> headers;
   std::string scenarios = HYRAX_SOURCE_DIR "/scenarios";
+  std::string golden;  ///< Empty: the project's.
   std::optional<std::int64_t> seed;
   std::optional<std::int64_t> flings;
   std::optional<std::int64_t> limit_s;
@@ -43,7 +48,7 @@ struct Arguments {
 };
 
 void declare(Options& options, Arguments& into) {
-  options.files(into.headers, {"CANDIDATE.h [BASE.h]", "", "the cores to compare"}, 1, 2);
+  options.files(into.headers, {"CANDIDATE.h [BASE.h]", "", "the cores to compare"}, 0, 2);
   options.flag(into.is_json, {"--json", "", "print JSON"});
   options.text(into.report, {"--report", "FILE.html",
                              "also write the card as a page, with its figures\nand what differs one by one"});
@@ -52,6 +57,9 @@ void declare(Options& options, Arguments& into) {
       {"--scenarios", "DIR",
        "the scenario library (default: scenarios of the\nproject); recordings and hard cases are made "
        "from\nits folders `recorded` and `hard`"});
+  options.text(into.golden, {"--golden", "DIR",
+                             "golden files, whose accepted core is the base if none\nis given (default: "
+                             "golden of the project)"});
   options.integer(into.seed, {"--seed", "N", "of the random flings and runs (default 1)"}, 0);
   options.integer(into.flings, {"--flings", "N", "random flings (default 1000)"}, 1, 100'000);
   options.integer(into.limit_s,
@@ -99,20 +107,34 @@ std::string probed(const std::string& library, int number, const CardRequest& re
 }
 
 ExitCode print_card(const Arguments& arguments, const std::string& command) {
+  const bool has_candidate = !arguments.headers.empty();
   const bool has_base = arguments.headers.size() > 1;
-  const std::vector<std::string> headers = {has_base ? arguments.headers.back() : "sim/physics/physics.h",
-                                            arguments.headers.front()};
+  const std::vector<std::string> headers = {
+      has_base ? arguments.headers.back()
+               : accepted_core_folder(arguments.golden.empty() ? "golden" : arguments.golden) + "/physics.h",
+      has_candidate ? arguments.headers.front() : "sim/physics/physics.h"};
   if (!arguments.report.empty()) {
     require_page();
-    OutputGuard(arguments.headers).admit("hyrax-compare: --report", arguments.report, {".html"});
+    OutputGuard(arguments.headers, arguments.golden)
+        .admit("hyrax-compare: --report", arguments.report, {".html"});
   }
   CardRequest request = request_of(arguments);
   const TemporaryFolder folder;
-  auto base_library = std::async(std::launch::async, [&] {
-    return has_base ? compile_core(headers[0], folder, "base") : shipped_core_library();
+  auto base_made = std::async(std::launch::async, [&] {
+    return has_base ? make_core(headers[0], folder, "base")
+                    : core_of_golden(arguments.golden.empty() ? HYRAX_SOURCE_DIR "/golden" : arguments.golden,
+                                     folder, "base");
   });
-  const std::string candidate = compile_core(headers[1], folder, "candidate");
-  const std::string base = base_library.get();
+  const auto [candidate, candidate_core] =
+      has_candidate ? make_core(headers[1], folder, "candidate") : core_of_project(folder, "candidate");
+  const auto [base, base_core] = base_made.get();
+  request.proof = prove_equal(headers[0], base_core.record(), candidate_core.record());
+  request.changes = header_changes(base_core.header, candidate_core.header);
+  const bool is_same = request.proof.is_equal && base_core.header == candidate_core.header;
+  if (!has_candidate && is_same && !arguments.is_json && arguments.report.empty()) {
+    print_text(headers[1] + " is the accepted core, " + headers[0] + ": nothing to compare\n");
+    return ExitCode::agreed;
+  }
   const auto in_process = [&](const std::function<std::string(PlayWatch&)>& work) {
     return in_core_process(headers, static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
   };

@@ -9,10 +9,10 @@
 
 #include "sim/cause/header_change.h"
 #include "sim/replay/core_constants.h"
-#include "sim/trace/core_record.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"
+#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/trace/core_record.h"
 #include "sim/trace/step_player.h"
-#include "tools/files/atomic_file.h"
 
 namespace hyrax {
 
@@ -23,6 +23,8 @@ struct AcceptedCore {
   std::vector<std::string> agreeing_cores;
   std::string reason;
 
+  /// Refers to this.
+  [[nodiscard]] CoreRecord record() const { return {header, step, why_incomplete}; }
   /// What golden files call it: the checksum of its step, else of its header.
   [[nodiscard]] std::string name() const;
   /// Whether a golden file of that core agreed with this one.

@@ -13,11 +13,13 @@
 #include "sim/replay/core_constants.h"
 #include "sim/replay/replay.h"
 #include "sim/replay/traced_kernel.h"
+#include "sim/result/figure.h"
 #include "sim/search/shrink.h"
 #include "sim/trace/step_difference.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/files/table_text.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 
 namespace hyrax {
@@ -92,8 +94,10 @@ std::string consequence_of(Scenario scenario, double dt_s, const Kernel& accepte
   return fmt::format("after {:.3g} s {:.3g} px apart", after.final.t_s, apart_px);
 }
 
-Json number_or_null(const HeaderChange& change, double value) {
-  return change.kind == HeaderChangeKind::constant ? Json(value) : Json();
+std::vector<HeaderChange> header_changes_of(const CoreVerdict& verdict) {
+  std::vector<HeaderChange> changes;
+  for (const CoreChange& change : verdict.changes) changes.push_back(change.change);
+  return changes;
 }
 
 }  // namespace
@@ -140,24 +144,17 @@ void CoreCheck::compare() {
   if (steps_->accepted) steps_->accepted_kernel = kernel_of(*steps_->accepted);
   for (HeaderChange& change : header_changes(accepted_->header, program.header))
     verdict_.changes.push_back({std::move(change), std::nullopt});
-  const bool is_same_step = accepted_->step == program.step;
-  const bool is_complete = steps_->accepted && steps_->program;
-  if (accepted_->header == program.header && is_same_step) {
+  if (accepted_->header == program.header && accepted_->step == program.step) {
     verdict_.status = CoreStatus::accepted;
-  } else if (is_complete && is_same_step) {
-    verdict_.status = CoreStatus::proved_equal;
-  } else {
-    verdict_.status = CoreStatus::not_proved;
-    verdict_.why = is_complete ? "its step is another one; no step is known whose bits differ"
-                   : steps_->program
-                       ? "the accepted core's step is not complete: " + accepted_->why_incomplete
-                       : program.why_incomplete;
+    return;
   }
+  const StepProof proof = prove_equal("the accepted core", accepted_->record(), core_record());
+  verdict_.status = proof.is_equal ? CoreStatus::proved_equal : CoreStatus::not_proved;
+  verdict_.why = proof.why;
 }
 
 CauseBase CoreCheck::base() const {
-  std::vector<HeaderChange> changes;
-  for (const CoreChange& change : verdict_.changes) changes.push_back(change.change);
+  const std::vector<HeaderChange> changes = header_changes_of(verdict_);
   return {
       .program = core_kernel(),
       .accepted = steps_->accepted_kernel.get(),
@@ -271,8 +268,7 @@ std::string core_text(const CoreVerdict& verdict) {
   else
     text += "core: changed\n";
   for (const auto& [change, scenarios] : verdict.changes)
-    text += fmt::format("  line {:<4} {}: {}{}\n", change.line,
-                        kHeaderChangeNames[static_cast<std::size_t>(change.kind)], change.detail,
+    text += fmt::format("  {}{}\n", change_text(change),
                         scenarios ? fmt::format("; alone reproduces {}", *scenarios) : "");
   std::string last;  // The scenario that was printed last.
   for (const UnnoticedDifference& unnoticed : verdict.unnoticed) {
@@ -292,14 +288,11 @@ std::string core_text(const CoreVerdict& verdict) {
 }
 
 Json core_json(const CoreVerdict& verdict) {
-  Json::Array changes;
-  for (const auto& [change, scenarios] : verdict.changes)
-    changes.push_back(Json::Object{{"kind", kHeaderChangeNames[static_cast<std::size_t>(change.kind)]},
-                                   {"detail", change.detail},
-                                   {"line", change.line},
-                                   {"from", number_or_null(change, change.from.value)},
-                                   {"to", number_or_null(change, change.to.value)},
-                                   {"scenarios", or_null(scenarios)}});
+  Table changes = changes_table(header_changes_of(verdict));
+  changes.columns.push_back(column_of<double>(
+      "scenarios", "", "that it reproduces alone", verdict.changes, [](const CoreChange& change) {
+        return change.scenarios ? static_cast<double>(*change.scenarios) : kNotGiven;
+      }));
   Json::Array unnoticed;
   for (const UnnoticedDifference& one : verdict.unnoticed)
     unnoticed.push_back(Json::Object{{"difference", one.text},
@@ -310,7 +303,7 @@ Json core_json(const CoreVerdict& verdict) {
                       {"why", verdict.why.empty() ? Json() : Json(verdict.why)},
                       {"paths", or_null(verdict.paths)},
                       {"paths_taken", std::ssize(verdict.paths_taken)},
-                      {"changes", std::move(changes)},
+                      {"changes", json_of(changes)},
                       {"unnoticed", std::move(unnoticed)}};
 }
 

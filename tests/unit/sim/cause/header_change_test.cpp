@@ -117,5 +117,18 @@ TEST(ChangesSentence, SaysWhichHeaderALineIsOf) {
             "the core changed at line 8, and at line 7 of the accepted header");
 }
 
+TEST(StepProof, NeedsTwoCompleteStepsOfTheSameText) {
+  const CoreRecord one{.header = "a", .step = "one", .why_incomplete = ""};
+  const CoreRecord same{.header = "b", .step = "one", .why_incomplete = ""};
+  const CoreRecord other{.header = "a", .step = "other", .why_incomplete = ""};
+  const CoreRecord incomplete{.header = "a", .step = "", .why_incomplete = "many paths"};
+  EXPECT_TRUE(prove_equal("base.h", one, same).is_equal);
+  EXPECT_FALSE(prove_equal("base.h", one, other).is_equal);
+  EXPECT_TRUE(prove_equal("base.h", one, other).is_complete);
+  EXPECT_FALSE(prove_equal("base.h", incomplete, incomplete).is_equal);
+  EXPECT_EQ(prove_equal("base.h", one, incomplete).why, "many paths");
+  EXPECT_EQ(prove_equal("base.h", incomplete, one).why, "the step of base.h is not complete: many paths");
+}
+
 }  // namespace
 }  // namespace hyrax
