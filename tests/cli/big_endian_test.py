@@ -94,7 +94,7 @@ class BigEndian(ProgramTest):
             digest.write_text(text[:text.rindex(" ") + 1] + xxhash.xxh3_128_hexdigest(golden.read_bytes()) + "\n",
                               encoding="utf-8")
         self.expect(AGREED, "check")
-        for path, dataset in zip(paths, ("trajectory/x", "blocks/time_base")):
+        for path, dataset in zip(paths, ("trajectory/x", "blocks/time_base"), strict=True):
             golden = self.folder / path.replace("scenarios", "golden").replace(".json", ".h5")
             with h5py.File(golden, "r+") as file:
                 file[dataset][-1] += 1

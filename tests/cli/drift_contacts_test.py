@@ -117,7 +117,7 @@ class Arc:
         rate_dt = next((dt for dt in reversed(frames) if dt > 0), clamped)
         frames = [(dt, dt) for dt in frames] + [(rate_dt, clamped + 2 * rate_dt)]
         left = sum(dt for dt, _ in frames[:-1]) + clamped
-        for state, (dt, t_max) in zip(self.states, frames):
+        for state, (dt, t_max) in zip(self.states, frames, strict=True):
             if dt > 0:
                 axis = self.axes(state, dt)[index]
                 t = axis.crossing(place, outward, t_max)
@@ -151,7 +151,7 @@ class Contacts(DriftTest):
     def check_run(self, run, file):
         rows = {name: file[f"trajectory/{name}"][:] for name in ("dt", "x", "y", "vx", "vy", "contact")}
         stored = {(step, wall): index for index, (step, wall)
-                  in enumerate(zip(file["contacts/step"], file["contacts/wall"]))}
+                  in enumerate(zip(file["contacts/step"], file["contacts/wall"], strict=True))}
         clamped = [step for step, contact in enumerate(rows["contact"]) if contact]
         ends = list(zip([0, *clamped], clamped))
         expected = [(begin, end, wall) for begin, end in ends for wall in WALLS
@@ -159,7 +159,7 @@ class Contacts(DriftTest):
         self.assertEqual([(end, wall) for _, end, wall in expected], list(stored))
         self.assertEqual([(contact["step"], contact["wall"]) for contact in run["contacts"]],
                          [(end, NAMES[wall]) for _, end, wall in expected])
-        for contact, (begin, end, wall) in zip(run["contacts"], expected):
+        for contact, (begin, end, wall) in zip(run["contacts"], expected, strict=True):
             self.check_contact(contact, Arc(rows, begin, end - 1), wall, file["contacts"], stored[end, wall])
         return (sum(bin(rows["contact"][end] & 15).count("1") > 1 for _, end in ends),
                 sum(end - begin <= 2 for begin, end, _ in expected))

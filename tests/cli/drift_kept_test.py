@@ -59,7 +59,7 @@ class Stored(DriftTest):
         with self.groups("--rows") as file:
             rows = len(file["trajectory/y"])
             flies = numpy.zeros(rows, bool)
-            for first, last in zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"]):
+            for first, last in zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True):
                 flies[first:last + 1] = True
                 apart = numpy.hypot(file["trajectory/x"][first:last + 1] - file["reference/x"][first:last + 1],
                                     file["trajectory/y"][first:last + 1] - file["reference/y"][first:last + 1])
@@ -175,7 +175,7 @@ class Margin(DriftTest):
     def contacts(self, shift):
         """Steps and walls of the contacts of the throw with its start moved."""
         document = fling()
-        for key, by in zip(("x_px", "y_px", "vx_px_per_s", "vy_px_per_s"), shift):
+        for key, by in zip(("x_px", "y_px", "vx_px_per_s", "vy_px_per_s"), shift, strict=True):
             document["start"][key] += by
         self.expect(AGREED, "run", self.write("moved.json", document), "-o", "moved.h5")
         with h5py.File(self.folder / "moved.h5") as file:

@@ -154,7 +154,7 @@ class WrongCores(DriftTest):
         with h5py.File(self.folder / "flight.h5", "r+") as file:
             for row, dt_s in enumerate(file["trajectory/dt"][1:], 1):
                 state = step(*state, float(dt_s))
-                for name, value in zip(("x", "y", "vx", "vy"), state):
+                for name, value in zip(("x", "y", "vx", "vy"), state, strict=True):
                     file[f"trajectory/{name}"][row] = value
         return self.drift("flight.h5")[0]
 

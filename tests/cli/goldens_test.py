@@ -47,10 +47,10 @@ class Goldens(unittest.TestCase):
             self.assertIn(f"\napex: {place(int(rows['y'].argmin()))}", text, golden)
             seconds = [second for second in range(1, 11) if second <= rows["t"][-1] + 1e-9 * rows["dt"][-1]]
             shown = [int(numpy.flatnonzero(rows["t"] <= second + 1e-9 * rows["dt"])[-1]) for second in seconds]
-            lines = [f"  {second} s  {place(step)}" for second, step in zip(seconds, shown)]
+            lines = [f"  {second} s  {place(step)}" for second, step in zip(seconds, shown, strict=True)]
             self.assertIn("".join([f"position:\n{''.join(lines)}" if lines else "", "end: t "]), text, golden)
             speeds = numpy.sqrt(contacts["vx_before"] ** 2 + contacts["vy_before"] ** 2)
-            for step, speed in list(zip(contacts["step"], speeds))[:20]:
+            for step, speed in list(zip(contacts["step"], speeds, strict=True))[:20]:
                 self.assertRegex(text, rf"\n  {step}( .. \d+)? \w+ at {decimal(speed)} px/s\n", golden)
         self.assertGreater(compared, 80)
 

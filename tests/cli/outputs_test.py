@@ -181,7 +181,7 @@ class Names(ProgramTest):
         for arguments, count in (((), 301), (("--set", "/record/every=7"), 44), (("--set", "/steps=0"), 1)):
             rows, wanted = self.table(*arguments)
             self.assertEqual((len(rows), len(wanted)), (count, count))
-            for row, numbers in zip(rows, wanted):
+            for row, numbers in zip(rows, wanted, strict=True):
                 self.assertEqual([float(value) for value in row], [float(number) for number in numbers])
                 self.assertEqual([repr(float(value)) for value in row[1:7]], [repr(float(number)) for number in numbers[1:7]])
                 for value in row[1:7]:

@@ -49,9 +49,21 @@ def fling(**changes):
 
 
 class ProgramTest(unittest.TestCase):
-    """A folder, and the program run in it."""
+    """A folder, and the program run in it. A test that compares nothing fails, for one whose lists are all empty does."""
 
     maxDiff = None
+    compared = 0
+
+    def __getattribute__(self, name):
+        if name.startswith("assert"):
+            self.compared += 1
+        return super().__getattribute__(name)
+
+    def _callTestMethod(self, method):
+        self.compared = 0
+        super()._callTestMethod(method)
+        if self.compared == 0:
+            self.fail("it compares nothing")
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))

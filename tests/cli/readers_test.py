@@ -226,11 +226,11 @@ class EveryGroup(Reader):
 
     def test_codes_and_inputs_are_described(self):
         kinds = self.open("fling.h5", "events").kind
-        self.assertEqual(dict(zip(kinds.flag_meanings.split(), kinds.flag_values)), KINDS)
+        self.assertEqual(dict(zip(kinds.flag_meanings.split(), kinds.flag_values, strict=True)), KINDS)
         walls = self.open("fling.h5", "contacts").wall
-        self.assertEqual(dict(zip(walls.flag_meanings.split(), walls.flag_values)), WALLS)
+        self.assertEqual(dict(zip(walls.flag_meanings.split(), walls.flag_values, strict=True)), WALLS)
         contact = self.open("fling.h5", "trajectory").contact
-        self.assertEqual(dict(zip(contact.flag_meanings.split(), contact.flag_masks)), {**WALLS, "rest": 16})
+        self.assertEqual(dict(zip(contact.flag_meanings.split(), contact.flag_masks, strict=True)), {**WALLS, "rest": 16})
         events = self.open("fling.h5", "events")
         for name in ("a", "b"):
             units = dict(zip(kinds.flag_meanings.split(), events[name].units_by_kind.split(), strict=True))

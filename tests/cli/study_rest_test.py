@@ -19,7 +19,7 @@ class Rest(ProgramTest):
         return self.expect(AGREED, "study", "rest", "--quick", "--no-figures", "--gate", "-o", "out", *arguments)
 
     def test_boundaries_are_where_theory_has_them(self):
-        for entry, rate_hz in zip(self.study("--json").json["boundaries"], BOUNDARIES_HZ):
+        for entry, rate_hz in zip(self.study("--json").json["boundaries"], BOUNDARIES_HZ, strict=True):
             self.assertAlmostEqual(entry["measured_hz"], rate_hz, delta=1e-6)
             self.assertTrue(entry["agrees"])
 

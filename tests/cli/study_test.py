@@ -170,7 +170,7 @@ class SpeedError(StudyTest):
 
     def costs_are_measured_if_the_clock_is_steady(self, is_steady, points):
         """All or none has a cost, and what is ranked gives 60 rows a second."""
-        costs = [cost for cost, failed in zip(points["cost"], points["failed"]) if not failed]
+        costs = [cost for cost, failed in zip(points["cost"], points["failed"], strict=True) if not failed]
         if not is_steady:  # As a machine's that does other things.
             self.assertTrue(all(math.isnan(cost) for cost in costs))
             self.assertEqual(sum(points["ranked"]), 0)
@@ -178,7 +178,7 @@ class SpeedError(StudyTest):
         self.assertTrue(all(cost > 0 for cost in costs))
         self.assertGreater(sum(points["pareto"]), 1)
         self.assertEqual({rate >= 60 and method != "event-driven" for rate, method, ranked
-                          in zip(points["rate"], points["method"], points["ranked"]) if ranked}, {True})
+                          in zip(points["rate"], points["method"], points["ranked"], strict=True) if ranked}, {True})
 
     def test_scenarios_are_studied_too(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))

@@ -99,7 +99,7 @@ class Members:
         paths = [f"alone/member-{member}.json" for member in members]
         runs = self.test.expect(AGREED, "run", *paths, "-o", "alone/", "--json").json["runs"]
         return [(member, run, self.test.folder / f"alone/member-{member}.h5")
-                for member, run in zip(members, runs)]
+                for member, run in zip(members, runs, strict=True)]
 
     def columns(self, members=None):
         """The columns of the result file, from the runs."""

@@ -239,20 +239,5 @@ class SpeedError(StudyControl):
                 self.assertEqual(self.study(core, "speed-error").exit_code, DISAGREED)
 
 
-class Needs(StudyControl):
-    """The gate fails if the step of the variants differs from the replay's."""
-
-    def test_no_change_is_green(self):
-        outcome = self.study("none", "needs", "scenarios/flings")
-        self.assertEqual(outcome.exit_code, AGREED, outcome)
-
-    def test_a_core_that_is_not_the_variants_step_is_reported(self):
-        for core in ("ceiling_stops", "x_by_old_vx", "friction_left_out"):
-            with self.subTest(core=core):
-                outcome = self.study(core, "needs", "scenarios/flings")
-                self.assertEqual(outcome.exit_code, DISAGREED, outcome)
-                self.assertIn("is not the replay's, bit for bit", outcome.json["broken"][0])
-
-
 if __name__ == "__main__":
     main()

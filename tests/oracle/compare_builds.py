@@ -47,7 +47,7 @@ def json_differences(old, new, place):
             else:
                 yield from json_differences(old[key], new[key], f"{place}/{key}")
     elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
-        for number, (old_entry, new_entry) in enumerate(zip(old, new)):
+        for number, (old_entry, new_entry) in enumerate(zip(old, new, strict=True)):
             yield from json_differences(old_entry, new_entry, f"{place}/{number}")
     elif old != new:
         yield f"{place}: {json.dumps(old)[:60]} -> {json.dumps(new)[:60]}"
@@ -96,7 +96,7 @@ def differences(old, new, scenario):
     """The differences of one scenario."""
     with tempfile.TemporaryDirectory(prefix="hyrax-builds-") as folder:
         files = [pathlib.Path(folder, name) for name in ("old.h5", "new.h5")]
-        ran = [call(program, "run", scenario, "--json", "-o", file) for program, file in zip((old, new), files)]
+        ran = [call(program, "run", scenario, "--json", "-o", file) for program, file in zip((old, new), files, strict=True)]
         found = list(outcome_differences("run", *ran))
         if all(file.exists() for file in files):
             found += [f"file: {name}" for name in file_differences(*files)]
@@ -118,7 +118,7 @@ def main():
     scenarios = arguments.scenarios or [str(path.relative_to(SOURCE)) for path in sorted(SOURCE.glob("scenarios/**/*.json"))]
     different = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for scenario, found in zip(scenarios, pool.map(lambda path: differences(old, new, path), scenarios)):
+        for scenario, found in zip(scenarios, pool.map(lambda path: differences(old, new, path), scenarios), strict=True):
             different += bool(found)
             for place in found:
                 print(f"{scenario}: {place}")

@@ -242,7 +242,7 @@ class Replay:
         self._set_bounds()
 
     def _set_bounds(self):
-        self.bounds_px = tuple(float(w - s) for w, s in zip(self.sizes["window"], self.sizes["sprite"]))
+        self.bounds_px = tuple(float(w - s) for w, s in zip(self.sizes["window"], self.sizes["sprite"], strict=True))
 
     def rows(self):
         """Yields (t, dt, x, y, vx, vy, contact): the start, then the state after every frame."""
@@ -354,7 +354,7 @@ def all_rows(scenario):
     replay = Replay(scenario)
     rows, contacts, running = [], [], {}
     for step, (t_s, dt_s, x, y, vx, vy, contact) in enumerate(replay.rows()):
-        named = zip(("t", "dt", "x", "y", "vx", "vy"), (t_s, dt_s, x, y, vx, vy))
+        named = zip(("t", "dt", "x", "y", "vx", "vy"), (t_s, dt_s, x, y, vx, vy), strict=True)
         rows.append({"step": step, **{key: value.hex() for key, value in named}, "contact": contact})
         for wall in WALLS.values():  # In this order, so that in a corner x comes before y.
             if not contact & wall:
@@ -364,7 +364,7 @@ def all_rows(scenario):
                 met = replay.sprite.met_x if wall in (LEFT, RIGHT) else replay.sprite.met_y
                 keys = ("t", "x", "y", "vx_before", "vy_before", "vx_after", "vy_after", "overshoot")
                 running[wall] = {"step": step, "last_step": step, "wall": wall,
-                                 **{key: value.hex() for key, value in zip(keys, (t_s, x, y, *met))}}
+                                 **{key: value.hex() for key, value in zip(keys, (t_s, x, y, *met), strict=True)}}
                 contacts.append(running[wall])
             running[wall]["last_step"] = step
     return {"rows": rows, "contacts": contacts}

@@ -84,7 +84,7 @@ def state_hash_vectors():
     result = []
     for name, rows in listed.items():
         keys = ("dt", "x", "y", "vx", "vy")
-        texts = [{**dict(zip(keys, hexes(row[:5]))), "contact": row[5]} for row in rows]
+        texts = [{**dict(zip(keys, hexes(row[:5]), strict=True)), "contact": row[5]} for row in rows]
         result.append({"name": name, "rows": texts, **hash_of(rows)})
     for count in (3, 4095, 4096, 4097, 8192, 8193):
         result.append({"name": f"{count} counted rows", "rule": rule, "count": count, **hash_of(counted_rows(count))})

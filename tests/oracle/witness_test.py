@@ -43,7 +43,7 @@ def lines_of(path, scenario):
 
 def first_difference(expected, actual):
     """A message about the first line that differs, or None."""
-    for number, (a, b) in enumerate(zip(expected, actual)):
+    for number, (a, b) in enumerate(zip(expected, actual, strict=True)):
         if a != b:
             scenario = [line for line in expected[:number + 1] if line.startswith("scenario")][-1]
             return f"{scenario}\nexpected {a}\nactual   {b}"

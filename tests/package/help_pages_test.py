@@ -36,7 +36,7 @@ def options_in_page(page):
     """{command: its options}, as the rendered man page shows them."""
     parts = re.split(r"^   (\w+)\n", page[page.index("\nCOMMANDS\n"):page.index("\nEXAMPLES\n")], flags=re.MULTILINE)
     return {command: {name for names in re.findall(r"^       (-\S+)", text, re.MULTILINE) for name in names.split(",")}
-            for command, text in zip(parts[1::2], parts[2::2])}
+            for command, text in zip(parts[1::2], parts[2::2], strict=True)}
 
 
 class HelpPages(ProgramTest):

@@ -5,7 +5,7 @@ HEAD = ("platform", "built by", "flags", "run by", "state hashes")
 
 def line(cells, widths):
     """One line of the table."""
-    return "| " + " | ".join(f"{cell:<{width}}" for cell, width in zip(cells, widths)) + " |"
+    return "| " + " | ".join(f"{cell:<{width}}" for cell, width in zip(cells, widths, strict=True)) + " |"
 
 
 def to_markdown(results):

@@ -42,7 +42,7 @@ def contents(files):
     """The output of golden_contents.py for each golden file; "died" where the file kills it."""
     with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
         paths = [pathlib.Path(folder, f"{number}.h5") for number in range(len(files))]
-        for path, content in zip(paths, files):
+        for path, content in zip(paths, files, strict=True):
             path.write_bytes(content)
         said = []
         while len(said) < len(paths):
@@ -81,10 +81,10 @@ class Damage(unittest.TestCase):
             complete, *said = contents([pair.h5, *(files[number] for number in noted)])
             known = regions(pair.h5)
             self.report(f"{kind}, {len(flips)} bits of the .h5 file", collections.Counter(
-                f"{region_of(known, flip[0])}: {verdict}" for flip, verdict in zip(flips, verdicts)))
+                f"{region_of(known, flip[0])}: {verdict}" for flip, verdict in zip(flips, verdicts, strict=True)))
             self.assertNotIn("agreed", verdicts, kind)
             self.assertNotIn("died", verdicts, kind)
-            self.assertEqual([flips[number] for number, read in zip(noted, said)
+            self.assertEqual([flips[number] for number, read in zip(noted, said, strict=True)
                               if read not in (complete, ("died", "died")) or
                               region_of(known, flips[number][0]) == "trajectory"], [], kind)
 
@@ -97,7 +97,7 @@ class Damage(unittest.TestCase):
             files = [flipped(pair.txt, *flip) for flip in flips]
             verdicts = pair.verdicts([(pair.h5, file) for file in files])
             self.report(f"{kind}, {len(flips)} bits of the summary", collections.Counter(verdicts))
-            self.assertEqual([(flip, verdict) for flip, file, verdict in zip(flips, files, verdicts)
+            self.assertEqual([(flip, verdict) for flip, file, verdict in zip(flips, files, verdicts, strict=True)
                               if verdict not in {"shape"} | allowed(pair.txt, flip[0], file)], [], kind)
 
     def test_a_row_dropped_doubled_swapped_or_made_a_nan_is_found(self):
@@ -106,7 +106,7 @@ class Damage(unittest.TestCase):
             self.assertGreater(len(names), 40)
             verdicts = pair.verdicts([(file, pair.txt) for file in files])
             self.report(f"{kind}, {len(names)} rows", collections.Counter(verdicts))
-            unseen = [(name, verdict) for name, verdict in zip(names, verdicts)
+            unseen = [(name, verdict) for name, verdict in zip(names, verdicts, strict=True)
                       if verdict in ("agreed", "noted", "died")]
             self.assertEqual(unseen, [], kind)
 

@@ -44,7 +44,7 @@ class Judge:
         with concurrent.futures.ThreadPoolExecutor(_JOBS) as pool:
             self.workshop.prepare(self._units, self.subject_of, pool)
             objects = pool.map(lambda unit: self.workshop.compile(unit, place), self._units)
-            self._original = dict(zip(self._units, objects))
+            self._original = dict(zip(self._units, objects, strict=True))
         self.workshop.link("hyrax-sim", self._original, place / "hyrax-sim")
         verdict = self._check(place / "hyrax-sim", [self.scenarios])
         if verdict is not None:

@@ -42,7 +42,7 @@ def try_all(judge, mutants, jobs):
     verdicts = {}
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         tries = [pool.submit(judge.try_out, mutant, f"mutant-{number}") for number, mutant in enumerate(mutants)]
-        for number, (mutant, one) in enumerate(zip(mutants, tries), 1):
+        for number, (mutant, one) in enumerate(zip(mutants, tries, strict=True), 1):
             verdicts[mutant] = one.result()
             if sys.stderr.isatty():
                 print(f"\r{number} of {len(mutants)} mutants", end="", file=sys.stderr)
@@ -61,7 +61,7 @@ def survivors_without_reason(judge, verdicts, reasons, jobs):
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         tries = [pool.submit(judge.fails_unit_test, mutant, f"unit-test-{number}")
                  for number, mutant in enumerate(explained)]
-        unseen = [mutant for mutant, one in zip(explained, tries) if not one.result()]
+        unseen = [mutant for mutant, one in zip(explained, tries, strict=True) if not one.result()]
     return [*(f"{mutant.path}: {mutant.name}: survived; add a scenario that catches it, or its reason to reasons.json"
               for mutant in unexplained),
             *(f"{mutant.path}: {mutant.name}: survived, its unit tests as well; add one that catches it"

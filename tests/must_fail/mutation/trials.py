@@ -48,7 +48,7 @@ class Trials:
         with concurrent.futures.ThreadPoolExecutor(len(self._copies)) as pool:
             tries = [pool.submit(self._try_out, mutant) for mutant in mutants]
             try:
-                return {mutant: one.result() for mutant, one in zip(mutants, tries)}
+                return {mutant: one.result() for mutant, one in zip(mutants, tries, strict=True)}
             except BaseException:
                 for copy in self._copies:
                     copy.stop()
