@@ -2,18 +2,28 @@
 """`study paper`: its measurements, its output, and the comparison with expected verdicts."""
 
 import csv
+import functools
 import json
 import sys
+import tempfile
 
 import h5py
 
 from process import succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest, main
 
 ORACLE = SOURCE / "tests/oracle"
 EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
 VERDICTS = {"holds", "holds when", "does not hold", "not measured"}
 SECTIONS = {"1", "2.1", "2.2", "2.3", "2.4", "3", "3.1", "3.2.1", "3.2.2", "4.1", "4.2", "4.3", "5", "6", "6.1", "6.2", "7"}
+
+
+@functools.cache
+def measured():
+    """{claim: what the program measures}, run once."""
+    with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+        claims = succeed(PROGRAM, "study", "paper", "--no-figures", "-o", folder, "--json").json["claims"]
+    return {claim["claim"]: claim for claim in claims}
 
 
 class Paper(ProgramTest):
@@ -31,7 +41,7 @@ class Paper(ProgramTest):
         return self.write("expected.json", document)
 
     def test_every_section_with_a_claim_is_measured(self):
-        claims = self.study(AGREED, "--json").json["claims"]
+        claims = measured().values()
         self.assertEqual({claim["section"] for claim in claims}, SECTIONS)
         self.assertGreaterEqual(len(claims), 40)
         for claim in claims:
@@ -43,7 +53,7 @@ class Paper(ProgramTest):
                 self.assertTrue(claim["remark"].startswith("when "), claim)
 
     def test_what_is_measured_from_many_starts_has_a_range(self):
-        claims = {claim["claim"]: claim for claim in self.study(AGREED, "--json").json["claims"]}
+        claims = measured()
         for name in ("2.3-oscillators", "2.4-first-order", "4.1-energy-drift", "4.1-missed"):
             claim = claims[name]
             self.assertLessEqual(claim["number_low"], claim["number"], name)
@@ -55,7 +65,7 @@ class Paper(ProgramTest):
         """By tests/oracle/claims.py, which still gives what is checked in."""
         known = json.loads((ORACLE / "claims.json").read_text(encoding="utf-8"))
         again = json.loads(succeed(sys.executable, "-B", ORACLE / "claims.py").out)
-        claims = {claim["claim"]: claim for claim in self.study(AGREED, "--json").json["claims"]}
+        claims = measured()
         low, high = known.pop("explicit")
         self.assertEqual(claims["2.3-oscillators"]["remark"], f"by explicit Euler {low:.3g} .. {high:.3g}")
         for name, numbers in known.items():
@@ -64,11 +74,10 @@ class Paper(ProgramTest):
                 self.assertAlmostEqual(claims[name][key], number, delta=1e-9 * number, msg=f"{name} {key}")
 
     def test_numbers_that_are_known_from_elsewhere(self):
-        numbers = {claim["claim"]: claim["number"] for claim in self.study(AGREED, "--json").json["claims"]}
         for claim, number, off in (("2.2-terminal", 0.999 * 1200 / 60 / 0.001, 1e-6), ("2.2-stokes", 8, 1e-9),
                                    ("2.4-first-order", 1, 0.1), ("4.1-energy-drift", 12, 0.01), ("3.2.2-infinite-bounce", 0.999 * 1200 * 0.6 / 5, 0.01),
                                    ("5-energy-retention", 0.36, 1e-12)):
-            self.assertAlmostEqual(numbers[claim], number, delta=off * max(1, number), msg=claim)
+            self.assertAlmostEqual(measured()[claim]["number"], number, delta=off * max(1, number), msg=claim)
 
     def test_the_projects_core_is_as_expected(self):
         self.study(AGREED, "--expect", EXPECTED, "--gate")

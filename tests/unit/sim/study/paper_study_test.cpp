@@ -55,6 +55,12 @@ StudyResult run_paper(const std::optional<ExpectedVerdicts>& expected) {
   return paper->run({.expected = expected, .now_ns = fake_now_ns});
 }
 
+// Without expected verdicts: run once.
+const StudyResult& plain_paper() {
+  static const StudyResult result = run_paper({});
+  return result;
+}
+
 std::vector<std::string> values(const Table& table, const std::string& name) {
   for (const Column& column : table.columns)
     if (column.name == name) return std::get<std::vector<std::string>>(column.values);
@@ -63,7 +69,7 @@ std::vector<std::string> values(const Table& table, const std::string& name) {
 
 // The verdicts that this core has.
 ExpectedVerdicts own_verdicts() {
-  const Table claims = run_paper({}).tables.front();
+  const Table& claims = plain_paper().tables.front();
   const std::vector<std::string> names = values(claims, "claim"), verdicts = values(claims, "verdict");
   ExpectedVerdicts expected{.path = "expected.json"};
   for (std::size_t row = 0; row < names.size(); ++row)
@@ -100,7 +106,7 @@ TEST(Paper, AnotherOrMissingVerdictIsBroken) {
 }
 
 TEST(Paper, APictureShowsExpectedVerdictsColouredWhereTheyDiffer) {
-  EXPECT_EQ(shown_claim(run_paper({}), "2.3-energy").size(), 4u);
+  EXPECT_EQ(shown_claim(plain_paper(), "2.3-energy").size(), 4u);
   ExpectedVerdicts expected = own_verdicts();
   verdict_on("2.3-energy", expected) = "holds";
   const StudyResult result = run_paper(expected);
@@ -132,7 +138,7 @@ TEST(Paper, UnknownClaimsAndVerdictsAreRefusedAllAtOnce) {
 }
 
 TEST(Paper, TheClaimOnBouncesSaysThatThePositionStandsStill) {
-  const ListField sentence = shown_claim(run_paper({}), "3.2.2-infinite-bounce")[1];
+  const ListField sentence = shown_claim(plain_paper(), "3.2.2-infinite-bounce")[1];
   EXPECT_NE(sentence.detail.find("the position stands still"), std::string::npos) << sentence.detail;
   EXPECT_LE(sentence.detail.size(), 122u) << "the picture has no room for more";
 }
