@@ -12,6 +12,23 @@ from drift_program import DriftTest, flight
 from program import AGREED, BAD_INPUT, DISAGREED, fling, main
 
 
+UNITS = {
+    "px": "drift/arcs/exact_law drift/arcs/implementation drift/arcs/model drift/arcs/truncation drift/contacts/overshoot "
+          "drift/implementation drift/model drift/truncation drift/whole/end drift/whole/energy_end drift/whole/energy_max "
+          "drift/whole/max reference/arcs/coordinate_largest reference/arcs/gsl_vs_closed reference/x reference/y",
+    "px/s": "drift/arcs/energy_drift_slope_height drift/arcs/exact_law_speed drift/arcs/implementation_speed "
+            "drift/arcs/truncation_speed drift/whole/secular reference/vx reference/vy",
+    "px2/s2": "drift/arcs/energy_by_drag drift/arcs/energy_by_gravity drift/arcs/energy_drift_end drift/arcs/energy_drift_max "
+              "drift/contacts/energy_by_bounce drift/contacts/energy_by_flight drift/contacts/energy_by_friction "
+              "drift/contacts/energy_by_lift drift/contacts/energy_by_rest drift/energy drift/energy_drift "
+              "reference/arcs/energy_largest reference/energy",
+    "s": "drift/arcs/duration drift/contacts/time_error drift/t reference/t",
+    "1/s": "drift/arcs/energy_drift_slope",
+    "1": "drift/arcs/energy_drift_rel_end drift/arcs/energy_drift_rel_max drift/contacts/effective_restitution "
+         "drift/contacts/energy_jump_rel",
+}
+
+
 class Stored(DriftTest):
     """The groups /reference and /drift."""
 
@@ -48,6 +65,10 @@ class Stored(DriftTest):
                               ("effective_restitution", "effective_restitution")):
                 self.assertEqual(file[f"drift/contacts/{name}"][:].tolist(),
                                  [contact[key] for contact in run["contacts"]])
+            for kind in ("arcs", "contacts"):
+                for part in run[kind][0]["energy_parts"]:
+                    self.assertEqual(file[f"drift/{kind}/energy_by_{part}"][:].tolist(),
+                                     [entry["energy_parts"][part] for entry in run[kind]], part)
             for key, value in run["whole"].items():
                 if name := {"max_px_step": "max_step", "reference": ""}.get(key, key.removesuffix("_px").removesuffix("_px_per_s")):
                     self.assertEqual(file[f"drift/whole/{name}"][0], -1 if value is None else value, key)
@@ -85,15 +106,17 @@ class Stored(DriftTest):
             self.assertEqual(file["drift/arcs/last_step"][0], 20)
             self.assertGreater(file["drift/truncation"][20], file["drift/truncation"][19])
 
-    def test_everything_has_a_name_and_a_unit(self):
+    def test_everything_has_its_name_and_unit(self):
         with self.groups("--rows") as file:
+            units = {}
             def look(name, item):
                 if isinstance(item, h5py.Dataset):
                     self.assertIn("long_name", item.attrs, name)
                     if item.dtype.kind == "f":
-                        self.assertIn("units", item.attrs, name)
-            file["drift"].visititems(look)
-            file["reference"].visititems(look)
+                        units.setdefault(item.attrs["units"], set()).add(name)
+            for group in ("drift", "reference"):
+                file[group].visititems(lambda name, item, group=group: look(f"{group}/{name}", item))
+        self.assertEqual(units, {unit: set(names.split()) for unit, names in UNITS.items()})
 
     def test_the_same_run_gives_the_same_bytes_by_either_command(self):
         self.write("fling.json", fling())
