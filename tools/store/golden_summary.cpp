@@ -133,13 +133,12 @@ void add(ContentsHash& hash, const StoredBlock& block) {
   hash.add(std::int64_t{keyframe.is_held});
 }
 
-// Without a core that of earlier versions.
-std::string contents_with_core(const GoldenChecksums& checksums) {
-  if (checksums.core.empty()) return checksums.contents;
-  const std::string both = checksums.contents + " " + checksums.core;
-  ByteHash hash;
-  hash.add(std::as_bytes(std::span(both.data(), both.size())));
-  return hex(hash.value());
+// The last line. @param head the text up to the reason's.
+std::string checksums_line(const std::string& head, const std::string& contents, const std::string& file) {
+  ContentsHash hash;
+  hash.add(contents);
+  hash.add(head);
+  return fmt::format("{}{} {}\n", kChecksumsKey, hash.value(), file);
 }
 
 Scenario without_texts(Scenario scenario) {
@@ -210,8 +209,15 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
                                   : std::string("not settled: moved within the last 1 s\n");
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   if (!checksums.core.empty()) text += fmt::format("{}{}\n", kCoreKey, checksums.core);
-  return text + fmt::format("{}{}\n{}{} {}\n", kReasonKey, one_line(reason), kChecksumsKey,
-                            contents_with_core(checksums), checksums.file);
+  text += kReasonKey;
+  return text + one_line(reason) + "\n" + checksums_line(text, checksums.contents, checksums.file);
+}
+
+bool has_checksums(const std::string& text, const std::string& contents, const std::string& file) {
+  const std::size_t reason = text.find(std::string("\n").append(kReasonKey));
+  if (reason == std::string::npos) return false;
+  const std::string head = text.substr(0, reason + 1 + kReasonKey.size());
+  return text == head + summary_reason(text) + "\n" + checksums_line(head, contents, file);
 }
 
 std::optional<std::string> summary_difference(const std::string& stored, const std::string& current) {

@@ -1,4 +1,5 @@
-// The summary beside a golden file: a run in a few lines that a review can read, and two checksums.
+// The summary beside a golden file: a run in a few lines that a review can read, and two checksums: of the
+// run with these lines, and of the .h5 file.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,9 @@
 
 namespace hyrax {
 
-/// What a summary says of its run's core, and its last line. If the file has its checksum, and a new run has
-/// that of the contents, the two agree in everything that a comparison looks at, and the file need not be
-/// read.
+/// What a summary says besides its run.
 struct GoldenChecksums {
-  std::string contents;  ///< contents_checksum of the stored run; the line holds that of it and `core`.
+  std::string contents;  ///< contents_checksum of the stored run.
   std::string file;      ///< file_checksum of the .h5 file.
   std::string core;      ///< AcceptedCore::name of the core that was blessed; empty: written before 0.2.
 };
@@ -32,6 +31,12 @@ struct GoldenChecksums {
 [[nodiscard]] std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
                                               const Waypoints& waypoints, const std::string& reason,
                                               const std::string& margin, const GoldenChecksums& checksums);
+
+/// Whether a summary ends with the checksum of these contents and of its own lines, all but the reason's
+/// text, and that of the file. Then a run of these contents agrees with the golden file in everything that a
+/// comparison looks at, and neither need be read nor written again to tell.
+[[nodiscard]] bool has_checksums(const std::string& text, const std::string& contents,
+                                 const std::string& file);
 
 /// The first line in which a stored summary differs from the one that bless would write now, as
 /// "line 3: differs (found 'steps: 301'); expected 'steps: 300'". Nothing if none differs.

@@ -81,7 +81,6 @@ RunSummary replace_unreadable(const Scenario& scenario, const std::string& why, 
 void take_over(PairComparison pair, Blessing& blessing) {
   blessing.comparison = std::move(pair.comparison);
   blessing.runs = std::move(pair.runs);
-  blessing.status = pair.is_current ? BlessStatus::unchanged : BlessStatus::changed;
   if (!pair.gives_its_rows) blessing.differs_in = blessing.comparison.difference;
   if (blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario))
     blessing.differs_in = blessing.comparison.difference;
@@ -99,7 +98,9 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   if (!has_both) blessing.unreadable = txt_path + " is missing";
   try {
     PairComparison pair = *compare_with_pair(scenario, blessing.place, true);
-    blessing.keeps_h5 = has_both && !pair.is_current && is_h5_current(scenario, blessing.place);
+    const bool is_current = pair.is_proved && is_summary_current(scenario, blessing.place);
+    blessing.status = is_current ? BlessStatus::unchanged : BlessStatus::changed;
+    blessing.keeps_h5 = has_both && !is_current && is_h5_current(scenario, blessing.place);
     const RunSummary summary = pair.summary;
     take_over(std::move(pair), blessing);
     return summary;

@@ -76,10 +76,12 @@ std::optional<std::string> fault_in(const std::string& text, const StoredRun& ke
                                     const GoldenPlace& place) {
   fresh.run.scenario.name = kept.scenario.name;
   fresh.run.physics = kept.physics;
-  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum, summary_core(text)};
   if (text.find("\r\n") != std::string::npos) return place.txt_path + ": " + kConvertedLineEnds;
-  if (const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums)))
-    return place.txt_path + ": " + *fault;
+  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum, summary_core(text)};
+  if (!has_checksums(text, checksums.contents, checksums.file)) {
+    const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums));
+    return place.txt_path + ": " + fault.value();
+  }
   // Files of earlier versions have fewer attributes; those that they have must be the same.
   return attribute_difference(place.h5_path, kept, is_blessed_file);
 }
@@ -114,7 +116,7 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
   require_own_model(kept, place);
   ComparedRun compared = compare_with(kept, scenario);
   PairComparison pair{
-      .comparison = std::move(compared.comparison), .summary = compared.summary, .is_current = false};
+      .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
   const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
   const bool is_blessed_file = blessed_checksum == h5_checksum;
   const bool is_repeated = fresh.run.state_hash == hex(compared.summary.state_hash);
@@ -155,15 +157,18 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
   const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
   FreshRun fresh = play_for_golden(scenario, kernel);
-  // A summary costs a margin, which takes longer than the run: not where the run is another one.
-  const bool has_hash = text.find(fresh.run.state_hash) != std::string::npos;
-  const auto summary = [&] {
-    return summary_text(fresh, summary_reason(text),
-                        {contents_checksum(fresh.run), h5_checksum, summary_core(text)});
-  };
-  if (has_hash && text == summary()) return PairComparison{.summary = fresh.summary};
+  if (has_checksums(text, contents_checksum(fresh.run), h5_checksum))
+    return PairComparison{.summary = fresh.summary};
   if (!reads_h5) return std::nullopt;
   return read_and_compare(scenario, place, text, std::move(fresh), h5_checksum);
+}
+
+bool is_summary_current(const Scenario& scenario, const GoldenPlace& place) {
+  const std::string text = read_text_file(place.txt_path);
+  const FreshRun fresh = play_for_golden(scenario);
+  return text ==
+         summary_text(fresh, summary_reason(text),
+                      {contents_checksum(fresh.run), file_checksum(place.h5_path), summary_core(text)});
 }
 
 bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {

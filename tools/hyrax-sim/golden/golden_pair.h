@@ -23,8 +23,8 @@ struct PairRuns {
 
 struct PairComparison {
   Comparison comparison{};
-  RunSummary summary;      ///< Of the run.
-  bool is_current = true;  ///< Blessing the run would write this summary again, and this .h5 file.
+  RunSummary summary;     ///< Of the run.
+  bool is_proved = true;  ///< By the checksums of the summary, which say that nothing else differs.
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
   bool gives_its_rows = true;  ///< False: the scenario in the .h5 file was changed since it was blessed.
@@ -34,7 +34,7 @@ struct PairComparison {
 };
 
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
-/// summary, every line of it but the reason's text, is not the one that blessing the run would write.
+/// checksums of the summary do not prove that it agrees.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
 /// @param kernel the program's core, or what watches it.
 /// REQUIRES: the .h5 file exists (without its .txt the pair never agrees); with `reads_h5`, as read_isolated.
@@ -42,6 +42,9 @@ struct PairComparison {
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
                                                               const GoldenPlace& place, bool reads_h5,
                                                               const Kernel& kernel = core_kernel());
+
+/// Whether blessing the run would write this summary again. REQUIRES: both files of the pair exist.
+[[nodiscard]] bool is_summary_current(const Scenario& scenario, const GoldenPlace& place);
 
 /// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
 /// would, its provenance aside, whatever the summary says.

@@ -10,6 +10,8 @@
 namespace hyrax {
 namespace {
 
+constexpr char kContents[] = "0123456789abcdef0123456789abcdef";
+constexpr char kFile[] = "fedcba9876543210fedcba9876543210";
 constexpr char kHash[] = "c0ea1a610d86b14114d3cef7071362e5";
 
 StoredRun some_run() {
@@ -46,8 +48,7 @@ RunSummary some_summary() {
 
 std::string text_of(const StoredRun& run, const RunSummary& summary, const std::string& reason,
                     const std::string& margin = "") {
-  return golden_summary_text(run, summary, some_waypoints(), reason, margin,
-                             {"0123456789abcdef0123456789abcdef", "fedcba9876543210fedcba9876543210", ""});
+  return golden_summary_text(run, summary, some_waypoints(), reason, margin, {kContents, kFile, ""});
 }
 
 TEST(GoldenSummary, IsMadeToBeReadInAReview) {
@@ -70,7 +71,7 @@ TEST(GoldenSummary, IsMadeToBeReadInAReview) {
             "  vy 0.1 px/s  0x1.999999999999ap-4\n"
             "settled since: 5.25 s\n"
             "reason: a longer throw\n"
-            "checksums: 0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210\n");
+            "checksums: 77fc54fa0cc886a2c5b3f297bde3a50f fedcba9876543210fedcba9876543210\n");
 }
 
 TEST(GoldenSummary, SaysThatItHasNotSettled) {
@@ -117,24 +118,45 @@ TEST(GoldenSummary, ReportsTheFirstLineThatDiffers) {
             "line 2: differs (found 'physics: hyrax-physics/2'); expected 'physics: hyrax-physics/1'");
   EXPECT_EQ(summary_difference(text + "more\n", text), "line 20: differs (found 'more'); expected nothing");
   EXPECT_EQ(summary_difference(text.substr(0, text.size() - 1), text),
-            "line 19: differs (found 'checksums: 0123456789abcdef0123456789abcdef "
+            "line 19: differs (found 'checksums: 77fc54fa0cc886a2c5b3f297bde3a50f "
             "fedcba9876543210fedcba9876543210' without a line end); expected 'checksums: "
-            "0123456789abcdef0123456789abcdef fedcba9876543210fedcba9876543210'");
+            "77fc54fa0cc886a2c5b3f297bde3a50f fedcba9876543210fedcba9876543210'");
 }
 
-TEST(GoldenSummary, DiffersIfAnyBitIsFlipped) {
+TEST(GoldenSummary, HasTheChecksumsOfItsContentsAndFile) {
+  const std::string text = text_of(some_run(), some_summary(), "a longer throw", "wide");
+  EXPECT_TRUE(has_checksums(text, kContents, kFile));
+  EXPECT_FALSE(has_checksums(text, kFile, kFile));
+  EXPECT_FALSE(has_checksums(text, kContents, kContents));
+  EXPECT_FALSE(has_checksums("", kContents, kFile));
+}
+
+TEST(GoldenSummary, LosesItsChecksumIfAnyBitIsFlipped) {
   const std::string text = text_of(some_run(), some_summary(), "x");
+  const std::size_t reason = text.find("reason: x") + 8;
   for (std::size_t place = 0; place < text.size(); ++place)
     for (int bit = 0; bit < 8; ++bit) {
       std::string damaged = text;
       damaged[place] = static_cast<char>(damaged[place] ^ 1 << bit);
-      EXPECT_NE(summary_difference(damaged, text), std::nullopt) << place << " bit " << bit;
+      EXPECT_EQ(has_checksums(damaged, kContents, kFile), place == reason && damaged[place] != '\n')
+          << place << " bit " << bit;
     }
 }
 
+TEST(GoldenSummary, LosesItsChecksumByALineMoreOrLess) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1) {
+    EXPECT_FALSE(has_checksums(text.substr(0, line) + "more\n" + text.substr(line), kContents, kFile))
+        << line;
+    EXPECT_FALSE(
+        has_checksums(text.substr(0, line) + text.substr(text.find('\n', line) + 1), kContents, kFile))
+        << line;
+  }
+  EXPECT_FALSE(has_checksums(text + "more\n", kContents, kFile));
+}
+
 TEST(SummaryFileChecksum, IsTheEndOfTheText) {
-  EXPECT_EQ(summary_file_checksum(text_of(some_run(), some_summary(), "x")),
-            "fedcba9876543210fedcba9876543210");
+  EXPECT_EQ(summary_file_checksum(text_of(some_run(), some_summary(), "x")), kFile);
 }
 
 TEST(SummaryFileChecksum, IsNotFoundInATruncatedOrLongerText) {
