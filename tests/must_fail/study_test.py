@@ -96,8 +96,6 @@ FLIPS = {
     "walls_twice": {"6.1-sizes": "holds"},
     "reset_keeps_vy": {"6.1-reset": "does not hold"},
     "y_before_x": {"6-exactly": "does not hold"},
-    "ground_not_strict": {"6-exactly": "does not hold"},
-    "drag_needs_time": {"6-exactly": "does not hold"},
     "y_sees_x": {"2.3-new-velocity": "does not hold"},
 }
 NEVER_FLIPPED = {

@@ -25,7 +25,7 @@ class AlteredSweep(ProgramTest):
         # Some start on the floor, where comparisons on the bound decide.
         vary = {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}, "/start/y_px": {"choice": [952, 500.25, 0]},
                 "/start/vy_px_per_s": {"choice": [0, -700]}}
-        sweep = self.write("sweep.json", {"format": "hyrax-sweep/1", "base": base, "members": 12, "seed": 3, "vary": vary,
+        sweep = self.write("sweep.json", {"format": "hyrax-sweep/1", "base": base, "members": 6, "seed": 3, "vary": vary,
                                           "keep": ["final", "contacts"]})
         for core in ("none", *CORES):
             with self.subTest(core=core):
@@ -34,7 +34,7 @@ class AlteredSweep(ProgramTest):
                 self.assertEqual(outcome.exit_code, AGREED, outcome)
                 with h5py.File(out) as file:
                     found = [([file["members"][name][i] for name in ("x", "y", "vx", "vy")],
-                              file["members/contacts"][i].tolist()) for i in range(12)]
+                              file["members/contacts"][i].tolist()) for i in range(6)]
                 for member, (final, contacts) in enumerate(found):
                     self.assertEqual((final, contacts), self.run_of(core, sweep, member), f"member {member}")
 
