@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""To what `check` puts the runs of every altered core: the core, the clock, the inputs.
+"""To what `check` puts the runs of every altered core: the core, the clock, the inputs; and of edits outside of it.
 
     cause_test.py             tests, and compares README.md beside this file with the table
     cause_test.py --update    writes the table into README.md
@@ -9,11 +9,12 @@ import functools
 import json
 import re
 import sys
+import tempfile
 import unittest
 
 from altered import CONTROLS, altered_cores, run_altered
 from process import run
-from program import AGREED, SOURCE, main
+from program import AGREED, DISAGREED, SOURCE, main
 
 README = SOURCE / "tests/must_fail/README.md"
 BEGIN, END = "<!-- table of cause_test.py -->\n", "<!-- end of the table -->\n"
@@ -26,6 +27,13 @@ SCENARIOS = [f"scenarios/{name}.json" for name in (
 
 # The same arithmetic in another order: no bit of any run changes.
 SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_moves_before_x"}
+# No run, but what is made of it.
+SAME_RUNS = {"comparer_blind", "columns_swapped"}
+# Runs whose golden files keep blocks and no frame times.
+LONG = [f"scenarios/{name}.json" for name in (
+    "clocks/hour-at-60-hz", "clocks/missed-frames-ten-minutes", "hard/a-fling-a-minute", "paper/terminal-speed")]
+OUTSIDE = ("frames_longer", "jitter_longer", "first_frame_longer", "jitter_of_first_frame", "jitter_shifted", "inputs_late",
+           "inputs_later", "last_input_late", "comparer_and_gravity", "comparer_and_rest_rule")
 
 # Which runs it changes depends on the runs before and beside them.
 NOT_REPEATABLE = "hidden_state"
@@ -41,7 +49,7 @@ DETAILS = {"core": rf"({CORE}|[A-Z_]+ \S+ -> [^ ;]+(; [A-Z_]+ \S+ -> [^ ;]+)*)$"
 
 def wanted(core, operation):
     """The groups that there may be."""
-    if core in SAME_BITS:
+    if core in SAME_BITS | SAME_RUNS:
         return set()
     if core == "contracted":
         return {"unknown"}
@@ -91,6 +99,23 @@ class Causes(unittest.TestCase):
                 self.assertEqual(sum(len(group["scenarios"]) for group in groups), document["disagreed"])
                 for group in groups:
                     self.assertRegex(group["detail"], f"^{DETAILS[group['operation']]}")
+
+    def test_edits_outside_the_core_are_told_apart_in_long_runs_too(self):
+        for core in OUTSIDE:
+            with self.subTest(core=core):
+                document = json.loads(run_altered(core, "check", "--json", *LONG).out)
+                operation = altered_cores()[core][0]
+                self.assertGreater(document["disagreed"], 0)
+                self.assertEqual({group["operation"] for group in document["groups"]} - {"non_finite"},
+                                 {{"clock": "clock", "inputs": "input"}.get(operation, "core")})
+
+    def test_a_writer_that_swaps_columns_is_noticed(self):
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            for core, exit_code in (("none", AGREED), ("columns_swapped", DISAGREED)):
+                self.assertEqual(run_altered(core, "run", SCENARIOS[0], "-o", f"{folder}/now.h5").exit_code, AGREED)
+                outcome = run_altered("none", "diff", "golden/flings/first-fling.h5", f"{folder}/now.h5", "--json")
+                self.assertEqual(outcome.exit_code, exit_code, outcome)
+            self.assertEqual(outcome.json["first_divergence"]["field"], "vx")
 
     def test_of_a_program_that_does_not_repeat_itself_that_is_said(self):
         details = [group["detail"] for group in document_of(NOT_REPEATABLE)["groups"]]

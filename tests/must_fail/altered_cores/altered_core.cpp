@@ -163,7 +163,21 @@ constexpr AlteredCore kCores[] = {
     {"inputs_later", "inputs", "five frames late", {.inputs_late = 5}},
     {"last_input_late", "inputs", "the last one a frame late", {.last_input_late = 1}},
 
+    {"first_frame_longer", "clock", "dt of frame 0 1 % longer", {.first_frame_factor = 1.01}},
+
+    // Outside the core and what it is fed.
+    {"comparer_blind", "comparer", "blind in velocity", {.is_comparer_blind = true}},
+    {"columns_swapped", "writer", "writes vx as vy and vy as vx", {.swaps_columns = true}},
+
     // Two at once.
+    {"comparer_and_gravity",
+     "comparer and gravity",
+     "blind in velocity, gravity 1250",
+     {.gravity = 1250.0, .is_comparer_blind = true}},
+    {"comparer_and_rest_rule",
+     "comparer and rest rule",
+     "blind in velocity, no rest rule",
+     {.ground = "ctf", .is_comparer_blind = true}},
     {"clock_and_drag",
      "clock and drag",
      "dt 1 % longer, drag 0.998",

@@ -60,6 +60,11 @@ struct AlteredStep {
   double first_jitter_factor = 1.0;  ///< Of frame 0 alone.
   std::int64_t jitter_shift = 0;     ///< Every frame has the jitter of the one so many later.
   std::int64_t last_input_late = 0;
+  double first_frame_factor = 1.0;  ///< Of frame 0 of a clock without jitter.
+
+  /// Golden files are compared without vx and vy; trajectory files have vx and vy exchanged.
+  bool is_comparer_blind = false;
+  bool swaps_columns = false;
 
   bool operator==(const AlteredStep&) const = default;
 };
