@@ -125,12 +125,12 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
                     : core_of_golden(arguments.golden.empty() ? HYRAX_SOURCE_DIR "/golden" : arguments.golden,
                                      folder, "base");
   });
-  const auto [candidate, candidate_core] =
+  const CoreFile candidate =
       has_candidate ? make_core(headers[1], folder, "candidate") : core_of_project(folder, "candidate");
-  const auto [base, base_core] = base_made.get();
-  request.proof = prove_equal(headers[0], base_core.record(), candidate_core.record());
-  request.changes = header_changes(base_core.header, candidate_core.header);
-  const bool is_same = request.proof.is_equal && base_core.header == candidate_core.header;
+  const CoreFile base = base_made.get();
+  request.proof = prove_equal(headers[0], base.core.record(), candidate.core.record());
+  request.changes = header_changes(base.core.header, candidate.core.header);
+  const bool is_same = request.proof.is_equal && base.core.header == candidate.core.header;
   if (!has_candidate && is_same && !arguments.is_json && arguments.report.empty()) {
     print_text(headers[1] + " is the accepted core, " + headers[0] + ": nothing to compare\n");
     return ExitCode::agreed;
@@ -138,12 +138,13 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   const auto in_process = [&](const std::function<std::string(PlayWatch&)>& work) {
     return in_core_process(headers, static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
   };
-  request.rows_hash.before = in_process([&](PlayWatch& watch) { return probed(base, 0, request, watch); });
+  request.rows_hash.before =
+      in_process([&](PlayWatch& watch) { return probed(base.library, 0, request, watch); });
   request.rows_hash.after =
-      in_process([&](PlayWatch& watch) { return probed(candidate, 1, request, watch); });
+      in_process([&](PlayWatch& watch) { return probed(candidate.library, 1, request, watch); });
   print_text(in_process([&](PlayWatch& watch) {
-    const CoreFunctions& from = load_core(base, 0, watch);
-    const Card card = measure_card(from, load_core(candidate, 1, watch), request);
+    const CoreFunctions& from = load_core(base.library, 0, watch);
+    const Card card = measure_card(from, load_core(candidate.library, 1, watch), request);
     const CardTitle title{headers[1], headers[0]};
     if (!arguments.report.empty()) write_card_page(arguments.report, command, card, title);
     return arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"
