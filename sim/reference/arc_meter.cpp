@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/reference/drift_columns.h"
 #include "sim/result/interval.h"
 
 namespace hyrax {
@@ -17,6 +18,11 @@ void include_worst(std::optional<Worst>& worst, std::optional<double> value, std
   if (!worst || std::fabs(*value) > std::fabs(worst->value) ||
       (std::isnan(*value) && !std::isnan(worst->value)))
     worst = Worst{*value, step};
+}
+
+void include_all_worst(DriftSummary& summary, const auto& columns, const auto& record, std::int64_t step) {
+  for (const auto& column : columns)
+    if (column.also != nullptr) include_worst(summary.*column.also, column.number(record), step);
 }
 
 }  // namespace
@@ -355,24 +361,15 @@ void ArcMeter::add_to_summary(const ArcErrors& arc) {
   drift_of_all_arcs_.add_line(gathered_.drift_fit);
   if (const auto slope = drift_of_all_arcs_.slope_per_s(); slope && model_.gravity_px_per_s2 > 0.0)
     s.secular_px_per_s = *slope / model_.gravity_px_per_s2;
-  include_worst(s.implementation_px, arc.implementation_px, arc.first_step);
-  include_worst(s.truncation_px, arc.truncation_px, arc.first_step);
-  include_worst(s.model_px, arc.model_px, arc.first_step);
-  include_worst(s.exact_law_px, arc.exact_law_px, arc.first_step);
-  include_worst(s.energy_drift_rel_max, arc.energy_drift_rel_max, arc.first_step);
-  include_worst(s.energy_drift_max_px2_per_s2, arc.energy_drift_max_px2_per_s2, arc.first_step);
-  include_worst(s.energy_drift_slope_px_per_s, arc.energy_drift_slope_px_per_s, arc.first_step);
-  include_worst(s.energy_drift_slope_per_s, arc.energy_drift_slope_per_s, arc.first_step);
-  include_worst(s.gsl_vs_closed_px, arc.gsl_vs_closed_px, arc.first_step);
+  include_all_worst(s, kArcColumns, arc, arc.first_step);
+  include_all_worst(s, kReferenceArcColumns, arc, arc.first_step);
 }
 
 void ArcMeter::add_to_summary(const ImpactErrors& contact, bool is_stopped) {
   DriftSummary& s = summary_;
   ++s.contacts;
   s.late_bounces_px2_per_s2 += contact.late_bounce_px2_per_s2.value_or(0.0);
-  include_worst(s.time_error_s, contact.time_error_s, contact.step);
-  include_worst(s.overshoot_px, contact.overshoot_px, contact.step);
-  include_worst(s.energy_jump_rel, contact.energy_jump_rel, contact.step);
+  include_all_worst(s, kImpactColumns, contact, contact.step);
   if (contact.effective_restitution && !is_stopped)
     s.effective_restitution.add(*contact.effective_restitution);
 }

@@ -18,9 +18,10 @@ namespace hyrax {
 struct WholeRun {
   double end_px = 0.0;
   double max_px = 0.0;
-  std::int64_t max_px_step = 0;  ///< The first row of that distance.
-  double energy_end_px = 0.0;    ///< Signed.
-  double energy_max_px = 0.0;    ///< Magnitude.
+  std::int64_t max_px_step = 0;            ///< The first row of that distance.
+  double energy_end_px = 0.0;              ///< Signed.
+  double energy_max_px = 0.0;              ///< Magnitude.
+  std::optional<double> secular_px_per_s;  ///< DriftSummary's.
   /// Row of the first contact, counted in order since the last input until the exact fling slides, whose wall
   /// is not that of the exact impact.
   std::optional<std::int64_t> contacts_differ_from;

@@ -1,13 +1,19 @@
-// A table of plain columns with units: the one form in which a study hands on numbers. Text, CSV, JSON and
-// HDF5 are made of it by code that knows no study.
+// A table of plain columns with units: the one form in which numbers are handed on. Text, CSV, JSON and HDF5
+// are made of it by code that does not know what they are.
 #pragma once
 
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,16 +22,38 @@ namespace hyrax {
 
 struct Table;
 
+/// The names of codes 0, 1, 2, ..., or of 1, 2, 4, ...
+struct CodeNames {
+  std::span<const std::string_view> names = {};
+  bool are_bits = false;
+
+  [[nodiscard]] std::string_view of(std::uint8_t code) const {
+    return names[are_bits ? static_cast<std::size_t>(std::countr_zero(code)) : code];
+  }
+};
+
+/// Codes with names: text and JSON have the name, HDF5 the code and the list.
+struct Codes {
+  using value_type = std::string_view;
+  CodeNames names = {};
+  std::vector<std::uint8_t> codes = {};
+
+  [[nodiscard]] std::size_t size() const { return codes.size(); }
+  [[nodiscard]] std::string_view operator[](std::size_t row) const { return names.of(codes[row]); }
+};
+
 /// One quantity, one value a row.
 struct Column {                // NOLINT(misc-no-recursion): copied with the tables in its cells.
   std::string name = {};       ///< snake_case, without its unit.
   std::string unit = {};       ///< "px", "px/s", "1" for a pure number; empty for text.
   std::string long_name = {};  ///< What it is, in a few words.
-  /// A number that is missing is a NaN. A table in a cell is for JSON only.
+  /// A number that is missing is a NaN, an integer -1 in HDF5. A table in a cell is for JSON only.
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>, std::vector<bool>,
-               std::vector<Table>>
+               std::vector<std::optional<std::int64_t>>, Codes, std::vector<Table>>
       values;      // Without "= {}", for which clang 14 needs Table complete.
   int digits = 4;  ///< Significant digits in printed text; files have all.
+  /// In JSON, where it is not NAME_UNIT; "OBJECT/KEY" is a member of an object, "-" is none.
+  std::string key = {};
 };
 
 /// What a table is in JSON.
@@ -65,6 +93,84 @@ template <class Value, class Records, class Get>
   values.reserve(std::size(records));
   for (const auto& record : records) values.push_back(Value(std::invoke(get, record)));
   return {name, unit, long_name, std::move(values), digits};
+}
+
+/// A column in a table of text of fixed width, in which a missing value is "-".
+struct TextColumn {
+  constexpr TextColumn(const char* head_text = "", const char* unit_text = "", int letters = 0,
+                       double factor = 1.0, const char* number_format = "")
+      : head(head_text), unit(unit_text), width(letters), scale(factor), format(number_format) {}
+  const char* head;
+  const char* unit;  ///< Below the head.
+  int width;         ///< 0: not in the text. Negative: aligned at the left.
+  double scale;
+  const char* format;  ///< Of {fmt}; three digits if it is empty.
+};
+
+/// A column before there are records: how it is described, where a record has its value, and what else
+/// whoever lists it keeps with it.
+template <class Record, class Also = std::monostate>
+struct ColumnOf {
+  struct Code {
+    std::uint8_t (*of)(const Record&);
+    CodeNames names;
+  };
+  const char* name;
+  const char* unit;
+  const char* long_name;
+  std::variant<double Record::*, std::optional<double> Record::*, std::int64_t Record::*,
+               std::optional<std::int64_t> Record::*, double (*)(const Record&), Code>
+      get;
+  const char* key = "";  ///< Column::key.
+  TextColumn text = {};
+  Also also = {};
+
+  /// REQUIRES: no codes.
+  [[nodiscard]] std::optional<double> number(const Record& record) const {
+    return std::visit(
+        [&record](const auto& value) -> std::optional<double> {
+          if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Code>) {
+            return std::nullopt;
+          } else {
+            return std::invoke(value, record);
+          }
+        },
+        get);
+  }
+};
+
+template <class Record, class Also>
+[[nodiscard]] Column column_of(const ColumnOf<Record, Also>& described, const std::vector<Record>& records) {
+  const auto values = [&](const auto& get) -> decltype(Column::values) {
+    using Get = std::decay_t<decltype(get)>;
+    if constexpr (std::is_same_v<Get, typename ColumnOf<Record, Also>::Code>) {
+      Codes codes{.names = get.names};
+      for (const Record& record : records) codes.codes.push_back(get.of(record));
+      return codes;
+    } else if constexpr (std::is_same_v<Get, std::optional<double> Record::*>) {
+      std::vector<double> numbers;
+      for (const Record& record : records)
+        numbers.push_back((record.*get).value_or(std::numeric_limits<double>::quiet_NaN()));
+      return numbers;
+    } else {
+      std::vector<std::decay_t<std::invoke_result_t<Get, const Record&>>> numbers;
+      for (const Record& record : records) numbers.push_back(std::invoke(get, record));
+      return numbers;
+    }
+  };
+  return {.name = described.name,
+          .unit = described.unit,
+          .long_name = described.long_name,
+          .values = std::visit(values, described.get),
+          .key = described.key};
+}
+
+/// The records as columns: a table, or a chunk of one.
+template <class Record>
+[[nodiscard]] std::vector<Column> columns_of(const auto& described, const std::vector<Record>& records) {
+  std::vector<Column> columns;
+  for (const auto& each : described) columns.push_back(column_of(each, records));
+  return columns;
 }
 
 }  // namespace hyrax

@@ -16,6 +16,10 @@ std::string csv_field(const std::string& text) {
 }
 std::string csv_field(double value) { return std::isnan(value) ? std::string() : to_text(value); }
 std::string csv_field(std::int64_t value) { return std::to_string(value); }
+std::string csv_field(const std::optional<std::int64_t>& value) {
+  return value ? std::to_string(*value) : std::string();
+}
+std::string csv_field(std::string_view value) { return csv_field(std::string(value)); }
 std::string csv_field(bool value) { return value ? "true" : "false"; }
 std::string csv_field(const Table&) {
   assert(false);
@@ -117,26 +121,41 @@ Json json_cell(const Column& column, std::size_t row) {
     } else {
       if constexpr (std::is_same_v<Value, double>)
         if (std::isnan(value)) return nullptr;
-      return Json(value);
+      if constexpr (std::is_same_v<Value, std::optional<std::int64_t>>)
+        return or_null(value);
+      else
+        return Json(value);
     }
   });
 }
 
+Json key_values(const Table& table, std::size_t row, std::size_t first_column) {
+  Json::Object object;
+  for (std::size_t index = first_column; index < table.columns.size(); ++index) {
+    const Column& column = table.columns[index];
+    const std::string key = key_of(column);
+    const std::size_t slash = key.find('/');
+    if (key == "-") continue;
+    if (slash == std::string::npos) {
+      object.push_back({key, json_cell(column, row)});
+      continue;
+    }
+    if (object.empty() || object.back().first != key.substr(0, slash))
+      object.push_back({key.substr(0, slash), Json::Object{}});
+    object.back().second.get<Json::Object>()->push_back({key.substr(slash + 1), json_cell(column, row)});
+  }
+  return object;
+}
+
+}  // namespace
+
 std::string key_of(const Column& column) {
+  if (!column.key.empty()) return column.key;
   std::string key = head_of(column);
   for (char& letter : key)
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
   return key;
 }
-
-Json key_values(const Table& table, std::size_t row, std::size_t first_column) {
-  Json::Object object;
-  for (std::size_t column = first_column; column < table.columns.size(); ++column)
-    object.push_back({key_of(table.columns[column]), json_cell(table.columns[column], row)});
-  return object;
-}
-
-}  // namespace
 
 std::string aligned_text(const Table& table) {
   std::vector<std::string> lines(row_count(table) + 1, "  ");

@@ -16,9 +16,13 @@ namespace hyrax {
 /// numbers are shortest-round-trip, a missing one is an empty field. REQUIRES: no column of tables.
 [[nodiscard]] std::string csv_text(const Table& table);
 
-/// The table in its JsonShape; keys are the heads of csv_text in lower case, a missing number is null.
-/// REQUIRES: the shape is not `members`, which has no value of its own; see add_members.
+/// The table in its JsonShape; keys are Column::key or the heads of csv_text in lower case, a missing number
+/// is null. The members of an object in a row are neighbours in the table. REQUIRES: the shape is not
+/// `members`, which has no value of its own; see add_members.
 [[nodiscard]] Json json_of(const Table& table);
+
+/// The column's key in JSON.
+[[nodiscard]] std::string key_of(const Column& column);
 
 /// Adds the table to an object: its first row's values if its shape is `members`, else one member of its
 /// name.

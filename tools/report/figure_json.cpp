@@ -120,12 +120,13 @@ Json body_json(const Listing& listing) {
 }
 
 Json value_json(double value) { return number(value); }
-Json value_json(const std::string& value) { return value; }
+Json value_json(std::string_view value) { return value; }
 Json value_json(bool value) { return value; }
 Json value_json(std::int64_t value) {
   constexpr std::int64_t kExactMax = std::int64_t{1} << 53;
   return value > kExactMax || value < -kExactMax ? Json(std::to_string(value)) : Json(value);
 }
+Json value_json(const std::optional<std::int64_t>& value) { return value ? value_json(*value) : Json(); }
 Json value_json(const Table&) {
   assert(false);
   return {};

@@ -98,7 +98,7 @@ class ContentsHash {
   void add(double value) { add_bits(little_endian_bits(value)); }
   void add(std::int64_t value) { add(std::bit_cast<double>(value)); }
   void add(const Row& row) {
-    for (const RowColumn& column : kRowColumns) add(row.*column.value);
+    for (const RowColumn& column : kRowColumns) add(column.number(row).value());
     add(row.step);
     add(std::int64_t{row.contact});
   }
@@ -117,7 +117,8 @@ void add(ContentsHash& hash, const Contact& contact) {
   hash.add(contact.step);
   hash.add(contact.last_step);
   hash.add(static_cast<std::int64_t>(contact.wall));
-  for (const ContactColumn& column : kContactColumns) hash.add(contact.*column.value);
+  for (const ColumnOf<Contact>& column : std::span(kContactColumns).subspan(3))
+    hash.add(column.number(contact).value());
 }
 
 void add(ContentsHash& hash, const StoredBlock& block) {

@@ -207,12 +207,6 @@ Handle enum_type(std::span<const std::string_view> names) {
   return type;
 }
 
-void write_enum_flags(hid_t dataset, std::span<const std::string_view> names) {
-  std::vector<std::uint8_t> codes(names.size());
-  std::iota(codes.begin(), codes.end(), std::uint8_t{0});
-  write_flags(dataset, "flag_values", codes, names);
-}
-
 Handle text_type() {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, H5T_VARIABLE);
@@ -283,6 +277,122 @@ std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const ch
   std::vector<double> values(static_cast<std::size_t>(count));
   if (count > 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
   return values;
+}
+
+namespace {
+
+// A column's values as they are written.
+struct ColumnData {
+  hid_t type;
+  hid_t memory_type;
+  const void* data;
+  hsize_t count;
+  Handle owned_type = {};
+  std::vector<std::int64_t> integers = {};
+  std::string padded = {};
+};
+
+ColumnData data_of(const std::vector<double>& values) {
+  return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.data(), values.size()};
+}
+ColumnData data_of(const std::vector<std::int64_t>& values) {
+  return {H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), values.size()};
+}
+
+ColumnData data_of(std::vector<std::int64_t>&& values) {
+  ColumnData column = data_of(values);
+  column.integers = std::move(values);
+  return column;
+}
+ColumnData data_of(const std::vector<bool>& values) {
+  return data_of(std::vector<std::int64_t>(values.begin(), values.end()));
+}
+ColumnData data_of(const std::vector<std::optional<std::int64_t>>& values) {
+  std::vector<std::int64_t> numbers;
+  for (const std::optional<std::int64_t>& value : values) numbers.push_back(value.value_or(-1));
+  return data_of(std::move(numbers));
+}
+
+ColumnData data_of(const Codes& values) {
+  ColumnData column{H5T_STD_U8LE, H5T_NATIVE_UINT8, values.codes.data(), values.size()};
+  if (values.names.are_bits) return column;
+  column.owned_type = enum_type(values.names.names);
+  column.type = column.memory_type = column.owned_type;
+  return column;
+}
+
+// Text of variable length would lie in a heap apart, with gaps that nobody fills.
+ColumnData data_of(const std::vector<std::string>& values) {
+  std::size_t width = 1;
+  for (const std::string& value : values) width = std::max(width, value.size());
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, width);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  ColumnData column{type, type, nullptr, values.size(), std::move(type)};
+  for (const std::string& value : values) column.padded += value + std::string(width - value.size(), '\0');
+  return column;
+}
+
+ColumnData data_of(const std::vector<Table>&) {
+  assert(false);  // Tables in cells are for JSON.
+  return {};
+}
+
+ColumnData data_of(const Column& column) {
+  return std::visit([](const auto& values) { return data_of(values); }, column.values);
+}
+
+}  // namespace
+
+ColumnWriter::ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk)
+    : group_(group) {
+  for (const Column& column : columns) {
+    const ColumnData data = data_of(column);
+    const char* const name = column.name.c_str();
+    datasets_.push_back(chunk > 0 ? create_growing_dataset(group, name, data.type, chunk)
+                                  : create_dataset(group, name, data.type, {rows}));
+    is_written_ = is_written_ && datasets_.back().is_open();
+  }
+}
+
+bool ColumnWriter::append(const std::vector<Column>& columns) {
+  hsize_t count = 0;
+  for (std::size_t index = 0; index < columns.size() && is_written_; ++index) {
+    const ColumnData data = data_of(columns[index]);
+    count = data.count;
+    const void* const values = data.padded.empty() ? data.data : data.padded.data();
+    if (count > 0) is_written_ = write_part(datasets_[index], data.memory_type, written_, count, values) >= 0;
+  }
+  written_ += count;
+  return is_written_;
+}
+
+bool ColumnWriter::set(std::size_t column, hsize_t row, std::int64_t value) {
+  return write_part(datasets_[column], H5T_NATIVE_INT64, row, 1, &value) >= 0;
+}
+
+bool ColumnWriter::finish(const std::vector<Column>& columns, const char* axis) {
+  if (!is_written_) return false;
+  for (std::size_t index = 0; index < columns.size(); ++index) {
+    if (!columns[index].unit.empty()) write_attribute(datasets_[index], "units", columns[index].unit);
+    write_attribute(datasets_[index], "long_name", columns[index].long_name);
+  }
+  for (std::size_t index = 0; index < columns.size(); ++index) {
+    const auto* const named = std::get_if<Codes>(&columns[index].values);
+    if (named == nullptr) continue;
+    const auto& [names, are_bits] = named->names;
+    std::vector<std::uint8_t> codes(names.size());
+    for (std::size_t code = 0; code < codes.size(); ++code)
+      codes[code] = static_cast<std::uint8_t>(are_bits ? 1u << code : code);
+    write_flags(datasets_[index], "flag_values", codes, names);
+  }
+  return axis == nullptr || share_axis(group_, axis);
+}
+
+bool write_columns(hid_t group, const std::vector<Column>& columns, const char* axis) {
+  ColumnWriter writer(group, columns, columns.empty() ? 0 : length(columns.front()));
+  return writer.append(columns) && writer.finish(columns, axis);
 }
 
 }  // namespace hyrax::h5

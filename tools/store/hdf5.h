@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/result/table.h"
+
 namespace hyrax::h5 {
 
 /// Owns one identifier of the library.
@@ -96,8 +98,33 @@ void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t>
 
 /// An enumeration of bytes, with the names of 0, 1, 2, ...
 [[nodiscard]] Handle enum_type(std::span<const std::string_view> names);
-/// Names the codes in a dataset of that type for readers that do not support enumerations.
-void write_enum_flags(hid_t dataset, std::span<const std::string_view> names);
+
+/// Datasets of a group, one for each column of a table whose chunks come one after another. Text is
+/// fixed-length UTF-8, padded with zeros; a bool is 0 or 1. REQUIRES: no column of tables.
+class ColumnWriter {
+ public:
+  /// @param columns names and types; their values are not written.
+  /// @param chunk more than 0: the datasets grow, stored in chunks of as many rows; else they have `rows`.
+  ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk = 0);
+
+  /// Each returns false if the file could not be written.
+  [[nodiscard]] bool append(const std::vector<Column>& columns);
+  /// REQUIRES: the row was appended; the column is of integers.
+  [[nodiscard]] bool set(std::size_t column, hsize_t row, std::int64_t value);
+  /// Describes the datasets; `axis`, if not null, is the axis of the others.
+  [[nodiscard]] bool finish(const std::vector<Column>& columns, const char* axis);
+  void close() { datasets_.clear(); }
+  [[nodiscard]] const std::vector<Handle>& datasets() const { return datasets_; }
+
+ private:
+  hid_t group_;
+  std::vector<Handle> datasets_;
+  hsize_t written_ = 0;
+  bool is_written_ = true;
+};
+
+/// All rows at once.
+[[nodiscard]] bool write_columns(hid_t group, const std::vector<Column>& columns, const char* axis);
 
 void write_attribute(hid_t object, const char* name, std::string_view text);
 void write_attribute(hid_t object, const char* name, std::int64_t value);

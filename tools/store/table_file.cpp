@@ -1,7 +1,6 @@
 #include "tools/store/table_file.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -33,54 +32,12 @@ std::vector<std::string> names_in(hid_t object, const char* attribute) {
   return names;
 }
 
-bool write_values(hid_t group, const Column& column, hid_t type, hid_t memory_type, std::size_t count,
-                  const void* data) {
-  const h5::Handle dataset = h5::create_dataset(group, column.name.c_str(), type, {count});
-  if (!dataset.is_open()) return false;
-  if (!column.unit.empty()) h5::write_attribute(dataset, "units", column.unit);
-  h5::write_attribute(dataset, "long_name", column.long_name);
-  return count == 0 || H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0;
-}
-
-bool write_column(hid_t group, const Column& column, const std::vector<double>& values) {
-  return write_values(group, column, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
-}
-
-bool write_column(hid_t group, const Column& column, const std::vector<std::int64_t>& values) {
-  return write_values(group, column, H5T_STD_I64LE, H5T_NATIVE_INT64, values.size(), values.data());
-}
-
-bool write_column(hid_t group, const Column& column, const std::vector<bool>& values) {
-  return write_column(group, column, std::vector<std::int64_t>(values.begin(), values.end()));
-}
-
-bool write_column(hid_t, const Column&, const std::vector<Table>&) {
-  assert(false);  // Tables in cells are for JSON.
-  return false;
-}
-
-// Text of variable length would lie in a heap apart, with gaps that nobody fills.
-bool write_column(hid_t group, const Column& column, const std::vector<std::string>& values) {
-  std::size_t width = 1;
-  for (const std::string& value : values) width = std::max(width, value.size());
-  std::string padded;
-  for (const std::string& value : values) padded += value + std::string(width - value.size(), '\0');
-  const h5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, width);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  return write_values(group, column, type, type, values.size(), padded.data());
-}
-
 bool write_table(hid_t file, const Table& table) {
   const h5::Handle group = h5::create_group(file, table.name.c_str());
   if (!group.is_open()) return false;
   h5::write_attribute(group, "long_name", table.long_name);
   h5::write_attribute(group, "columns", names_of(table.columns));
-  const bool is_written = std::all_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
-    return std::visit([&](const auto& values) { return write_column(group, column, values); }, column.values);
-  });
-  return is_written && h5::share_axis(group, table.columns.front().name.c_str());
+  return h5::write_columns(group, table.columns, table.columns.front().name.c_str());
 }
 
 bool write_all(hid_t file, const StudyHead& head, const std::vector<Table>& tables) {

@@ -188,41 +188,35 @@ Columns TrajectoryFile::rows(std::int64_t first, std::int64_t count) const {
   Columns rows;
   rows.step = step_.read<std::int64_t>(H5T_NATIVE_INT64, first, count);
   for (std::size_t column = 0; column < columns_.size(); ++column)
-    rows.*kRowColumns[column].values = columns_[column].read<double>(H5T_NATIVE_DOUBLE, first, count);
+    rows.*kRowColumns[column].also = columns_[column].read<double>(H5T_NATIVE_DOUBLE, first, count);
   rows.contact = contact_.read<std::uint8_t>(H5T_NATIVE_UINT8, first, count);
   return rows;
 }
 
 std::vector<Contact> TrajectoryFile::contacts() const {
-  const NumberColumn step = column("/contacts/step", H5T_INTEGER, sizeof(std::int64_t));
-  const std::int64_t count = step.length();
-  const auto same_length = [&](NumberColumn other, const char* name) {
-    if (other.length() != count)
-      refuse(std::string("/contacts/") + name + ": differs in length from /contacts/step");
-    return other;
-  };
-  const auto steps = step.read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
-  const auto last_steps =
-      same_length(column("/contacts/last_step", H5T_INTEGER, sizeof(std::int64_t)), "last_step")
-          .read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
-  const auto walls = same_length(column("/contacts/wall", H5T_INTEGER, sizeof(std::uint8_t)), "wall")
-                         .read<std::uint8_t>(H5T_NATIVE_UINT8, 0, count);
+  const std::int64_t count = column("/contacts/step", H5T_INTEGER, sizeof(std::int64_t)).length();
   std::vector<Contact> contacts(static_cast<std::size_t>(count));
-  for (std::size_t index = 0; index < contacts.size(); ++index) {
-    if (walls[index] != 1 && walls[index] != 2 && walls[index] != 4 && walls[index] != 8)
-      refuse("/contacts/wall: unknown code (found " + std::to_string(walls[index]) +
-             "); allowed: 1, 2, 4, 8");
-    contacts[index].step = steps[index];
-    contacts[index].last_step = last_steps[index];
-    contacts[index].wall = static_cast<Wall>(walls[index]);
-  }
-  for (const ContactColumn& described : kContactColumns) {
-    const auto values =
-        same_length(column(std::string("/contacts/") + described.name, H5T_FLOAT, sizeof(double)),
-                    described.name)
-            .read<double>(H5T_NATIVE_DOUBLE, 0, count);
-    for (std::size_t index = 0; index < contacts.size(); ++index)
-      contacts[index].*described.value = values[index];
+  for (const ColumnOf<Contact>& described : kContactColumns) {
+    const auto read = [&](auto value, H5T_class_t type_class, hid_t memory_type, const auto& set) {
+      const NumberColumn numbers =
+          column(std::string("/contacts/") + described.name, type_class, sizeof value);
+      if (numbers.length() != count)
+        refuse(std::string("/contacts/") + described.name + ": differs in length from /contacts/step");
+      const auto values = numbers.read<decltype(value)>(memory_type, 0, count);
+      for (std::size_t index = 0; index < contacts.size(); ++index) set(contacts[index], values[index]);
+    };
+    if (const auto* const number = std::get_if<double Contact::*>(&described.get))
+      read(0.0, H5T_FLOAT, H5T_NATIVE_DOUBLE,
+           [&](Contact& contact, double value) { contact.** number = value; });
+    else if (const auto* const row = std::get_if<std::int64_t Contact::*>(&described.get))
+      read(std::int64_t{0}, H5T_INTEGER, H5T_NATIVE_INT64,
+           [&](Contact& contact, std::int64_t value) { contact.** row = value; });
+    else
+      read(std::uint8_t{0}, H5T_INTEGER, H5T_NATIVE_UINT8, [&](Contact& contact, std::uint8_t code) {
+        if (code != 1 && code != 2 && code != 4 && code != 8)
+          refuse("/contacts/wall: unknown code (found " + std::to_string(code) + "); allowed: 1, 2, 4, 8");
+        contact.wall = static_cast<Wall>(code);
+      });
   }
   return contacts;
 }

@@ -18,63 +18,27 @@ void append_to(std::vector<Value>& values, const std::vector<Value>& more) {
 void append_to(Columns& rows, const Columns& more) {
   append_to(rows.step, more.step);
   append_to(rows.contact, more.contact);
-  for (const RowColumn& column : kRowColumns) append_to(rows.*column.values, more.*column.values);
-}
-
-h5::Handle make_dataset(hid_t group, const char* name, hid_t type, std::size_t length, bool is_growing) {
-  if (is_growing) return h5::create_growing_dataset(group, name, type, ContactTable::kBatch);
-  return h5::create_dataset(group, name, type, {length});
-}
-
-// One quantity of every contact of a batch.
-template <class Value, class Get>
-std::vector<Value> gather(const std::vector<Contact>& batch, const Get& get) {
-  std::vector<Value> values;
-  values.reserve(batch.size());
-  for (const Contact& contact : batch) values.push_back(get(contact));
-  return values;
-}
-
-template <class Value, class Get>
-bool write_column(const h5::Handle& dataset, hid_t memory_type, const std::vector<InputRecord>& inputs,
-                  const Get& get) {
-  std::vector<Value> values;
-  for (const InputRecord& input : inputs) values.push_back(get(input));
-  return dataset.is_open() && (values.empty() || H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                                          values.data()) >= 0);
+  for (const RowColumn& column : kRowColumns) append_to(rows.*column.also, more.*column.also);
 }
 
 // The meaning and unit of a and b depend on the kind.
-void describe_numbers(hid_t kind, hid_t a, hid_t b) {
-  h5::write_enum_flags(kind, input_kind_names());
-  h5::write_attribute(kind, "long_name", "kind of the input");
-  h5::write_attribute(
-      a, "long_name",
-      "vx of a fling or release, x of a place, width of a resize, dt of a hitch, or 0 (unused)");
-  h5::write_attribute(b, "long_name",
-                      "vy of a fling or release, y of a place, height of a resize, or 0 (unused)");
-  h5::write_attribute(a, "units_by_kind", "px/s px 1 px px s 1 px/s");
-  h5::write_attribute(b, "units_by_kind", "px/s px 1 px px 1 1 px/s");
-}
-
 bool write_inputs(hid_t file, const std::vector<InputRecord>& inputs) {
-  const h5::Handle group = h5::create_group(file, "events");
-  const h5::Handle kind_type = h5::enum_type(input_kind_names());
-  const auto make = [&](const char* name, hid_t type) {
-    return h5::create_dataset(group, name, type, {inputs.size()});
+  const ColumnOf<InputRecord> described[] = {
+      {"frame", "", "frame to which the input was applied; it makes row frame + 1", &InputRecord::frame},
+      {"kind", "", "kind of the input",
+       ColumnOf<InputRecord>::Code{[](const InputRecord& input) { return input.kind; },
+                                   {input_kind_names()}}},
+      {"a", "", "vx of a fling or release, x of a place, width of a resize, dt of a hitch, or 0 (unused)",
+       &InputRecord::a},
+      {"b", "", "vy of a fling or release, y of a place, height of a resize, or 0 (unused)", &InputRecord::b},
   };
-  const h5::Handle frame = make("frame", H5T_STD_I64LE);
-  const h5::Handle kind = make("kind", kind_type);
-  const h5::Handle a = make("a", H5T_IEEE_F64LE);
-  const h5::Handle b = make("b", H5T_IEEE_F64LE);
-  const bool is_written =
-      write_column<std::int64_t>(frame, H5T_NATIVE_INT64, inputs, std::mem_fn(&InputRecord::frame)) &&
-      write_column<std::uint8_t>(kind, kind_type, inputs, std::mem_fn(&InputRecord::kind)) &&
-      write_column<double>(a, H5T_NATIVE_DOUBLE, inputs, std::mem_fn(&InputRecord::a)) &&
-      write_column<double>(b, H5T_NATIVE_DOUBLE, inputs, std::mem_fn(&InputRecord::b));
-  h5::write_attribute(frame, "long_name", "frame to which the input was applied; it makes row frame + 1");
-  describe_numbers(kind, a, b);
-  return is_written && h5::share_axis(group, "frame");
+  const h5::Handle group = h5::create_group(file, "events");
+  const std::vector<Column> columns = columns_of(described, inputs);
+  h5::ColumnWriter writer(group, columns, inputs.size());
+  if (!writer.append(columns)) return false;
+  h5::write_attribute(writer.datasets()[2], "units_by_kind", "px/s px 1 px px s 1 px/s");
+  h5::write_attribute(writer.datasets()[3], "units_by_kind", "px/s px 1 px px 1 1 px/s");
+  return writer.finish(columns, "frame");
 }
 
 }  // namespace
@@ -113,7 +77,7 @@ bool RowTable::write(const Columns& rows) {
   bool is_written = h5::write_part(step_, H5T_NATIVE_INT64, first, count, rows.step.data()) >= 0;
   for (std::size_t column = 0; column < kRowColumns.size() && is_written; ++column)
     is_written = h5::write_part(columns_[column], H5T_NATIVE_DOUBLE, first, count,
-                                (rows.*kRowColumns[column].values).data()) >= 0;
+                                (rows.*kRowColumns[column].also).data()) >= 0;
   is_written =
       is_written && h5::write_part(contact_, H5T_NATIVE_UINT8, first, count, rows.contact.data()) >= 0;
   written_ += static_cast<std::int64_t>(count);
@@ -148,64 +112,21 @@ bool ContactTable::set_last_step(std::int64_t index, std::int64_t last_step) {
     batch_[static_cast<std::size_t>(index - flushed_)].last_step = last_step;
     return true;
   }
-  return h5::write_part(datasets_[1], H5T_NATIVE_INT64, static_cast<hsize_t>(index), 1, &last_step) >= 0;
+  return writer_->set(1, static_cast<hsize_t>(index), last_step);
 }
 
 bool ContactTable::finish() {
-  if (datasets_.empty() && !make_datasets(false)) return false;
-  const bool is_written = batch_.empty() || flush();
-  return describe() && is_written;
-}
-
-bool ContactTable::make_datasets(bool is_growing) {
-  const std::size_t length = batch_.size();
-  datasets_.push_back(make_dataset(group_, "step", H5T_STD_I64LE, length, is_growing));
-  datasets_.push_back(make_dataset(group_, "last_step", H5T_STD_I64LE, length, is_growing));
-  datasets_.push_back(make_dataset(group_, "wall", H5T_STD_U8LE, length, is_growing));
-  for (const ContactColumn& column : kContactColumns)
-    datasets_.push_back(make_dataset(group_, column.name, H5T_IEEE_F64LE, length, is_growing));
-  for (const h5::Handle& dataset : datasets_)
-    if (!dataset.is_open()) return false;
-  return true;
+  const std::vector<Column> columns = columns_of(kContactColumns, batch_);
+  if (!writer_) writer_.emplace(group_, columns, batch_.size());
+  return writer_->append(columns) && writer_->finish(columns, "step");
 }
 
 bool ContactTable::flush() {
-  if (datasets_.empty() && !make_datasets(true)) return false;
-  const auto first = static_cast<hsize_t>(flushed_);
-  const hsize_t count = batch_.size();
-  bool is_written = true;
-  const auto write = [&](std::size_t dataset, hid_t type, const void* data) {
-    is_written = h5::write_part(datasets_[dataset], type, first, count, data) >= 0 && is_written;
-  };
-  const auto steps = [&](auto member) {
-    return gather<std::int64_t>(batch_, [member](const Contact& contact) { return contact.*member; });
-  };
-  write(0, H5T_NATIVE_INT64, steps(&Contact::step).data());
-  write(1, H5T_NATIVE_INT64, steps(&Contact::last_step).data());
-  const auto walls = gather<std::uint8_t>(
-      batch_, [](const Contact& contact) { return static_cast<std::uint8_t>(contact.wall); });
-  write(2, H5T_NATIVE_UINT8, walls.data());
-  for (std::size_t column = 0; column < kContactColumns.size(); ++column) {
-    const auto member = kContactColumns[column].value;
-    const auto values = gather<double>(batch_, [member](const Contact& contact) { return contact.*member; });
-    write(3 + column, H5T_NATIVE_DOUBLE, values.data());
-  }
+  const std::vector<Column> columns = columns_of(kContactColumns, batch_);
+  if (!writer_) writer_.emplace(group_, columns, 0, kBatch);
   flushed_ += static_cast<std::int64_t>(batch_.size());
   batch_.clear();
-  return is_written;
-}
-
-bool ContactTable::describe() const {
-  h5::write_attribute(datasets_[0], "long_name", "first clamped row");
-  h5::write_attribute(datasets_[1], "long_name", "last clamped row");
-  h5::write_attribute(datasets_[2], "long_name", "wall: 1 left, 2 right, 4 top, 8 ground");
-  for (std::size_t column = 0; column < kContactColumns.size(); ++column) {
-    h5::write_attribute(datasets_[3 + column], "units", kContactColumns[column].unit);
-    h5::write_attribute(datasets_[3 + column], "long_name", kContactColumns[column].long_name);
-  }
-  h5::write_flags(datasets_[2], "flag_values", std::span(kContactFlags).first(kWalls.size()),
-                  std::span(kContactFlagNames).first(kWalls.size()));
-  return h5::share_axis(group_, "step");
+  return writer_->append(columns);
 }
 
 bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs) {

@@ -52,17 +52,15 @@ class ContactTable {
   /// REQUIRES: contact `index` was appended.
   [[nodiscard]] bool set_last_step(std::int64_t index, std::int64_t last_step);
   [[nodiscard]] bool finish();
-  void close() { datasets_.clear(); }
+  void close() { writer_.reset(); }
 
  private:
-  [[nodiscard]] bool make_datasets(bool is_growing);
   [[nodiscard]] bool flush();
-  [[nodiscard]] bool describe() const;
 
   hid_t group_;
   std::vector<Contact> batch_;
   std::int64_t flushed_ = 0;
-  std::vector<h5::Handle> datasets_;  // step, last_step, wall, then kContactColumns.
+  std::optional<h5::ColumnWriter> writer_;
 };
 
 /// Writes the attributes of `/`, the group /events and the group /provenance.

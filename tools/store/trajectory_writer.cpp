@@ -14,9 +14,8 @@
 namespace hyrax {
 namespace {
 
-constexpr std::uint64_t kRowBytes = 8 + 8 * kRowColumns.size() + 1;  // step, columns, contact.
-constexpr std::uint64_t kContactBytes =
-    2 * 8 + 1 + 8 * kContactColumns.size();  // step, last_step, wall, columns.
+constexpr std::uint64_t kRowBytes = 8 + 8 * kRowColumns.size() + 1;      // step, columns, contact.
+constexpr std::uint64_t kContactBytes = 8 * std::size(kContactColumns);  // The wall has one byte.
 
 // At most two contacts in each step, in a corner.
 std::uint64_t contact_bytes_max(std::int64_t steps) {
@@ -108,8 +107,7 @@ void TrajectoryCsv::rows(const Columns& batch) {
   std::string text;
   for (std::size_t index = 0; index < batch.size(); ++index) {
     text += std::to_string(batch.step[index]);
-    for (const RowColumn& column : kRowColumns)
-      text.append(",").append(to_text((batch.*column.values)[index]));
+    for (const RowColumn& column : kRowColumns) text.append(",").append(to_text((batch.*column.also)[index]));
     text.append(",").append(std::to_string(batch.contact[index])).append("\n");
   }
   write(text);

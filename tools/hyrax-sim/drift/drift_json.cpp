@@ -1,81 +1,23 @@
 #include "tools/hyrax-sim/drift/drift.h"
 
+#include "sim/reference/drift_columns.h"
+#include "tools/files/table_text.h"
+
 namespace hyrax {
 namespace {
-
-Json energy_parts_json(const ArcEnergyParts& parts) {
-  return Json::Object{{"gravity", parts.gravity}, {"drag", parts.drag}};
-}
-
-Json energy_parts_json(const ContactEnergyParts& parts) {
-  return Json::Object{{"flight", parts.flight},
-                      {"lift", parts.lift},
-                      {"bounce", parts.bounce},
-                      {"friction", parts.friction},
-                      {"rest", parts.rest}};
-}
-
-Json arc_json(const ArcErrors& arc) {
-  return Json::Object{{"first_step", arc.first_step},
-                      {"last_step", arc.last_step},
-                      {"duration_s", arc.duration_s},
-                      {"ended_by", kArcEndNames[static_cast<std::size_t>(arc.ended_by)]},
-                      {"implementation_px", arc.implementation_px},
-                      {"truncation_px", arc.truncation_px},
-                      {"model_px", arc.model_px},
-                      {"energy_drift_rel_max", arc.energy_drift_rel_max},
-                      {"energy_drift_rel_end", arc.energy_drift_rel_end},
-                      {"energy_drift_slope_px_per_s", or_null(arc.energy_drift_slope_px_per_s)},
-                      {"energy_drift_slope_per_s", or_null(arc.energy_drift_slope_per_s)},
-                      {"energy_drift_max", arc.energy_drift_max_px2_per_s2},
-                      {"energy_drift_end", arc.energy_drift_end_px2_per_s2},
-                      {"exact_law_px", arc.exact_law_px},
-                      {"energy_parts", energy_parts_json(arc.energy_parts)},
-                      {"gsl_vs_closed_px", or_null(arc.gsl_vs_closed_px)}};
-}
-
-Json contact_json(const ImpactErrors& contact) {
-  return Json::Object{{"step", contact.step},
-                      {"wall", kWallNames[wall_index(contact.wall)]},
-                      {"time_error_s", or_null(contact.time_error_s)},
-                      {"overshoot_px", contact.overshoot_px},
-                      {"energy_jump_rel", contact.energy_jump_rel},
-                      {"effective_restitution", or_null(contact.effective_restitution)},
-                      {"energy_parts", energy_parts_json(contact.energy_parts)}};
-}
-
-template <class Value, class Write>
-Json list_of(const std::vector<Value>& values, const Write& write) {
-  Json::Array list;
-  for (const Value& value : values) list.push_back(write(value));
-  return list;
-}
-
-struct WorstKey {
-  const char* key;
-  std::optional<Worst> DriftSummary::*worst;
-};
-constexpr WorstKey kWorstKeys[] = {
-    {"implementation_px", &DriftSummary::implementation_px},
-    {"truncation_px", &DriftSummary::truncation_px},
-    {"model_px", &DriftSummary::model_px},
-    {"exact_law_px", &DriftSummary::exact_law_px},
-    {"energy_drift_rel_max", &DriftSummary::energy_drift_rel_max},
-    {"energy_drift_slope_px_per_s", &DriftSummary::energy_drift_slope_px_per_s},
-    {"energy_drift_slope_per_s", &DriftSummary::energy_drift_slope_per_s},
-    {"energy_drift_max", &DriftSummary::energy_drift_max_px2_per_s2},
-    {"gsl_vs_closed_px", &DriftSummary::gsl_vs_closed_px},
-    {"time_error_s", &DriftSummary::time_error_s},
-    {"overshoot_px", &DriftSummary::overshoot_px},
-    {"energy_jump_rel", &DriftSummary::energy_jump_rel}};
 
 // The value of each worst error, or its step: an arc's first_step, a contact's step.
 Json worst_json(const DriftSummary& summary, const auto Worst::*member) {
   Json::Object object;
-  for (const auto& [key, error] : kWorstKeys) {
-    const std::optional<Worst>& worst = summary.*error;
-    object.emplace_back(key, worst ? Json((*worst).*member) : Json());
-  }
+  const auto add = [&](const auto& columns) {
+    for (const auto& column : columns)
+      if (const auto worst = column.also; worst != nullptr)
+        object.emplace_back(key_of(column_of(column, {})),
+                            summary.*worst ? Json((*(summary.*worst)).*member) : Json());
+  };
+  add(kArcColumns);
+  add(kReferenceArcColumns);
+  add(kImpactColumns);
   return object;
 }
 
@@ -88,21 +30,15 @@ Json restitution_json(const Spread& spread) {
 }
 
 Json sensitivity_json(const Sensitivity& sensitivity) {
-  return list_of(std::vector(sensitivity.begin(), sensitivity.end()),
-                 [](const auto& row) { return Json(Json::Array(row.begin(), row.end())); });
+  Json::Array rows;
+  for (const auto& row : sensitivity) rows.emplace_back(Json::Array(row.begin(), row.end()));
+  return rows;
 }
 
-Json whole_json(const DriftRun& run) {
-  if (!run.whole.run) return nullptr;
-  const WholeRun& whole = *run.whole.run;
-  return Json::Object{{"end_px", whole.end_px},
-                      {"max_px", whole.max_px},
-                      {"max_px_step", whole.max_px_step},
-                      {"energy_end_px", whole.energy_end_px},
-                      {"energy_max_px", whole.energy_max_px},
-                      {"secular_px_per_s", or_null(run.summary.secular_px_per_s)},
-                      {"contacts_differ_from", or_null(whole.contacts_differ_from)},
-                      {"reference", "exact fling"}};
+Json whole_json(const WholeOutcome& whole) {
+  Json json = json_of(whole_table(whole));
+  if (whole.run) json.get<Json::Object>()->emplace_back("reference", "exact fling");
+  return json;
 }
 
 Json half_dt_json(const HalfDtOutcome& outcome) {
@@ -142,12 +78,15 @@ Json margin_json(const Margin& margin, const std::optional<ContactChance>& chanc
 Json::Object drift_json(const DriftReport& report) {
   const DriftSummary& summary = report.run.summary;
   const std::vector<std::string> omitted = not_computed(report);
+  Table arcs{.columns = columns_of(kArcColumns, report.run.arcs)};
+  for (Column& column : columns_of(kReferenceArcColumns, report.run.arcs))
+    arcs.columns.push_back(std::move(column));
   return {
-      {"whole", whole_json(report.run)},
+      {"whole", whole_json(report.run.whole)},
       {"whole_why", report.run.whole.run ? Json() : Json(report.run.whole.why_not)},
       {"skipped_arcs", summary.skipped_arcs},
-      {"arcs", list_of(report.run.arcs, arc_json)},
-      {"contacts", list_of(report.run.contacts, contact_json)},
+      {"arcs", json_of(arcs)},
+      {"contacts", json_of(Table{.columns = columns_of(kImpactColumns, report.run.contacts)})},
       {"sensitivity", sensitivity_json(report.run.margin.sensitivity)},
       {"worst", worst_json(summary, &Worst::value)},
       {"worst_step", worst_json(summary, &Worst::step)},
@@ -155,7 +94,7 @@ Json::Object drift_json(const DriftReport& report) {
       {"contacts_measured", summary.contacts},
       {"effective_restitution", restitution_json(summary.effective_restitution)},
       {"margin", margin_json(report.run.margin, report.contact_chance)},
-      {"steps_astray", summary.differing_steps},
+      {"differing_steps", summary.differing_steps},
       {"reference_faults", summary.reference_faults},
       {"first_reference_fault", summary.reference_faults > 0 ? Json(summary.first_reference_fault) : Json()},
       {"non_finite_step", or_null(summary.non_finite_step)},

@@ -109,6 +109,7 @@ DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
   run.summary = sinks_->meter.finish();
   run.margin = sinks_->margin.margin();
   run.whole = sinks_->whole.outcome();
+  if (run.whole.run) run.whole.run->secular_px_per_s = run.summary.secular_px_per_s;
   return std::move(run);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/reference/drift_columns.h"
 #include "sim/reference/model.h"
 #include "tools/hyrax-sim/command_line/print.h"
 #include "tools/hyrax-sim/drift/drift.h"
@@ -23,15 +24,6 @@ std::string number(const std::optional<double>& value) { return value ? number(*
 std::string number(const std::optional<Worst>& worst) {
   return worst ? number(worst->value) : std::string("-");
 }
-std::string percent(double rel) { return number(100.0 * rel); }
-std::string percent(const std::optional<double>& rel) { return rel ? percent(*rel) : std::string("-"); }
-std::string percent(const std::optional<Worst>& worst) {
-  return worst ? number(100.0 * worst->value) : std::string("-");
-}
-std::string milliseconds(const std::optional<double>& seconds) {
-  return seconds ? number(1e3 * *seconds) : std::string("-");
-}
-
 // At most two digits.
 std::string brief(double value) {
   const double size = std::fabs(value);
@@ -73,9 +65,56 @@ std::string whole_text(const DriftReport& report) {
   return text;
 }
 
-template <class... Columns>
-std::string arc_line(const Columns&... columns) {
-  return fmt::format("  {:>7} {:>7} {:>7} {:<6} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", columns...);
+std::string padded(const std::string& text, int width) {
+  return width < 0 ? fmt::format(" {:<{}}", text, -width) : fmt::format(" {:>{}}", text, width);
+}
+
+// A line of the text columns: field(column) of each, at its width.
+std::string line_of(const auto& field, const auto&... columns) {
+  std::string line = " ";
+  const auto add = [&](const auto& described) {
+    for (const auto& each : described)
+      if (const int width = each.text.width; width != 0) line += padded(field(each), width);
+  };
+  (add(columns), ...);
+  return line + "\n";
+}
+
+template <class Record>
+std::string field_of(const DriftColumn<Record>& column, std::optional<double> value) {
+  if (!value) return "-";
+  const double scaled = column.text.scale * *value;
+  return *column.text.format != '\0' ? fmt::format(fmt::runtime(column.text.format), scaled) : number(scaled);
+}
+
+template <class Record>
+std::string field_of(const DriftColumn<Record>& column, const Record& record) {
+  if (const auto* const code = std::get_if<typename DriftColumn<Record>::Code>(&column.get))
+    return std::string(code->names.of(code->of(record)));
+  if (const auto* const row = std::get_if<std::int64_t Record::*>(&column.get))
+    return std::to_string(record.**row);
+  return field_of(column, column.number(record));
+}
+
+// The first records under the columns' heads.
+template <class Record>
+std::string table_text(const std::vector<Record>& records, std::size_t lines_max, const auto&... columns) {
+  std::string text = line_of([](const auto& each) { return std::string(each.text.head); }, columns...);
+  const std::string units = line_of([](const auto& each) { return std::string(each.text.unit); }, columns...);
+  if (units.find_first_not_of(" \n") != std::string::npos) text += units;
+  for (std::size_t index = 0; index < std::min(records.size(), lines_max); ++index)
+    text += line_of([&](const auto& each) { return field_of(each, records[index]); }, columns...);
+  return text;
+}
+
+// The largest of each column.
+std::string worst_line(const DriftSummary& summary, const auto&... columns) {
+  const auto worst = [&](const auto& each) {
+    if (each.also == nullptr) return std::string();
+    const std::optional<Worst>& largest = summary.*each.also;
+    return field_of(each, largest ? std::optional(largest->value) : std::nullopt);
+  };
+  return line_of(worst, columns...).replace(2, 7, "  worst");
 }
 
 // The drift in percent depends on how high the arc begins; this does not.
@@ -109,44 +148,16 @@ std::string exact_law_text(const DriftSummary& summary) {
 std::string arcs_text(const DriftRun& run, std::size_t lines_max) {
   const DriftSummary& summary = run.summary;
   if (summary.arcs == 0) return "  no flight arc of two steps or more\n";
-  std::string text =
-      arc_line("arc", "", "time", "ended", "implem.", "trunc.", "model", "drift", "slope", "slope", "GSL") +
-      arc_line("from", "to", "s", "by", "px", "px", "px", "%", "px/s", "%/s", "off px");
-  for (std::size_t index = 0; index < std::min(run.arcs.size(), lines_max); ++index) {
-    const ArcErrors& arc = run.arcs[index];
-    text += arc_line(arc.first_step, arc.last_step, fmt::format("{:.4g}", arc.duration_s),
-                     kArcEndNames[static_cast<std::size_t>(arc.ended_by)], number(arc.implementation_px),
-                     number(arc.truncation_px), number(arc.model_px), percent(arc.energy_drift_rel_max),
-                     number(arc.energy_drift_slope_px_per_s), percent(arc.energy_drift_slope_per_s),
-                     number(arc.gsl_vs_closed_px));
-  }
-  return text + more_text(summary.arcs, lines_max) +
-         arc_line("worst", "", "", "", number(summary.implementation_px), number(summary.truncation_px),
-                  number(summary.model_px), percent(summary.energy_drift_rel_max),
-                  number(summary.energy_drift_slope_px_per_s), percent(summary.energy_drift_slope_per_s),
-                  number(summary.gsl_vs_closed_px)) +
+  return table_text(run.arcs, lines_max, kArcColumns, kReferenceArcColumns) +
+         more_text(summary.arcs, lines_max) + worst_line(summary, kArcColumns, kReferenceArcColumns) +
          energy_text(summary) + causes_text(summary) + exact_law_text(summary);
-}
-
-template <class... Columns>
-std::string contact_line(const Columns&... columns) {
-  return fmt::format("  {:>7} {:<6} {:>14} {:>14} {:>14} {:>14}\n", columns...);
 }
 
 std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
   const DriftSummary& summary = run.summary;
   if (summary.contacts == 0) return "";
   std::string text =
-      contact_line("contact", "wall", "time error ms", "overshoot px", "energy jump %", "restitution");
-  for (std::size_t index = 0; index < std::min(run.contacts.size(), lines_max); ++index) {
-    const ImpactErrors& contact = run.contacts[index];
-    text +=
-        contact_line(contact.step, kWallNames[wall_index(contact.wall)], milliseconds(contact.time_error_s),
-                     number(contact.overshoot_px), percent(contact.energy_jump_rel),
-                     contact.effective_restitution ? fmt::format("{:.4f}", *contact.effective_restitution)
-                                                   : std::string("-"));
-  }
-  text += more_text(summary.contacts, lines_max);
+      table_text(run.contacts, lines_max, kImpactColumns) + more_text(summary.contacts, lines_max);
   const Spread& restitution = summary.effective_restitution;
   if (restitution.count() > 0)
     text +=

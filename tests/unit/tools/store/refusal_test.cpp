@@ -114,11 +114,10 @@ TEST_F(Refusal, OfAScenarioThatIsNone) {
 
 TEST_F(Refusal, OfAMissingDataset) {
   const std::string whole = bytes_of(path_);
-  std::vector<std::string> names = {"/trajectory/step",    "/trajectory/contact", "/contacts/step",
-                                    "/contacts/last_step", "/contacts/wall",      "/events/frame",
-                                    "/events/kind",        "/events/a",           "/events/b"};
+  std::vector<std::string> names = {"/trajectory/step", "/trajectory/contact", "/events/frame",
+                                    "/events/kind",     "/events/a",           "/events/b"};
   for (const RowColumn& column : kRowColumns) names.push_back(std::string("/trajectory/") + column.name);
-  for (const ContactColumn& column : kContactColumns)
+  for (const ColumnOf<Contact>& column : kContactColumns)
     names.push_back(std::string("/contacts/") + column.name);
   for (const std::string& name : names) {
     write_bytes(path_, whole);

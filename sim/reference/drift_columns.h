@@ -1,0 +1,155 @@
+// What drift measures, each quantity once: its name, unit, description and value, and how text and JSON show
+// it. Tables, text, JSON and HDF5 are made of these lists by code that knows no quantity.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/reference/drift.h"
+#include "sim/reference/whole_run.h"
+#include "sim/result/table.h"
+
+namespace hyrax {
+
+/// With the largest in magnitude, if it is kept.
+template <class Record>
+using DriftColumn = ColumnOf<Record, std::optional<Worst> DriftSummary::*>;
+
+inline constexpr DriftColumn<ArcErrors> kArcColumns[] = {
+    {"first_step", "", "row that the arc begins with", &ArcErrors::first_step, "",
+     TextColumn("arc", "from", 7)},
+    {"last_step", "", "row that the arc ends with", &ArcErrors::last_step, "", TextColumn("", "to", 7)},
+    {"duration", "s", "time from the first row to the last", &ArcErrors::duration_s, "",
+     TextColumn("time", "s", 7, 1.0, "{:.4g}")},
+    {"ended_by", "", "what ended the arc",
+     DriftColumn<ArcErrors>::Code{[](const ArcErrors& a) { return static_cast<std::uint8_t>(a.ended_by); },
+                                  {kArcEndNames}},
+     "", TextColumn("ended", "by", -6)},
+    {"implementation", "px", "largest distance from the discrete closed form", &ArcErrors::implementation_px,
+     "", TextColumn("implem.", "px", 9), &DriftSummary::implementation_px},
+    {"truncation", "px", "largest distance from the matched ODE", &ArcErrors::truncation_px, "",
+     TextColumn("trunc.", "px", 8), &DriftSummary::truncation_px},
+    {"model", "px", "largest distance from the ODE with the drag rate of 60 Hz", &ArcErrors::model_px, "",
+     TextColumn("model", "px", 8), &DriftSummary::model_px},
+    {"energy_drift_rel_max", "1",
+     "energy_drift_max / largest energy of the matched ODE, 1200 px2/s2 at least",
+     &ArcErrors::energy_drift_rel_max, "", TextColumn("drift", "%", 8, 100.0),
+     &DriftSummary::energy_drift_rel_max},
+    {"energy_drift_rel_end", "1",
+     "energy_drift_end / largest energy of the matched ODE, 1200 px2/s2 at least",
+     &ArcErrors::energy_drift_rel_end},
+    {"energy_drift_slope_height", "px/s", "slope of a line fitted to the energy drift as height",
+     &ArcErrors::energy_drift_slope_px_per_s, "energy_drift_slope_px_per_s", TextColumn("slope", "px/s", 8),
+     &DriftSummary::energy_drift_slope_px_per_s},
+    {"energy_drift_slope", "1/s", "slope of a line fitted to the relative energy drift",
+     &ArcErrors::energy_drift_slope_per_s, "energy_drift_slope_per_s", TextColumn("slope", "%/s", 8, 100.0),
+     &DriftSummary::energy_drift_slope_per_s},
+    {"energy_drift_max",
+     "px2/s2",
+     "largest energy drift in magnitude",
+     &ArcErrors::energy_drift_max_px2_per_s2,
+     "energy_drift_max",
+     {},
+     &DriftSummary::energy_drift_max_px2_per_s2},
+    {"energy_drift_end", "px2/s2", "energy of the run minus the matched ODE's at the last row",
+     &ArcErrors::energy_drift_end_px2_per_s2, "energy_drift_end"},
+    {"exact_law",
+     "px",
+     "largest distance from the flow of the step's exact law",
+     &ArcErrors::exact_law_px,
+     "",
+     {},
+     &DriftSummary::exact_law_px},
+    {"implementation_speed", "px/s", "largest difference of velocity from the discrete closed form",
+     &ArcErrors::implementation_px_per_s, "-"},
+    {"truncation_speed", "px/s", "largest difference of velocity from the matched ODE",
+     &ArcErrors::truncation_px_per_s, "-"},
+    {"exact_law_speed", "px/s", "largest difference of velocity from the flow of the step's exact law",
+     &ArcErrors::exact_law_px_per_s, "-"},
+    {"energy_by_gravity", "px2/s2", "part of energy_drift_end by the discretisation of gravity",
+     [](const ArcErrors& a) { return a.energy_parts.gravity; }, "energy_parts/gravity"},
+    {"energy_by_drag", "px2/s2", "part of energy_drift_end by drag along another path",
+     [](const ArcErrors& a) { return a.energy_parts.drag; }, "energy_parts/drag"},
+};
+
+/// Of the reference itself, or of what it was checked by.
+inline constexpr DriftColumn<ArcErrors> kReferenceArcColumns[] = {
+    {"energy_largest", "px2/s2", "largest specific energy of the matched ODE",
+     &ArcErrors::energy_largest_px2_per_s2, "-"},
+    {"coordinate_largest", "px", "largest coordinate of run and matched ODE",
+     &ArcErrors::coordinate_largest_px, "-"},
+    {"gsl_vs_closed", "px", "largest distance between GSL's solution and the closed form",
+     &ArcErrors::gsl_vs_closed_px, "", TextColumn("GSL", "off px", 8), &DriftSummary::gsl_vs_closed_px},
+};
+
+inline constexpr DriftColumn<ImpactErrors> kImpactColumns[] = {
+    {"step", "", "clamped row", &ImpactErrors::step, "", TextColumn("contact", "", 7)},
+    {"wall", "", "wall: 1 left, 2 right, 4 top, 8 ground",
+     DriftColumn<ImpactErrors>::Code{[](const ImpactErrors& c) { return static_cast<std::uint8_t>(c.wall); },
+                                     {kWallNames, true}},
+     "", TextColumn("wall", "", -6)},
+    {"time_error", "s", "time of the clamped row minus the true impact's", &ImpactErrors::time_error_s, "",
+     TextColumn("time error ms", "", 14, 1e3), &DriftSummary::time_error_s},
+    {"overshoot", "px", "how far past the wall the unclamped position was", &ImpactErrors::overshoot_px, "",
+     TextColumn("overshoot px", "", 14), &DriftSummary::overshoot_px},
+    {"energy_jump_rel", "1",
+     "energy change over the clamped step / largest energy of the arc, 1200 px2/s2 at least",
+     &ImpactErrors::energy_jump_rel, "", TextColumn("energy jump %", "", 14, 100.0),
+     &DriftSummary::energy_jump_rel},
+    {"effective_restitution",
+     "1",
+     "normal speed after / normal speed at the true impact",
+     &ImpactErrors::effective_restitution,
+     "",
+     {"restitution", "", 14, 1.0, "{:.4f}"}},
+    {"energy_by_flight", "px2/s2", "energy change of the clamped step by its flight without walls",
+     [](const ImpactErrors& c) { return c.energy_parts.flight; }, "energy_parts/flight"},
+    {"energy_by_lift", "px2/s2", "by the lift out of the wall",
+     [](const ImpactErrors& c) { return c.energy_parts.lift; }, "energy_parts/lift"},
+    {"energy_by_bounce", "px2/s2", "by restitution",
+     [](const ImpactErrors& c) { return c.energy_parts.bounce; }, "energy_parts/bounce"},
+    {"energy_by_friction", "px2/s2", "by the friction of the ground",
+     [](const ImpactErrors& c) { return c.energy_parts.friction; }, "energy_parts/friction"},
+    {"energy_by_rest", "px2/s2", "by the rest rule",
+     [](const ImpactErrors& c) { return c.energy_parts.rest; }, "energy_parts/rest"},
+};
+
+inline constexpr DriftColumn<WholeRun> kWholeColumns[] = {
+    {"end", "px", "distance from the exact fling in the last row", &WholeRun::end_px},
+    {"max", "px", "largest distance from the exact fling", &WholeRun::max_px},
+    {"max_step", "", "row of the largest distance", &WholeRun::max_px_step, "max_px_step"},
+    {"energy_end", "px", "energy of the run minus the exact fling's in the last row, as height",
+     &WholeRun::energy_end_px},
+    {"energy_max", "px", "largest difference of energies, as height", &WholeRun::energy_max_px},
+    {"secular", "px/s", "slope of the energy drift in flight, as height", &WholeRun::secular_px_per_s},
+    {"contacts_differ_from", "", "row of the first contact that is not the exact fling's; -1: none",
+     &WholeRun::contacts_differ_from},
+};
+
+inline constexpr ColumnOf<RowErrors> kReferenceRowColumns[] = {
+    {"x", "px", "left edge by the matched ODE", &RowErrors::x_px},
+    {"y", "px", "top edge by the matched ODE", &RowErrors::y_px},
+    {"vx", "px/s", "velocity to the right by the matched ODE", &RowErrors::vx_px_per_s},
+    {"vy", "px/s", "velocity downwards by the matched ODE", &RowErrors::vy_px_per_s},
+    {"energy", "px2/s2", "specific energy of the matched ODE, 0 at rest on the floor",
+     &RowErrors::energy_px2_per_s2},
+};
+
+inline constexpr ColumnOf<RowErrors> kDriftRowColumns[] = {
+    {"implementation", "px", "distance from the discrete closed form", &RowErrors::implementation_px},
+    {"truncation", "px", "distance from the matched ODE", &RowErrors::truncation_px},
+    {"model", "px", "distance from the ODE with the drag rate of 60 Hz", &RowErrors::model_px},
+    {"energy", "px2/s2", "specific energy of the run, 0 at rest on the floor",
+     [](const RowErrors& r) { return r.energy_px2_per_s2 + r.energy_drift_px2_per_s2; }},
+    {"energy_drift", "px2/s2", "specific energy of the run minus the matched ODE's",
+     &RowErrors::energy_drift_px2_per_s2},
+};
+
+/// One row, or none without an exact fling.
+[[nodiscard]] inline Table whole_table(const WholeOutcome& whole) {
+  const auto runs = whole.run ? std::vector{*whole.run} : std::vector<WholeRun>();
+  return {.name = "whole", .columns = columns_of(kWholeColumns, runs), .shape = JsonShape::one};
+}
+
+}  // namespace hyrax
