@@ -7,7 +7,6 @@
   ONE(hard_cases)          \
   ONE(frame_rate)          \
   ONE(rest)                \
-  ONE(subnormals)          \
   ONE(paper)
 
 namespace hyrax {

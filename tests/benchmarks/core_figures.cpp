@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
@@ -89,6 +90,21 @@ Figure fling_figure() {
   constexpr double kGoal = 2.1;
 #endif
   return ratio("random flings, times faster than naive", timings[0], timings[1], 1.0, kGoal, true);
+}
+
+// vx of a fling on the floor ends at two units of the last place, with which some processors compute slowly.
+Figure floor_figure() {
+  const auto lie = [](double vx_px_per_s) {
+    for (int fling = 0; fling < 100; ++fling) {
+      physics body(700.0, 952.0, vx_px_per_s, 0.0);
+      for (int step = 0; step < 1000; ++step) body.update(kDt_s, 1920, 1080, 128, 128);
+      keep(body);
+    }
+  };
+  const auto timings = time_side_by_side(
+      {[&] { lie(2.0 * std::numeric_limits<double>::denorm_min()); }, [&] { lie(0.0); }}, kRounds);
+  return ratio("a step on the floor with a subnormal vx, times one without", timings[0], timings[1], 1.0,
+               100.0, false);
 }
 
 Scenario scene(std::int64_t steps) {
@@ -211,7 +227,7 @@ Figure writer_figure() {
 }  // namespace
 
 std::vector<Figure> core_figures() {
-  return {flight_figure(), fling_figure(), soak_figure(), hash_figure(), writer_figure()};
+  return {flight_figure(), fling_figure(), floor_figure(), soak_figure(), hash_figure(), writer_figure()};
 }
 
 }  // namespace hyrax::bench

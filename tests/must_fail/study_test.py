@@ -191,21 +191,6 @@ class Rest(StudyControl):
             self.assertGreater(abs(measured - analytic), 1e-4 * analytic)
 
 
-class Subnormals(StudyControl):
-    """vx is stuck where the constants and rounding have it; a core that loses less is not there in time."""
-
-    def test_no_change_is_green(self):
-        outcome = self.study("none", "subnormals")
-        self.assertEqual(outcome.exit_code, AGREED, outcome)
-
-    def test_a_core_whose_vx_ends_elsewhere_is_reported(self):
-        for core in ("friction_left_out", "no_losses", "rest_rule_on_vx"):
-            with self.subTest(core=core):
-                outcome = self.study(core, "subnormals")
-                self.assertEqual(outcome.exit_code, DISAGREED, outcome)
-                self.assertIn("vx ends at", outcome.json["broken"][0])
-
-
 class FrameRate(StudyControl):
     """The results for the step hold for the core, and drag by time changes them."""
 

@@ -255,7 +255,7 @@ Command study_command() {
   return {
       .name = "study",
       .summary =
-          "measure error against cost, needs, hard cases, frame rates, rest, subnormals, the paper's claims",
+          "measure error against cost, needs, hard cases, frame rates, rest, the paper's claims",
       .example =
           "hyrax-sim study speed-error -o studies\n"
           "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
