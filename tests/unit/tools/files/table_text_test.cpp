@@ -98,6 +98,32 @@ TEST(JsonOfTable, ACellMayHoldATable) {
   EXPECT_EQ(json_text(table), R"([{ "parts": [{ "n": 7 }] }])");
 }
 
+struct Throw {
+  double speed_px_per_s = 0.0;
+  std::optional<double> landing_px;
+  std::optional<std::int64_t> row;
+  std::uint8_t wall = 0;
+};
+
+constexpr std::string_view kWalls[] = {"left", "right", "top"};
+constexpr ColumnOf<Throw> kColumns[] = {
+    {"speed", "px/s", "", &Throw::speed_px_per_s},
+    {"landing", "px", "", &Throw::landing_px, "where/x"},
+    {"row", "", "", &Throw::row, "where/row"},
+    {"wall", "", "", ColumnOf<Throw>::Code{[](const Throw& each) { return each.wall; }, {kWalls, true}}},
+    {"speed_rel", "1", "", [](const Throw& each) { return each.speed_px_per_s / 2000.0; }, "-"},
+};
+
+TEST(TableOfRecords, HasNamesOfCodesMembersOfObjectsAndOnlyWhatHasAKey) {
+  const Table table{.columns =
+                        columns_of(kColumns, std::vector<Throw>{{1000.0, 2.5, 7, 4}, {500.0, {}, {}, 1}})};
+  EXPECT_EQ(json_text(table),
+            R"([{ "speed_px_per_s": 1000, "where": { "x": 2.5, "row": 7 }, "wall": "top" }, )"
+            R"({ "speed_px_per_s": 500, "where": { "x": null, "row": null }, "wall": "left" }])");
+  EXPECT_EQ(csv_text(table),
+            "speed_px_per_s,landing_px,row,wall,speed_rel\n1000,2.5,7,top,0.5\n500,,,left,0.25\n");
+}
+
 TEST(AddMembers, MembersJoinTheObjectAndOthersAreNamed) {
   Json::Object object;
   add_members(object, {"", "", {{"within", "px", "", std::vector<double>{1.0}}}, JsonShape::members});
