@@ -149,11 +149,13 @@ template <class Record, class Also>
       return codes;
     } else if constexpr (std::is_same_v<Get, std::optional<double> Record::*>) {
       std::vector<double> numbers;
+      numbers.reserve(records.size());
       for (const Record& record : records)
         numbers.push_back((record.*get).value_or(std::numeric_limits<double>::quiet_NaN()));
       return numbers;
     } else {
       std::vector<std::decay_t<std::invoke_result_t<Get, const Record&>>> numbers;
+      numbers.reserve(records.size());
       for (const Record& record : records) numbers.push_back(std::invoke(get, record));
       return numbers;
     }
