@@ -11,7 +11,7 @@
 #include "sim/card/core_run.h"
 #include "sim/cause/header_change.h"
 #include "sim/reference/model.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/study.h"
 

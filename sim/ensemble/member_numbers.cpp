@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 
 namespace hyrax {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/reference/drift_columns.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 
 namespace hyrax {
 namespace {

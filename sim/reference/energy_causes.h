@@ -23,12 +23,12 @@ struct EnergyCauses {
 class EnergyCauseSum {
  public:
   [[nodiscard]] const EnergyCauses& now() const { return now_; }
-  void fly(const ArcErrors& arc) {
+  void add(const ArcErrors& arc) {
     now_.gravity += height(arc.energy_parts.gravity);
     now_.drag += height(arc.energy_parts.drag);
   }
   /// In a corner the lift is the same for both walls, and counts once.
-  void meet(const ImpactErrors& contact) {
+  void add(const ImpactErrors& contact) {
     if (contact.step != last_contact_) now_.lift += height(contact.energy_parts.lift);
     now_.bounce += height(contact.late_bounce_px2_per_s2.value_or(0.0));
     last_contact_ = contact.step;

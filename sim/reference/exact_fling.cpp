@@ -21,13 +21,13 @@ void ExactFling::start(const State& motion, const Bounds& bounds, bool slides, d
 
 void ExactFling::put_inside() {
   if (from_.x_px < 0.0)
-    meet(Wall::left);
+    bounce(Wall::left);
   else if (from_.x_px > bounds_.right_px)
-    meet(Wall::right);
+    bounce(Wall::right);
   if (from_.y_px < 0.0)
-    meet(Wall::top);
+    bounce(Wall::top);
   else if (from_.y_px > bounds_.bottom_px)
-    meet(Wall::ground);
+    bounce(Wall::ground);
 }
 
 State ExactFling::at(double t_s) {
@@ -35,7 +35,7 @@ State ExactFling::at(double t_s) {
   while (t_s >= next_s_) {
     from_ = fly(next_s_ - from_s_);
     from_s_ = next_s_;
-    meet(next_wall_);
+    bounce(next_wall_);
     find_next();
   }
   return fly(t_s - from_s_);
@@ -76,7 +76,7 @@ void ExactFling::turn(double& speed_px_per_s) const {
   if (std::fabs(speed_px_per_s) < std::numeric_limits<double>::min()) speed_px_per_s = 0.0;
 }
 
-void ExactFling::meet(Wall wall) {
+void ExactFling::bounce(Wall wall) {
   impacts_.push_back({from_s_, wall});
   if (wall == Wall::left || wall == Wall::right) {
     from_.x_px = wall == Wall::left ? 0.0 : bounds_.right_px;

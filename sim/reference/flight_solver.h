@@ -30,9 +30,9 @@ class FlightSolver {
   /// As hyrax::time_of_impact. A solver that failed returns NaN.
   [[nodiscard]] virtual std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) = 0;
 
-  /// Whether its distance from the closed form is held to the bounds that drift.h gives: a solver of
-  /// less than full accuracy may be asked for, and is then no judge.
-  [[nodiscard]] virtual bool is_judge() const = 0;
+  /// Whether its distance from the closed form must be within the bounds that drift.h gives. A solver asked
+  /// for with a lower accuracy shows its own error there.
+  [[nodiscard]] virtual bool is_accurate() const = 0;
 };
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-#include "sim/reference/frame_powers.h"
+#include "sim/reference/arc_solution.h"
 
 #include <cassert>
 

@@ -186,7 +186,7 @@ std::optional<Impact> GslFlight::time_of_impact(const Approach& approach, double
   return Impact{*t_s, axis.after(*t_s).speed_px_per_s, approach.drag_rate_per_s};
 }
 
-bool GslFlight::is_judge() const {
+bool GslFlight::is_accurate() const {
   return solver_->options.stepper == GslStepper::rk8pd && solver_->options.tolerance <= 1e-12;
 }
 

@@ -48,7 +48,7 @@ class GslFlight final : public FlightSolver {
   /// Brackets the crossing between states solved by GSL, and finds it by Brent's method.
   [[nodiscard]] std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) override;
   /// rk8pd at 1e-12 or less.
-  [[nodiscard]] bool is_judge() const override;
+  [[nodiscard]] bool is_accurate() const override;
 
  private:
   struct Solver;

@@ -1,4 +1,4 @@
-#include "sim/reference/reference_check.h"
+#include "sim/reference/arc_meter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +118,7 @@ std::optional<double> ReferenceCheck::apart_px() const {
 std::string_view ReferenceCheck::fault(double coordinate_largest_px) const {
   const Gathered& g = gathered_;
   if (g.has_failed) return "the second solver failed";
-  if (!solver_.is_judge()) return {};
+  if (!solver_.is_accurate()) return {};
   const double px_max = kSolversApart_px + kSolversApart_rel * coordinate_largest_px;
   const double speed_largest_px_per_s = std::sqrt(g.speed_largest_squared);
   const double px_per_s_max = kSolversApart_px_per_s + kSolversApart_rel * speed_largest_px_per_s;

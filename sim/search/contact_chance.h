@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {

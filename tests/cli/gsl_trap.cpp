@@ -21,6 +21,6 @@ bool GslFlight::advance(double) { return false; }
 Flight GslFlight::flight() const { return {}; }
 std::optional<Flight> GslFlight::model(double) { return std::nullopt; }
 std::optional<Impact> GslFlight::time_of_impact(const Approach&, double) { return std::nullopt; }
-bool GslFlight::is_judge() const { return false; }
+bool GslFlight::is_accurate() const { return false; }
 
 }  // namespace hyrax

@@ -13,7 +13,7 @@ namespace {
 constexpr UINT kTrayMessage = WM_APP + 1;
 constexpr UINT_PTR kMonitorTimer = Window::kModalTimer + 1;
 
-std::int64_t end_of(const Options& options) {
+std::int64_t end_of(const PetOptions& options) {
   if (!options.seconds) return std::numeric_limits<std::int64_t>::max();
   return clock_ticks() +
          static_cast<std::int64_t>(*options.seconds * static_cast<double>(clock_ticks_per_s()));
@@ -27,7 +27,7 @@ Velocity random_throw(std::uint64_t seed) {
 
 }  // namespace
 
-App::App(const Options& options, HINSTANCE instance)
+App::App(const PetOptions& options, HINSTANCE instance)
     : monitor_(monitor_under({0, 0})),
       pet_(monitor_.desk, clock_ticks_per_s(), clock_ticks()),
       recorder_(pet_, [this](const std::string& sentence) { notify(sentence); }),
@@ -152,7 +152,7 @@ void App::play_replayed_frame() {
   const Keyframe& now = playback_->now();
   show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0, {});
   if (!playback_->is_over()) return;
-  const Verdict verdict = playback_->finish();
+  const PlaybackVerdict verdict = playback_->finish();
   report(verdict);
   exit_code_ = verdict.exit_code;
 }

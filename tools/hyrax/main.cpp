@@ -26,7 +26,7 @@ std::vector<std::string> command_line() {
 }
 
 ExitCode run(HINSTANCE instance) {
-  const Options options = parse_options(command_line());
+  const PetOptions options = parse_options(command_line());
   if (options.wants_help || options.wants_version) {
     report(options.wants_help ? std::string(help_text()) : "hyrax " + std::string(build_info().version));
     return ExitCode::agreed;
@@ -34,7 +34,7 @@ ExitCode run(HINSTANCE instance) {
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
   if (options.only_exits) {
-    const Verdict verdict = replayed(load_scenario(*options.replay_path));
+    const PlaybackVerdict verdict = replayed(load_scenario(*options.replay_path));
     report(verdict);
     return verdict.exit_code;
   }

@@ -54,7 +54,7 @@ double seconds_of(const std::string& text) {
   return seconds;
 }
 
-void check(const Options& options) {
+void check(const PetOptions& options) {
   if (options.only_exits && !options.replay_path) refuse("--exit needs --replay FILE");
   if (options.record_path && options.replay_path)
     refuse("--record is not allowed with --replay: a replay is recorded already");
@@ -62,8 +62,8 @@ void check(const Options& options) {
 
 }  // namespace
 
-Options parse_options(const std::vector<std::string>& arguments) {
-  Options options;
+PetOptions parse_options(const std::vector<std::string>& arguments) {
+  PetOptions options;
   for (Arguments given(arguments); given.next();) {
     const std::string& option = given.option();
     if (option == "--record")

@@ -8,7 +8,7 @@
 
 namespace hyrax {
 
-struct Options {
+struct PetOptions {
   std::optional<std::string> record_path;  ///< Record from start to end.
   std::optional<std::string> replay_path;  ///< Play this scenario, then end.
   std::optional<std::string> log_path;     ///< One line per frame.
@@ -19,7 +19,7 @@ struct Options {
 };
 
 /// ERRORS: Failure(bad_input) that names the option, the value and the rule.
-[[nodiscard]] Options parse_options(const std::vector<std::string>& arguments);
+[[nodiscard]] PetOptions parse_options(const std::vector<std::string>& arguments);
 
 [[nodiscard]] std::string_view help_text();
 

@@ -11,7 +11,7 @@ constexpr std::int64_t kFramesAtOnceMax = 100'000;
 
 }  // namespace
 
-Verdict verdict_on(const Scenario& scenario, const RunSummary& run) {
+PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   const std::string hash = hex(run.state_hash);
   const std::string name = scenario.name + ": ";
   if (run.non_finite_step) return {ExitCode::disagreed, name + non_finite_text(scenario, run.final)};
@@ -23,7 +23,7 @@ Verdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   return {ExitCode::agreed, name + "state hash " + hash + " agrees"};
 }
 
-Verdict replayed(const Scenario& scenario) {
+PlaybackVerdict replayed(const Scenario& scenario) {
   RowSink sink;
   return verdict_on(scenario, replay(scenario, sink));
 }
@@ -44,7 +44,7 @@ void Playback::play(std::int64_t ticks) {
 
 bool Playback::is_over() const { return is_non_finite_ || now().row.step >= replay_.steps(); }
 
-Verdict Playback::finish() {
+PlaybackVerdict Playback::finish() {
   replay_.play_to(replay_.steps());
   return verdict_on(scenario_, replay_.finish());
 }

@@ -10,16 +10,16 @@
 namespace hyrax {
 
 /// The result of a replay, with which the program ends.
-struct Verdict {
+struct PlaybackVerdict {
   ExitCode exit_code = ExitCode::agreed;
   std::string sentence;
 };
 
 /// Whether the run has the state hash that its scenario expects; without one it agrees.
-[[nodiscard]] Verdict verdict_on(const Scenario& scenario, const RunSummary& run);
+[[nodiscard]] PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run);
 
 /// Plays a scenario at once.
-[[nodiscard]] Verdict replayed(const Scenario& scenario);
+[[nodiscard]] PlaybackVerdict replayed(const Scenario& scenario);
 
 class Playback {
  public:
@@ -32,7 +32,7 @@ class Playback {
   [[nodiscard]] const Keyframe& now() const { return replay_.keyframe(); }
   [[nodiscard]] Position position() const { return {now().row.x_px, now().row.y_px}; }
   /// Plays the remaining frames.
-  [[nodiscard]] Verdict finish();
+  [[nodiscard]] PlaybackVerdict finish();
 
  private:
   const Scenario& scenario_;

@@ -32,7 +32,7 @@ void report(std::string_view text) { report_on(STD_OUTPUT_HANDLE, text, MB_ICONI
 
 void report_error(std::string_view text) { report_on(STD_ERROR_HANDLE, text, MB_ICONERROR); }
 
-void report(const Verdict& verdict) {
+void report(const PlaybackVerdict& verdict) {
   verdict.exit_code == ExitCode::agreed ? report(verdict.sentence) : report_error(verdict.sentence);
 }
 

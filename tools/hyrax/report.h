@@ -15,7 +15,7 @@ void report(std::string_view text);
 void report_error(std::string_view text);
 
 /// As `report` if it agreed, else as `report_error`.
-void report(const Verdict& verdict);
+void report(const PlaybackVerdict& verdict);
 
 [[nodiscard]] std::wstring to_wide(std::string_view utf8);
 [[nodiscard]] std::string to_utf8(std::wstring_view wide);

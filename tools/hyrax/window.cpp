@@ -93,7 +93,7 @@ class Canvas {
   BYTE* pixels_ = nullptr;
 };
 
-void draw_picture(const Canvas& canvas, const Look& look, Size size) {
+void draw_picture(const Canvas& canvas, const SpriteLook& look, Size size) {
   const auto picture = load(resource_of(look.pose, size.width_px));
   if (look.faces_left) picture->RotateFlip(Gdiplus::RotateNoneFlipX);
   Gdiplus::Bitmap target(size.width_px, size.height_px, 4 * size.width_px, PixelFormat32bppPARGB,
@@ -167,7 +167,7 @@ LRESULT CALLBACK Window::window_procedure(HWND handle, UINT message, WPARAM wide
   return result;
 }
 
-void Window::show(const Look& look, ScreenPoint at) {
+void Window::show(const SpriteLook& look, ScreenPoint at) {
   if (look != shown_) draw(look);
   if (at == shown_at_) return;
   shown_at_ = at;
@@ -175,7 +175,7 @@ void Window::show(const Look& look, ScreenPoint at) {
                SWP_NOSIZE | SWP_NOZORDER | SWP_NOACTIVATE | SWP_NOOWNERZORDER);
 }
 
-void Window::draw(const Look& look) {
+void Window::draw(const SpriteLook& look) {
   const Size size{std::clamp(look.size.width_px, 1, kSideMax_px),
                   std::clamp(look.size.height_px, 1, kSideMax_px)};
   const Canvas canvas(size);

@@ -12,11 +12,11 @@
 namespace hyrax {
 
 /// What is drawn.
-struct Look {
+struct SpriteLook {
   Pose pose = Pose::fly;
   bool faces_left = false;
   Size size;
-  bool operator==(const Look&) const = default;
+  bool operator==(const SpriteLook&) const = default;
 };
 
 /// A layered window, always on top, drawn with alpha from the PNG resources: the one of exactly the size of
@@ -36,7 +36,7 @@ class Window {
   /// nullptr once it is closed.
   [[nodiscard]] HWND handle() const { return handle_; }
   /// Draws and moves the sprite if anything changed. ERRORS: Failure(program_fault).
-  void show(const Look& look, ScreenPoint at);
+  void show(const SpriteLook& look, ScreenPoint at);
   /// Where the window is, as the system reports it.
   [[nodiscard]] ScreenRect rect() const;
   void close() { DestroyWindow(handle_); }
@@ -58,12 +58,12 @@ class Window {
 
  private:
   static LRESULT CALLBACK window_procedure(HWND handle, UINT message, WPARAM wide, LPARAM low);
-  void draw(const Look& look);
+  void draw(const SpriteLook& look);
 
   ULONG_PTR gdiplus_ = 0;
   Handler handler_;
   HWND handle_ = nullptr;
-  Look shown_;
+  SpriteLook shown_;
   ScreenPoint shown_at_;
   int modals_ = 0;
   std::exception_ptr failure_;

@@ -221,14 +221,14 @@ Figure restitution_figure(const DriftPicture& picture) {
 class CauseSeries {
  public:
   [[nodiscard]] std::array<Series*, 5> all() { return {&gravity_, &drag_, &lift_, &bounce_, &sum_}; }
-  void fly(const ArcErrors& arc) {
+  void add(const ArcErrors& arc) {
     add(arc.t_s - arc.duration_s);
-    causes_.fly(arc);
+    causes_.add(arc);
     add(arc.t_s);
   }
-  void meet(const ImpactErrors& contact) {
+  void add(const ImpactErrors& contact) {
     add(contact.t_s);
-    causes_.meet(contact);
+    causes_.add(contact);
     add(contact.t_s);
   }
 
@@ -253,15 +253,15 @@ class CauseSeries {
 Figure causes_figure(const DriftPicture& picture) {
   CauseSeries causes;
   std::size_t next = 0;
-  const auto meet_before = [&](std::int64_t step) {
+  const auto add_before = [&](std::int64_t step) {
     for (; next < picture.contacts.size() && picture.contacts[next].step < step; ++next)
-      causes.meet(picture.contacts[next]);
+      causes.add(picture.contacts[next]);
   };
   for (const ArcErrors& arc : picture.arcs) {
-    meet_before(arc.last_step);
-    causes.fly(arc);
+    add_before(arc.last_step);
+    causes.add(arc);
   }
-  meet_before(std::numeric_limits<std::int64_t>::max());
+  add_before(std::numeric_limits<std::int64_t>::max());
   Plot plot = plot_over_time(picture, {.label = "energy so far, as px of height"});
   for (Series* const series : causes.all()) plot.series.push_back(std::move(*series));
   plot.marks = {{.is_vertical = false, .at = 0.0}};

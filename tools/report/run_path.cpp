@@ -1,4 +1,4 @@
-#include "tools/report/run_path.h"
+#include "tools/report/run_scene.h"
 
 #include <algorithm>
 #include <cmath>

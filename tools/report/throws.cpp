@@ -1,4 +1,4 @@
-#include "tools/report/throws.h"
+#include "tools/report/run_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tools/store/ensemble_columns.h"
+#include "tools/store/ensemble_file.h"
 
 #include <algorithm>
 #include <cstring>

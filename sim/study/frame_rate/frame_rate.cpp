@@ -30,9 +30,9 @@ const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string
 }
 
 // Plays one fling to its end, frame by frame.
-class FlingPlayed {
+class FlingPlayer {
  public:
-  FlingPlayed(const MethodKind& kind, const Landing& landing, const State& start)
+  FlingPlayer(const MethodKind& kind, const Landing& landing, const State& start)
       : runner_(kind.make()), start_(start), core_(start), landing_(landing) {
     runner_->start(start, kDrawnBounds);
   }
@@ -110,7 +110,7 @@ class DisplayFlings {
       const std::vector<MemberResult> by_core = method == 0 ? flings.play() : std::vector<MemberResult>();
       for (std::int64_t number = 0; number < flings_; ++number) {
         landing.fling = number + 1;
-        landings_.push_back(by_core.empty() ? FlingPlayed(kind, landing, flings.start(number))
+        landings_.push_back(by_core.empty() ? FlingPlayer(kind, landing, flings.start(number))
                                                   .play(flings.clock(number), flings.frames(), nullptr)
                                             : core_landing(kind, landing, flings, number,
                                                            by_core[static_cast<std::size_t>(number)]));
@@ -141,7 +141,7 @@ class DisplayFlings {
     const bool has_path =
         landing.clock == DisplayClock::steady &&
         std::find(kPathRates_hz.begin(), kPathRates_hz.end(), landing.rate_hz) != kPathRates_hz.end();
-    landings_.push_back(FlingPlayed(kind, landing, kDrawnFling)
+    landings_.push_back(FlingPlayer(kind, landing, kDrawnFling)
                             .play(flings.clock(0), flings.frames(), has_path ? &study_.paths : nullptr));
   }
 
@@ -149,7 +149,7 @@ class DisplayFlings {
   [[nodiscard]] Landing core_landing(const MethodKind& kind, Landing landing, const ManyFlings& flings,
                                      std::int64_t number, const MemberResult& by_core) const {
     if (landing.rate_hz == rates_hz_[near_60_]) {
-      FlingPlayed played(kind, landing, flings.start(number));
+      FlingPlayer played(kind, landing, flings.start(number));
       landing = played.play(flings.clock(number), flings.frames(), nullptr);
       landing.is_core &= same_bits(played.end(), by_core.final);
     }

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "sim/motion/state.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
+#include "sim/result/figure.h"
 #include "sim/study/methods/many_flings.h"
 
 namespace hyrax {
@@ -93,5 +94,9 @@ struct FrameRateStudy {
 /// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
 inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
 inline constexpr Bounds kDrawnBounds = kFlingBounds;
+
+/// Where the drawn fling settles against the display rate, how far off many flings settle, the path of the
+/// drawn one by either method.
+[[nodiscard]] std::vector<Figure> frame_rate_figures(const FrameRateStudy& study);
 
 }  // namespace hyrax

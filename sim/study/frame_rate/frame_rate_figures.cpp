@@ -1,4 +1,4 @@
-#include "sim/study/frame_rate/frame_rate_figures.h"
+#include "sim/study/frame_rate/frame_rate.h"
 
 #include <array>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/frame_rate/frame_rate_figures.h"
+#include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/study.h"
 
 namespace hyrax {

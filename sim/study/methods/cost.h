@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 
 namespace hyrax {
 

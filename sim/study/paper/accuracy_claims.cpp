@@ -10,7 +10,7 @@
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/core_constants.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

@@ -4,7 +4,7 @@
 
 #include "sim/motion/step.h"
 #include "sim/replay/core_constants.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

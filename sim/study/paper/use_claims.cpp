@@ -3,7 +3,7 @@
 
 #include "sim/reference/model.h"
 #include "sim/replay/core_constants.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {

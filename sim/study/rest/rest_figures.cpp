@@ -1,4 +1,4 @@
-#include "sim/study/rest/rest_figures.h"
+#include "sim/study/rest/rest_map.h"
 
 #include <algorithm>
 #include <array>

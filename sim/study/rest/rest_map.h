@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "sim/replay/core.h"
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
+#include "sim/result/figure.h"
 
 namespace hyrax {
 
@@ -76,5 +77,9 @@ struct RestResults {
 
 /// Of two rows, one frame apart.
 [[nodiscard]] FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px);
+
+/// Final states against the display rate, time to settle against the display rate, effective restitution
+/// against the phase of the contact.
+[[nodiscard]] std::vector<Figure> rest_figures(const RestResults& results);
 
 }  // namespace hyrax

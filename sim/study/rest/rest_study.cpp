@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/study/methods/many_flings.h"
-#include "sim/study/rest/rest_figures.h"
+#include "sim/study/rest/rest_map.h"
 #include "sim/study/study.h"
 
 namespace hyrax {

@@ -1,4 +1,4 @@
-#include "sim/study/speed_error/method_bands.h"
+#include "sim/study/speed_error/speed_error.h"
 
 #include <algorithm>
 #include <optional>

@@ -13,7 +13,6 @@
 #include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/command_line/progress.h"
 #include "tools/hyrax-sim/command_line/workers.h"
-#include "tools/hyrax-sim/golden/check_pictures.h"
 #include "tools/hyrax-sim/golden/check_report.h"
 #include "tools/hyrax-sim/golden/last_failed.h"
 #include "tools/store/golden_file.h"

@@ -1,4 +1,4 @@
-#include "tools/hyrax-sim/golden/check_pictures.h"
+#include "tools/hyrax-sim/golden/check_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/hyrax-sim/search/other_program.h"
+#include "tools/hyrax-sim/search/broken_rule.h"
 
 #include <algorithm>
 #include <filesystem>

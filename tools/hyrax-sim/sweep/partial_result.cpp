@@ -1,4 +1,4 @@
-#include "tools/hyrax-sim/sweep/partial_result.h"
+#include "tools/hyrax-sim/sweep/sweep_run.h"
 
 #include <cerrno>
 #include <cstdio>

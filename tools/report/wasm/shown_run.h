@@ -80,12 +80,12 @@ class ShownDrift final : public DriftSink {
   void row(const RowErrors& row) override { rows_.push_back(row); }
   void arc(const ArcErrors& arc) override {
     causes_.push_back({arc.first_step, sum_.now()});
-    sum_.fly(arc);
+    sum_.add(arc);
     causes_.push_back({arc.last_step, sum_.now()});
   }
   void contact(const ImpactErrors& contact) override {
     contacts_.push_back(contact);
-    sum_.meet(contact);
+    sum_.add(contact);
     causes_.push_back({contact.step, sum_.now()});
   }
 

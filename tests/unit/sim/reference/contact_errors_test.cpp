@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tests/unit/sim/reference/wide.h"
 

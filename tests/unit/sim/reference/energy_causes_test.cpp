@@ -22,9 +22,9 @@ ImpactErrors contact_at(std::int64_t step, Wall wall, double lift_px2_per_s2) {
 
 TEST(EnergyCauseSum, IsTheHeightThatEachEnergyLiftsBy) {
   EnergyCauseSum causes;
-  causes.fly(arc_with(1.1, -12.3));
-  causes.fly(arc_with(2.2, -12.3));
-  causes.meet(contact_at(7, Wall::ground, 120.0));
+  causes.add(arc_with(1.1, -12.3));
+  causes.add(arc_with(2.2, -12.3));
+  causes.add(contact_at(7, Wall::ground, 120.0));
   EXPECT_DOUBLE_EQ(causes.now().gravity, 3.3 / 1200.0);
   EXPECT_DOUBLE_EQ(causes.now().drag, -0.0205);
   EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
@@ -34,11 +34,11 @@ TEST(EnergyCauseSum, IsTheHeightThatEachEnergyLiftsBy) {
 
 TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnce) {
   EnergyCauseSum causes;
-  causes.meet(contact_at(7, Wall::left, 120.0));
-  causes.meet(contact_at(7, Wall::ground, 120.0));
+  causes.add(contact_at(7, Wall::left, 120.0));
+  causes.add(contact_at(7, Wall::ground, 120.0));
   EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
   EXPECT_DOUBLE_EQ(causes.now().bounce, 1.0);
-  causes.meet(contact_at(8, Wall::ground, 120.0));
+  causes.add(contact_at(8, Wall::ground, 120.0));
   EXPECT_DOUBLE_EQ(causes.now().lift, 0.2);
 }
 
@@ -46,7 +46,7 @@ TEST(EnergyCauseSum, CountsNoBounceThatHasNoTimeOfImpact) {
   EnergyCauseSum causes;
   ImpactErrors contact = contact_at(7, Wall::ground, 120.0);
   contact.late_bounce_px2_per_s2.reset();
-  causes.meet(contact);
+  causes.add(contact);
   EXPECT_EQ(causes.now().bounce, 0.0);
 }
 

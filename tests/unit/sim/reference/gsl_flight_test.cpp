@@ -171,10 +171,10 @@ TEST(GslFlight, RefusesAResultThatIsNotFinite) {
 }
 
 TEST(GslFlight, IsAJudgeOnlyAtFullAccuracy) {
-  EXPECT_TRUE(GslFlight().is_judge());
-  EXPECT_TRUE(GslFlight({.tolerance = 1e-13}).is_judge());
-  EXPECT_FALSE(GslFlight({.tolerance = 1e-9}).is_judge());
-  EXPECT_FALSE(GslFlight({.stepper = GslStepper::msadams}).is_judge());
+  EXPECT_TRUE(GslFlight().is_accurate());
+  EXPECT_TRUE(GslFlight({.tolerance = 1e-13}).is_accurate());
+  EXPECT_FALSE(GslFlight({.tolerance = 1e-9}).is_accurate());
+  EXPECT_FALSE(GslFlight({.stepper = GslStepper::msadams}).is_accurate());
 }
 
 TEST(DriftMeterWithGsl, FindsBothSolutionsOfEveryArcTogether) {
@@ -211,7 +211,7 @@ struct AlteredSolver final : FlightSolver {
     if (impact) impact->t_s *= impact_factor;
     return impact;
   }
-  bool is_judge() const override { return judges; }
+  bool is_accurate() const override { return judges; }
 
   GslFlight gsl;
   double off_px = 0.0;

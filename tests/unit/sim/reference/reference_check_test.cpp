@@ -1,5 +1,5 @@
 // Controls: each of these mistakes in the closed forms is noticed by the second solution.
-#include "sim/reference/reference_check.h"
+#include "sim/reference/arc_meter.h"
 
 #include <gtest/gtest.h>
 

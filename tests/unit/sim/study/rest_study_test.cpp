@@ -1,7 +1,7 @@
 // The study rest: its pictures as data.
 #include <gtest/gtest.h>
 
-#include "sim/study/rest/rest_figures.h"
+#include "sim/study/rest/rest_map.h"
 
 namespace hyrax {
 namespace {

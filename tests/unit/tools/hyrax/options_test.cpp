@@ -18,39 +18,39 @@ std::string refusal(const std::vector<std::string>& arguments) {
   }
 }
 
-TEST(Options, AreAllLeftOut) {
-  const Options options = parse_options({});
+TEST(PetOptions, AreAllLeftOut) {
+  const PetOptions options = parse_options({});
   EXPECT_FALSE(options.record_path || options.replay_path || options.log_path || options.seconds);
   EXPECT_FALSE(options.only_exits || options.wants_help || options.wants_version);
 }
 
-TEST(Options, AcceptTheirValueAfterASpaceOrAnEqualsSign) {
-  const Options options = parse_options({"--record", "a b.json", "--log=run.log", "--seconds", "2.5"});
+TEST(PetOptions, AcceptTheirValueAfterASpaceOrAnEqualsSign) {
+  const PetOptions options = parse_options({"--record", "a b.json", "--log=run.log", "--seconds", "2.5"});
   EXPECT_EQ(options.record_path, "a b.json");
   EXPECT_EQ(options.log_path, "run.log");
   EXPECT_EQ(options.seconds, 2.5);
 }
 
-TEST(Options, OfAReplay) {
-  const Options options = parse_options({"--exit", "--replay", "x.json"});
+TEST(PetOptions, OfAReplay) {
+  const PetOptions options = parse_options({"--exit", "--replay", "x.json"});
   EXPECT_EQ(options.replay_path, "x.json");
   EXPECT_TRUE(options.only_exits);
 }
 
-TEST(Options, ThatAreNoneAreRefused) {
+TEST(PetOptions, ThatAreNoneAreRefused) {
   EXPECT_EQ(refusal({"--recrod", "x"}),
             "hyrax: unknown option (found --recrod); allowed: --record, --replay, --log, --seconds, --exit, "
             "--help, --version (did you mean --record?); see `hyrax --help`");
   EXPECT_NE(refusal({"x.json"}).find("unknown option (found x.json)"), std::string::npos);
 }
 
-TEST(Options, WithoutTheirValueAreRefused) {
+TEST(PetOptions, WithoutTheirValueAreRefused) {
   EXPECT_NE(refusal({"--record"}).find("--record needs a value"), std::string::npos);
   EXPECT_NE(refusal({"--log="}).find("--log needs a value"), std::string::npos);
   EXPECT_NE(refusal({"--exit=yes"}).find("--exit takes no value (found yes)"), std::string::npos);
 }
 
-TEST(Options, RefuseSecondsThatAreNoTime) {
+TEST(PetOptions, RefuseSecondsThatAreNoTime) {
   for (const char* const text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
     EXPECT_NE(
         refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9 (found " + std::string(text)),
@@ -58,7 +58,7 @@ TEST(Options, RefuseSecondsThatAreNoTime) {
         << text;
 }
 
-TEST(Options, RefuseCombinationsThatAreNotAllowed) {
+TEST(PetOptions, RefuseCombinationsThatAreNotAllowed) {
   EXPECT_NE(refusal({"--exit"}).find("--exit needs --replay FILE"), std::string::npos);
   EXPECT_NE(refusal({"--record", "a", "--replay", "b"}).find("is not allowed with"), std::string::npos);
 }

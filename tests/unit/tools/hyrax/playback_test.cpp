@@ -41,13 +41,13 @@ TEST(Playback, GivesTheSameVerdictAsAReplay) {
 }
 
 TEST(Playback, OfTheRightHashAgrees) {
-  const Verdict verdict = replayed(fling_with_hash(right_hash()));
+  const PlaybackVerdict verdict = replayed(fling_with_hash(right_hash()));
   EXPECT_EQ(verdict.exit_code, ExitCode::agreed);
   EXPECT_EQ(verdict.sentence, "fling: state hash " + right_hash() + " agrees");
 }
 
 TEST(Playback, OfAnotherHashDiffers) {
-  const Verdict verdict = replayed(fling_with_hash(std::string(32, '0')));
+  const PlaybackVerdict verdict = replayed(fling_with_hash(std::string(32, '0')));
   EXPECT_EQ(verdict.exit_code, ExitCode::disagreed);
   EXPECT_NE(verdict.sentence.find("; expected 00000000000000000000000000000000"), std::string::npos);
 }

@@ -17,7 +17,7 @@
 #include "tools/report/figure_script.h"
 #include "tools/report/figure_style.h"
 #include "tools/report/gnuplot.h"
-#include "tools/report/run_path.h"
+#include "tools/report/run_scene.h"
 
 namespace hyrax {
 namespace {

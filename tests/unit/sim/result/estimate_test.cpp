@@ -1,4 +1,4 @@
-#include "sim/result/interval.h"
+#include "sim/result/estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Measurements with their intervals: what a sample says, and how sure it is.
+// What a sample says, and how sure it is: bands, medians and shares with their intervals.
 #pragma once
 
 #include <algorithm>
