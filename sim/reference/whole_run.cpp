@@ -25,8 +25,13 @@ std::string why_no_fling(const Model& model) {
 
 }  // namespace
 
-WholeMeter::WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model)
-    : playback_(scenario, std::move(inputs)), laws_(model), fling_(laws_), steps_(step_count(scenario)) {
+WholeMeter::WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model,
+                       std::function<void(const WholeRow&)> each)
+    : playback_(scenario, std::move(inputs)),
+      laws_(model),
+      fling_(laws_),
+      steps_(step_count(scenario)),
+      each_(std::move(each)) {
   if (std::string why = why_no_fling(model); !why.empty())
     end_without(std::move(why));
   else
@@ -99,6 +104,7 @@ void WholeMeter::compare(const Row& row) {
                             laws_.gravity_px_per_s2 -
                         dy_px;
   whole.energy_max_px = std::max(whole.energy_max_px, std::fabs(whole.energy_end_px));
+  if (each_) each_({row.t_s, whole.end_px});
   compare_contacts(row);
   const double slide_px = exact_.vx_px_per_s / (laws_.drag_rate_per_s + laws_.friction_rate_per_s);
   if (still_from_step_ || !fling_.slides() || !(std::fabs(slide_px) < kStill_px)) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,12 @@ struct WholeRun {
   std::optional<std::int64_t> contacts_differ_from;
 };
 
+/// A row of the run against the exact fling at its time, as WholeRun.
+struct WholeRow {
+  double t_s = 0.0;
+  double distance_px = 0.0;
+};
+
 struct WholeOutcome {
   std::optional<WholeRun> run;
   std::string why_not;  ///< Why there is no exact fling.
@@ -39,7 +46,10 @@ struct WholeOutcome {
 class WholeMeter final : public RowSink {
  public:
   /// @param inputs of the scenario, as they were applied.
-  WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model = {});
+  /// @param each gets every row that is compared, if there is one to call. Where the run repeats itself to
+  /// its end, and the exact fling is at rest, later rows are as those before.
+  WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model = {},
+             std::function<void(const WholeRow&)> each = nullptr);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = is_over_ ? 0 : 1}; }
   void rows(const Columns& batch) override;
@@ -71,6 +81,7 @@ class WholeMeter final : public RowSink {
   std::uint8_t contact_before_ = 0;
   std::optional<Repetition> repetition_;
   bool is_over_ = false;
+  std::function<void(const WholeRow&)> each_;
   WholeOutcome outcome_;
 };
 

@@ -245,11 +245,11 @@ class Figures(DriftTest):
         tree = xml.etree.ElementTree.parse(self.folder / name)
         return " ".join("".join(text.itertext()) for text in tree.iter("{http://www.w3.org/2000/svg}text"))
 
-    def test_five_pictures_with_units_on_their_axes(self):
+    def test_six_pictures_with_units_on_their_axes(self):
         self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out")
         self.assertEqual(self.names("out"), ["fling-drift-causes.svg", "fling-energy-drift.svg", "fling-energy.svg",
-                                             "fling-errors.svg", "fling-restitution.svg"])
-        for name, texts in (("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
+                                             "fling-errors.svg", "fling-restitution.svg", "fling-whole.svg"])
+        for name, texts in (("whole", ("time, s", "distance, px")), ("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
                             ("errors", ("time, s", "distance, px", "10⁻¹²")), ("restitution", ("0.60", "0.6, the paper")),
                             ("drift-causes", ("time, s", "px of height", "lift out of walls"))):
             for text in texts:

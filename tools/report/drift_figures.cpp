@@ -18,8 +18,8 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kArcsMarkedMax = 80;
-constexpr std::array<std::string_view, 5> kSuffixes = {"-energy", "-energy-drift", "-errors", "-restitution",
-                                                       "-drift-causes"};
+constexpr std::array<std::string_view, 6> kSuffixes = {"-whole",  "-energy",      "-energy-drift",
+                                                       "-errors", "-restitution", "-drift-causes"};
 
 Tone tone_of(Wall wall) { return kWallTones[wall_index(wall)]; }
 
@@ -101,6 +101,29 @@ Figure over_time(Figure figure, Plot plot, const DriftPicture& picture) {
   return figure;
 }
 
+Figure whole_figure(const DriftPicture& picture) {
+  Plot plot = plot_over_time(picture, {.label = "distance, px", .low = 0.0});
+  plot.x.high = picture.simulated_s > 0.0 ? picture.simulated_s : 1.0;
+  plot.when_empty = "no exact fling";
+  std::string subtitle = "The whole run: distance from the exact fling, which has the same inputs";
+  Series series{.name = "distance from the exact fling", .look = {.tone = Tone::blue, .width_px = 2}};
+  for (const WholeRow& row : picture.whole_rows) {
+    series.x.push_back(row.t_s);
+    series.y.push_back(row.distance_px);
+  }
+  if (const auto& whole = picture.whole.run; whole && !series.x.empty()) {
+    series.x.push_back(picture.simulated_s);
+    series.y.push_back(whole->end_px);
+    subtitle +=
+        fmt::format("; at the end {:.3g} px, {:.3g} px of height", whole->end_px, whole->energy_end_px);
+  } else {
+    series = {.name = series.name, .look = series.look};
+    plot.when_empty += ": " + picture.whole.why_not;
+  }
+  plot.series = {std::move(series)};
+  return over_time(figure_of(picture, kSuffixes[0], subtitle), std::move(plot), picture);
+}
+
 double run_energy(const RowErrors& row) { return row.energy_px2_per_s2 + row.energy_drift_px2_per_s2; }
 
 Figure energy_figure(const DriftPicture& picture) {
@@ -122,7 +145,7 @@ Figure energy_figure(const DriftPicture& picture) {
                 [scale](const RowErrors& row, const ArcErrors&) { return run_energy(row) / scale; }),
       series_of(picture, "exact", {.width_px = 1.5, .dash = Dash::short_dashes},
                 [scale](const RowErrors& row, const ArcErrors&) { return row.energy_px2_per_s2 / scale; })};
-  return over_time(figure_of(picture, kSuffixes[0],
+  return over_time(figure_of(picture, kSuffixes[1],
                              "Energy in flight: the run, and the exact solution from each arc's first state"),
                    std::move(plot), picture);
 }
@@ -135,7 +158,7 @@ Figure energy_drift_figure(const DriftPicture& picture) {
                            })};
   plot.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(
-      figure_of(picture, kSuffixes[1], "Energy drift of each arc: the run minus the exact solution"),
+      figure_of(picture, kSuffixes[2], "Energy drift of each arc: the run minus the exact solution"),
       std::move(plot), picture);
 }
 
@@ -166,7 +189,7 @@ Figure errors_figure(const DriftPicture& picture) {
                 [&](const RowErrors& row, const ArcErrors&) { return positive(row.truncation_px); }),
       series_of(picture, "implementation error", {.tone = Tone::green, .width_px = 2},
                 [&](const RowErrors& row, const ArcErrors&) { return positive(row.implementation_px); })};
-  return over_time(figure_of(picture, kSuffixes[2],
+  return over_time(figure_of(picture, kSuffixes[3],
                              "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt "
                              "(truncation), the step itself"),
                    std::move(plot), picture);
@@ -180,7 +203,7 @@ Figure restitution_figure(const DriftPicture& picture) {
   if (spread.count() > 0)
     subtitle += fmt::format("; median {:.3f}, from {:.3g} to {:.3g}", spread.median(), spread.smallest(),
                             spread.largest());
-  Figure figure = figure_of(picture, kSuffixes[3], subtitle);
+  Figure figure = figure_of(picture, kSuffixes[4], subtitle);
   const Look dashed{.width_px = 1.5, .dash = Dash::long_dashes};
   figure.legend = {{"0.6, the paper's", dashed}};
 
@@ -266,7 +289,7 @@ Figure causes_figure(const DriftPicture& picture) {
   for (Series* const series : causes.all()) plot.series.push_back(std::move(*series));
   plot.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(
-      figure_of(picture, kSuffixes[4],
+      figure_of(picture, kSuffixes[5],
                 "What the step adds and takes by itself: energy against exact flights and bounces"),
       std::move(plot), picture);
 }
@@ -274,8 +297,8 @@ Figure causes_figure(const DriftPicture& picture) {
 }  // namespace
 
 std::vector<Figure> drift_figures(const DriftPicture& picture) {
-  return {energy_figure(picture), energy_drift_figure(picture), errors_figure(picture),
-          restitution_figure(picture), causes_figure(picture)};
+  return {whole_figure(picture),  energy_figure(picture),      energy_drift_figure(picture),
+          errors_figure(picture), restitution_figure(picture), causes_figure(picture)};
 }
 
 std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name) {

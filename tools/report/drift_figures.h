@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/reference/drift.h"
+#include "sim/reference/whole_run.h"
 #include "sim/result/figure.h"
 #include "sim/scenario/scenario.h"
 
@@ -24,12 +25,14 @@ struct DriftPicture {
   const std::vector<ArcErrors>& arcs;
   const std::vector<ImpactErrors>& contacts;
   const std::vector<DrawnRow>& rows;
+  const WholeOutcome& whole;
+  const std::vector<WholeRow>& whole_rows;  ///< All or every K-th row.
 };
 
-/// Energy of run and reference against time; energy drift of each arc in % of the arc's largest energy; the
-/// three errors on a logarithmic scale; effective restitution of the contacts with the 0.6 of the paper; the
-/// causes of energy drift, summed over time.
-/// Their suffixes: -energy, -energy-drift, -errors, -restitution, -drift-causes.
+/// Distance of the whole run from the exact fling; energy of run and reference against time; energy drift of
+/// each arc in % of the arc's largest energy; the three errors on a logarithmic scale; effective restitution
+/// of the contacts with the 0.6 of the paper; the causes of energy drift, summed over time. Their suffixes:
+/// -whole, -energy, -energy-drift, -errors, -restitution, -drift-causes.
 [[nodiscard]] std::vector<Figure> drift_figures(const DriftPicture& picture);
 
 /// The paths of the figures that draw_drift_figures writes for a scenario of that name.

@@ -73,8 +73,9 @@ void measure_one(const DriftRequest& request, const std::optional<GslOptions>& g
   report(request, input.path, measured, outcomes);
   if (request.figures.empty()) return;
   outcomes.attempt_after([&] {
-    const auto files = draw_drift_figures(
-        request.figures, {run.scenario, run.simulated_s, run.summary, run.arcs, run.contacts, run.rows});
+    const auto files =
+        draw_drift_figures(request.figures, {run.scenario, run.simulated_s, run.summary, run.arcs,
+                                             run.contacts, run.rows, run.whole, run.whole_rows});
     if (!request.printing.is_json)
       for (const std::string& file : files) print_error("written: " + file);
   });
@@ -134,9 +135,9 @@ Command drift_command() {
         options.text(request->output, {"-o,--output", "FILE.h5",
                                        "write the trajectory with the groups /reference and /drift"});
         options.flag(request->stores_rows, {"--rows", "", "with -o: store the errors of every row as well"});
-        options.text(
-            request->figures,
-            {"--figures", "DIR", "draw energy, its drift, the errors and restitution (needs gnuplot)"});
+        options.text(request->figures, {"--figures", "DIR",
+                                        "draw the distance from the exact fling, energy, its drift, the "
+                                        "errors and restitution (needs gnuplot)"});
         options.printing(request->printing, "print all arcs and contacts");
         return [request] { return drift(*request); };
       }};

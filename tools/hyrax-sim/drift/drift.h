@@ -57,7 +57,8 @@ struct DriftRun {
   std::optional<ArcErrors> longest_arc;
   std::vector<ArcErrors> arcs;
   std::vector<ImpactErrors> contacts;
-  std::vector<DrawnRow> rows;  ///< On request, thinned out.
+  std::vector<DrawnRow> rows;        ///< On request, thinned out,
+  std::vector<WholeRow> whole_rows;  ///< as these.
   Margin margin;
   WholeOutcome whole;
 };

@@ -13,16 +13,37 @@
 namespace hyrax {
 namespace {
 
+// At most kRowsDrawnMax of many values: at the limit every other one is dropped, and from then on half as
+// many are added.
+template <class Value>
+class Thinned {
+ public:
+  explicit Thinned(std::vector<Value>& values) : values_(values) {}
+  void add(const Value& value) {
+    if (seen_++ % every_ != 0) return;
+    values_.push_back(value);
+    if (values_.size() < kRowsDrawnMax) return;
+    for (std::size_t index = 0; 2 * index < values_.size(); ++index) values_[index] = values_[2 * index];
+    values_.resize((values_.size() + 1) / 2);
+    every_ *= 2;
+  }
+
+ private:
+  std::vector<Value>& values_;
+  std::int64_t seen_ = 0;
+  std::int64_t every_ = 1;
+};
+
 class Recorder final : public DriftSink {
  public:
   Recorder(DriftRun& run, const DriftOptions& options)
-      : run_(run), keeps_rows_(options.keeps_rows), also_(options.also) {
+      : run_(run), rows_(run.rows), keeps_rows_(options.keeps_rows), also_(options.also) {
     also_wants_rows_ = also_ != nullptr && also_->wants_rows();
   }
 
   [[nodiscard]] bool wants_rows() const override { return keeps_rows_ || also_wants_rows_; }
   void row(const RowErrors& row) override {
-    if (keeps_rows_ && rows_seen_++ % rows_every_ == 0) keep(row);
+    if (keeps_rows_) rows_.add({arcs_seen_, row});
     if (also_wants_rows_) also_->row(row);
   }
   void arc(const ArcErrors& arc) override {
@@ -37,23 +58,12 @@ class Recorder final : public DriftSink {
   }
 
  private:
-  // At the limit, every other row is dropped, and from then on half as many are added.
-  void keep(const RowErrors& row) {
-    std::vector<DrawnRow>& rows = run_.rows;
-    rows.push_back({arcs_seen_, row});
-    if (rows.size() < kRowsDrawnMax) return;
-    for (std::size_t index = 0; 2 * index < rows.size(); ++index) rows[index] = rows[2 * index];
-    rows.resize((rows.size() + 1) / 2);
-    rows_every_ *= 2;
-  }
-
   DriftRun& run_;
+  Thinned<DrawnRow> rows_;
   bool keeps_rows_;
   DriftSink* also_;
   bool also_wants_rows_ = false;
   std::size_t arcs_seen_ = 0;
-  std::int64_t rows_seen_ = 0;
-  std::int64_t rows_every_ = 1;
 };
 
 void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
@@ -83,7 +93,10 @@ struct DriftRecorder::Sinks {
         recorder(run, options),
         meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get()),
         margin(scenario, inputs_of(scenario, step_count(scenario))),
-        whole(scenario, inputs_of(scenario, step_count(scenario))) {
+        whole_rows(run.whole_rows),
+        whole(scenario, inputs_of(scenario, step_count(scenario)), {},
+              options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows.add(row); })
+                                 : nullptr) {
     run.scenario = scenario;
     run.gsl = options.gsl;
   }
@@ -93,6 +106,7 @@ struct DriftRecorder::Sinks {
   Recorder recorder;
   DriftMeter meter;
   MarginMeter margin;
+  Thinned<WholeRow> whole_rows;
   WholeMeter whole;
 };
 
