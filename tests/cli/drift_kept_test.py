@@ -263,7 +263,7 @@ class Figures(DriftTest):
         self.write("a.json", fling())
         self.write("b.json", fling())
         self.expect(BAD_INPUT, "drift", "a.json", "b.json", "--figures", "out",
-                    says=("b.json", "another output of this command (found out/fling-energy.svg)"))
+                    says=("b.json", "another output of this command (found out/fling-whole.svg)"))
         self.assertEqual(self.names(), ["a.json", "b.json"])
 
     def test_standard_output_is_the_document_alone(self):
