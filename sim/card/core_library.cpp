@@ -105,7 +105,7 @@ extern "C" [[gnu::visibility("default")]] const hyrax::CoreFunctions* hyrax_core
     int number, volatile std::int64_t* updates) {
   hyrax::updates = updates;
   static const hyrax::CoreFunctions functions{.number = number,
-                                              .kernel = &hyrax::core_kernel(),
+                                              .kernel = &hyrax::compiled_kernel(),
                                               .model = hyrax::core_model,
                                               .step = hyrax::core_step,
                                               .steps = hyrax::core_steps,

@@ -37,6 +37,10 @@ struct State {
   double vy_px_per_s = 0.0;
 };
 
+[[nodiscard]] inline Velocity velocity_of(const State& state) {
+  return {state.vx_px_per_s, state.vy_px_per_s};
+}
+
 /// Equality of bits: +0 and -0 differ, a NaN equals itself.
 [[nodiscard]] inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -125,6 +129,13 @@ constexpr std::size_t wall_index(Wall wall) {
 constexpr bool touches(std::uint8_t contact, Wall wall) {
   return (contact & static_cast<std::uint8_t>(wall)) != 0;
 }
+
+/// A wall that a step met.
+struct WallMeeting {
+  double overshoot_px = 0.0;  ///< >= 0; how far beyond the wall the position was. NaN: not known.
+  Velocity before;            ///< As it met the wall.
+  Velocity after;             ///< At the next wall, or after the step.
+};
 
 /// A count for each wall.
 struct WallCounts {

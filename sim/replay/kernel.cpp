@@ -1,3 +1,4 @@
+#include "sim/motion/paper_constants.h"
 #include "sim/physics/physics.h"
 #include "sim/replay/core.h"
 #include "sim/replay/core_constants.h"
@@ -14,25 +15,19 @@ struct ShippedCores {
   [[nodiscard]] physics make(const State& state) const {
     return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
   }
-  [[nodiscard]] Constants constants() const {
-    return {.gravity_px_per_s2 = physics::GRAVITY,
-            .restitution = physics::RESTITUTION,
-            .air_drag = physics::AIR_DRAG,
-            .ground_friction = physics::GROUND_FRICTION,
-            .rest_threshold_px_per_s = physics::REST_THRESHOLD};
-  }
+  [[nodiscard]] Constants constants() const { return constants_of<physics>(); }
   [[nodiscard]] bool is_listing() const { return core_is_listing(); }
 };
 
 }  // namespace
 
-const Kernel& core_kernel() {
+const Kernel& compiled_kernel() {
   static const KernelOf<ShippedCores> kernel;
   return kernel;
 }
 
 std::string_view core_model() { return kPhysicsModel; }
 
-Constants core_constants() { return *core_kernel().constants(); }
+Constants core_constants() { return *compiled_kernel().constants(); }
 
 }  // namespace hyrax

@@ -77,7 +77,10 @@ class Kernel {
   virtual void apply(const Action& action, Keyframe& now) const = 0;
 };
 
-/// The kernel of this program's class physics, whose source is the only one of the replay that includes it.
+/// Plays this program's class physics, whose source is the only one of the replay that includes it. Its
+/// contacts are right where its step is the paper's.
+[[nodiscard]] const Kernel& compiled_kernel();
+/// The kernel of this program's core, with its contacts: compiled_kernel(), or the one of core_contacts.h.
 [[nodiscard]] const Kernel& core_kernel();
 
 }  // namespace hyrax

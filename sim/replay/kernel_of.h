@@ -4,43 +4,40 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "sim/motion/step.h"
+#include "sim/replay/contact_log.h"
 #include "sim/replay/kernel.h"
-#include "sim/replay/row_walls.h"
 #include "sim/replay/stuck_speed.h"
 #include "sim/scenario/apply.h"
 
 namespace hyrax {
 
-/// What tells a replay of these cores what their walls did: the listing's step, one of their own, or the
-/// rows.
+/// What tells the walls of cores: the listing's step with their constants, or a step of their own.
 template <class Cores>
 [[nodiscard]] auto listing_of(const Cores& cores, const Bounds& bounds) {
   if constexpr (requires { cores.listing(bounds); })
     return cores.listing(bounds);
-  else if constexpr (!requires { cores.constants(); })
-    return RowWalls(bounds);
-  else
+  else if constexpr (requires { cores.constants(); })
     return ListingStep(cores.constants(), AllParts{}, bounds);
+  else
+    return std::monostate();
 }
 
 /// Of a core only update, x, y, vx, vy, setPos, setVelocity and resetVelocity are called. Which walls clamped
 /// a step, the velocity with which it met them and how far it overshot follow from the listing's step
-/// (sim/motion/step.h) with the core's constants; a test holds that step to physics::update bit for bit.
+/// (sim/motion/step.h) with the core's constants: the core's own step must be that one bit for bit, or its
+/// contacts be told by ContactKernel (sim/replay/contact_kernel.h).
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
 /// have another step than the listing's to tell the walls by: `listing(const Bounds&)`, with `fly` and
-/// `meet_walls_in_x`. Without `constants` the core is not the paper's model, and the rows alone tell
-/// (sim/replay/row_walls.h): then `before` is the velocity before the step, and `overshoot` is NaN; unless
-/// the core knows its contacts itself: `contact()` and `meeting(...)` as TracedBody has them
-/// (sim/trace/step_player.h). With
-/// `bool is_listing()`, which says whether the step is the listing's bit for bit, a stuck vx is not computed
-/// (sim/replay/stuck_speed.h). With `kKeepsObject` a core may have members that no row shows: what is
-/// trivially copyable goes on from stretch to stretch.
+/// `meet_walls_in_x`. Without both no contact is told. With `bool is_listing()`, which says whether
+/// the step is the listing bit for bit, a stuck vx is not computed (sim/replay/stuck_speed.h). With
+/// `kKeepsObject` a core may have members that no row shows: what is trivially copyable goes on from stretch
+/// to stretch.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
@@ -68,10 +65,10 @@ class KernelOf final : public Kernel {
   }
 
   [[nodiscard]] std::optional<Constants> constants() const override {
-    if constexpr (kIsToldByRows)
-      return std::nullopt;
-    else
+    if constexpr (requires { cores_.constants(); })
       return cores_.constants();
+    else
+      return std::nullopt;
   }
 
   void apply(const Action& action, Keyframe& now) const override {
@@ -84,9 +81,8 @@ class KernelOf final : public Kernel {
  private:
   using Core = typename Cores::Core;
   using Listing = decltype(listing_of(std::declval<const Cores&>(), Bounds()));
-  static constexpr bool kIsToldByRows = std::is_same_v<Listing, RowWalls>;
+  static constexpr bool kTellsContacts = !std::is_same_v<Listing, std::monostate>;
   static constexpr bool kKeepsObject = requires { requires Cores::kKeepsObject; };
-  static constexpr bool kKnowsContacts = requires(const Core& core) { core.contact(); };
 
   // The core with the rest of the world, as hyrax::apply takes it.
   struct Body : Core {
@@ -98,8 +94,7 @@ class KernelOf final : public Kernel {
   static State state_of(const Core& core) { return {core.x(), core.y(), core.vx(), core.vy()}; }
   static State state_of(const Row& row) { return hyrax::state_of(row); }
 
-  // The object goes on from stretch to stretch, with all its members; from a keyframe of a file it is made
-  // anew.
+  // The object goes on from stretch to stretch, with all its members; a keyframe of a file has none.
   [[nodiscard]] Core core_of(const CoreBody& body) const {
     Core core = cores_.make(body.state);
     if constexpr (kKeepsObject) {
@@ -166,68 +161,14 @@ class KernelOf final : public Kernel {
     return contact;
   }
   static constexpr std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
-  static constexpr bool is_change(std::uint8_t contact_before, std::uint8_t contact) {
-    return ((contact_before ^ contact) & ~kRestBit) != 0;
-  }
-
-  static Contact begun_contact(Wall wall, const State& met, const State& left, const State& row,
-                               double overshoot_px) {
-    return {.wall = wall,
-            .x_px = row.x_px,
-            .y_px = row.y_px,
-            .vx_before_px_per_s = met.vx_px_per_s,
-            .vy_before_px_per_s = met.vy_px_per_s,
-            .vx_after_px_per_s = left.vx_px_per_s,
-            .vy_after_px_per_s = left.vy_px_per_s,
-            .overshoot_px = overshoot_px < 0.0 ? -overshoot_px : overshoot_px};
-  }
 
   // A step in which walls begin or cease to clamp; seldom, so it is kept out of the loop. It takes copies:
   // a state whose address is known elsewhere could not stay in registers.
   [[gnu::noinline]] static void log_change(Listing listing, std::uint8_t contact_before, std::uint8_t contact,
-                                           State flight, double dt_s, State after, std::int64_t offset,
+                                           State before, double dt_s, State after, std::int64_t offset,
                                            StretchLog& log) {
-    State left_x_walls = after;
-    State met_y_walls = flight;
-    Position overshoot{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-    if constexpr (!kIsToldByRows) {
-      listing.fly(flight, dt_s);
-      overshoot = {flight.x_px - after.x_px, flight.y_px - after.y_px};
-      met_y_walls = flight;
-      listing.meet_walls_in_x(met_y_walls);
-      left_x_walls = met_y_walls;
-    }
-    for (const Wall wall : kWalls) {
-      if (touches(contact, wall) == touches(contact_before, wall)) continue;
-      const bool is_in_x = wall == Wall::left || wall == Wall::right;
-      if (!touches(contact, wall))
-        log.changes.push_back({offset, false, {.wall = wall}});
-      else if (is_in_x)
-        log.changes.push_back(
-            {offset, true, begun_contact(wall, flight, left_x_walls, after, overshoot.x_px)});
-      else
-        log.changes.push_back({offset, true, begun_contact(wall, met_y_walls, after, after, overshoot.y_px)});
-    }
-  }
-
-  // As log_change, by what the core says. REQUIRES: kKnowsContacts.
-  static void log_known_change(const Stretch& stretch, std::uint8_t contact_before, const Core& before,
-                               double dt_s, const Core& after, std::int64_t offset, StretchLog& log) {
-    for (const Wall wall : kWalls) {
-      if (touches(after.contact(), wall) == touches(contact_before, wall)) continue;
-      if (!touches(after.contact(), wall)) {
-        log.changes.push_back({offset, false, {.wall = wall}});
-        continue;
-      }
-      const auto meeting = before.meeting(wall, dt_s, stretch.window, stretch.sprite);
-      const State row = state_of(after);
-      const auto at = [&](const Velocity& v) {
-        return State{row.x_px, row.y_px, v.vx_px_per_s, v.vy_px_per_s};
-      };
-      log.changes.push_back(
-          {offset, true,
-           begun_contact(wall, at(meeting.before), at(meeting.after), row, meeting.overshoot_px)});
-    }
+    log_contact_changes(contact_before, contact, after, offset, log,
+                        [&](Wall wall) { return listing_meeting(listing, wall, before, dt_s, after); });
   }
 
   // The constants are asked for here, where the compiler may know them: then the flight of a clamped step
@@ -253,14 +194,7 @@ class KernelOf final : public Kernel {
       const std::uint8_t contact_before = contact;
       body.update(dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
       contact = 0;
-      if constexpr (kKnowsContacts) {
-        contact = body.contact();
-        if (contact != 0) ++log.rows[contact];
-        log.had_friction |= touches(contact, Wall::ground) && before.vx() != 0.0;
-      } else if constexpr (kIsToldByRows) {
-        contact = listing.contact_of(state_of(before), dt_s, state_of(body));
-        if (contact != 0) ++log.rows[contact];
-      } else {
+      if constexpr (kTellsContacts) {
         // Only a clamp, or great chance, puts the sprite onto a bound. One branch, not four.
         const unsigned is_on_a_bound = unsigned{body.x() == 0.0} | unsigned{body.x() == bounds.right_px} |
                                        unsigned{body.y() == 0.0} | unsigned{body.y() == bounds.bottom_px};
@@ -274,12 +208,9 @@ class KernelOf final : public Kernel {
       }
       pack_row(row, dt_s, body.x(), body.y(), body.vx(), body.vy(), contact);
       row += kPackedRowBytes;
-      if (is_change(contact_before, contact)) {
-        if constexpr (kKnowsContacts)
-          log_known_change(stretch, contact_before, before, dt_s, body, frame, log);
-        else
+      if constexpr (kTellsContacts)
+        if (is_contact_change(contact_before, contact))
           log_change(listing, contact_before, contact, state_of(before), dt_s, state_of(body), frame, log);
-      }
       if (rest.moves_to(body.x(), body.y())) moved_offset = frame;
       ++frame;
       if (kSeeksAnchor && is_at(body, *stretch.anchor)) {
@@ -296,9 +227,7 @@ class KernelOf final : public Kernel {
   // Frames pass, no update, contact 0.
   void play_held(const Stretch& stretch, const Core& body, RestAnchor& rest, std::byte* row,
                  StretchLog& log) const {
-    const Listing listing = listing_of(cores_, bounds_of(stretch.window, stretch.sprite));
-    if (is_change(stretch.contact_before, 0))
-      log_change(listing, stretch.contact_before, 0, state_of(body), 0.0, state_of(body), 0, log);
+    log_contact_changes(stretch.contact_before, 0, {}, 0, log, [](Wall) { return WallMeeting(); });
     if (rest.moves_to(body.x(), body.y())) log.moved_offset = 0;
     while (log.frames < stretch.frames && !log.met_anchor) {
       pack_row(row, stretch.dt_s[stretch.is_dt_fixed ? 0 : log.frames], body.x(), body.y(), body.vx(),

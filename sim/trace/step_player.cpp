@@ -20,6 +20,8 @@ void TracedBody::update(double dt_s, int window_width_px, int window_height_px, 
   if (touches(contact_, Wall::ground) && vy() == 0.0) contact_ |= kRestBit;
 }
 
+std::span<double> TracedBody::members() { return std::span(members_).first(program_->step().members.size()); }
+
 void TracedBody::setPos(double x_px, double y_px) {
   program_->run(CoreFunction::set_position, members_, {x_px, y_px});
 }

@@ -4,8 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <vector>
+#include <span>
 
 #include "sim/motion/state.h"
 #include "sim/trace/traced_step.h"
@@ -29,13 +28,6 @@ struct StepInput {
   double dt_s = 0.0;
 };
 
-/// A wall that a step met, at the comparison that decided so.
-struct WallMeeting {
-  double overshoot_px = 0.0;  ///< How far the compared position was beyond.
-  Velocity before;            ///< At that comparison; where it cannot be told, before the step.
-  Velocity after;             ///< At the next wall, or after the step.
-};
-
 /// A body moved by a traced step; has the interface of class physics, so that KernelOf plays it
 /// (sim/replay/kernel_of.h). Trivially copyable. REQUIRES: the program outlives it.
 class TracedBody {
@@ -52,6 +44,8 @@ class TracedBody {
   [[nodiscard]] double y() const { return members_[1]; }
   [[nodiscard]] double vx() const { return members_[2]; }
   [[nodiscard]] double vy() const { return members_[3]; }
+  /// All members of the step, the further ones too.
+  [[nodiscard]] std::span<double> members();
 
   /// Index in paths_of(CoreFunction::update) of the last update; -1: none yet.
   [[nodiscard]] std::int32_t path() const { return path_; }

@@ -18,6 +18,7 @@ bool is_in_x(Wall wall) { return wall == Wall::left || wall == Wall::right; }
 // What an expression says of a position.
 struct Meaning {
   bool has_sizes = false;   // Depends on one at least,
+  bool has_window = false;  // on one of the window,
   bool has_others = false;  // and on something that is no size.
   bool has_x = false;       // Depends on x or vx,
   bool has_y = false;       // on y or vy,
@@ -46,6 +47,7 @@ class Meanings {
     Meaning meaning;
     if (expression.op == Operator::argument) {
       meaning.has_sizes = is_size(expression.name);
+      meaning.has_window = expression.name.starts_with("window_");
       meaning.has_others = !meaning.has_sizes;
       meaning.has_x = expression.name == "x" || expression.name == "vx";
       meaning.has_y = expression.name == "y" || expression.name == "vy";
@@ -55,6 +57,7 @@ class Meanings {
     for (const std::int32_t operand : expression.operands) {
       if (operand < 0) continue;
       meaning.has_sizes |= of(operand).has_sizes;
+      meaning.has_window |= of(operand).has_window;
       meaning.has_others |= of(operand).has_others;
       meaning.has_x |= of(operand).has_x;
       meaning.has_y |= of(operand).has_y;
@@ -156,20 +159,22 @@ class WallFinder {
  private:
   [[nodiscard]] const Meaning& meaning(std::int32_t expression) const { return meanings_.of(expression); }
 
-  // Whether a position is compared with 0 as with a lower bound: `position < 0`.
-  [[nodiscard]] bool is_left_of_zero(std::int32_t position) const {
+  // Whether a position is compared with 0 as with a lower bound, by the same relation: `position < 0` beside
+  // `0 < position`. Beside `0 <= position` it asks the same.
+  [[nodiscard]] bool is_left_of_zero(std::int32_t position, Relation relation) const {
     return std::any_of(step_.comparisons.begin(), step_.comparisons.end(), [&](const StepComparison& other) {
-      return other.left == position && other.relation != Relation::equal && meaning(other.right).is_zero;
+      return other.left == position && other.relation == relation && meaning(other.right).is_zero;
     });
   }
 
-  // Whether a bound was taken from the position, so that it is compared with 0.
+  // Whether an upper bound was taken from the position, so that it is compared with 0.
   [[nodiscard]] bool is_measured_from_bound(std::int32_t position) const {
     const Expression& sum = step_.expressions[static_cast<std::size_t>(position)];
     if (sum.op != Operator::add) return false;
     const Meaning& a = meaning(sum.operands[0]);
     const Meaning& b = meaning(sum.operands[1]);
-    return (a.axis != '\0' && b.is_bound()) || (b.axis != '\0' && a.is_bound());
+    return (a.axis != '\0' && b.is_bound() && b.has_window) ||
+           (b.axis != '\0' && a.is_bound() && a.has_window);
   }
 
   [[nodiscard]] std::optional<WallComparison> wall_of(const StepComparison& comparison) const {
@@ -184,8 +189,9 @@ class WallFinder {
     const bool holds_low = is_left_position != position.is_negated;
     // A bound that is 0 on this path since the sprite is larger than the window is compared from above,
     // beside the comparison from below.
-    const bool is_upper = bound.has_sizes || is_measured_from_bound(wall.position) ||
-                          (!holds_low && !position.is_negated && is_left_of_zero(wall.position));
+    const bool is_upper =
+        bound.has_window || is_measured_from_bound(wall.position) ||
+        (!holds_low && !position.is_negated && is_left_of_zero(wall.position, comparison.relation));
     wall.wall =
         position.axis == 'x' ? (is_upper ? Wall::right : Wall::left) : (is_upper ? Wall::ground : Wall::top);
     wall.beyond = is_upper != holds_low;
@@ -230,12 +236,15 @@ class WallFinder {
     return best;
   }
 
-  // Whether the path asks for the wall once. Of several parts of a step the velocities are not told apart.
+  // Whether the path asks for the wall of one position. Of several parts of a step the velocities are not
+  // told apart.
   [[nodiscard]] bool asks_once(const StepPath& path, Wall wall) const {
-    return std::count_if(path.outcomes.begin(), path.outcomes.end(), [&](const StepOutcome& outcome) {
-             const auto& asked = walls_[static_cast<std::size_t>(outcome.comparison)];
-             return asked && asked->wall == wall;
-           }) == 1;
+    std::set<std::int32_t> positions;
+    for (const StepOutcome& outcome : path.outcomes)
+      if (const auto& asked = walls_[static_cast<std::size_t>(outcome.comparison)];
+          asked && asked->wall == wall)
+        positions.insert(asked->position);
+    return positions.size() == 1;
   }
 
   // Whether the velocities at the end of `other` are calculated on `path`.

@@ -82,6 +82,11 @@ class RowBlock {
 
   void append(const Row& row) { pack_row(extend(1), row); }
 
+  /// REQUIRES: index < size().
+  void set_contact(std::size_t index, std::uint8_t contact) {
+    assert(index < size_);
+    bytes_[index * kPackedRowBytes + kPackedRowBytes - 1] = std::byte{contact};
+  }
   /// Row `index` of the block, without its step and time. REQUIRES: index < size().
   [[nodiscard]] Row row(std::size_t index) const {
     assert(index < size_);

@@ -273,10 +273,14 @@ class OwnPhysics(OutsideProject):
             contacts = file["contacts"]
             first = contacts["step"][:]
             self.assertGreater(len(first), 50)
-            for name, column in (("vx", 2), ("vy", 3)):
-                np.testing.assert_array_equal(contacts[f"{name}_before"], rows[first - 1, column])
-                np.testing.assert_array_equal(contacts[f"{name}_after"], rows[first, column])
-            self.assertTrue(np.isnan(contacts["overshoot"]).all())
+            for wall, axis, bound in ((1, 0, 0.0), (2, 0, 700.0), (4, 1, 0.0), (8, 1, 500.0)):
+                met = contacts["wall"][:] == wall
+                self.assertTrue(met.any())
+                before, after, name = rows[first[met] - 1], rows[first[met]], "xy"[axis]
+                np.testing.assert_array_equal(contacts[f"v{name}_before"][met], before[:, 2 + axis])
+                np.testing.assert_array_equal(contacts[f"v{name}_after"][met], after[:, 2 + axis])
+                moved = before[:, axis] + before[:, 2 + axis] * (1.0 / 60.0)
+                np.testing.assert_array_equal(contacts["overshoot"][met], abs(moved - bound))
             turned = np.flatnonzero((rows[1:, 2] != rows[:-1, 2]) | (rows[1:, 3] != rows[:-1, 3])) + 1
             self.assertEqual(sorted(set(first)), list(turned))
 

@@ -29,6 +29,7 @@ RUN = {
     "exercised": [str],
     "never_touched": [str],
     "not_computed": [str],
+    "contacts_from": str,
 }
 EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_px": [952, 952], "at_rest_since_s": [1, 9],
           "contacts": {"right": 1, "ground": [1, 20]}}

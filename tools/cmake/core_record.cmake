@@ -1,5 +1,6 @@
 # hyrax_core_record(TARGET CORE HEADER): the library TARGET, which has core_record() (sim/trace/core_record.h) of the
-# header that the target CORE compiles. Its step is traced when it is built; whatever becomes of that, the build goes on.
+# header that the target CORE compiles, and core_kernel() (sim/replay/kernel.h). Its step is traced when it is built;
+# whatever becomes of that, the build goes on.
 #
 # hyrax_trace_root: the folder of sim/trace; hyrax_trace_libraries: what the host programs link.
 set(hyrax_record_script ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake)
@@ -31,13 +32,13 @@ set(libraries [==[${hyrax_trace_libraries}]==])
   file(GLOB headers ${hyrax_trace_root}/sim/trace/*.h ${hyrax_trace_root}/sim/trace/host/*.h
        ${hyrax_trace_root}/sim/trace/host/programs/*.cpp)
   add_custom_command(
-    OUTPUT ${folder}/core_record.cpp
+    OUTPUT ${folder}/core_record.cpp ${folder}/core_kernel.cpp
     COMMAND ${CMAKE_COMMAND} -D settings=${folder}/settings.cmake -P ${hyrax_record_script}
     DEPENDS ${header} ${headers} ${hyrax_trace_libraries} ${hyrax_record_script} ${folder}/settings.cmake
     DEPFILE ${folder}/core_record.d
     COMMENT "Tracing the step of ${header}"
     VERBATIM)
-  add_library(${target} STATIC ${folder}/core_record.cpp)
+  add_library(${target} STATIC ${folder}/core_record.cpp ${folder}/core_kernel.cpp)
   target_include_directories(${target} PRIVATE ${hyrax_trace_root})
   target_compile_features(${target} PRIVATE cxx_std_20)
 endfunction()

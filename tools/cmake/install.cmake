@@ -45,8 +45,8 @@ add_dependencies(hyrax_program hyrax_trace_host)
 install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
 foreach(
   source IN
-  ITEMS motion/state.h motion/step.h
-        replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h replay/row_walls.h
+  ITEMS motion/paper_constants.h motion/state.h motion/step.h
+        replay/contact_log.h replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h
         replay/stuck_speed.h
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h

@@ -25,13 +25,19 @@ add_custom_target(page_packages DEPENDS ${page_folder}/packages.stamp)
 # nothing. So it runs where there is no core yet, where the pages call it in another way, and where the target `page` asks
 # for it: not after each edit of a source of hyrax-sim. A page whose core is older than the program's says so, and `report` fails.
 set(core ${page_folder}/wasm/page_core.wasm)
+set(core_record ${PROJECT_BINARY_DIR}/sim/hyrax_core_record)
+if(HYRAX_CORE_RECORD)
+  set(core_record ${HYRAX_CORE_RECORD})
+endif()
+add_custom_target(page_core_record) # An order, no reason to build the core again.
+add_dependencies(page_core_record hyrax_core_record)
 set(build_core
     COMMAND
     ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR}/report/wasm -B ${page_folder}/wasm -G Ninja --log-level=WARNING
-    -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/tools/cmake/wasi.cmake
+    -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/tools/cmake/wasi.cmake -DHYRAX_CORE_RECORD=${core_record}
     COMMAND ${CMAKE_COMMAND} --build ${page_folder}/wasm --target page_core)
 file(GLOB core_interface CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/wasm/*)
-add_custom_command(OUTPUT ${core} ${build_core} DEPENDS ${core_interface} COMMENT "The page's core as WebAssembly" VERBATIM)
+add_custom_command(OUTPUT ${core} ${build_core} DEPENDS ${core_interface} page_core_record COMMENT "The page's core as WebAssembly" VERBATIM)
 
 file(GLOB page_parts CONFIGURE_DEPENDS ${page_sources}/*.js ${page_sources}/*.mjs ${page_sources}/*.css
      ${page_sources}/*.html ${PROJECT_SOURCE_DIR}/tools/hyrax/sprite/hyrax.svg)
@@ -42,4 +48,4 @@ add_custom_command(
   DEPENDS ${page_folder}/packages.stamp ${core} ${page_parts}
   COMMENT "The report pages"
   VERBATIM)
-add_custom_target(page ${build_core} DEPENDS ${hyrax_page_files} COMMENT "The page's core as WebAssembly" VERBATIM)
+add_custom_target(page ${build_core} DEPENDS ${hyrax_page_files} page_core_record COMMENT "The page's core as WebAssembly" VERBATIM)

@@ -1,4 +1,5 @@
-# cmake -D settings=FILE -P record_core.cmake: traces the step of a core's header and writes core_record.cpp.
+# cmake -D settings=FILE -P record_core.cmake: traces the step of a core's header and writes core_record.cpp, and
+# core_kernel.cpp, which says what tells the core's contacts (sim/replay/kernel.h).
 #
 # The settings are those of hyrax_core_record (core_record.cmake). Two host programs are built: one compiles the header
 # with numbers that record and writes its step; the other compiles it as it is, and holds it to that step.
@@ -7,7 +8,8 @@ include(${settings})
 set(ENV{LC_ALL} C) # The compiler's messages are read.
 set(step ${folder}/step.txt)
 set(why ${folder}/why_incomplete.txt)
-file(REMOVE ${step} ${why})
+set(listing ${folder}/is_listing.txt)
+file(REMOVE ${step} ${why} ${listing})
 
 list(TRANSFORM definitions PREPEND -D)
 list(TRANSFORM folders PREPEND -I)
@@ -98,7 +100,7 @@ endfunction()
 
 # What another person's header prints is nobody's.
 macro(run program)
-  execute_process(COMMAND ${folder}/${program} ${step} ${why} WORKING_DIRECTORY ${folder} INPUT_FILE /dev/null OUTPUT_QUIET
+  execute_process(COMMAND ${folder}/${program} ${step} ${why} ${ARGN} WORKING_DIRECTORY ${folder} INPUT_FILE /dev/null OUTPUT_QUIET
                   ERROR_QUIET RESULT_VARIABLE result TIMEOUT 60)
 endmacro()
 
@@ -117,7 +119,7 @@ function(trace)
   if(NOT why_not)
     run(record_step)
     if(EXISTS ${step})
-      run(check_core)
+      run(check_core ${listing})
     endif()
     if(NOT result EQUAL 0 AND NOT EXISTS ${why})
       set(why_not "over its limits: ends the program (${result})")
@@ -161,6 +163,24 @@ const CoreRecord& core_record() {
                                          .why_incomplete = ${why_bytes}};
   return kRecord;
 }
+
+}  // namespace hyrax
+")
+
+set(kernel core_with_recorded_contacts)
+if(EXISTS ${listing})
+  set(kernel compiled_kernel)
+endif()
+file(
+  WRITE ${folder}/core_kernel.cpp
+  "// Written by record_core.cmake.
+namespace hyrax {
+
+class Kernel;
+const Kernel& ${kernel}();
+const Kernel& core_kernel();
+
+const Kernel& core_kernel() { return ${kernel}(); }
 
 }  // namespace hyrax
 ")

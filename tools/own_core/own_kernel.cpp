@@ -3,6 +3,7 @@
 // core's name.
 #include <type_traits>
 
+#include "sim/motion/paper_constants.h"
 #include "sim/physics/physics.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/core_constants.h"
@@ -23,17 +24,22 @@ struct OwnCores {
   [[nodiscard]] physics make(const State& state) const {
     return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
   }
+  template <class Physics = physics>
+  requires HasPaperConstants<Physics>
+  [[nodiscard]] auto listing(const Bounds& bounds) const {
+    return ListingStep(constants_of<Physics>(), AllParts{}, bounds);
+  }
 };
 
 }  // namespace
 
-const Kernel& core_kernel() {
+const Kernel& compiled_kernel() {
   static const KernelOf<OwnCores> kernel;
   return kernel;
 }
 
 std::string_view core_model() { return HYRAX_OWN_CORE; }
 
-Constants core_constants() { return core_kernel().constants().value(); }
+Constants core_constants() { return compiled_kernel().constants().value(); }
 
 }  // namespace hyrax

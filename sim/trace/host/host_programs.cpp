@@ -5,6 +5,7 @@
 #include "sim/trace/host/compiled_core.h"
 #include "sim/trace/host/explorer.h"
 #include "sim/trace/host/limits.h"
+#include "sim/trace/listing_step.h"
 #include "sim/trace/step_text.h"
 
 namespace hyrax::trace {
@@ -17,8 +18,9 @@ int record_main(const TracedCore& core, int argument_count, char** arguments) {
   return 0;
 }
 
-int check_main(const CompiledCore& core, int argument_count, char** arguments) {
-  if (argument_count != 3) return 2;
+int check_main(const CompiledCore& core, const std::optional<Constants>& constants, int argument_count,
+               char** arguments) {
+  if (argument_count != 4) return 2;
   limit_process(arguments[2]);
   std::ifstream file(arguments[1], std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
@@ -28,6 +30,8 @@ int check_main(const CompiledCore& core, int argument_count, char** arguments) {
   if (why)
     std::ofstream(arguments[2], std::ios::binary)
         << "the traced step does not give the compiled core's bits: " << *why;
+  else if (const auto shape = shape_of(*step).constants; constants && shape && same_bits(*constants, *shape))
+    std::ofstream(arguments[3], std::ios::binary) << "the paper's step\n";
   return 0;
 }
 

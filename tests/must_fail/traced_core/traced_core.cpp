@@ -14,6 +14,7 @@
 
 #include "sim/cause/header_change.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_contacts.h"
 #include "sim/replay/kernel.h"
 #include "sim/replay/traced_kernel.h"
 #include "sim/trace/core_record.h"
@@ -63,7 +64,9 @@ const GivenCore& given() {
 
 const CoreRecord& core_record() { return given().record; }
 
-const Kernel& core_kernel() { return *given().kernel; }
+const Kernel& compiled_kernel() { return *given().kernel; }
+
+const Kernel& core_kernel() { return core_with_recorded_contacts(); }
 
 std::string_view core_model() { return kPhysicsModel; }
 

@@ -4,6 +4,7 @@
 
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_contacts.h"
 #include "sim/trace/core_record.h"
 #include "sim/trace/step_text.h"
 #include "tools/files/build_info.h"
@@ -53,6 +54,7 @@ Json::Object facts() {
           {"processor", processor()},
           {"physics", core_model()},
           {"step", step_fact()},
+          {"contacts", why_contacts_from_rows().empty() ? "from the step's comparisons" : "from the rows"},
           {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
           {"hdf5", hdf5_version()},
           {"gsl", gsl_version},

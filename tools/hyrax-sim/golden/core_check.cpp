@@ -73,12 +73,6 @@ std::string name_of(const Scenario& scenario) {
   return "unnoticed-" + hex(hash.value()).substr(0, 8);
 }
 
-// Tells the walls as this program's kernel does.
-std::unique_ptr<const Kernel> kernel_of(const TracedStep& step) {
-  return make_traced_kernel(step,
-                            is_paper_model(core_model()) ? ContactSource::comparisons : ContactSource::rows);
-}
-
 RunSummary played(const Scenario& scenario, const Kernel& kernel) {
   RowSink nothing_wanted;
   return replay(scenario, nothing_wanted, {.kernel = &kernel});
@@ -141,7 +135,7 @@ void CoreCheck::compare() {
     return;
   }
   if (!accepted_->step.empty()) steps_->accepted = read_step(accepted_->step);
-  if (steps_->accepted) steps_->accepted_kernel = kernel_of(*steps_->accepted);
+  if (steps_->accepted) steps_->accepted_kernel = make_traced_kernel(*steps_->accepted);
   for (HeaderChange& change : header_changes(accepted_->header, program.header))
     verdict_.changes.push_back({std::move(change), std::nullopt});
   if (accepted_->header == program.header && accepted_->step == program.step) {
@@ -192,8 +186,8 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   if (all != *steps_->program) return;  // Something else changed, too: a constant alone proves nothing.
   for (CoreChange& change : verdict_.changes) {
     if (change.change.kind != HeaderChangeKind::constant) continue;
-    const auto alone =
-        kernel_of(with_constant(*steps_->accepted, change.change.from.value, change.change.to.value));
+    const auto alone = make_traced_kernel(
+        with_constant(*steps_->accepted, change.change.from.value, change.change.to.value));
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_contacts.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -100,7 +101,9 @@ std::string diff_command_for(const ScenarioRun& run) {
 }
 
 void print_motion(const RunSummary& summary) {
-  print_text("  contacts       {}\n", counts_text(summary.contacts));
+  const std::string_view why = why_contacts_from_rows();
+  print_text("  contacts       {}{}\n", counts_text(summary.contacts),
+             why.empty() ? "" : fmt::format("; from the rows: the core's step is not complete: {}", why));
   print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
              summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s, summary.final.vy_px_per_s);
   if (summary.at_rest_since_s)
@@ -186,6 +189,7 @@ Json run_json(const ScenarioRun& run) {
                       {"steps", summary.steps},
                       {"simulated_s", summary.simulated_s},
                       {"contacts", counts_json(summary.contacts)},
+                      {"contacts_from", why_contacts_from_rows().empty() ? "step" : "rows"},
                       {"clamped_steps", clamped},
                       {"final", Json::Object{{"x_px", summary.final.x_px},
                                              {"y_px", summary.final.y_px},

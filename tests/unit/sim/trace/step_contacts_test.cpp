@@ -27,6 +27,7 @@ float to_single(double a) { return static_cast<float>(a); }
 using std::fabs;
 using std::fma;
 using std::pow;
+using std::sqrt;
 
 // The counters: what the branches of the present step did.
 struct Met {
@@ -229,10 +230,170 @@ struct NeverNegativeBounds {
   }
 };
 
+struct SpeedLimit {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    if (b.vx > 2000.0) b.vx = 2000.0;
+    if (b.vx < -2000.0) b.vx = -2000.0;
+    if (b.vy > 2000.0) b.vy = 2000.0;
+    move(b, f.dt);
+    meet_x(b, f);
+    meet_y(b, f);
+  }
+};
+struct Verlet {
+  static constexpr bool kTellsVelocity = false;  // The second half of the fall is after the walls.
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt * 0.5);
+    move(b, f.dt);
+    meet_x(b, f);
+    meet_y(b, f);
+    fall(b, f.dt * 0.5);
+  }
+};
+struct QuadraticDrag {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    const auto drag = sqrt(b.vx * b.vx + b.vy * b.vy) * f.dt * -0.0002 + 1.0;
+    b.vx = b.vx * drag;
+    b.vy = b.vy * drag;
+    move(b, f.dt);
+    meet_x(b, f);
+    meet_y(b, f);
+  }
+};
+struct WallsFirst {
+  static constexpr bool kTellsVelocity = false;  // What it falls with comes later.
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    meet_x(b, f);
+    meet_y(b, f);
+    fall(b, f.dt);
+    move(b, f.dt);
+  }
+};
+struct ByItsMiddle {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    const auto half = to_real(f.sprite_width) * 0.5;
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (b.x + half < half) {
+      meet(Wall::left, b.vx, b.vy);
+      b.x = 0.0;
+      b.vx = -b.vx;
+    } else if (b.x + half > to_real(f.window_width) - half) {
+      meet(Wall::right, b.vx, b.vy);
+      b.x = right_of(f);
+      b.vx = -b.vx;
+    }
+    meet_y(b, f);
+  }
+};
+struct RightFirst {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (right_of(f) < b.x) {
+      meet(Wall::right, b.vx, b.vy);
+      b.x = right_of(f);
+      b.vx = -b.vx * 0.6;
+    } else if (!(0.0 <= b.x)) {
+      meet(Wall::left, b.vx, b.vy);
+      b.x = 0.0;
+      b.vx = -b.vx * 0.6;
+    }
+    meet_y(b, f);
+  }
+};
+struct ByTheRoomLeft {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (b.x < 0.0) {
+      meet(Wall::left, b.vx, b.vy);
+      b.x = 0.0;
+      b.vx = -b.vx;
+    } else if (right_of(f) - b.x < 0.0) {
+      meet(Wall::right, b.vx, b.vy);
+      b.x = right_of(f);
+      b.vx = -b.vx;
+    }
+    meet_y(b, f);
+  }
+};
+struct AllInside {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    if (!(b.x >= 0.0 && b.x <= right_of(f))) {
+      meet(b.x < 0.0 ? Wall::left : Wall::right, b.vx, b.vy);
+      if (b.x < 0.0)
+        b.x = -b.x;
+      else
+        b.x = right_of(f) * 2.0 - b.x;
+      b.vx = -b.vx;
+    }
+    meet_y(b, f);
+  }
+};
+struct DragAtTheEnd {
+  static constexpr bool kTellsVelocity = false;
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    meet_x(b, f);
+    meet_y(b, f);
+    b.vx = b.vx * 0.999;
+    b.vy = b.vy * 0.999;
+  }
+};
+struct StickyFloor {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    meet_x(b, f);
+    if (b.y > bottom_of(f)) {
+      meet(Wall::ground, b.vx, b.vy);
+      b.y = bottom_of(f);
+      b.vy = 0.0;
+      if (fabs(b.vx) < 50.0) b.vx = 0.0;
+    }
+  }
+};
+struct TimedFriction {
+  template <class B, class F>
+  void operator()(B& b, const F& f) const {
+    fall(b, f.dt);
+    move(b, f.dt);
+    meet_x(b, f);
+    if (b.y < 0.0) {
+      meet(Wall::top, b.vx, b.vy);
+      b.y = 0.0;
+      b.vy = -b.vy * 0.6;
+    } else if (b.y > bottom_of(f)) {
+      meet(Wall::ground, b.vx, b.vy);
+      b.y = bottom_of(f);
+      b.vy = -b.vy * 0.6;
+      b.vx = b.vx * pow(decltype(b.vx)(0.8), f.dt * 60.0);
+    }
+  }
+};
+
 template <class Core>
 class ContactsOf : public testing::Test {};
 using Cores = testing::Types<HalfMoves, ExactFlight, TimedDrag, YFirst, InFloat, Fused, Reflected, SubSteps,
-                             WallsOnTheBound, NeverNegativeBounds>;
+                             WallsOnTheBound, NeverNegativeBounds, SpeedLimit, Verlet, QuadraticDrag,
+                             WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside, DragAtTheEnd,
+                             StickyFloor, TimedFriction>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {

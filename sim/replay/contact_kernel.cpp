@@ -1,0 +1,148 @@
+#include "sim/replay/contact_kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "sim/motion/step.h"
+#include "sim/replay/contact_log.h"
+#include "sim/replay/row_walls.h"
+#include "sim/scenario/apply.h"
+#include "sim/trace/step_program.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kMembersOfRows = 4;  // x, y, vx, vy.
+
+std::uint8_t with_rest_bit(std::uint8_t walls, const State& after) {
+  const bool rests = touches(walls, Wall::ground) && after.vy_px_per_s == 0.0;
+  return static_cast<std::uint8_t>(walls | (rests ? kRestBit : 0));
+}
+
+// The contacts of rows that were played from `from`. @param contact_of of a step: contact byte of (from, dt,
+// after). @param meeting_at what that step did at a wall: (wall, from, dt, after).
+template <class ContactOf, class MeetingAt>
+void tell_contacts(const Stretch& stretch, State from, std::size_t first_row, RowBlock& rows, StretchLog& log,
+                   const ContactOf& contact_of, const MeetingAt& meeting_at) {
+  log.rows = {};
+  log.changes.clear();
+  log.had_friction = false;
+  std::uint8_t contact_before = stretch.contact_before;
+  for (std::int64_t offset = 0; offset < log.frames; ++offset) {
+    const std::size_t index = first_row + static_cast<std::size_t>(offset);
+    const Row row = rows.row(index);
+    const State after = state_of(row);
+    const std::uint8_t contact = contact_of(from, row.dt_s, after);
+    rows.set_contact(index, contact);
+    if (contact != 0) ++log.rows[contact];
+    log.had_friction |= touches(contact, Wall::ground) && from.vx_px_per_s != 0.0;
+    if (is_contact_change(contact_before, contact))
+      log_contact_changes(contact_before, contact, after, offset, log,
+                          [&](Wall wall) { return meeting_at(wall, from, row.dt_s, after); });
+    contact_before = contact;
+    from = after;
+  }
+}
+
+void tell_by_step(const Stretch& stretch, const State& start, const StepProgram& step, TracedBody& traced,
+                  std::size_t first_row, RowBlock& rows, StretchLog& log) {
+  TracedBody before = traced;
+  tell_contacts(
+      stretch, start, first_row, rows, log,
+      [&](const State& from, double dt_s, const State& after) {
+        const std::array<double, kMembersOfRows> state = {from.x_px, from.y_px, from.vx_px_per_s,
+                                                          from.vy_px_per_s};
+        std::copy(state.begin(), state.end(), traced.members().begin());
+        before = traced;
+        traced.update(dt_s, stretch.window.width_px, stretch.window.height_px, stretch.sprite.width_px,
+                      stretch.sprite.height_px);
+        return with_rest_bit(step.contact_bits(traced.path()), after);
+      },
+      [&](Wall wall, const State&, double dt_s, const State&) {
+        return before.meeting(wall, dt_s, stretch.window, stretch.sprite);
+      });
+}
+
+// Where the row is what the paper's step makes of the one before, its contacts are that step's.
+void tell_by_rows(const Stretch& stretch, const State& start, const std::optional<Constants>& constants,
+                  std::size_t first_row, RowBlock& rows, StretchLog& log) {
+  const Bounds bounds = bounds_of(stretch.window, stretch.sprite);
+  const RowWalls walls(bounds);
+  const ListingStep listing(constants.value_or(Constants()), AllParts{}, bounds);
+  bool is_listed = false;
+  tell_contacts(
+      stretch, start, first_row, rows, log,
+      [&](const State& from, double dt_s, const State& after) {
+        State listed = from;
+        const std::uint8_t met = listing(listed, dt_s);
+        is_listed = constants && same_bits(listed, after);
+        return is_listed ? with_rest_bit(met, after) : walls.contact_of(from, dt_s, after);
+      },
+      [&](Wall wall, const State& from, double dt_s, const State& after) {
+        if (is_listed) return listing_meeting(listing, wall, from, dt_s, after);
+        return WallMeeting{std::numeric_limits<double>::quiet_NaN(), velocity_of(from), velocity_of(after)};
+      });
+}
+
+}  // namespace
+
+// Of further members the traced step's own go on behind the object of the core.
+bool ContactKernel::keeps_members() const { return step_ && step_->step().members.size() > kMembersOfRows; }
+
+TracedBody ContactKernel::take_traced(CoreBody& body) const {
+  TracedBody traced(*step_, body.state);
+  if (!keeps_members()) return traced;
+  TracedBody kept = traced;
+  const std::span<std::byte> bytes = std::as_writable_bytes(kept.members());
+  if (body.object.size() < bytes.size()) return traced;
+  const auto begin = body.object.end() - std::ssize(bytes);
+  std::copy(begin, body.object.end(), bytes.begin());
+  body.object.erase(begin, body.object.end());
+  return same_bits({kept.x(), kept.y(), kept.vx(), kept.vy()}, body.state) ? kept : traced;
+}
+
+void ContactKernel::keep_traced(TracedBody& traced, std::vector<std::byte>& object) const {
+  if (!keeps_members()) return;
+  const std::span<const std::byte> bytes = std::as_bytes(traced.members());
+  object.insert(object.end(), bytes.begin(), bytes.end());
+}
+
+void ContactKernel::play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
+                         StretchLog& log) const {
+  const State from = body.state;
+  std::optional<TracedBody> traced;
+  if (step_) traced = take_traced(body);
+  CoreBody anchor;
+  Stretch played = stretch;
+  if (stretch.anchor != nullptr && keeps_members()) {
+    anchor = *stretch.anchor;
+    static_cast<void>(take_traced(anchor));
+    played.anchor = &anchor;
+  }
+  const std::size_t first_row = rows.size();
+  rows_->play(played, body, rest, rows, log);
+  if (!stretch.is_held && traced)
+    tell_by_step(stretch, from, *step_, *traced, first_row, rows, log);
+  else if (!stretch.is_held)
+    tell_by_rows(stretch, from, constants(), first_row, rows, log);
+  if (traced) keep_traced(*traced, body.object);
+}
+
+void ContactKernel::apply(const Action& action, Keyframe& now) const {
+  if (!keeps_members()) return rows_->apply(action, now);
+  struct Body : TracedBody {
+    Size window;
+    Size sprite;
+    bool is_held;
+  };
+  CoreBody body{state_of(now.row), std::move(now.core_object)};
+  Body traced{take_traced(body), now.window, now.sprite, now.is_held};
+  now.core_object = std::move(body.object);
+  hyrax::apply(action, traced);
+  rows_->apply(action, now);
+  keep_traced(traced, now.core_object);
+}
+
+}  // namespace hyrax

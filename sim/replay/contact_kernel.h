@@ -1,0 +1,40 @@
+// Contacts of a core whose step is not the paper's.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "sim/replay/kernel.h"
+#include "sim/trace/step_player.h"
+
+namespace hyrax {
+
+/// Plays the rows of another kernel, and tells their contacts. With the core's traced step, that is played
+/// once beside each step, from the same state: the walls are those beyond which its comparisons found the
+/// position (sim/trace/step_walls.h). Without one the rows tell them: a step whose row is what the paper's
+/// step with the core's constants makes of the row before has that one's contacts; of any other see
+/// row_walls.h, and `before` is the velocity before the step, `overshoot` NaN.
+class ContactKernel final : public Kernel {
+ public:
+  /// @param step null: contacts are told by the rows.
+  ContactKernel(std::shared_ptr<const Kernel> rows, std::shared_ptr<const StepProgram> step)
+      : rows_(std::move(rows)), step_(std::move(step)) {}
+
+  void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
+            StretchLog& log) const override;
+  [[nodiscard]] std::optional<Constants> constants() const override { return rows_->constants(); }
+  void apply(const Action& action, Keyframe& now) const override;
+
+ private:
+  [[nodiscard]] bool keeps_members() const;
+  [[nodiscard]] TracedBody take_traced(CoreBody& body) const;
+  void keep_traced(TracedBody& traced, std::vector<std::byte>& object) const;
+
+  std::shared_ptr<const Kernel> rows_;
+  std::shared_ptr<const StepProgram> step_;
+};
+
+}  // namespace hyrax

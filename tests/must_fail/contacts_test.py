@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+"""Contacts of edited cores: `run` tells what counters in the wall branches of their headers say."""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import tempfile
+
+from core_edits import BOTTOM, DRAG, DRAG_X, DRAG_Y, GRAVITY, LEFT, MOVE_X, MOVE_Y, RIGHT, TOP
+from process import succeed
+from program import ProgramTest, fling, main
+from traced import SHIPPED, settings, traced
+
+COUNTED = SHIPPED.replace("#pragma once\n", "#pragma once\n#ifndef MEET\n#define MEET(wall)\n#endif\n")
+for _wall, _branch in enumerate((LEFT, RIGHT, TOP, BOTTOM)):
+    COUNTED = COUNTED.replace(_branch, f"MEET({1 << _wall});\n      {_branch}")
+COUNTED_X_WALLS = COUNTED[COUNTED.index("    if (m_x < 0.0)"):COUNTED.index("    if (m_y < 0.0)")]
+STEP = COUNTED[COUNTED.index(f"    {GRAVITY}"):COUNTED.index("  }\n\n  double x()")]
+MOVE = f"{MOVE_X}\n    {MOVE_Y}"
+
+# What is replaced in the header, by what.
+EDITS = {
+    "half moves": ((MOVE, f"for (int half = 0; half < 2; ++half) {{\n{MOVE.replace('dt', '(dt / 2.0)')}\n}}"),),
+    "exact flight": ((MOVE_Y, "m_y += m_vy * dt - 0.5 * GRAVITY * dt * dt;"),),
+    "float": ((MOVE_X, "m_x = static_cast<float>(m_x + m_vx * dt);"),),
+    "fused": ((MOVE_X, "m_x = std::fma(m_vx, dt, m_x);"), (MOVE_Y, "m_y = std::fma(m_vy, dt, m_y);")),
+    "reflected": (("m_x = 0.0;", "m_x = -m_x;"), ("m_x = rightBound;", "m_x = 2.0 * rightBound - m_x;")),
+    "from the bound on": (("m_y > bottomBound", "m_y >= bottomBound"), ("m_x > rightBound", "m_x >= rightBound")),
+    "sub-steps": ((STEP, f"dt = dt / 2.0;\n    for (int part = 0; part < 2; ++part) {{\n{STEP}    }}\n"),),
+    "drag by time": ((DRAG_X, "m_vx *= std::pow(AIR_DRAG, 60.0 * dt);"), (DRAG_Y, "m_vy *= std::pow(AIR_DRAG, 60.0 * dt);")),
+    "walls in y first": ((COUNTED_X_WALLS, ""), ("  }\n\n  double x()", f"{COUNTED_X_WALLS}  }}\n\n  double x()")),
+    "Verlet": ((GRAVITY, "m_vy += 0.5 * GRAVITY * dt;"), ("  }\n\n  double x()", "    m_vy += 0.5 * GRAVITY * dt;\n  }\n\n  double x()")),
+    "speed limit": ((MOVE, f"if (m_vx > 1500.0) m_vx = 1500.0;\n    {MOVE}"),),
+    "quadratic drag": ((DRAG, "const double drag = 1.0 - 1e-4 * dt * std::sqrt(m_vx * m_vx + m_vy * m_vy);\n"
+                              "    m_vx *= drag;\n    m_vy *= drag;"),),
+}
+EVERYDAY = ("half moves", "reflected", "sub-steps")
+
+STEPS = 900
+START = {"x_px": 20.25, "y_px": 150.5, "vx_px_per_s": 2400, "vy_px_per_s": -900}
+WINDOWS = ((1920, 1080), (300, 400), (100, 600))  # The last one is narrower than the sprite.
+COUNTER = f"""#include <cstdio>
+#include <cstdlib>
+static int met = 0;
+#define MEET(wall) (met |= (wall))
+#include HEADER
+int main(int, char** sizes) {{
+  physics body({START["x_px"]}, {START["y_px"]}, {START["vx_px_per_s"]}, {START["vy_px_per_s"]});
+  for (int step = 0; step < {STEPS}; ++step) {{
+    met = 0;
+    body.update(1.0 / 60.0, std::atoi(sizes[1]), std::atoi(sizes[2]), 128, 128);
+    std::printf("%d\\n", met);
+  }}
+}}
+"""
+
+
+def edited(edit):
+    """The header's text with the edit."""
+    text = COUNTED
+    for old, new in EDITS[edit]:
+        if text.count(old) != 1:
+            raise ValueError(f"{edit}: {old}")
+        text = text.replace(old, new)
+    return text
+
+
+class CountedCore:
+    """An edited core, and a program that counts what its wall branches do."""
+
+    def __init__(self, edit, folder):
+        self.core = traced(edited(edit))
+        self.folder = folder
+        self.counter = folder / "counter"
+        source = folder / "counter.cpp"
+        source.write_text(COUNTER, encoding="utf-8")
+        succeed(*settings()["compiler"], *settings()["flags"], f"-I{settings()['root'][0]}", "-w",
+                f'-DHEADER="{self.core.header}"', source, "-o", self.counter)
+
+    def counted(self, window):
+        """The walls that each step met, as a row's contact byte has them."""
+        return [int(line) for line in succeed(self.counter, *map(str, window)).out.split()]
+
+    def run(self, window):
+        """The same by `run`, and its document."""
+        scenario = fling(name="fling", start=START, steps=STEPS, window=dict(zip(("width_px", "height_px"), window)),
+                         sprite={"width_px": 128, "height_px": 128})
+        path, csv = self.folder / "fling.json", self.folder / "run.csv"
+        path.write_text(json.dumps(scenario), encoding="utf-8")
+        document = self.core.run("run", path, "--json", "-o", csv).json["runs"][0]
+        rows = csv.read_text(encoding="utf-8").splitlines()
+        return [int(row.rsplit(",", 1)[1]) & 15 for row in rows[2:]], document
+
+
+def faults_of(edit):
+    """In what the contacts of an edited core are not those of its counters."""
+    faults = []
+    with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+        core = CountedCore(edit, pathlib.Path(folder))
+        for window in WINDOWS:
+            counted, (found, document) = core.counted(window), core.run(window)
+            if document["contacts_from"] != "step":
+                faults.append(f"{edit}: {core.core.why}")
+            if found != counted:
+                step = next(step for step in range(STEPS) if found[step] != counted[step])
+                faults.append(f"{edit}, {window}: step {step + 1}: contact {found[step]}, counted {counted[step]}")
+            for wall, name in enumerate(("left", "right", "top", "ground")):
+                met = [byte >> wall & 1 for byte in (0, *counted)]
+                contacts = sum(now > before for before, now in zip(met, met[1:]))
+                if (document["clamped_steps"][name], document["contacts"][name]) != (sum(met), contacts):
+                    faults.append(f"{edit}, {window}: {name}: {document['contacts'][name]} contacts, counted {contacts}")
+            if not any(counted):
+                faults.append(f"{edit}, {window}: no contact")
+    return faults
+
+
+class Contacts(ProgramTest):
+    """Edited headers, played as what they were traced to be."""
+
+    def test_are_those_of_the_counters(self):
+        edits = EDITS if "HYRAX_ALL_EDITS" in os.environ else EVERYDAY
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            self.assertEqual([fault for faults in pool.map(faults_of, edits) for fault in faults], [])
+
+    def test_half_moves_move_no_contact(self):
+        core = traced(edited("half moves"))
+        outcome = core.run("check", "--json", "scenarios/flings")
+        self.assertTrue(outcome.json["groups"], outcome)
+        for group in outcome.json["groups"]:
+            self.assertIn(group["class"], ("rounding", "values"))
+            self.assertEqual(group["contacts_moved"], 0)
+        played = ("run", "scenarios/flings/first-fling.json", "--json", "-o", self.folder / "run.h5")
+        by_edited, by_shipped = (traced(text).run(*played).json["runs"][0] for text in (edited("half moves"), SHIPPED))
+        self.assertEqual((by_edited["contacts"], by_edited["contacts_from"]), (by_shipped["contacts"], "step"))
+
+    def test_rows_tell_those_of_a_step_that_is_not_complete(self):
+        # The program plays the shipped step in its place.
+        core = traced(COUNTED.replace(STEP, f"for (int part = 0; part < 4; ++part) {{\n{STEP}    }}\n"))
+        self.assertEqual(core.why, "more than 4,096 paths")
+        played = ("run", "scenarios/flings/first-fling.json", "-o", self.folder / "run.h5")
+        self.assertIn("\n  contacts       right 1, ground 8; from the rows: the core's step is not complete: more than 4,096 "
+                      "paths\n", core.run(*played).out)
+        self.assertEqual(core.run(*played, "--json").json["runs"][0]["contacts_from"], "rows")
+        self.assertRegex(core.run("info").out, r"\ncontacts +from the rows\n")
+
+
+if __name__ == "__main__":
+    main()

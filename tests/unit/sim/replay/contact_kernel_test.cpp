@@ -1,0 +1,36 @@
+// Contacts of the paper's step, told by what knows nothing of it.
+#include "sim/replay/contact_kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "sim/replay/replay.h"
+#include "sim/trace/step_text.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+#include "tests/unit/sim/trace/recording.h"
+
+namespace hyrax {
+namespace {
+
+void expect_the_contacts_of_the_core(const std::shared_ptr<const StepProgram>& step) {
+  const ContactKernel kernel({std::shared_ptr<const Kernel>(), &compiled_kernel()}, step);
+  for (const std::string& path : scenario_files()) {
+    const Scenario scenario = load_scenario(path);
+    TraceSink core({.rows_every = 1000, .contacts = true, .blocks = true});
+    TraceSink told({.rows_every = 1000, .contacts = true, .blocks = true});
+    const std::string expected = text_of(replay(scenario, core));
+    ASSERT_EQ(text_of(replay(scenario, told, {.kernel = &kernel})), expected) << path;
+    ASSERT_TRUE(same_trace(told, core)) << path;
+  }
+}
+
+TEST(ContactKernel, TellsTheContactsOfTheCoreByItsTracedStep) {
+  expect_the_contacts_of_the_core(make_step_program(canonical(recording::record_listing())));
+}
+
+TEST(ContactKernel, TellsThemByRowsThatAreThePapers) { expect_the_contacts_of_the_core(nullptr); }
+
+}  // namespace
+}  // namespace hyrax
