@@ -95,7 +95,7 @@ class FramePowers {
 /// - discrete: the paper's step without rounding;
 /// - matched: the ODE v' = g - k v whose k is -ln(a) / dt in each frame; a frame of dt 0 only damps;
 /// - model: the same ODE with k at its 60 Hz value, whatever the frames are;
-/// - exact law: the ODE whose flow is the paper's step (frame_powers.h).
+/// - exact law: the ODE whose flow is the paper's step (see FramePowers).
 ///
 /// Frames of bit-equal dt are solved from where they began; where dt changes, the state there is
 /// kept to 100 bits. So errors do not grow with the number of frames: below 1e-14 of
