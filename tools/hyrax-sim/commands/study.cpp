@@ -252,20 +252,18 @@ ExitCode run_study_command(const StudyArguments& arguments) {
 }  // namespace
 
 Command study_command() {
-  return {
-      .name = "study",
-      .summary =
-          "measure error against cost, needs, hard cases, frame rates, rest, the paper's claims",
-      .example =
-          "hyrax-sim study speed-error -o studies\n"
-          "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
-      .is_common = true,
-      .needs_paper_model = true,
-      .declare = [](Options& options) {
-        const auto arguments = std::make_shared<StudyArguments>();
-        declare_arguments(options, *arguments);
-        return [arguments] { return run_study_command(*arguments); };
-      }};
+  return {.name = "study",
+          .summary = "measure error against cost, needs, hard cases, frame rates, rest, the paper's claims",
+          .example =
+              "hyrax-sim study speed-error -o studies\n"
+              "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
+          .is_common = true,
+          .needs_paper_model = true,
+          .declare = [](Options& options) {
+            const auto arguments = std::make_shared<StudyArguments>();
+            declare_arguments(options, *arguments);
+            return [arguments] { return run_study_command(*arguments); };
+          }};
 }
 
 }  // namespace hyrax
