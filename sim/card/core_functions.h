@@ -26,7 +26,6 @@ struct CoreFunctions {
                   int parts) = nullptr;
   State (*stopped)(const State& body) = nullptr;
   State (*flight)(const State& body, double dt_s) = nullptr;
-  bool (*is_listing)() = nullptr;
   /// The paper's constants that the header does not have, as "GRAVITY, AIR_DRAG"; null: it has all.
   const char* (*lacking)() = nullptr;
   /// Why results of this core cannot be compared, in a sentence without its full stop; null: no such reason

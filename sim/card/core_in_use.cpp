@@ -12,6 +12,7 @@
 #include "sim/reference/model.h"
 #include "sim/replay/core.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 
 namespace hyrax {
 namespace {
@@ -126,8 +127,11 @@ State core_stopped(const State& body) {
 State core_flight(const State& body, double dt_s) {
   return watched(0, 0, [&] { return core().flight(body, dt_s); });
 }
-bool core_is_listing() {
-  return watched(0, 0, [] { return core().is_listing(); });
+// No trace of it: sweeps of any core are played step by step.
+const StepShape& core_shape() {
+  static const StepShape kUnknown;
+  return kUnknown;
 }
+std::optional<Constants> measured_constants() { return core_constants(); }
 
 }  // namespace hyrax

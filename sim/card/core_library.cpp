@@ -113,7 +113,6 @@ extern "C" [[gnu::visibility("default")]] const hyrax::CoreFunctions* hyrax_core
                                               .played = hyrax::core_played,
                                               .stopped = hyrax::core_stopped,
                                               .flight = hyrax::core_flight,
-                                              .is_listing = hyrax::core_is_listing,
                                               .lacking = hyrax::lacking_constants,
                                               .defect = hyrax::defect_of<hyrax::CountedCore>};
   return &functions;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim/ensemble/lane_player.h"
-#include "sim/replay/core.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/schedule.h"
 
@@ -51,8 +50,8 @@ bool has_timing_keys(const Sweep& sweep) {
 // from event to event.
 class EnsemblePlayer::Batch {
  public:
-  Batch(const Sweep& sweep, const KernelSet& kernels)
-      : player_(kernels, detail_of(sweep.keep)),
+  Batch(const Sweep& sweep, const KernelSet& kernels, const Constants& constants)
+      : player_(kernels, constants, detail_of(sweep.keep)),
         sweep_(sweep),
         scenarios_(sweep),
         clock_(lane_clock(sweep.base.clock)),
@@ -212,9 +211,9 @@ class EnsemblePlayer::Batch {
 };
 
 EnsemblePlayer::EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options) : sweep_(sweep) {
-  if (options.replays || needs_replay(sweep) || !core_is_listing()) return;
-  batch_ =
-      std::make_unique<Batch>(sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front());
+  if (!options.listing || needs_replay(sweep)) return;
+  batch_ = std::make_unique<Batch>(
+      sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front(), *options.listing);
 }
 EnsemblePlayer::~EnsemblePlayer() = default;
 EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "sim/motion/state.h"
@@ -43,15 +44,17 @@ struct StepTally {
 
 /// How members are played. All ways give the same bits.
 struct EnsembleOptions {
+  /// Of a core whose step is proved to be the paper's (sim/replay/core_shape.h); of any other, and without,
+  /// each member is played by the replay, step by step.
+  std::optional<Constants> listing = {};
   const KernelSet* kernels = nullptr;  ///< The fastest that this machine can run, if it is not set.
-  bool replays = false;                ///< Each member by the replay, without kernels.
 };
 
 /// Plays members of a sweep. One a thread.
 class EnsemblePlayer {
  public:
   /// Refers to the sweep.
-  explicit EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options = {});
+  EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options);
   ~EnsemblePlayer();
   EnsemblePlayer(EnsemblePlayer&&) noexcept;
 

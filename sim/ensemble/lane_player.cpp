@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "sim/replay/core_constants.h"
-
 namespace hyrax {
 namespace {
 
@@ -315,7 +313,7 @@ StepTally LanePlayer::play(std::span<const Leg> legs, LaneClock clock, const dou
   slowing_.clear();
   lanes_ = {};
   lanes_.trace = trace;
-  lanes_.constants = core_constants();
+  lanes_.constants = constants_;
   StepTally tally;
   std::int64_t longest = 0;
   for (const Leg& leg : legs) {

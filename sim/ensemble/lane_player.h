@@ -42,7 +42,8 @@ struct Leg {
 /// - Frames of a state that repeats exactly.
 class LanePlayer {
  public:
-  LanePlayer(const KernelSet& kernels, Detail detail) : kernels_(kernels), detail_(detail) {}
+  LanePlayer(const KernelSet& kernels, const Constants& constants, Detail detail)
+      : kernels_(kernels), constants_(constants), detail_(detail) {}
 
   /// Plays each leg's frames. Members are not held. `trace` is used by LaneClock::trace only.
   /// REQUIRES: legs of different members.
@@ -62,6 +63,7 @@ class LanePlayer {
 
   Lanes lanes_{};
   const KernelSet& kernels_;
+  Constants constants_;
   Detail detail_;
   std::vector<Slide> slides_;
   std::vector<Slide> slowing_;

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "sim/reference/drift.h"
-#include "sim/reference/model.h"
 
 namespace hyrax {
 
@@ -22,6 +21,7 @@ struct EnergyCauses {
 /// Sums them up over arcs and contacts, which come in order of steps.
 class EnergyCauseSum {
  public:
+  explicit EnergyCauseSum(double gravity_px_per_s2) : gravity_px_per_s2_(gravity_px_per_s2) {}
   [[nodiscard]] const EnergyCauses& now() const { return now_; }
   void add(const ArcErrors& arc) {
     now_.gravity += height(arc.energy_parts.gravity);
@@ -35,8 +35,11 @@ class EnergyCauseSum {
   }
 
  private:
-  static double height(double energy_px2_per_s2) { return energy_px2_per_s2 / Model{}.gravity_px_per_s2; }
+  [[nodiscard]] double height(double energy_px2_per_s2) const {
+    return energy_px2_per_s2 / gravity_px_per_s2_;
+  }
 
+  double gravity_px_per_s2_;
   EnergyCauses now_;
   std::int64_t last_contact_ = -1;
 };

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sim/motion/displays.h"
-#include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/draws.h"
 
@@ -108,7 +108,9 @@ class Maker {
   }
   // From which a frame that ends on the ground leaves the rest rule's threshold, often to the bit.
   static double threshold_speed(double dt_s) {
-    const Constants core = core_constants();
+    const std::optional<Constants> constants = measured_constants();
+    if (!constants) return 0.0;
+    const Constants& core = *constants;
     return core.rest_threshold_px_per_s / core.restitution / core.air_drag - core.gravity_px_per_s2 * dt_s;
   }
   void start_at_a_corner(Scenario& scenario) {

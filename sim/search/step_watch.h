@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/replay/core.h"
+#include "sim/replay/core_shape.h"
 #include "sim/search/invariant.h"
 #include "sim/trajectory/input_playback.h"
 #include "sim/trajectory/row_sink.h"
@@ -11,7 +13,8 @@
 namespace hyrax {
 
 /// A sink for a run from its start. Its bounds are derived, above the code that computes them, from
-/// the laws alone: gravity G >= 0 and the step's factors, none of them above 1.
+/// the laws alone: gravity G >= 0 and the step's factors, none of them above 1. Of a core of another shape it
+/// checks only that it stays finite and inside.
 class StepWatch : public RowSink {
  public:
   /// Refers to the scenario.
@@ -41,6 +44,7 @@ class StepWatch : public RowSink {
   void start_from(const State& body, Bounds bounds);
   void check_finite(const Row& row);
   void check_bounds(const Step& step);
+  void check_laws(const Step& step);
   void check_step_energy(const Step& step);
   void check_energy_ceiling(const Step& step);
   void check_speed(const Step& step);
@@ -56,7 +60,8 @@ class StepWatch : public RowSink {
   }
   void mirror(const State& body, Bounds bounds);
 
-  Constants core_;
+  std::optional<Constants> shape_ = measured_constants();
+  Constants core_ = shape_.value_or(Constants());
   InputPlayback inputs_;
   InvariantMeasures measures_{};
   Row before_;

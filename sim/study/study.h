@@ -61,6 +61,7 @@ struct Study {
   bool takes_scenarios = false;
   bool takes_within = false;
   bool takes_expected = false;
+  bool is_of_paper = false;            ///< About the paper's constants, not about a core of one's own.
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
   /// ERRORS: RequestRefused.
   StudyResult (*run)(const StudyRequest& request) = nullptr;

@@ -14,4 +14,9 @@ inline constexpr std::string_view kPhysicsModel = "hyrax-physics/1";
   return model.starts_with("hyrax-physics/");
 }
 
+/// Whether results of one can be compared with those of the other.
+[[nodiscard]] constexpr bool is_same_model(std::string_view a, std::string_view b) {
+  return a == b || (is_paper_model(a) && is_paper_model(b));
+}
+
 }  // namespace hyrax

@@ -195,7 +195,7 @@ class Table(DriftTest):
         table = self.table_of(fling())
         self.assertTrue(table.splitlines()[1].startswith("  whole run    ends "))
         for part in ("fling: 300 steps, 5 s at 60 Hz", "px of height a second, at ", "closed form, checked by GSL rk8pd at 1e-12", "  worst",
-                     "restitution  median 0.", "the paper's is 0.6", "  any start within ±",
+                     "restitution  median 0.", "the model's is 0.6", "  any start within ±",
                      "keeps all contacts; nearest decision:", "  not computed "):
             self.assertIn(part, table)
         last = table.splitlines()[-1]

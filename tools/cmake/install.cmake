@@ -28,7 +28,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
 # core compiles two sources and needs no library but the compiler's own.
 set(hyrax_rooms physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
-                scenario store golden judged_run report child_process page_record pages no_page files fmt)
+                scenario store golden judged_run report child_process page_record pages page files fmt)
 list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:hyrax_\\1>")
 add_custom_command(
   OUTPUT ${hyrax_program_object}
@@ -51,7 +51,7 @@ foreach(
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
         trajectory/state_hash.h
-        trace/core_record.h trace/operation.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
+        replay/core_shape.h trace/core_record.h trace/listing_step.h trace/operation.h trace/traced_step.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
         trace/host/number.h trace/host/number_functions.h
         trace/host/programs/check_core.cpp trace/host/programs/record_step.cpp)
   cmake_path(GET source PARENT_PATH folder)

@@ -22,12 +22,12 @@ RunSummary play(const Scenario& scenario, const Kernel& kernel) {
 }
 
 std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
-                                   std::optional<DriftSummary> measured) {
+                                   std::optional<DriftSummary> measured, const Model& model) {
   if (!scenario.expect) return {};
   if (!bounds_errors(*scenario.expect)) return judge(*scenario.expect, summary);
   if (!measured) {
     DriftSink ignored;
-    DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored);
+    DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored, nullptr, model);
     replay(scenario, meter);
     measured = meter.finish();
   }
@@ -36,9 +36,10 @@ std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& s
                          value_of(measured->energy_drift_rel_max)});
 }
 
-std::vector<Expectation> broken_expectations(const Scenario& scenario, const RunSummary& summary) {
+std::vector<Expectation> broken_expectations(const Scenario& scenario, const RunSummary& summary,
+                                             const Model& model) {
   std::vector<Expectation> broken;
-  for (Expectation& expectation : judge_run(scenario, summary))
+  for (Expectation& expectation : judge_run(scenario, summary, std::nullopt, model))
     if (!expectation.holds) broken.push_back(std::move(expectation));
   return broken;
 }

@@ -22,12 +22,15 @@ namespace hyrax {
 
 /// The verdicts on the scenario's `expect`.
 /// @param measured the errors against the reference; without it the run is played again where one is bounded.
+/// @param model the laws it is measured by.
 [[nodiscard]] std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
-                                                 std::optional<DriftSummary> measured = std::nullopt);
+                                                 std::optional<DriftSummary> measured = std::nullopt,
+                                                 const Model& model = {});
 
 /// Those that do not hold.
 [[nodiscard]] std::vector<Expectation> broken_expectations(const Scenario& scenario,
-                                                           const RunSummary& summary);
+                                                           const RunSummary& summary,
+                                                           const Model& model = {});
 
 /// A verdict of `expect`: {"rule", "holds", "measured"}.
 [[nodiscard]] Json expectation_json(const Expectation& expectation);

@@ -8,6 +8,7 @@
 
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/build_info.h"
 #include "tools/files/main_program.h"
@@ -47,7 +48,7 @@ std::vector<Command> all_commands() {
 }
 
 // To this program's core.
-bool applies(const Command& command) { return !command.needs_paper_model || is_paper_model(core_model()); }
+bool applies(const Command& command) { return !command.needs_paper_step || measured_constants(); }
 
 std::string command_list(const std::vector<Command>& commands, bool is_common) {
   std::string text;
@@ -60,9 +61,9 @@ std::string command_list(const std::vector<Command>& commands, bool is_common) {
 // Says what this program is, if it is not the one that the help is about.
 std::string about_core() {
   if (is_paper_model(core_model())) return "";
-  return fmt::format(
-      "This program's core is {}, not the paper's model: commands that need that model are left out.\n\n",
-      core_model());
+  return fmt::format("This program's core is {}{}.\n\n", core_model(),
+                     measured_constants() ? ", the paper's step with constants of its own"
+                                          : ", not the paper's step: commands that need it are left out");
 }
 
 std::string first_screen(const std::vector<Command>& commands) {
@@ -104,7 +105,7 @@ ExitCode run_command_line(std::vector<std::string> arguments) {
     return print_help("hyrax-sim " + std::string(build_info().version) + "\n");
   const Command& command = find(commands, name);
   const std::string command_name = "hyrax-sim " + name;
-  if (command.needs_paper_model) require_paper_core(command_name);
+  if (command.needs_paper_step) require_paper_core(command_name);
   Options options;
   const std::function<ExitCode()> act = command.declare(options);
   if (!options.parse(command_name, {arguments.begin() + 1, arguments.end()}))

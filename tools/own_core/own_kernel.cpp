@@ -7,6 +7,7 @@
 #include "sim/physics/physics.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/replay/kernel_of.h"
 #include "sim/trajectory/physics_model.h"
 
@@ -40,6 +41,6 @@ const Kernel& compiled_kernel() {
 
 std::string_view core_model() { return HYRAX_OWN_CORE; }
 
-Constants core_constants() { return compiled_kernel().constants().value(); }
+Constants core_constants() { return core_shape().constants.value(); }
 
 }  // namespace hyrax

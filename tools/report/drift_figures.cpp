@@ -196,7 +196,6 @@ Figure errors_figure(const DriftPicture& picture) {
 }
 
 Figure restitution_figure(const DriftPicture& picture) {
-  constexpr double kPapers = 0.6;
   constexpr std::size_t kTicksMax = 20;
   const Spread& spread = picture.summary.effective_restitution;
   std::string subtitle = "Effective restitution: speed after the contact / speed at the true impact";
@@ -208,7 +207,7 @@ Figure restitution_figure(const DriftPicture& picture) {
   figure.legend = {{"0.6, the paper's", dashed}};
 
   std::array<Series, kWalls.size()> dots;
-  double low = kPapers, high = kPapers;
+  double low = picture.model.restitution, high = low;
   const std::size_t count = picture.contacts.size();
   for (std::size_t number = 0; number < count; ++number) {
     const double value = picture.contacts[number].effective_restitution.value_or(0.0);
@@ -222,7 +221,7 @@ Figure restitution_figure(const DriftPicture& picture) {
   const double space = std::max(0.02, 0.1 * (high - low));
   Plot plot{.x = {.label = "contact, in order", .low = 0.5, .high = static_cast<double>(count) + 0.5},
             .y = {.label = "effective restitution", .low = low - space, .high = high + space, .decimals = 2},
-            .marks = {{.is_vertical = false, .at = kPapers}},
+            .marks = {{.is_vertical = false, .at = picture.model.restitution}},
             .when_empty = "no contact that ends a flight"};
   for (std::size_t number = 1; number <= count && count <= kTicksMax; ++number)
     plot.x.ticks.push_back({static_cast<double>(number), std::to_string(number)});
@@ -243,6 +242,7 @@ Figure restitution_figure(const DriftPicture& picture) {
 // The causes over time.
 class CauseSeries {
  public:
+  explicit CauseSeries(double gravity_px_per_s2) : causes_(gravity_px_per_s2) {}
   [[nodiscard]] std::array<Series*, 5> all() { return {&gravity_, &drag_, &lift_, &bounce_, &sum_}; }
   void add(const ArcErrors& arc) {
     add(arc.t_s - arc.duration_s);
@@ -274,7 +274,7 @@ class CauseSeries {
 };
 
 Figure causes_figure(const DriftPicture& picture) {
-  CauseSeries causes;
+  CauseSeries causes(picture.model.gravity_px_per_s2);
   std::size_t next = 0;
   const auto add_before = [&](std::int64_t step) {
     for (; next < picture.contacts.size() && picture.contacts[next].step < step; ++next)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/reference/drift.h"
+#include "sim/reference/model.h"
 #include "sim/reference/whole_run.h"
 #include "sim/result/figure.h"
 #include "sim/scenario/scenario.h"
@@ -27,11 +28,12 @@ struct DriftPicture {
   const std::vector<DrawnRow>& rows;
   const WholeOutcome& whole;
   const std::vector<WholeRow>& whole_rows;  ///< All or every K-th row.
+  const Model& model;
 };
 
 /// Distance of the whole run from the exact fling; energy of run and reference against time; energy drift of
 /// each arc in % of the arc's largest energy; the three errors on a logarithmic scale; effective restitution
-/// of the contacts with the 0.6 of the paper; the causes of energy drift, summed over time. Their suffixes:
+/// of the contacts with that of the model; the causes of energy drift, summed over time. Their suffixes:
 /// -whole, -energy, -energy-drift, -errors, -restitution, -drift-causes.
 [[nodiscard]] std::vector<Figure> drift_figures(const DriftPicture& picture);
 

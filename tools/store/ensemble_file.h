@@ -58,8 +58,8 @@ struct EnsembleHead {
   std::string sweep_text;    ///< As SweepFile::text.
   std::int64_t members = 0;  ///< Of the whole sweep.
   WorkPart part;
-  bool is_part = false;                ///< Whether it is a part's file, even of one.
-  std::string physics{kPhysicsModel};  ///< The model that computed it.
+  bool is_part = false;      ///< Whether it is a part's file, even of one.
+  std::string physics = {};  ///< The model that computed it.
   bool operator==(const EnsembleHead&) const = default;
 };
 

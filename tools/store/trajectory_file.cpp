@@ -143,7 +143,8 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   if (!steps || *steps < 0 || *steps > kStepsMax)
     refuse("attribute steps: is missing or not an integer 0 .. 1e12");
   head.steps = *steps;
-  if (is_paper_model(head.physics)) head.constants = read_constants();
+  if (is_paper_model(head.physics) || h5::has_attribute(file_, "constants"))
+    head.constants = read_constants();
   return head;
 }
 

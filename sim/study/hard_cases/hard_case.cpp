@@ -8,6 +8,7 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/schedule.h"
 #include "sim/search/run_check.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -26,7 +27,7 @@ std::optional<double> value_of(const std::optional<Worst>& worst) {
 // Against the closed form alone, in one more run.
 RunErrors errors_of(const Scenario& scenario, std::int64_t steps) {
   DriftSink discard;
-  DriftMeter meter(scenario, inputs_of(scenario, steps), discard);
+  DriftMeter meter(scenario, inputs_of(scenario, steps), discard, nullptr, reference_model());
   replay(scenario, meter);
   const DriftSummary drift = meter.finish();
   return {value_of(drift.implementation_px), value_of(drift.truncation_px),

@@ -5,6 +5,7 @@
 #include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -201,7 +202,7 @@ class FrameMethod final : public Method {
   [[nodiscard]] State motion() const override { return motion_; }
 
  private:
-  FixedLaws laws_;
+  FixedLaws laws_{reference_model()};
   State motion_;
   Bounds bounds_;
   bool lies_ = false;  // The last frame touched the ground.
@@ -255,7 +256,7 @@ class ImpactsInFrame final : public Method {
  private:
   // On the ground: no vertical motion, and the friction as a rate.
   [[nodiscard]] static FixedLaws sliding_laws() {
-    FixedLaws laws;
+    FixedLaws laws(reference_model());
     laws.gravity_px_per_s2 = 0.0;
     laws.drag_rate_per_s += laws.friction_rate_per_s;
     return laws;
@@ -279,9 +280,9 @@ class ImpactsInFrame final : public Method {
     return to;
   }
 
-  FixedLaws laws_;
+  FixedLaws laws_{reference_model()};
   FixedLaws sliding_ = sliding_laws();
-  ExactFling fling_;
+  ExactFling fling_{laws_};
   State motion_;
   Bounds bounds_;
   bool slides_ = false;
@@ -308,7 +309,7 @@ class EventDriven final : public Method {
   [[nodiscard]] const std::vector<ExactImpact>* impacts() const override { return &fling_.impacts(); }
 
  private:
-  ExactFling fling_;
+  ExactFling fling_{FixedLaws(reference_model())};
   State now_;
   Timeline time_;
 };

@@ -5,13 +5,14 @@
 #include "sim/reference/gsl_flight.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/methods/method_errors.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
 
 // The matched ODE of frames of 1 / kRowRate_hz is the fixed one, by the drag factor that such frames have.
 Model model_of_fixed_laws() {
-  Model model;
+  Model model = reference_model();
   model.air_drag = std::pow(model.air_drag, model.model_rate_hz / kRowRate_hz);
   return model;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 
@@ -47,7 +48,7 @@ std::vector<MemberResult> ManyFlings::play() const {
     const WorkPart part{seed, kJitterSeeds};
     const Sweep sweep = with_jitter_seed(sweep_, seed);
     std::vector<MemberResult> of_seed(static_cast<std::size_t>(part.rows(count())));
-    EnsemblePlayer(sweep).play(part, 0, of_seed);
+    EnsemblePlayer(sweep, {.listing = core_shape().constants}).play(part, 0, of_seed);
     for (std::size_t row = 0; row < of_seed.size(); ++row)
       results[static_cast<std::size_t>(part.member(static_cast<std::int64_t>(row)))] = of_seed[row];
   }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/scenario/frame_clock.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -137,8 +138,9 @@ MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
                             const std::vector<std::vector<double>>& stage_frames_s, double rate_hz) {
   const std::unique_ptr<Method> method = kind.make();
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kRowRate_hz)));
-  ExactFling exact;
-  ErrorMeter meter{FixedLaws()};
+  const FixedLaws laws(reference_model());
+  ExactFling exact(laws);
+  ErrorMeter meter(laws);
   State run = problem.start;
   State reference = problem.start;
   std::size_t frames = 0;

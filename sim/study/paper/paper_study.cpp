@@ -202,6 +202,7 @@ Study paper_study() {
   return {.name = "paper",
           .summary = "every claim of the paper, measured",
           .takes_expected = true,
+          .is_of_paper = true,
           .run = run_paper};
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/replay.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -170,10 +171,10 @@ struct OneArc final : DriftSink {
 PaperErrors paper_errors(const Problem& flight, double rate_hz) {
   const Scenario scenario = scenario_of(flight, rate_hz);
   OneArc arc;
-  DriftMeter meter(scenario, {}, arc);
+  const Model model = reference_model();
+  DriftMeter meter(scenario, {}, arc, nullptr, model);
   replay(scenario, meter);
   meter.finish();
-  const Model model;
   const double a = model.air_drag;
   const double frames = std::round(flight.stages.front().duration_s * rate_hz);
   return {rate_hz,

@@ -92,9 +92,9 @@ struct Command {
   std::string name;
   std::string summary;
   std::string example;
-  bool is_common = false;          ///< Is on the first help screen; else under "more".
-  bool needs_strict_ieee = true;   ///< Runs only on a machine that passes the self-test.
-  bool needs_paper_model = false;  ///< Does not apply to a core of one's own.
+  bool is_common = false;         ///< Is on the first help screen; else under "more".
+  bool needs_strict_ieee = true;  ///< Runs only on a machine that passes the self-test.
+  bool needs_paper_step = false;  ///< Does not apply to a core of another shape.
   std::function<std::function<ExitCode()>(Options&)> declare;
 };
 

@@ -75,7 +75,7 @@ void measure_one(const DriftRequest& request, const std::optional<GslOptions>& g
   outcomes.attempt_after([&] {
     const auto files =
         draw_drift_figures(request.figures, {run.scenario, run.simulated_s, run.summary, run.arcs,
-                                             run.contacts, run.rows, run.whole, run.whole_rows});
+                                             run.contacts, run.rows, run.whole, run.whole_rows, run.model});
     if (!request.printing.is_json)
       for (const std::string& file : files) print_error("written: " + file);
   });
@@ -123,7 +123,7 @@ Command drift_command() {
           "hyrax-sim drift scenarios/flings/first-fling.json\n"
           "  hyrax-sim drift first-fling.h5 --figures pictures",
       .is_common = true,
-      .needs_paper_model = true,
+      .needs_paper_step = true,
       .declare = [](Options& options) {
         const auto request = std::make_shared<DriftRequest>();
         options.files(

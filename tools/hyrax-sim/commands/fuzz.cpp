@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/json.h"
 #include "tools/files/path.h"
@@ -134,6 +135,8 @@ void print_json(const FuzzRequest& request, const FuzzLimits& limits, const Fuzz
 // Commands that show the failure again.
 std::string commands_for(const FuzzRequest& request, const Written& written) {
   const std::string path = as_argument(written.path);
+  if (request.against.empty() && !measured_constants())
+    return "  " + shell_command({"hyrax-sim", "run", path}) + "\n";
   if (request.against.empty())
     return "  " + shell_command({"hyrax-sim", "study", "hard-cases", path, "--gate", "--no-figures"}) + "\n";
   return "  " + shell_command({"hyrax-sim", "run", path, "-o", "here.h5"}) + "\n  " +
@@ -209,7 +212,6 @@ Command fuzz_command() {
       .example =
           "hyrax-sim fuzz --time 60s\n"
           "  hyrax-sim fuzz --runs 100000 --seed 7 --against ./other-build/hyrax-sim -o failures",
-      .needs_paper_model = true,
       .declare = [](Options& options) {
         const auto request = std::make_shared<FuzzRequest>();
         options.integer(request->seed, {"--seed", "N", "which scenarios are drawn (default: 1)"}, 0);

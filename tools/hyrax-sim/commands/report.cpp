@@ -49,7 +49,6 @@ Command report_command() {
           "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
           "  hyrax-sim report speed-error.h5 -o speed-error.html",
       .is_common = false,
-      .needs_paper_model = true,
       .declare = [](Options& options) {
         const auto arguments = std::make_shared<ReportArguments>();
         ReportRequest& request = arguments->request;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
@@ -138,7 +139,6 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
 }
 
 void check_page_request(const RunRequest& request, std::size_t scenarios) {
-  require_paper_core("hyrax-sim run: --report");
   if (scenarios > 1)
     throw Failure(
         ExitCode::bad_input,
@@ -172,7 +172,7 @@ void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift,
                     .skips_repetition = !request.computes_all,
                     .compares = request.overrides.empty(),
                     .drift = drift,
-                    .measures_start = request.printing.is_verbose() && !drift && is_paper_model(core_model()),
+                    .measures_start = request.printing.is_verbose() && !drift && measured_constants(),
                     .picture = picture ? &*picture : nullptr});
   if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
   if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);

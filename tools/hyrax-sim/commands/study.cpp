@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "sim/replay/core_constants.h"
 #include "sim/study/study.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
@@ -104,6 +106,8 @@ void refuse_what_it_does_not_take(const Study& study, const StudyArguments& argu
   if (study.takes_expected && arguments.is_gate && arguments.expect_file.empty())
     refuse("--gate needs --expect FILE, the expected verdicts");
   if (!arguments.within.empty() && !study.takes_within) refuse("takes no --within");
+  if (study.is_of_paper && !is_paper_model(core_model()))
+    refuse("is about the paper's own constants (found the core " + std::string(core_model()) + ")");
 }
 
 // The scenario files that the study reads.
@@ -258,7 +262,7 @@ Command study_command() {
               "hyrax-sim study speed-error -o studies\n"
               "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
           .is_common = true,
-          .needs_paper_model = true,
+          .needs_paper_step = true,
           .declare = [](Options& options) {
             const auto arguments = std::make_shared<StudyArguments>();
             declare_arguments(options, *arguments);

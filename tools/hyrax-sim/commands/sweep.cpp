@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "sim/replay/core_constants.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_writer.h"
@@ -132,6 +133,7 @@ ExitCode compute(const SweepRequest& request) {
   SweepJob job;
   job.head.sweep_text = file.text;
   job.head.members = file.sweep.members;
+  job.head.physics = core_model();
   job.head.is_part = part.has_value();
   if (part) job.head.part = part->part;
   job.output = output_of(request, part);
@@ -213,7 +215,6 @@ Command sweep_command() {
               "hyrax-sim sweep sweep.json -o sweep.h5\n"
               "  hyrax-sim sweep sweep.json --member 17 -o member.json\n"
               "  hyrax-sim sweep --merge sweep.part-*.h5 -o sweep.h5",
-          .needs_paper_model = true,
           .declare = [](Options& options) {
             const auto request = std::make_shared<SweepRequest>();
             declare_options(options, *request);

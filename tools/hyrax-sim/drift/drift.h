@@ -12,6 +12,7 @@
 #include "sim/reference/margin.h"
 #include "sim/reference/whole_run.h"
 #include "sim/search/contact_chance.h"
+#include "sim/study/reference_model.h"
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/runs/run_rows.h"
@@ -41,9 +42,10 @@ inline constexpr std::size_t kArcsListedMax = 100'000;
 inline constexpr std::size_t kRowsDrawnMax = 4'000;
 
 struct DriftOptions {
-  std::optional<GslOptions> gsl;  ///< A second solution of every arc; none: the closed form alone.
-  bool keeps_rows = false;        ///< For a figure.
-  DriftSink* also = nullptr;      ///< Gets every measurement as well, its rows if it wants them.
+  std::optional<GslOptions> gsl;    ///< A second solution of every arc; none: the closed form alone.
+  bool keeps_rows = false;          ///< For a figure.
+  Model model = reference_model();  ///< Of a file: its constants' (load_drift).
+  DriftSink* also = nullptr;        ///< Gets every measurement as well, its rows if it wants them.
 };
 
 struct DriftRun {
@@ -52,6 +54,7 @@ struct DriftRun {
   double simulated_s = 0.0;
   std::string note;  ///< On the origin of the rows; may be empty.
   std::optional<GslOptions> gsl;
+  Model model;
 
   DriftSummary summary;
   std::optional<ArcErrors> longest_arc;
@@ -82,7 +85,7 @@ class DriftRecorder {
 [[nodiscard]] DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options = {});
 /// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
 /// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
-[[nodiscard]] DriftRun load_drift(const std::string& path, const DriftOptions& options = {});
+[[nodiscard]] DriftRun load_drift(const std::string& path, DriftOptions options = {});
 
 /// How a measurement ends: a fault of the reference is an internal error.
 [[nodiscard]] ExitCode drift_exit_code(const DriftSummary& summary);

@@ -89,16 +89,17 @@ RunSummary play_into(const Scenario& scenario, DriftRecorder& recorder) {
 
 struct DriftRecorder::Sinks {
   Sinks(const Scenario& scenario, const DriftOptions& options)
-      : solver(options.gsl ? std::make_unique<GslFlight>(*options.gsl) : nullptr),
+      : solver(options.gsl ? std::make_unique<GslFlight>(*options.gsl, options.model) : nullptr),
         recorder(run, options),
-        meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get()),
-        margin(scenario, inputs_of(scenario, step_count(scenario))),
+        meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get(), options.model),
+        margin(scenario, inputs_of(scenario, step_count(scenario)), options.model),
         whole_rows(run.whole_rows),
-        whole(scenario, inputs_of(scenario, step_count(scenario)), {},
+        whole(scenario, inputs_of(scenario, step_count(scenario)), options.model,
               options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows.add(row); })
                                  : nullptr) {
     run.scenario = scenario;
     run.gsl = options.gsl;
+    run.model = options.model;
   }
 
   DriftRun run;
@@ -133,10 +134,12 @@ DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options) {
   return recorder.finish(summary.steps, summary.simulated_s);
 }
 
-DriftRun load_drift(const std::string& path, const DriftOptions& options) {
+DriftRun load_drift(const std::string& path, DriftOptions options) {
   const TrajectoryFile file = TrajectoryFile::open(path);
-  require_paper_run(file, "drift");
   const FileHead& head = file.head();
+  require_own_core(path, head.physics);
+  if (!head.constants) file.refuse("attribute constants: is missing");
+  options.model = reference_model(head.physics, head.constants);
   DriftRecorder recorder(head.scenario, options);
   if (file.row_count() == head.steps + 1) {
     read_into(file, recorder.sinks());

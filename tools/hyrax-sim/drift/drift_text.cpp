@@ -126,18 +126,18 @@ std::string energy_text(const DriftSummary& summary) {
 }
 
 // Energy as the height in px that it lifts the sprite by.
-std::string height(double energy_px2_per_s2) {
-  return fmt::format("{:+.3g} px", energy_px2_per_s2 / Model{}.gravity_px_per_s2);
+std::string height(double energy_px2_per_s2, const Model& model) {
+  return fmt::format("{:+.3g} px", energy_px2_per_s2 / model.gravity_px_per_s2);
 }
 
 // What the discretisation itself adds and takes, by cause; what the model takes at a contact is no error.
-std::string causes_text(const DriftSummary& summary) {
-  if (summary.arcs == 0) return "";
+std::string causes_text(const DriftSummary& summary, const Model& model) {
+  if (summary.arcs == 0 || !(model.gravity_px_per_s2 > 0.0)) return "";
   return fmt::format(
       "  by cause     as height: gravity once a step {}, drag on that path {},\n"
       "               lift out of walls {}, restitution after the wall {}\n",
-      height(summary.arc_energy.gravity), height(summary.arc_energy.drag),
-      height(summary.contact_energy.lift), height(summary.late_bounces_px2_per_s2));
+      height(summary.arc_energy.gravity, model), height(summary.arc_energy.drag, model),
+      height(summary.contact_energy.lift, model), height(summary.late_bounces_px2_per_s2, model));
 }
 
 std::string exact_law_text(const DriftSummary& summary) {
@@ -150,7 +150,7 @@ std::string arcs_text(const DriftRun& run, std::size_t lines_max) {
   if (summary.arcs == 0) return "  no flight arc of two steps or more\n";
   return table_text(run.arcs, lines_max, kArcColumns, kReferenceArcColumns) +
          more_text(summary.arcs, lines_max) + worst_line(summary, kArcColumns, kReferenceArcColumns) +
-         energy_text(summary) + causes_text(summary) + exact_law_text(summary);
+         energy_text(summary) + causes_text(summary, run.model) + exact_law_text(summary);
 }
 
 std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
@@ -161,8 +161,9 @@ std::string contacts_text(const DriftRun& run, std::size_t lines_max) {
   const Spread& restitution = summary.effective_restitution;
   if (restitution.count() > 0)
     text +=
-        fmt::format("  restitution  median {:.4f}, from {:.4g} to {:.4g}, {} contacts; the paper's is 0.6\n",
-                    restitution.median(), restitution.smallest(), restitution.largest(), restitution.count());
+        fmt::format("  restitution  median {:.4f}, from {:.4g} to {:.4g}, {} contacts; the model's is {:g}\n",
+                    restitution.median(), restitution.smallest(), restitution.largest(), restitution.count(),
+                    run.model.restitution);
   return text;
 }
 

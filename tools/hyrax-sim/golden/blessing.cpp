@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include "sim/study/reference_model.h"
 #include "tools/files/json_edit.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -59,7 +60,7 @@ void require_expected(const std::string& path, const Scenario& scenario, const R
   if (const std::string text = non_finite_text(scenario, summary.final); !text.empty())
     throw Failure(ExitCode::disagreed, path + ": not blessed: " + text);
   std::string broken;
-  for (const Expectation& expectation : broken_expectations(scenario, summary))
+  for (const Expectation& expectation : broken_expectations(scenario, summary, reference_model()))
     broken += "; " + expectation_text(expectation);
   if (!broken.empty())
     throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
@@ -115,7 +116,7 @@ void update_expect(const RunSummary& summary, bool updates_ranges, Scenario& sce
   const std::string text = read_scenario_text(blessing.path);
   std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
   if (updates_ranges) {
-    const std::vector<Expectation> broken = broken_expectations(scenario, summary);
+    const std::vector<Expectation> broken = broken_expectations(scenario, summary, reference_model());
     updated = with_updated_ranges(std::move(updated), scenario, broken);
     for (const Expectation& expectation : broken)
       if (is_updatable(expectation)) blessing.updated.push_back(expectation);

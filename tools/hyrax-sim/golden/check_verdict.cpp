@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/cause/watched_kernel.h"
+#include "sim/study/reference_model.h"
 #include "sim/trace/step_program.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -36,7 +37,7 @@ void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerd
   verdict.comparison = std::move(pair->comparison);
   verdict.note = std::move(pair->note);
   verdict.runs = std::move(pair->runs);
-  verdict.broken = broken_expectations(scenario, pair->summary);
+  verdict.broken = broken_expectations(scenario, pair->summary, reference_model());
   if (!has_golden) verdict.state_hash = hex(pair->summary.state_hash);
   verdict.non_finite = non_finite_text(scenario, pair->summary.final);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))

@@ -33,10 +33,6 @@ constexpr double kConsequence_s = 5.0;
 constexpr std::int64_t kConsequenceSteps = 100'000;
 constexpr std::int64_t kShrinkTrials = 500;
 
-bool is_same_class(const std::string& a, const std::string& b) {
-  return a == b || (is_paper_model(a) && is_paper_model(b));
-}
-
 std::string bless_core_command() { return program_command({"bless", "--core", "--reason", "TEXT"}); }
 
 // IEEE-754 does not fix the bits of other functions.
@@ -128,7 +124,7 @@ CoreCheck::CoreCheck(const std::string& golden_folder) : steps_(std::make_unique
 
 void CoreCheck::compare() {
   const AcceptedCore program = program_core();
-  if (!is_same_class(accepted_->model, program.model)) {
+  if (!is_same_model(accepted_->model, program.model)) {
     verdict_.status = CoreStatus::not_proved;
     verdict_.why = fmt::format("the accepted core is of another class (found {}); this program's is {}",
                                accepted_->model, program.model);

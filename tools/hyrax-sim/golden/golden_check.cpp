@@ -6,6 +6,7 @@
 
 #include "sim/compare/run_comparer.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/replay/listing_kernel.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
@@ -127,7 +128,7 @@ FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel) {
   }
   run.scenario = scenario;
   run.physics = core_model();
-  run.constants = core_kernel().constants();
+  run.constants = measured_constants();
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;

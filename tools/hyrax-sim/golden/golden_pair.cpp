@@ -5,8 +5,10 @@
 
 #include "sim/cause/cause.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
+#include "sim/study/reference_model.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
@@ -14,6 +16,7 @@
 #include "tools/files/text_file.h"
 #include "tools/hyrax-sim/drift/drift.h"
 #include "tools/hyrax-sim/golden/accepted_core.h"
+#include "tools/hyrax-sim/runs/paper_model.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
 #include "tools/store/trajectory_format.h"
@@ -50,11 +53,11 @@ void send_decisive_rows(const StoredRun& run, RowSink& sink) {
   static_cast<void>(replay->finish());
 }
 
-// Empty for a core of one's own: the margin is measured by the paper's model.
+// Empty for a core of another shape: the margin is measured by the paper's laws.
 std::string margin_in_summary(const FreshRun& fresh) {
   const StoredRun& run = fresh.run;
-  if (!is_paper_model(run.physics)) return "";
-  MarginMeter meter(run.scenario, run.inputs);
+  if (!run.constants) return "";
+  MarginMeter meter(run.scenario, run.inputs, reference_model(run.physics, run.constants));
   if (run.blocks.empty())
     meter.rows(run.rows);
   else
@@ -102,18 +105,10 @@ bool has_other_run(const Comparison& comparison, const StoredRun& kept, const Sc
   return comparison.first || !comparison.contacts.is_none() || !plays_the_same(kept.scenario, scenario);
 }
 
-// Numbers of the paper's model compare with each other; any other core has golden files of its own.
-void require_own_model(const StoredRun& kept, const GoldenPlace& place) {
-  if (kept.physics == core_model() || (is_paper_model(kept.physics) && is_paper_model(core_model()))) return;
-  throw Failure(ExitCode::bad_input, place.h5_path + ": attribute physics: is of another core (found " +
-                                         kept.physics + "); this program's core is " +
-                                         std::string(core_model()));
-}
-
 PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
                                 FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
-  require_own_model(kept, place);
+  require_own_core(place.h5_path, kept.physics);
   ComparedRun compared = compare_with(kept, scenario);
   PairComparison pair{
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
@@ -147,7 +142,7 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
 }
 
 bool has_core_constants(const StoredRun& kept) {
-  const std::optional<Constants> constants = core_kernel().constants();
+  const std::optional<Constants> constants = measured_constants();
   if (!kept.constants || !constants) return kept.constants.has_value() == constants.has_value();
   return numbers_of(*kept.constants) == numbers_of(*constants);
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "sim/replay/core_constants.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/physics_model.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/build_info.h"
 #include "tools/files/non_finite_text.h"
@@ -183,13 +185,17 @@ ScenarioRun played(const TrajectoryFile& file) {
   run.output = file.path();
   run.scenario = file.head().scenario;
   run.rows_recorded = file.row_count();
-  DriftRecorder recorder(run.scenario, {});
-  const bool checks_bounds = run.scenario.expect && run.scenario.expect->in_bounds;
-  Replay replay(run.scenario, recorder.sinks(), {.checks_bounds = checks_bounds});
+  DriftOptions options;
+  options.model = reference_model(file.head().physics, file.head().constants);
+  std::optional<DriftRecorder> recorder;
+  if (file.head().constants) recorder.emplace(run.scenario, options);
+  Replay replay(run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
+                judged_options(run.scenario));
   play_with_progress(replay, replay.steps());
   run.summary = replay.finish();
-  run.drift = recorder.finish(run.summary.steps, run.summary.simulated_s);
-  run.expectations = judge_run(run.scenario, run.summary, run.drift->summary);
+  if (recorder) run.drift = recorder->finish(run.summary.steps, run.summary.simulated_s);
+  run.expectations =
+      judge_run(run.scenario, run.summary, run.drift ? std::optional(run.drift->summary) : std::nullopt);
   return run;
 }
 
@@ -205,16 +211,16 @@ Json run_data(const TrajectoryFile& file) {
                     {"row_count", file.row_count()},
                     {"state_hash", head.state_hash},
                     {"physics", head.physics},
-                    {"constants", constants_json(head.constants.value())},
+                    {"constants", head.constants ? constants_json(*head.constants) : Json()},
                     {"record", doubles_json(record_of(head.scenario))},
                     {"rows", rows_json(evidence.rows)},
                     {"blocks", blocks_json(evidence.blocks)},
                     {"inputs", inputs_json(file.inputs())},
                     {"result", run_json(run)},
                     {"expect", expectations_json(run.expectations)},
-                    {"errors", errors_json(run.drift->summary)},
+                    {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
                     {"non_finite", non_finite_text(head.scenario, run.summary.final)},
-                    {"margin", margin_text(run.drift->margin)},
+                    {"margin", run.drift ? margin_text(run.drift->margin) : ""},
                     {"provenance", provenance_json(file.provenance())}};
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
@@ -227,10 +233,10 @@ Json report_data(const ReportRequest& request) {
   Json::Array runs;
   std::optional<TrajectoryFile> against;
   if (!request.against.empty())
-    require_paper_run(against.emplace(TrajectoryFile::open(request.against)), "report");
+    require_own_core(request.against, against.emplace(TrajectoryFile::open(request.against)).head().physics);
   for (const std::string& path : request.files) {
     const TrajectoryFile file = TrajectoryFile::open(path);
-    require_paper_run(file, "report");
+    require_own_core(path, file.head().physics);
     Json run = run_data(file);
     run.get<Json::Object>()->emplace_back("cause", request.cause);
     if (against)
@@ -238,11 +244,13 @@ Json report_data(const ReportRequest& request) {
           "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));
     runs.push_back(std::move(run));
   }
-  Json::Object data{{"format", "hyrax-report/1"},
-                    {"program", "hyrax-sim " + std::string(build_info().version)},
-                    {"core_fingerprint", hex(core_fingerprint())},
-                    {"command", request.command},
-                    {"runs", std::move(runs)}};
+  Json::Object data{
+      {"format", "hyrax-report/1"},
+      {"program", "hyrax-sim " + std::string(build_info().version)},
+      {"core", core_model()},
+      {"core_fingerprint", is_paper_model(core_model()) ? Json(hex(core_fingerprint())) : Json()},
+      {"command", request.command},
+      {"runs", std::move(runs)}};
   if (against) data.emplace_back("against", run_data(*against));
   return data;
 }

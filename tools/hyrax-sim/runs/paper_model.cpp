@@ -1,16 +1,22 @@
 #include "tools/hyrax-sim/runs/paper_model.h"
 
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
+#include "sim/study/reference_model.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
 
 void require_paper_core(const std::string& what) {
+  const std::optional<Constants> constants = measured_constants();
+  if (!constants)
+    throw Failure(ExitCode::bad_input,
+                  what + ": needs the paper's step, with any constants (found in the core " +
+                      std::string(core_model()) + ": " + core_shape().difference + ")");
   if (is_paper_model(core_model())) return;
-  throw Failure(ExitCode::bad_input, what + ": needs the paper's model (found the core " +
-                                         std::string(core_model()) +
-                                         "); does not apply to a core of one's own");
+  if (const std::string why_not = why_not_measurable(*constants); !why_not.empty())
+    throw Failure(ExitCode::bad_input, what + ": the core " + std::string(core_model()) + ": " + why_not);
 }
 
 void require_measurable(const std::string& path, const Scenario& scenario) {
@@ -24,10 +30,10 @@ void require_measurable(const std::string& path, const Scenario& scenario) {
   require(expect.energy_drift_rel_max.has_value(), "energy_drift_rel_max");
 }
 
-void require_paper_run(const TrajectoryFile& file, const std::string& what) {
-  if (is_paper_model(file.head().physics)) return;
-  file.refuse("attribute physics: " + what + " needs a run of the paper's model (found " +
-              file.head().physics + ")");
+void require_own_core(const std::string& path, const std::string& physics) {
+  if (is_same_model(physics, core_model())) return;
+  throw Failure(ExitCode::bad_input, path + ": attribute physics: is of another core (found " + physics +
+                                         "); this program's core is " + std::string(core_model()));
 }
 
 }  // namespace hyrax

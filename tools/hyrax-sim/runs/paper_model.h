@@ -1,22 +1,22 @@
-// What needs the paper's model, which a core of one's own is not.
+// What needs the paper's step, which not every core of one's own has.
 #pragma once
 
 #include <string>
 
 #include "sim/scenario/scenario.h"
-#include "tools/store/trajectory_file.h"
 
 namespace hyrax {
 
-/// ERRORS: Failure(bad_input) "WHAT: needs the paper's model ..." if this program's core is another.
+/// ERRORS: Failure(bad_input) "WHAT: needs the paper's step ..." with the first expression that is not the
+/// paper's, if this program's core has another; or if the reference does not allow its constants.
 void require_paper_core(const std::string& what);
 
-/// As require_paper_core, for the bounds of errors in `expect`: they are measured against the paper's model.
+/// As require_paper_core, for the bounds of errors in `expect`: they are measured against the paper's laws.
 /// @param path of the scenario, for the message.
 void require_measurable(const std::string& path, const Scenario& scenario);
 
-/// ERRORS: Failure(bad_input) if the file's run is of another model than the paper's, whose `what` would be
-/// wrong for it.
-void require_paper_run(const TrajectoryFile& file, const std::string& what);
+/// ERRORS: Failure(bad_input) if a file's run is of another core than this program's. Numbers of the paper's
+/// model compare with each other.
+void require_own_core(const std::string& path, const std::string& physics);
 
 }  // namespace hyrax

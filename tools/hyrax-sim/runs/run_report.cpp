@@ -5,6 +5,7 @@
 
 #include "sim/replay/core_constants.h"
 #include "sim/replay/core_contacts.h"
+#include "sim/replay/core_shape.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -30,7 +31,7 @@ Coverage coverage_of(const ScenarioRun& run) {
   const auto add = [&](bool is_exercised, const char* name) {
     (is_exercised ? coverage.exercised : coverage.never_touched).emplace_back(name);
   };
-  const bool is_paper = is_paper_model(core_model());  // Of another core only the walls are known.
+  const bool is_paper = measured_constants().has_value();  // Of another shape only the walls are known.
   if (is_paper) {
     add(summary.had_gravity, "gravity");
     add(summary.had_drag, "drag");

@@ -7,9 +7,11 @@
 
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
 #include "sim/replay/kernel.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "sim/study/reference_model.h"
 #include "tools/files/path.h"
 #include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
@@ -82,7 +84,7 @@ WrittenRun write_trajectory(const std::string& output, const Scenario& scenario,
   std::function<bool(hid_t)> write_more;
   if (errors) write_more = [&](hid_t file) { return errors->finish(file, run.summary, run.drift.emplace()); };
   writer.finish(
-      {scenario, steps, std::string(core_model()), hex(run.summary.state_hash), core_kernel().constants()},
+      {scenario, steps, std::string(core_model()), hex(run.summary.state_hash), measured_constants()},
       inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
   return run;
 }
@@ -134,13 +136,14 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   const bool checks_bounds = scenario.expect && scenario.expect->in_bounds;
   const bool measures = scenario.expect && bounds_errors(*scenario.expect) && !options.drift;
   DriftSink ignored;
-  DriftMeter meter(scenario, inputs_of(scenario, step_count(scenario)), ignored);
+  const Model model = reference_model();
+  DriftMeter meter(scenario, inputs_of(scenario, step_count(scenario)), ignored, nullptr, model);
   std::vector<RowSink*> also;
   if (options.picture != nullptr) also.push_back(options.picture);
   if (measures) also.push_back(&meter);
   std::optional<MarginMeter> margin;
   if (options.measures_start)
-    also.push_back(&margin.emplace(scenario, inputs_of(scenario, step_count(scenario))));
+    also.push_back(&margin.emplace(scenario, inputs_of(scenario, step_count(scenario)), model));
   ScenarioRun run;
   static_cast<WrittenRun&>(run) =
       write_run(output, scenario,

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/path.h"
 #include "tools/hyrax-sim/command_line/progress.h"
@@ -43,7 +44,7 @@ class ChunkPool {
         first_row_(first_row),
         rows_(rows),
         chunk_rows_(chunk_rows(sweep)),
-        player_(sweep) {
+        player_(sweep, {.listing = core_shape().constants}) {
     held_max_ = 2 * threads;
     sigset_t all{};
     sigset_t before{};
@@ -93,7 +94,7 @@ class ChunkPool {
 
   void work(const std::stop_token& stop) {
     try {
-      EnsemblePlayer player(sweep_);
+      EnsemblePlayer player(sweep_, {.listing = core_shape().constants});
       while (const auto chunk = next(stop)) {
         Chunk computed = compute(player, *chunk);
         const std::scoped_lock lock(mutex_);

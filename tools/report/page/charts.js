@@ -52,17 +52,17 @@ function chartsOf(result, sizes) {
     { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
       { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy },
       ...overlay(`vx, ${label}`, other?.rows.vx), ...overlay(`vy, ${label}`, other?.rows.vy)] },
-    { id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
+    ...(result.run.constants ? [{ id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
       { name: 'run', color: 'green', values: energyOf(result, sizes) },
-      ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] },
+      ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] }] : []),
     { id: 'dt', title: 'Frame time', unit: 'ms', decimals: 3, range: fromZero, series: [
       { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
   ];
   if (errors?.step.length)
-    charts.splice(3, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
+    charts.splice(charts.length - 1, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
       errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] },
     ...distanceChart(result), ...driftCharts(result));
-  else charts.splice(3, 0, ...distanceChart(result));
+  else charts.splice(charts.length - 1, 0, ...distanceChart(result));
   return charts;
 }
 

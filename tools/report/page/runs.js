@@ -130,8 +130,12 @@ class View {
   }
 }
 
+// The page's own core is the shipped one.
+const isOwnCore = report.core_fingerprint === null;
+
 async function replayed(core, run, share) {
-  if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), outcome: 'none', reason: 'this browser runs no WebAssembly' };
+  const reason = isOwnCore ? `this page holds no copy of the core ${report.core}` : 'this browser runs no WebAssembly';
+  if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), outcome: 'none', reason };
   return replay(core, run, share);
 }
 
@@ -149,7 +153,7 @@ async function main() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
-  const core = await Core.start().catch(() => null);
+  const core = isOwnCore ? null : await Core.start().catch(() => null);
   if (core) requireCoreOf(report, core);
   const results = [];
   for (const run of report.runs)

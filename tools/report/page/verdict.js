@@ -72,10 +72,10 @@ export function showVerdict(result) {
   const figures = [
     contactsTile(run.result.contacts),
     restTile(run),
-    errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
+    ...(errors ? [errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
     errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
     errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
-    driftTile({ errors, causes: result.causes }),
+    driftTile({ errors, causes: result.causes })] : []),
   ];
   const cause = [run.non_finite && `${run.non_finite}; the run ended there`, run.cause].filter(Boolean).map(text => make('p', { class: 'cause' }, text));
   element('verdict').replaceChildren(...cause, make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));

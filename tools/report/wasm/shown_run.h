@@ -94,7 +94,7 @@ class ShownDrift final : public DriftSink {
   [[nodiscard]] const std::vector<CausePoint>& causes() const { return causes_; }
 
  private:
-  EnergyCauseSum sum_;
+  EnergyCauseSum sum_{Model{}.gravity_px_per_s2};
   std::vector<RowErrors> rows_;
   std::vector<ImpactErrors> contacts_;
   std::vector<CausePoint> causes_;

@@ -21,7 +21,7 @@ ImpactErrors contact_at(std::int64_t step, Wall wall, double lift_px2_per_s2) {
 }
 
 TEST(EnergyCauseSum, IsTheHeightThatEachEnergyLiftsBy) {
-  EnergyCauseSum causes;
+  EnergyCauseSum causes(1200.0);
   causes.add(arc_with(1.1, -12.3));
   causes.add(arc_with(2.2, -12.3));
   causes.add(contact_at(7, Wall::ground, 120.0));
@@ -33,7 +33,7 @@ TEST(EnergyCauseSum, IsTheHeightThatEachEnergyLiftsBy) {
 }
 
 TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnce) {
-  EnergyCauseSum causes;
+  EnergyCauseSum causes(1200.0);
   causes.add(contact_at(7, Wall::left, 120.0));
   causes.add(contact_at(7, Wall::ground, 120.0));
   EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
@@ -43,7 +43,7 @@ TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnce) {
 }
 
 TEST(EnergyCauseSum, CountsNoBounceThatHasNoTimeOfImpact) {
-  EnergyCauseSum causes;
+  EnergyCauseSum causes(1200.0);
   ImpactErrors contact = contact_at(7, Wall::ground, 120.0);
   contact.late_bounce_px2_per_s2.reset();
   causes.add(contact);

@@ -21,6 +21,7 @@ struct MeasuredRun {
   std::vector<DrawnRow> rows;
   WholeOutcome whole;
   std::vector<WholeRow> whole_rows;
+  Model model = {};
 
   explicit MeasuredRun(std::size_t count) {
     scenario.name = "some-fling";
@@ -47,7 +48,7 @@ struct MeasuredRun {
     summary.arcs = summary.contacts = static_cast<std::int64_t>(count);
   }
   [[nodiscard]] DriftPicture picture() const {
-    return {scenario, 10.0, summary, arcs, contacts, rows, whole, whole_rows};
+    return {scenario, 10.0, summary, arcs, contacts, rows, whole, whole_rows, model};
   }
 };
 
