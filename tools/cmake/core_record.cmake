@@ -41,4 +41,6 @@ set(libraries [==[${hyrax_trace_libraries}]==])
   add_library(${target} STATIC ${folder}/core_record.cpp ${folder}/core_kernel.cpp)
   target_include_directories(${target} PRIVATE ${hyrax_trace_root})
   target_compile_features(${target} PRIVATE cxx_std_20)
+  # A program with a kernel of its own links only the record.
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endfunction()
