@@ -14,7 +14,7 @@
 
 namespace hyrax {
 
-/// A member on its way: what one stretch without inputs hands to the next.
+/// A member on its way: what goes on from one stretch without inputs to the next.
 struct MovingMember {
   World world;
   std::int64_t frame = 0;            ///< The next one.

@@ -19,7 +19,7 @@ namespace hyrax {
 /// row_walls.h, and `before` is the velocity before the step, `overshoot` NaN.
 class ContactKernel final : public Kernel {
  public:
-  /// @param step null: contacts are told by the rows.
+  /// @param step null: contacts follow from the rows.
   ContactKernel(std::shared_ptr<const Kernel> rows, std::shared_ptr<const StepProgram> step)
       : rows_(std::move(rows)), step_(std::move(step)) {}
 

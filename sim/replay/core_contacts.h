@@ -1,4 +1,4 @@
-// How the contacts of this program's core are told.
+// Where the contacts of this program's core come from.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ class Kernel;
 /// what one of them plays or records must have that of the others.
 [[nodiscard]] const Kernel& core_with_recorded_contacts();
 
-/// Why the contacts of this program's core are told by its rows; empty: its step tells them.
+/// Why the contacts of this program's core follow from its rows; empty: from its step.
 [[nodiscard]] std::string_view why_contacts_from_rows();
 
 }  // namespace hyrax

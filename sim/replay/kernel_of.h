@@ -31,10 +31,10 @@ template <class Cores>
 /// Of a core only update, x, y, vx, vy, setPos, setVelocity and resetVelocity are called. Which walls clamped
 /// a step, the velocity with which it met them and how far it overshot follow from the listing's step
 /// (sim/motion/step.h) with the core's constants: the core's own step must be that one bit for bit, or its
-/// contacts be told by ContactKernel (sim/replay/contact_kernel.h).
+/// contacts come from ContactKernel (sim/replay/contact_kernel.h).
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
-/// have another step than the listing's to tell the walls by: `listing(const Bounds&)`, with `fly` and
-/// `meet_walls_in_x`. Without both no contact is told. With `bool is_listing()`, which says whether
+/// have another step than the listing's to find the walls by: `listing(const Bounds&)`, with `fly` and
+/// `meet_walls_in_x`. Without both there are no contacts. With `bool is_listing()`, which says whether
 /// the step is the listing bit for bit, a stuck vx is not computed (sim/replay/stuck_speed.h). With
 /// `kKeepsObject` a core may have members that no row shows: what is trivially copyable goes on from stretch
 /// to stretch.

@@ -31,7 +31,7 @@ constexpr KnownCall known(std::string_view name, int operands, Function /*unused
   return {name, operands, in_real<Function>, in_single<Function>};
 }
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
 #define HYRAX_ONE(name) known(#name, 1, [](auto a, auto, auto) { return std::name(a); })
 #define HYRAX_TWO(name) known(#name, 2, [](auto a, auto b, auto) { return std::name(a, b); })
 // NOLINTEND(cppcoreguidelines-macro-usage)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Contacts of edited cores: `run` tells what counters in the wall branches of their headers say."""
+"""Contacts of edited cores: `run` prints what counters in the wall branches of their headers count."""
 
 import concurrent.futures
 import json

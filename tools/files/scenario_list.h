@@ -8,11 +8,10 @@
 
 namespace hyrax {
 
-/// Files as they are; of a folder every *.json in it, recursively, through links, in name order, but for JSON
+/// Files as they are; of a folder every *.json in it, recursively, through links, in name order, except JSON
 /// Schemas named *.schema.json. What could hide a scenario is listed as well, and reading it fails: a folder
 /// that cannot be read, a link that leads nowhere and is named *.json or has no suffix, a pipe or device
-/// named
-/// *.json, and *.JSON.
+/// named *.json, and *.JSON.
 /// ERRORS: Failure(bad_input) if a folder has no scenario, or more than a million files.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments);
 

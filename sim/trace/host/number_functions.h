@@ -20,7 +20,7 @@ constexpr auto call(const char* name, Function function, const T&... operands) {
   return Result::of(record_call(name, Result::kNumberKind, as<Result::kNumberKind>(operands).index()...));
 }
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
 #define HYRAX_TRACE_ONE(name, is_fixed)                                                  \
   template <class A>                                                                     \
   requires Operands<A>                                                                   \

@@ -21,7 +21,7 @@ struct FrameTimesRequest {
 
 struct FrameTimes {
   std::vector<double> dt_s;
-  std::optional<std::int64_t> dropped;  ///< Frames that were never displayed, if the file tells them.
+  std::optional<std::int64_t> dropped;  ///< Frames that were never displayed, if the file says so.
 };
 
 /// Frames of one application, process and swap chain; a frame that was dropped is one too.

@@ -1,4 +1,4 @@
-// Contacts of the paper's step, told by what knows nothing of it.
+// Contacts of the paper's step, found by what knows nothing of it.
 #include "sim/replay/contact_kernel.h"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 namespace hyrax {
 namespace {
 
-using namespace recording;  // NOLINT(build/namespaces)
+using namespace recording;
 
 constexpr Constants kShipped = {physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
                                 physics::GROUND_FRICTION, physics::REST_THRESHOLD};

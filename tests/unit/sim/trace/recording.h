@@ -43,7 +43,7 @@ template <NumberKind kKind>
 struct Number {
   std::int32_t id = -1;
   Number() = default;
-  Number(double value)  // NOLINT: as numbers convert
+  Number(double value)  // NOLINT: converts as a number does.
       : id(Recorder::now().add({.op = Operator::constant, .kind = kKind, .value = value})) {}
   static Number of(Operator op, std::array<std::int32_t, 3> operands, const std::string& name = {}) {
     Number number;

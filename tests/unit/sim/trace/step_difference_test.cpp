@@ -13,7 +13,7 @@
 namespace hyrax {
 namespace {
 
-using namespace recording;  // NOLINT(build/namespaces)
+using namespace recording;
 
 using Edit = std::function<void(Listing&)>;
 

@@ -16,7 +16,7 @@
 namespace hyrax {
 namespace {
 
-using namespace recording;  // NOLINT(build/namespaces)
+using namespace recording;
 
 constexpr Constants kPaper = {.gravity_px_per_s2 = physics::GRAVITY,
                               .restitution = physics::RESTITUTION,

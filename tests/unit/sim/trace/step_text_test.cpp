@@ -12,7 +12,7 @@
 namespace hyrax {
 namespace {
 
-using namespace recording;  // NOLINT(build/namespaces)
+using namespace recording;
 
 std::string text_of(const Update& update) { return step_text(canonical(record(update))); }
 std::string text_of_sum(const std::function<Real(const Body&, const Frame&)>& x) {
