@@ -7,6 +7,7 @@ The cases that need no compiler of their own are in tests/unit/sim/trace/host.
 import os
 import pathlib
 import re
+import shutil
 
 from process import skip_unless_installed, succeed
 from program import SOURCE, ProgramTest, main
