@@ -12,15 +12,6 @@
 
 #include "sim/trace/host/recorder.h"
 
-// Sanitizers reserve more addresses than there is memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define HYRAX_HAS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define HYRAX_HAS_SANITIZER 1
-#endif
-#endif
-
 namespace hyrax::trace {
 namespace {
 
@@ -81,9 +72,7 @@ void limit_process(const std::string& why_file, unsigned cpu_s_max) {
   limit(RLIMIT_CPU, cpu_s_max);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, kBytesMax);
-#ifndef HYRAX_HAS_SANITIZER
-  limit(RLIMIT_AS, kBytesMax);
-#endif
+  if (kLimitsMemory) limit(RLIMIT_AS, kBytesMax);
 }
 
 }  // namespace hyrax::trace
