@@ -1,43 +1,36 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
-#include "sim/reference/gsl_flight.h"
+#include "sim/reference/gsl_driver.h"
 #include "sim/study/methods/method.h"
-#include "sim/study/methods/method_errors.h"
 #include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
 
-// The matched ODE of frames of 1 / kRowRate_hz is the fixed one, by the drag factor that such frames have.
-Model model_of_fixed_laws() {
-  Model model = reference_model();
-  model.air_drag = std::pow(model.air_drag, model.model_rate_hz / kRowRate_hz);
-  return model;
-}
-
 // Flies without walls, inside a frame in steps of its own.
 class GslMethod final : public Method {
  public:
-  explicit GslMethod(const GslOptions& options) : solver_(options, model_of_fixed_laws()) {}
+  explicit GslMethod(const GslOptions& options) : laws_(reference_model()), driver_(options, 2) {}
 
   void start(const State& motion, const Bounds&) override {
     start_ = motion;
-    solver_.start({motion.vx_px_per_s, motion.vy_px_per_s}, true);
+    driver_.start(0, {0.0, motion.vx_px_per_s}, 0.0);
+    driver_.start(1, {0.0, motion.vy_px_per_s}, laws_.gravity_px_per_s2);
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
     for (const double frame_s : frames_s)
-      if (!solver_.advance(frame_s)) return false;
+      if (!driver_.advance(frame_s, laws_.drag_rate_per_s * frame_s)) return false;
     return true;
   }
   [[nodiscard]] State motion() const override {
-    const Flight flight = solver_.flight();
-    return {start_.x_px + flight.dx_px, start_.y_px + flight.dy_px, flight.vx_px_per_s, flight.vy_px_per_s};
+    const AxisMotion x = driver_.at(0), y = driver_.at(1);
+    return {start_.x_px + x.displacement_px, start_.y_px + y.displacement_px, x.speed_px_per_s,
+            y.speed_px_per_s};
   }
 
  private:
-  GslFlight solver_;
+  FixedLaws laws_;
+  GslDriver driver_;
   State start_;
 };
 

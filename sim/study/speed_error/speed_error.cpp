@@ -34,6 +34,7 @@ class Measurer {
       for (std::size_t method = 0; method < study_.methods.size(); ++method) {
         const MethodKind& kind = study_.methods[method];
         if (!suits(kind, study_.problems[problem])) continue;
+        if (kind.is_adaptive()) add_point(problem, method, end_only_hz(study_.problems[problem]));
         if (kind.is_adaptive() || kind.is_reference())
           add_point(problem, method, kRowRate_hz);
         else
@@ -187,6 +188,8 @@ PaperErrors paper_errors(const Problem& flight, double rate_hz) {
 }
 
 }  // namespace
+
+double end_only_hz(const Problem& problem) { return 1.0 / problem.duration_s(); }
 
 PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>& errors) {
   assert(dt_s.size() == errors.size() && dt_s.size() >= 2);

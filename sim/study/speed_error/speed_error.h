@@ -56,7 +56,8 @@ struct MethodBands {
 struct WorkPoint {
   std::size_t problem = 0;  ///< Index into SpeedError::problems,
   std::size_t method = 0;   ///< and into its methods.
-  double rate_hz = 0.0;     ///< Of the frames; of the reference and of adaptive methods kRowRate_hz.
+  /// Of the frames; of the reference kRowRate_hz, of an adaptive method that and end_only_hz.
+  double rate_hz = 0.0;
   MethodErrors errors;
   Cost cost = {};  ///< Of a simulated second, without the run's set-up; not measured if it failed.
   bool is_pareto =
@@ -134,6 +135,9 @@ struct SpeedErrorOptions {
 /// Costs are compared like with like: with kRowRate_hz rows a second. A slower rate gives fewer, and the
 /// reference method is the limit: neither is ranked. REQUIRES: as above; it did not fail.
 [[nodiscard]] bool is_ranked(const SpeedError& study, const WorkPoint& point);
+
+/// The rate at which a free flight is one frame: an adaptive method gives its end, and no other row.
+[[nodiscard]] double end_only_hz(const Problem& problem);
 
 /// Methods that know no walls play the problems of free flight only. SpeedError::paper is empty if the first
 /// problem is not free flight. REQUIRES: a problem; the paper's step is the first method.

@@ -23,6 +23,11 @@ constexpr std::array<Look, 9> kLooks = {
      {.tone = Tone::ink, .width_px = 2.0, .dash = Dash::long_dashes}}};
 constexpr Look kAdaptiveLook{
     .form = Form::line_and_points, .tone = Tone::faint, .width_px = 1.5, .marker_size = 0.25};
+constexpr Look kEndOnlyLook{.form = Form::line_and_points,
+                            .tone = Tone::faint,
+                            .width_px = 1.5,
+                            .dash = Dash::short_dashes,
+                            .marker_size = 0.25};
 constexpr Look kFrontLook{
     .form = Form::points, .tone = Tone::ink, .marker = Marker::ring, .marker_size = 1.4};
 
@@ -38,8 +43,8 @@ std::vector<Curve> curves_of(const SpeedError& study, std::size_t problem) {
     if (point.problem != problem) continue;
     const std::string& family = study.methods[point.method].family;
     const auto is_of_it = [&](const Curve& curve) {
-      return curve.method == point.method ||
-             (!family.empty() && study.methods[curve.method].family == family);
+      if (family.empty()) return curve.method == point.method;
+      return study.methods[curve.method].family == family && curve.points.front()->rate_hz == point.rate_hz;
     };
     auto curve = std::find_if(curves.begin(), curves.end(), is_of_it);
     if (curve == curves.end()) curve = curves.insert(curves.end(), {point.method, {}});
@@ -69,9 +74,10 @@ class Diagram {
                               .tone = Tone::quiet});
         continue;
       }
-      Series series = series_of(*curve, kRowRate_hz);
+      const double from_hz = is_adaptive(*curve) ? 0.0 : kRowRate_hz;
+      Series series = series_of(*curve, from_hz);
       for (const WorkPoint* const point : curve->points) {
-        if (point->rate_hz < kRowRate_hz) continue;
+        if (point->rate_hz < from_hz) continue;
         series.x.push_back(point->cost.time_ns.median);
         series.x_low.push_back(point->cost.time_ns.low);
         series.x_high.push_back(point->cost.time_ns.high);
@@ -103,16 +109,17 @@ class Diagram {
 
   [[nodiscard]] std::vector<LegendEntry> legend() const {
     std::vector<LegendEntry> entries;
-    bool has_adaptive = false;
+    bool has_adaptive = false, has_end_only = false;
     for (const Curve& curve : curves_) {
       if (is_adaptive(curve))
-        has_adaptive = true;
+        (is_end_only(curve) ? has_end_only : has_adaptive) = true;
       else if (!study_.methods[curve.method].is_reference())
         entries.push_back(
             {study_.methods[curve.method].label + ": " + order_text(curve), series_of(curve).look});
     }
     if (!study_.probe.is_steady()) return entries;
     if (has_adaptive) entries.push_back({"GSL's steppers, over tolerances", kAdaptiveLook});
+    if (has_end_only) entries.push_back({"the same without rows: their end only", kEndOnlyLook});
     entries.push_back({"Pareto front: none as near is cheaper beyond the noise", kFrontLook});
     return entries;
   }
@@ -120,6 +127,10 @@ class Diagram {
  private:
   [[nodiscard]] bool is_adaptive(const Curve& curve) const {
     return study_.methods[curve.method].is_adaptive();
+  }
+
+  [[nodiscard]] bool is_end_only(const Curve& curve) const {
+    return is_adaptive(curve) && curve.points.front()->rate_hz < kRowRate_hz;
   }
 
   // Grey first, the paper's step last: the later is drawn over the earlier.
@@ -135,7 +146,10 @@ class Diagram {
   [[nodiscard]] Series series_of(const Curve& curve, double from_hz = 0.0) const {
     const MethodKind& method = study_.methods[curve.method];
     Series series{.name = method.family.empty() ? method.label : method.family, .look = kAdaptiveLook};
-    if (!method.is_adaptive() && curve.method < kLooks.size()) {
+    if (is_end_only(curve)) {
+      series.name += ", end only";
+      series.look = kEndOnlyLook;
+    } else if (!method.is_adaptive() && curve.method < kLooks.size()) {
       series.look = kLooks[curve.method];
       series.look.form = Form::line_and_points;
       series.look.marker_size = 0.5;

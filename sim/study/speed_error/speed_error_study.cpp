@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -16,6 +17,7 @@ namespace {
 using PointIndex = std::optional<std::size_t>;
 
 constexpr std::string_view kFlingName = "fling";  // Of study_problems().
+constexpr double kGslEnd_px = 1e-6;
 
 // A method's point at a rate; nullptr if there is none.
 const WorkPoint* find_point(const SpeedError& study, std::size_t problem, std::size_t method,
@@ -84,6 +86,38 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
                                  [&](L l) { return set_up_text(study, problem, l.method); }),
           column_of<double>("least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }),
           column_of<double>("at", "Hz", "", lines, [](L l) { return l.best->rate_hz; })}};
+}
+
+// A line each of GSL's steppers, at the loosest tolerance that ends near enough; nothing where they do not
+// play.
+std::optional<Table> gsl_text(const SpeedError& study, std::size_t problem) {
+  struct Line {
+    std::size_t method;
+    const WorkPoint *end_only, *rows;
+  };
+  std::vector<Line> lines;
+  for (std::size_t method = 0; method < study.methods.size(); ++method) {
+    const std::string& family = study.methods[method].family;
+    const WorkPoint* const end_only =
+        find_point(study, problem, method, end_only_hz(study.problems[problem]));
+    const WorkPoint* const rows = find_point(study, problem, method, kRowRate_hz);
+    if (family.empty() || end_only == nullptr || rows == nullptr) continue;
+    if (!(end_only->errors.end_px < kGslEnd_px)) continue;
+    if (lines.empty() || study.methods[lines.back().method].family != family)
+      lines.push_back({method, end_only, rows});
+  }
+  if (lines.empty()) return std::nullopt;
+  using L = const Line&;
+  return Table{
+      .columns = {
+          column_of<std::string>("stepper", "", "", lines,
+                                 [&](L l) { return study.methods[l.method].label; }),
+          column_of<double>("end_only", "px", "", lines, [](L l) { return l.end_only->errors.end_px; }),
+          column_of<double>("60_rows", "px", "", lines, [](L l) { return l.rows->errors.position_px; }),
+          column_of<std::string>("cost,_end_only,_ns/s", "", "", lines,
+                                 [](L l) { return cost_text(l.end_only->cost); }),
+          column_of<std::string>("cost,_60_rows,_ns/s", "", "", lines,
+                                 [](L l) { return cost_text(l.rows->cost); })}};
 }
 
 // The cheapest, and how many others the noise hides behind it.
@@ -180,6 +214,13 @@ Verdict verdict_of(const SpeedError& study, const StudyRequest& request) {
       verdict.text.push_back(
           "  cheapest of those that give 60 rows a second (\"or\": its cost does not differ measurably)");
       verdict.text.push_back(cheapest_text(study, problem));
+    }
+    if (std::optional<Table> steppers = gsl_text(study, problem)) {
+      verdict.text.push_back(
+          fmt::format("  GSL's steppers at the loosest tolerance that ends within {:g} px: the end only, and "
+                      "60 rows a second",
+                      kGslEnd_px));
+      verdict.text.push_back(std::move(*steppers));
     }
     add_bands(verdict, study, problem);
   }

@@ -156,6 +156,8 @@ TEST(SpeedErrorFigure, NamesEveryStepperAtItsMostAccuratePoint) {
       point.errors.position_px = tolerance;
       point.cost = cost_of({1.0 / tolerance});
       study.points.push_back(point);
+      point.rate_hz = 1.0;  // The end only.
+      study.points.push_back(point);
     }
   const std::vector<Plot> plots = plots_of(study);
   ASSERT_EQ(plots[0].texts.size(), 2u);
@@ -163,6 +165,7 @@ TEST(SpeedErrorFigure, NamesEveryStepperAtItsMostAccuratePoint) {
   EXPECT_EQ(plots[0].texts[1].text, "rk4imp");
   EXPECT_EQ(plots[0].texts[1].y, 1e-6);
   EXPECT_EQ(series_named(plots[0], "GSL rkck").x.size(), 2u);
+  EXPECT_EQ(series_named(plots[0], "GSL rkck, end only").x.size(), 2u);
   EXPECT_EQ(plots[1].series.size(), 2u) << "no adaptive method is drawn against dt";
 }
 
@@ -184,7 +187,7 @@ TEST(SpeedErrorStudy, HasTablesFiguresAndAVerdictThatHolds) {
   const StudyResult result = the_study().run(quick_request());
   ASSERT_EQ(result.tables.size(), 7u);
   EXPECT_EQ(result.tables[0].name, "points");
-  EXPECT_EQ(row_count(result.tables[0]), 2u * (8u * 5u + 1u) + 10u * 3u);
+  EXPECT_EQ(row_count(result.tables[0]), 2u * (8u * 5u + 1u) + 10u * 3u * 2u);
   ASSERT_EQ(result.figures.size(), 3u);
   EXPECT_EQ(result.figures[0].suffix, "") << "the whole fling";
   EXPECT_NE(result.figures[0].title.find("until it settles"), std::string::npos);

@@ -31,6 +31,29 @@ bool is_broken(const SpeedError& study, const std::string& text) {
                      [&](const std::string& rule) { return rule.find(text) != rule.npos; });
 }
 
+// The largest error over GSL's tolerances, and the smallest.
+std::pair<double, double> end_errors_of(const std::string& family, double rate_hz) {
+  const Problem arc = study_problems().front();
+  double least_px = HUGE_VAL, most_px = 0.0;
+  for (const MethodKind& kind : gsl_methods(true)) {
+    if (kind.family != family) continue;
+    const double end_px = measure_errors(arc, kind, stage_frames_s(arc, rate_hz), rate_hz).end_px;
+    least_px = std::min(least_px, end_px);
+    most_px = std::max(most_px, end_px);
+  }
+  return {least_px, most_px};
+}
+
+// Stopped at every row, a step of a frame is exact to rounding whatever the tolerance.
+TEST(GslMethods, ToleranceSetsTheErrorOfTheEndOnly) {
+  for (const char* family : {"GSL rkf45", "GSL rkck"}) {
+    const auto [least_px, most_px] = end_errors_of(family, end_only_hz(study_problems().front()));
+    EXPECT_GT(most_px, 1e-6) << family;
+    EXPECT_LT(least_px, 1e-10) << family;
+    EXPECT_LT(end_errors_of(family, kRowRate_hz).second, 1e-11) << family;
+  }
+}
+
 TEST(FittedPower, IsTheSlopeOfALineThroughPowers) {
   const PowerFit fit = fitted_power({0.1, 0.05, 0.025}, {0.01, 0.0025, 0.000625});
   EXPECT_NEAR(fit.order, 2.0, 1e-12);
