@@ -23,9 +23,10 @@ constexpr std::array<Look, 9> kLooks = {
      {.tone = Tone::ink, .width_px = 2.0, .dash = Dash::long_dashes}}};
 constexpr Look kAdaptiveLook{
     .form = Form::line_and_points, .tone = Tone::faint, .width_px = 1.5, .marker_size = 0.25};
+// Of a width of its own: where only the dash changes, gnuplot's SVG goes on with the last one.
 constexpr Look kEndOnlyLook{.form = Form::line_and_points,
                             .tone = Tone::faint,
-                            .width_px = 1.5,
+                            .width_px = 1.25,
                             .dash = Dash::short_dashes,
                             .marker_size = 0.25};
 constexpr Look kFrontLook{
