@@ -272,6 +272,7 @@ Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate, con
   card.energy = flings.energy;
   card.exact = std::move(flings.exact);
   card.displays = measure_displays(base, candidate, request.seed, request.flings);
+  card.rest = measure_rest(base, candidate);
   card.hard_cases = measure_hard_cases(base, candidate, request, card.lacking.empty());
   if (card.lacking.empty()) card.claims = measure_claims(base, candidate, card.cost);
   card.step = step_line(request, card.has_other_bits());

@@ -101,6 +101,12 @@ struct DisplayLine {
   BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them, in ascending order.
 };
 
+/// How far a sprite still moves up and down in the 20th second after it was dropped from 100 px, on each of
+/// the displays (kDisplayRates_hz).
+struct RestLine {
+  BeforeAfter<std::vector<double>> moved_px = {};
+};
+
 /// What the walls did to the energy of a fling until it settled: over each step that touched one, the row
 /// minus the exact flight of the paper's laws from the row before, px^2/s^2. It follows from rows alone,
 /// whatever the core does inside its step.
@@ -186,6 +192,7 @@ struct Card {
   ContactLine contacts = {};
   FlingLine random = {};
   DisplayLine displays = {};
+  RestLine rest = {};
   EnergyLine energy = {};
   std::vector<ExactLine> exact = {};
   CostLine cost = {};

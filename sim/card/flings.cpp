@@ -224,6 +224,30 @@ DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& can
   return line;
 }
 
+RestLine measure_rest(const CoreFunctions& base, const CoreFunctions& candidate) {
+  constexpr double kHeight_px = 100.0;
+  const Bounds bounds = bounds_of(kWindow, kSprite);
+  const auto moved_px = [&](const CoreFunctions& core, double rate_hz) {
+    const CoreInUse in_use(core, "a drop at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
+    const auto second = static_cast<std::int64_t>(rate_hz);
+    State body{0.5 * bounds.right_px, bounds.bottom_px - kHeight_px, 0.0, 0.0};
+    body = core_steps(body, 1.0 / rate_hz, bounds, (kDuration_s - 1) * second);
+    double low_px = body.y_px, high_px = body.y_px;
+    for (std::int64_t step = 0; step < second; ++step) {
+      body = core_step(body, 1.0 / rate_hz, bounds);
+      low_px = std::min(low_px, body.y_px);
+      high_px = std::max(high_px, body.y_px);
+    }
+    return high_px - low_px;
+  };
+  RestLine line;
+  for (const double rate_hz : kDisplayRates_hz) {
+    line.moved_px.before.push_back(moved_px(base, rate_hz));
+    line.moved_px.after.push_back(moved_px(candidate, rate_hz));
+  }
+  return line;
+}
+
 CostLine measure_cost(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
                       const NanosecondClock& now_ns) {
   constexpr int kPairs = 40;

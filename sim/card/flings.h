@@ -27,6 +27,8 @@ inline constexpr std::array<double, 18> kDisplayRates_hz = {24.0,  25.0,  30.0, 
 [[nodiscard]] DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& candidate,
                                            std::uint64_t seed, std::int64_t flings);
 
+[[nodiscard]] RestLine measure_rest(const CoreFunctions& base, const CoreFunctions& candidate);
+
 [[nodiscard]] CostLine measure_cost(const CoreFunctions& base, const CoreFunctions& candidate,
                                     std::uint64_t seed, const NanosecondClock& now_ns);
 

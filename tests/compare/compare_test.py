@@ -87,12 +87,13 @@ class Evaluated(CompareTest):
     """Candidates whose step the oracle has too."""
 
     def test_lines_agree_with_the_oracle(self):
-        for name in evaluation.CORES if IS_ALL else ("friction_wrong",):
+        for name in evaluation.CORES if IS_ALL else ("position_first",):
             with self.subTest(name):
                 card = self.card(name)
                 self.check_library(name, card)
                 self.check_flings(name, card)
                 self.check_displays(name, card)
+                self.check_rest(name, card)
                 self.check_shares(card)
                 # A control: with the oracle of another core each of these fails.
                 for check in (self.check_library, self.check_flings, self.check_displays):
@@ -173,6 +174,14 @@ class Evaluated(CompareTest):
         for which, values in zip(("before", "after"), zip(*both) if both else ((), ())):
             self.assert_band(card["displays"]["spread_px"][which], list(values), 1e-9)
 
+    def check_rest(self, name, card):
+        """What still moves on the floor."""
+        self.assertEqual(card["rest"]["rate_hz"], evaluation.RATES)
+        for core, which in (("same", "before"), (name, "after")):
+            with evaluation.core(core):
+                for rate_hz, measured_px in zip(evaluation.RATES, card["rest"]["moved_px"][which], strict=True):
+                    self.assertAlmostEqual(measured_px, evaluation.moved_px(rate_hz), delta=1e-9)
+
     def check_shares(self, card):
         """Wilson's bounds solve (share - p)² = z² p (1 - p) / n."""
         share = card["flings"]["contacts_changed"]
@@ -221,7 +230,7 @@ class Same(CompareTest):
         header = self.header("friction_wrong", candidates.COMPARED["friction_wrong"])
         text = self.compare(AGREED, header, "--scenarios", "library", "--flings", FLINGS).out
         self.assertIn("  step            changed\n                  line 19   constant: GROUND_FRICTION 0.8 -> 0.7\n", text)
-        for line in ("bits", "contacts", "landing", "displays", "energy", "exact motion", "speed", "invariants",
+        for line in ("bits", "contacts", "landing", "displays", "rest", "energy", "exact motion", "speed", "invariants",
                      "paper's claims", "recordings", "consequence", "(seed 1)"):
             self.assertIn(line, text)
         self.assertLessEqual(len(text.splitlines()), 40)

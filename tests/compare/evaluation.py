@@ -247,6 +247,12 @@ def spread_px(start):
     return max(landings) - min(landings)
 
 
+def moved_px(rate_hz):
+    """How far a sprite still moves up and down in the 20th second after it was dropped from 100 px."""
+    ys = [row[3] for row in play_fling((RIGHT_PX / 2.0, BOTTOM_PX - 100.0, 0.0, 0.0), rate_hz, 20 * rate_hz)]
+    return max(ys[19 * rate_hz:]) - min(ys[19 * rate_hz:])
+
+
 # --- the exact flight
 
 

@@ -1,3 +1,4 @@
+#include "sim/card/flings.h"
 #include "tools/files/table_text.h"
 #include "tools/hyrax-compare/card_output.h"
 
@@ -22,10 +23,10 @@ Json json_of(const BeforeAfter<Value>& pair) {
   return Json::Object{{"before", json_of(pair.before)}, {"after", json_of(pair.after)}};
 }
 
-template <class Value, class ToJson>
-Json array_of(const std::vector<Value>& values, const ToJson& to_json) {
+template <class Values, class ToJson>
+Json array_of(const Values& values, const ToJson& to_json) {
   Json::Array array;
-  for (const Value& value : values) array.push_back(to_json(value));
+  for (const auto& value : values) array.push_back(to_json(value));
   return array;
 }
 
@@ -127,6 +128,7 @@ Json recordings_json(const RecordingLine& line) {
 }  // namespace
 
 Json card_json(const Card& card, const CardTitle& title) {
+  const auto number = [](double value) { return Json(value); };
   return Json::Object{
       {"candidate", title.candidate},
       {"base", title.base},
@@ -138,6 +140,10 @@ Json card_json(const Card& card, const CardTitle& title) {
       {"flings", flings_json(card.random)},
       {"displays",
        Json::Object{{"flings", card.displays.flings}, {"spread_px", json_of(card.displays.spread_px)}}},
+      {"rest",
+       Json::Object{{"rate_hz", array_of(kDisplayRates_hz, number)},
+                    {"moved_px", Json::Object{{"before", array_of(card.rest.moved_px.before, number)},
+                                              {"after", array_of(card.rest.moved_px.after, number)}}}}},
       {"energy", Json::Object{{"drift_px2_per_s2", json_of(card.energy.drift_px2_per_s2)},
                               {"lift_px2_per_s2", json_of(card.energy.lift_px2_per_s2)},
                               {"bounce_px2_per_s2", json_of(card.energy.bounce_px2_per_s2)},

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/card/flings.h"
 #include "tools/hyrax-compare/card_output.h"
 
 namespace hyrax {
@@ -99,6 +100,18 @@ void add_landing(const Card& card, CardText& text) {
   text.push_back({"displays", fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} of {} flings",
                                           text_of(card.displays.spread_px, "px"),
                                           card.displays.spreads_px.before.size(), card.displays.flings)});
+}
+
+void add_rest(const RestLine& line, CardText& text) {
+  const auto moved = [&](std::size_t display) {
+    return fmt::format("{:.3g} -> {:.3g} px at {:g} Hz", line.moved_px.before[display],
+                       line.moved_px.after[display], kDisplayRates_hz[display]);
+  };
+  const auto at = [](const auto& list, auto found) { return static_cast<std::size_t>(found - list.begin()); };
+  const std::vector<double>& after = line.moved_px.after;
+  text.push_back({"rest", fmt::format("a dropped sprite still moves after 19 s by {}, at most by {}",
+                                      moved(at(kDisplayRates_hz, std::ranges::find(kDisplayRates_hz, 60.0))),
+                                      moved(at(after, std::ranges::max_element(after))))});
 }
 
 void add_energy(const Card& card, CardText& text) {
@@ -199,6 +212,7 @@ CardText card_lines(const Card& card) {
   add_bits(card, text);
   add_contacts(card, text);
   add_landing(card, text);
+  add_rest(card.rest, text);
   add_energy(card, text);
   add_exact(card, text);
   add_speed(card.cost, text);
