@@ -76,7 +76,7 @@ class HardCases(ProgramTest):
     def test_the_figure_names_scenarios_and_invariants(self):
         self.expect(AGREED, "study", "hard-cases", HARD / "corners.json", "-o", "out")
         picture = (self.folder / "out/hard-cases.svg").read_text(encoding="utf-8")
-        for text in ("corners ×9", "step-energy", "comes-to-rest"):
+        for text in ("corners ×13", "step-energy", "comes-to-rest"):
             self.assertIn(text, picture)
 
 

@@ -1,6 +1,7 @@
 // Families of hard cases: places and speeds.
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
@@ -72,15 +73,20 @@ std::vector<HardCase> corners_family(const Scenario& base) {
   const double bottom_px = base.window.height_px - base.sprite.height_px;
   for (const bool is_right : {false, true})
     for (const bool is_low : {false, true})
-      for (const double inset_px : {0.0, 10.0}) {
+      for (const char* const where : {"in-it", "an-ulp-from-it", "into-it"}) {
+        const auto inside = [where](double corner_px, double other_px) {
+          if (where == std::string_view("in-it")) return corner_px;
+          if (where == std::string_view("into-it"))
+            return corner_px + std::copysign(10.0, other_px - corner_px);
+          return std::nextafter(corner_px, other_px);
+        };
         Scenario scenario = family.base();
-        scenario.start = {is_right ? right_px - inset_px : inset_px,
-                          is_low ? bottom_px - inset_px : inset_px};
+        scenario.start = {is_right ? inside(right_px, 0.0) : inside(0.0, right_px),
+                          is_low ? inside(bottom_px, 0.0) : inside(0.0, bottom_px)};
         Velocity& velocity = scenario.start_velocity;
         velocity.vx_px_per_s = std::copysign(velocity.vx_px_per_s, is_right ? 1.0 : -1.0);
         velocity.vy_px_per_s = std::copysign(velocity.vy_px_per_s, is_low ? 1.0 : -1.0);
-        family.add(std::string(is_low ? "lower" : "upper") + (is_right ? "-right" : "-left") +
-                       (inset_px == 0.0 ? "-in-it" : "-into-it"),
+        family.add(std::string(is_low ? "lower" : "upper") + (is_right ? "-right-" : "-left-") + where,
                    "both walls in one frame", scenario);
       }
   return family.take();
@@ -94,6 +100,18 @@ std::vector<HardCase> any_speed_family(const Scenario& base) {
     scenario.start_velocity = {speed_px_per_s, -speed_px_per_s};
     family.add("v-" + text_of(speed_px_per_s), "a speed far from that of any throw", scenario);
   }
+  constexpr double kFast_px_per_s = 1e4;
+  Scenario narrow = family.base();
+  narrow.window = {narrow.sprite.width_px + 2, narrow.sprite.height_px + 2};
+  narrow.start = {1.0, 1.0};
+  narrow.start_velocity = {kFast_px_per_s, -kFast_px_per_s};
+  family.add("room-of-2-px", "each frame passes the room many times", narrow);
+  Scenario wide = family.base();
+  wide.window = {1'000'000, 1'000'000};
+  wide.start = {wide.window.width_px - wide.sprite.width_px - 1.0, 1.0};
+  wide.start_velocity = {kFast_px_per_s, -kFast_px_per_s};
+  wide.clock.base = FixedRate{1e6};
+  family.add("1e6-px-at-1-mhz", "steps so short that a place of a million px rounds what they add", wide);
   return family.take();
 }
 

@@ -65,7 +65,7 @@ std::vector<HardCase> any_frame_family(const Scenario& base) {
   return family.take();
 }
 
-// A hitch of half a second at each kind of moment, and of no time and an hour.
+// A hitch of half a second at each kind of moment, and of the hours for which a machine is suspended.
 std::vector<HardCase> hitch_family(const Scenario& base) {
   Family family(base);
   struct Moment {
@@ -77,7 +77,7 @@ std::vector<HardCase> hitch_family(const Scenario& base) {
   for (const Moment moment : {Moment{"in-flight", *landing * 2 / 5}, Moment{"before-contact", *landing - 1},
                               Moment{"at-contact", *landing}, Moment{"after-contact", *landing + 1},
                               Moment{"at-rest", kHitchAtRest}})
-    for (const double dt_s : {0.5, 3600.0}) {
+    for (const double dt_s : {0.5, 3600.0, 28800.0}) {
       Scenario scenario = family.base();
       scenario.events = {{moment.frame, Hitch{dt_s}}};
       family.add(std::string(moment.name) + "-" + text_of(dt_s) + "-s",
