@@ -121,10 +121,15 @@ std::string commands_text(const CheckReport& report) {
   std::vector<const CheckVerdict*> blessed;
   for (const CheckVerdict& each : report.verdicts())
     if (each.status != Status::unreferenced && (!is_alone || &each == &verdict)) blessed.push_back(&each);
-  return fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
-                     program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
-                     program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
-         acceptance_text(is_alone ? std::vector{worst.path} : checked, accept_option(report), blessed);
+  const std::string text =
+      fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
+                  program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
+                  program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"}));
+  // Its results are others the next time.
+  if (std::ranges::any_of(report.groups(),
+                          [](const auto& each) { return each.cause.detail == kNotRepeated; }))
+    return text;
+  return text + acceptance_text(is_alone ? std::vector{worst.path} : checked, accept_option(report), blessed);
 }
 
 void print_every(const CheckReport& report) {

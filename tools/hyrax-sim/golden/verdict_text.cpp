@@ -95,8 +95,9 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
   std::vector<std::string> damaged;
   bool updates_ranges = false;
   std::vector<std::string> others;
-  bool blesses_all = true;      // Nothing among `paths` would make bless refuse.
-  bool has_non_finite = false;  // Such a run is never blessed, and with it none of `paths`.
+  bool blesses_all = true;  // Nothing among `paths` would make bless refuse.
+  bool is_acceptable =
+      true;  // A run that is not finite or not repeated is no result, nor are `paths` with it.
   for (const CheckVerdict* const verdict : verdicts) {
     for (const Expectation& broken : verdict->broken)
       updates_ranges |= is_updatable(broken) && !is_hash(broken);
@@ -113,13 +114,13 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
     if (is_changed)
       damaged.push_back(verdict->golden->h5_path +
                         (verdict->runs ? "" : " and " + verdict->golden->txt_path));
-    has_non_finite |= !verdict->non_finite.empty();
+    is_acceptable &= verdict->non_finite.empty() && (!verdict->runs || verdict->runs->is_repeated);
   }
   std::string text;
   if (!damaged.empty())
     text += fmt::format("  to restore it   take {}{} from version control\n", damaged.front(),
                         damaged.size() == 1 ? "" : fmt::format(" and {} more", damaged.size() - 1));
-  if (has_non_finite) return text;
+  if (!is_acceptable) return text;
   if (!to_edit.empty())
     text += fmt::format(
         "  to edit         expect of {}: bless changes no boolean, error bound or one-sided limit\n",
