@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kVisible_px = 0.01;  // Smaller distances are drawn on a logarithmic axis.
 
-Series path(const std::string& name, const Look& look) { return {.name = name, .look = look}; }
-
 // Distances of very different size, and zeros among them.
 Axis distance_axis(const std::vector<double>& distances_px) {
   double largest_px = 0.0;
@@ -20,7 +18,7 @@ Axis distance_axis(const std::vector<double>& distances_px) {
     if (px > largest_px) largest_px = px;
     if (px > 0.0 && (smallest_px == 0.0 || px < smallest_px)) smallest_px = px;
   }
-  Axis axis{.label = "distance (px)"};
+  Axis axis{.label = "distance, px"};
   if (largest_px == 0.0 || largest_px >= kVisible_px) {
     axis.low = 0.0;
     return axis;
@@ -35,6 +33,9 @@ Axis distance_axis(const std::vector<double>& distances_px) {
 void Overlay::add(const Row& a, const Row& b) {
   if (!is_finite(state_of(a)) || !is_finite(state_of(b)) || !std::isfinite(a.t_s)) return;
   const Pair pair{a.t_s, {a.x_px, a.y_px}, {b.x_px, b.y_px}, distance_px(state_of(a), state_of(b))};
+  if (!start_) start_ = pair;
+  if (!first_difference_ && pair.px > 0.0) first_difference_ = pair;
+  end_ = pair;
   if (seen_ == 0 || pair.px > farthest_.px) farthest_ = pair;
   if (++seen_ < stride_) return;
   kept_.push_back(farthest_);
@@ -54,28 +55,45 @@ std::vector<Overlay::Pair> Overlay::pairs() const {
 }
 
 Figure Overlay::figure(const Texts& texts) const {
-  const Look look_a{.tone = Tone::blue, .width_px = 4.0};
-  const Look look_b{.tone = Tone::vermilion, .width_px = 1.5};
-  Series a = path(texts.a, look_a);
-  Series b = path(texts.b, look_b);
+  const auto& [right_px, bottom_px] = texts.bounds;
+  std::vector<Series> scene = {{.name = "walls, for the corner",
+                                .look = {.tone = Tone::faint, .width_px = 1.0},
+                                .x = {0.0, right_px, right_px, 0.0, 0.0},
+                                .y = {0.0, 0.0, bottom_px, bottom_px, 0.0}},
+                               {.name = texts.a, .look = {.tone = Tone::blue, .width_px = 4.0}},
+                               {.name = texts.b, .look = {.tone = Tone::vermilion, .width_px = 1.5}}};
   Series distance{.name = "distance", .look = {.tone = Tone::ink, .width_px = 1.5}};
   for (const Pair& pair : pairs()) {
-    a.x.push_back(pair.a.x_px);
-    a.y.push_back(pair.a.y_px);
-    b.x.push_back(pair.b.x_px);
-    b.y.push_back(pair.b.y_px);
+    scene[1].x.push_back(pair.a.x_px);
+    scene[1].y.push_back(pair.a.y_px);
+    scene[2].x.push_back(pair.b.x_px);
+    scene[2].y.push_back(pair.b.y_px);
     distance.x.push_back(pair.t_s);
     distance.y.push_back(pair.px);
   }
-  Plot paths{.x = {.label = "x (px)"},
-             .y = {.label = "y (px)", .is_reversed = true},
-             .series = {std::move(a), std::move(b)},
+  const auto mark = [&](const std::string& name, const std::optional<Pair>& at, Marker marker) {
+    Series points{.name = name, .look = {.form = Form::points, .marker = marker, .marker_size = 1.2}};
+    if (at) points.x = {at->a.x_px, at->b.x_px}, points.y = {at->a.y_px, at->b.y_px};
+    if (at) scene.push_back(std::move(points));
+  };
+  mark("start", start_, Marker::ring);
+  mark("first difference", first_difference_, Marker::square);
+  mark("end", end_, Marker::dot);
+  Figure figure{.title = texts.title, .subtitle = texts.subtitle};
+  for (const Series& series : scene) figure.legend.push_back({series.name, series.look});
+  Plot over_time{.x = {.label = "time, s"},
+                 .y = distance_axis(distance.y),
+                 .when_empty = start_ ? "the same place at every time" : "no row is finite in both"};
+  if (first_difference_)
+    over_time.series = {std::move(distance)};
+  else
+    over_time.series = {{.name = distance.name, .look = distance.look}};
+  Plot paths{.x = {.label = "x, px"},
+             .y = {.label = "y, px, downwards", .is_reversed = true},
+             .series = std::move(scene),
              .has_equal_scales = true};
-  Plot over_time{.x = {.label = "time (s)"}, .y = distance_axis(distance.y), .series = {std::move(distance)}};
-  return {.title = texts.title,
-          .subtitle = texts.subtitle,
-          .body = std::vector<Plot>{std::move(paths), std::move(over_time)},
-          .legend = {{texts.a, look_a}, {texts.b, look_b}}};
+  figure.body = std::vector<Plot>{std::move(paths), std::move(over_time)};
+  return figure;
 }
 
 }  // namespace hyrax

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class Overlay {
     std::string subtitle;
     std::string a;  ///< Names of the runs.
     std::string b;
+    Bounds bounds;  ///< Of the corner at the start: drawn as walls.
   };
   [[nodiscard]] Figure figure(const Texts& texts) const;
 
@@ -41,6 +43,7 @@ class Overlay {
   std::size_t stride_ = 1;  // So many pairs become one.
   std::size_t seen_ = 0;    // Of the stride that is not complete.
   Pair farthest_;           // Of these.
+  std::optional<Pair> start_, first_difference_, end_;
 };
 
 }  // namespace hyrax

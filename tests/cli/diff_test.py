@@ -198,9 +198,17 @@ class Diff(ProgramTest):
         outcome = self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--figure", "diff.svg")
         self.assertIn("  figure     diff.svg\n", outcome.out)
         svg = (self.folder / "diff.svg").read_text()
-        for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "distance (px)",
-                     "time (s)"):
+        for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "distance, px",
+                     "time, s", "first difference"):
             self.assertIn(part, svg)
+        (self.folder / "golden/a.h5").write_bytes((self.folder / "a.h5").read_bytes())
+        self.expect(DISAGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "b.h5"), "--figure", "diff.svg")
+        self.assertNotIn(str(self.folder), (self.folder / "diff.svg").read_text())
+        self.expect(AGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "a.h5"), "--figure", "diff.svg")
+        svg = (self.folder / "diff.svg").read_text()
+        for part in ("golden/a.h5", f"{self.folder.name}/a.h5", "the same place at every time"):
+            self.assertIn(part, svg)
+        self.assertNotIn(str(self.folder), svg)
 
     def test_another_length_or_scenario_is_of_class_shape_even_with_equal_rows(self):
         for setting in ("/steps=299", "/record/every=2", "/window/width_px=1919"):

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
+
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/diff/diff_text.h"
 #include "tools/hyrax-sim/golden/difference_text.h"
@@ -34,14 +37,29 @@ void print_difference(const TrajectoryDiff& diff, const TrajectoryFile& a, const
     print_text("{}", build_text(a.provenance(), b.provenance(), comparison.difference));
 }
 
-void draw(const DiffRequest& request, const TrajectoryDiff& diff, const Overlay& overlay) {
+// The ends of two paths, as long as it takes to distinguish them: a figure is shown on other machines, too.
+std::array<std::string, 2> short_names(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::filesystem::path rest_a = a.lexically_normal(), rest_b = b.lexically_normal();
+  std::filesystem::path name_a, name_b;
+  do {
+    name_a = name_a.empty() ? rest_a.filename() : rest_a.filename() / name_a;
+    name_b = name_b.empty() ? rest_b.filename() : rest_b.filename() / name_b;
+    rest_a = rest_a.parent_path(), rest_b = rest_b.parent_path();
+  } while (name_a == name_b && rest_a.has_filename() && rest_b.has_filename());
+  return {name_a.string(), name_b.string()};
+}
+
+void draw(const DiffRequest& request, const TrajectoryDiff& diff, const Overlay& overlay,
+          const Scenario& scenario) {
   const Comparison& comparison = diff.comparison;
   const std::string difference =
       comparison.difference ? fmt::format("class {}, ", name_of(*comparison.difference)) : "";
+  const auto [name_a, name_b] = short_names(request.files[0], request.files[1]);
   const Figure figure = overlay.figure({.title = distance_sentence(diff),
                                         .subtitle = difference + contacts_sentence(comparison.contacts),
-                                        .a = request.files[0],
-                                        .b = request.files[1]});
+                                        .a = name_a,
+                                        .b = name_b,
+                                        .bounds = bounds_of(scenario.window, scenario.sprite)});
   draw_figure(request.figure, figure_script(figure));
 }
 
@@ -58,7 +76,7 @@ ExitCode diff(const DiffRequest& request) {
   else
     print_difference(difference, a, b, request);
   if (!request.figure.empty()) {
-    draw(request, difference, overlay);
+    draw(request, difference, overlay, a.head().scenario);
     if (!request.printing.is_json) print_text("  figure     {}\n", request.figure);
   }
   return difference.comparison.agrees ? ExitCode::agreed : ExitCode::disagreed;

@@ -46,10 +46,12 @@ void draw(const DifferingScenario& scenario, const std::string& path) {
   Overlay overlay;
   for (std::size_t row = 0; row < std::min(golden.size(), fresh.size()); ++row)
     overlay.add(golden.row(row), fresh.row(row));
+  const Scenario& played = scenario.runs->fresh.scenario;
   const Figure figure = overlay.figure({.title = scenario.path,
                                         .subtitle = scenario_consequence(scenario),
                                         .a = "golden file",
-                                        .b = "this program"});
+                                        .b = "this program",
+                                        .bounds = bounds_of(played.window, played.sprite)});
   draw_figure(path, figure_script(figure));
 }
 

@@ -15,7 +15,7 @@ Row row_at(std::int64_t step, double x_px, double y_px) {
 }
 
 std::vector<Plot> plots_of(const Overlay& overlay) {
-  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b"}).body);
+  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b", {10.0, 20.0}}).body);
 }
 
 TEST(Overlay, HasBothPathsAndTheirDistanceOverTime) {
@@ -24,13 +24,43 @@ TEST(Overlay, HasBothPathsAndTheirDistanceOverTime) {
   overlay.add(row_at(1, 5.0, 6.0), row_at(1, 8.0, 10.0));
   const std::vector<Plot> plots = plots_of(overlay);
   ASSERT_EQ(plots.size(), 2u);
-  EXPECT_EQ(plots[0].series[0].x, (std::vector{1.0, 5.0}));
-  EXPECT_EQ(plots[0].series[1].y, (std::vector{2.0, 10.0}));
+  EXPECT_EQ(plots[0].series[1].x, (std::vector{1.0, 5.0}));
+  EXPECT_EQ(plots[0].series[2].y, (std::vector{2.0, 10.0}));
   EXPECT_TRUE(plots[0].y.is_reversed);
   EXPECT_TRUE(plots[0].has_equal_scales);
   EXPECT_EQ(plots[1].series[0].x, (std::vector{0.0, 0.5}));
   EXPECT_EQ(plots[1].series[0].y, (std::vector{0.0, 5.0}));
   EXPECT_FALSE(plots[1].y.is_logarithmic);
+}
+
+TEST(Overlay, MarksWallsStartFirstDifferenceAndEnd) {
+  Overlay overlay;
+  for (std::int64_t step = 0; step < 4; ++step)
+    overlay.add(row_at(step, static_cast<double>(step), 2.0),
+                row_at(step, static_cast<double>(step), step < 2 ? 2.0 : 3.0));
+  const Figure figure = overlay.figure({"title", "subtitle", "a", "b", {10.0, 20.0}});
+  const std::vector<Series> scene = plots_of(overlay)[0].series;
+  const std::vector<std::string> names = {"walls, for the corner", "a",  "b", "start",
+                                          "first difference",      "end"};
+  ASSERT_EQ(scene.size(), names.size());
+  ASSERT_EQ(figure.legend.size(), names.size());
+  for (std::size_t index = 0; index < names.size(); ++index) {
+    EXPECT_EQ(scene[index].name, names[index]);
+    EXPECT_EQ(figure.legend[index].text, names[index]);
+  }
+  EXPECT_EQ(scene[0].x, (std::vector{0.0, 10.0, 10.0, 0.0, 0.0}));
+  EXPECT_EQ(scene[0].y, (std::vector{0.0, 0.0, 20.0, 20.0, 0.0}));
+  EXPECT_EQ(scene[3].x, (std::vector{0.0, 0.0}));
+  EXPECT_EQ(scene[4].y, (std::vector{2.0, 3.0}));
+  EXPECT_EQ(scene[5].x, (std::vector{3.0, 3.0}));
+}
+
+TEST(Overlay, HasNoAxisOfDistancesThatAreAllZero) {
+  Overlay overlay;
+  overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
+  const std::vector<Plot> plots = plots_of(overlay);
+  EXPECT_TRUE(plots[1].series[0].x.empty());
+  EXPECT_EQ(plots[1].when_empty, "the same place at every time");
 }
 
 TEST(Overlay, DrawsSmallDistancesOnALogarithmicAxisWithALineForZero) {
@@ -46,7 +76,9 @@ TEST(Overlay, LeavesOutWhatIsNotFinite) {
   Overlay overlay;
   overlay.add(row_at(0, 1.0, 2.0), row_at(0, std::numeric_limits<double>::quiet_NaN(), 2.0));
   overlay.add(row_at(1, std::numeric_limits<double>::infinity(), 2.0), row_at(1, 1.0, 2.0));
-  EXPECT_TRUE(plots_of(overlay)[1].series[0].y.empty());
+  const Plot over_time = plots_of(overlay)[1];
+  EXPECT_TRUE(over_time.series[0].y.empty());
+  EXPECT_EQ(over_time.when_empty, "no row is finite in both");
 }
 
 // However long the run is, the row of the largest distance is drawn.
