@@ -165,6 +165,36 @@ class ReportTest(browser.BrowserTest):
         rows = (self.folder / "distance.csv").read_text(encoding="utf-8").splitlines()
         self.assertAlmostEqual(float(rows[2].split(",")[2]), 1 / 60, delta=1e-3)
 
+    def test_opens_on_the_second_around_the_largest_distance(self):
+        self.played("golden", program.fling())
+        self.played("fling", program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
+        with h5py.File(self.folder / "golden.h5") as golden, h5py.File(self.folder / "fling.h5") as fling:
+            apart = [math.hypot(*(golden[f"trajectory/{axis}"][row] - fling[f"trajectory/{axis}"][row] for axis in "xy"))
+                     for row in range(golden["trajectory/x"].size)]
+        worst = next(row for row, px in enumerate(apart) if px >= 0.99 * max(apart))
+        row = "Number(document.getElementById('time').value)"
+        passes = f"""(async () => {{
+            const rows = [];
+            for (const end = performance.now() + 2500; performance.now() < end; await new Promise(requestAnimationFrame))
+              rows.push({row});
+            return [Math.min(...rows), Math.max(...rows), rows.some((each, i) => each < rows[i - 1])];
+          }})()"""
+        key = "[...document.querySelectorAll('#chart-{} .swatch')].map(each => each.className.trim())"
+        (page,) = self.open({**self.report("fling", "--against", "golden.h5"), "actions": [
+            ["evaluate", passes], ["click", "#play"], ["evaluate", row], ["evaluate", row],
+            ["evaluate", "document.querySelector('figure').id"],
+            ["evaluate", key.format("position")], ["evaluate", key.format("velocity")]]})
+        (low, high, is_again), _, stopped, later, first, *keys = page["values"]
+        self.assertTrue(worst - 30 <= low <= worst <= high <= min(worst + 30, 300), (low, worst, high))
+        self.assertTrue(is_again)
+        self.assertEqual(stopped, later)
+        self.assertEqual(first, "chart-distance")
+        for series in keys:
+            self.assertEqual([" ".join(each.split()) for each in series],
+                             ["swatch tint-blue", "swatch tint-orange", "swatch dashed tint-blue", "swatch dashed tint-orange"])
+        (page,) = self.open({**self.report("fling", "--against", "golden.h5"), "hash": "#step=7", "actions": [["evaluate", row]]})
+        self.assertEqual(page["values"], [7])
+
     def test_a_failed_check_has_a_page_of_the_worst_run(self):
         path, = self.project("fling")
         self.write(path, program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))

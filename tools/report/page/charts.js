@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import { element, firstAtLeast, lastAtMost, make, save } from './data.js';
 import { exact, fixed, rounded } from './numbers.js';
-import { color } from './painter.js';
+import { color, wallColors } from './painter.js';
 import { sizesAt } from './replay.js';
 import { tableOf } from './tables.js';
 
@@ -41,17 +41,17 @@ function joined(rows, steps, values) {
 // with `known` only these rows have a value; between those of one that is joined it changes evenly.
 function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
-  const overlay = (name, values) => (other ? [{ name, color: 'vermilion', dash: true, values: spread(rows, other.rows.step, values) }] : []);
+  const overlay = (name, tint, values) => (other ? [{ name, color: tint, dash: true, values: spread(rows, other.rows.step, values) }] : []);
   const positive = value => value > 0;
   const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], positive) });
   const label = other?.label;
   const charts = [
     { id: 'position', title: 'Position', unit: 'px', decimals: 1, series: [
       { name: 'x', color: 'blue', values: rows.x }, { name: 'y', color: 'orange', values: rows.y },
-      ...overlay(`x, ${label}`, other?.rows.x), ...overlay(`y, ${label}`, other?.rows.y)] },
+      ...overlay(`x, ${label}`, 'blue', other?.rows.x), ...overlay(`y, ${label}`, 'orange', other?.rows.y)] },
     { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
       { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy },
-      ...overlay(`vx, ${label}`, other?.rows.vx), ...overlay(`vy, ${label}`, other?.rows.vy)] },
+      ...overlay(`vx, ${label}`, 'blue', other?.rows.vx), ...overlay(`vy, ${label}`, 'orange', other?.rows.vy)] },
     ...(result.run.constants ? [{ id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
       { name: 'run', color: 'green', values: energyOf(result, sizes) },
       ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] }] : []),
@@ -61,18 +61,21 @@ function chartsOf(result, sizes) {
   if (errors?.step.length)
     charts.splice(charts.length - 1, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
       errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] },
-    ...distanceChart(result), ...driftCharts(result));
-  else charts.splice(charts.length - 1, 0, ...distanceChart(result));
-  return charts;
+    ...driftCharts(result));
+  return [...distanceChart(result), ...charts];
 }
 
-// How far apart two runs are.
-function distanceChart({ rows, other }) {
+// How far apart two runs are, of which the other has its distance for each row.
+function distanceChart({ other }) {
   if (!other) return [];
-  const at = new Map(Array.from(rows.step, (step, i) => [step, i]));
-  const distances = Array.from(other.rows.step, (step, i) => (at.has(step) ? Math.hypot(other.rows.x[i] - rows.x[at.get(step)], other.rows.y[i] - rows.y[at.get(step)]) : 0));
   return [{ id: 'distance', title: `Distance from the ${other.name}`, unit: 'px', isLog: true, series: [
-    { name: 'distance', color: 'vermilion', values: spread(rows, other.rows.step, distances, value => value > 0) }] }];
+    { name: 'distance', color: 'vermilion', values: other.distances.map(px => (px > 0 ? px : null)) }] }];
+}
+
+/** Of each row its distance from the row of the same step of another run; null where that has none. */
+export function distancesFrom(other, rows) {
+  const [x, y] = [other.x, other.y].map(values => spread(rows, other.step, values));
+  return x.map((at, i) => (at === null ? null : Math.hypot(at - rows.x[i], y[i] - rows.y[i])));
 }
 
 function driftCharts({ rows, causes, contactErrors: contacts }) {
@@ -138,7 +141,7 @@ export class Charts {
     this.moment = moment;
     this.seek = seek;
     const charts = chartsOf(result, sizes);
-    const isBeside = chart => ['position', 'velocity', 'energy', 'errors'].includes(chart.id);
+    const isBeside = chart => ['distance', 'position', 'velocity', 'energy', 'errors'].includes(chart.id);
     for (const id of ['charts', 'more-charts']) element(id).replaceChildren();
     this.#plots = charts.map((chart, i) => this.#draw(chart, element(isBeside(chart) ? 'charts' : 'more-charts'),
       !isBeside(chart) || !isBeside(charts[i + 1])));
@@ -191,8 +194,19 @@ export class Charts {
       series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
         dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
         paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
-      hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)] },
+      hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)], draw: chart.id === 'distance' ? [plot => this.#markContacts(plot)] : [] },
     };
+  }
+
+  // On the time axis, in the colours of the walls.
+  #markContacts({ ctx, bbox, valToPos }) {
+    const { contacts, rows } = this.result;
+    for (let i = 0; i < Math.min(contacts?.step.length ?? 0, 500); ++i) {
+      const at = valToPos(rows.t[firstAtLeast(rows.step, contacts.step[i])], 'x', true);
+      if (!(at >= bbox.left && at <= bbox.left + bbox.width)) continue;
+      ctx.fillStyle = color(wallColors[contacts.wall[i]]);
+      ctx.fillRect(at - devicePixelRatio, bbox.top + bbox.height - 8 * devicePixelRatio, 2 * devicePixelRatio, 8 * devicePixelRatio);
+    }
   }
 
   // A mouse that rests shows its row; a finger scrubs.

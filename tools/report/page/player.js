@@ -51,19 +51,19 @@ export class Player {
     this.#show();
   }
 
-  play() {
+  /** @param loop indexes of the first and the last row that are shown again and again; null: up to the end. */
+  play(loop = null) {
     const { moment } = this;
     const times = moment.rows.t;
-    if (moment.index === moment.length - 1) moment.show(0);
+    const [first, end] = loop ?? [0, moment.length - 1];
+    if (!loop && moment.index === end) moment.show(first);
     let t = moment.t, last = performance.now();
     const next = now => {
       t += (Math.max(0, now - last) / 1000) * Number(element('speed').value);
       last = now;
-      moment.show(lastAtMost(times, t));
-      if (t >= times[moment.length - 1]) {
-        moment.show(moment.length - 1);
-        return this.pause();
-      }
+      moment.show(Math.min(end, lastAtMost(times, t)));
+      if (t >= times[end] && !loop) return this.pause();
+      if (t >= times[end]) t = times[first];
       this.#frame = requestAnimationFrame(next);
     };
     this.#frame = requestAnimationFrame(next);

@@ -1,5 +1,5 @@
 // Puts the page together: replays the runs, shows one, follows the reader.
-import { Charts } from './charts.js';
+import { Charts, distancesFrom } from './charts.js';
 import { Core } from './core.js';
 import { element, firstAtLeast, lastAtMost, make, report, root, rowsOf } from './data.js';
 import { showDetails } from './details.js';
@@ -51,6 +51,7 @@ class View {
     const { run } = result;
     Object.assign(this, { core, painter, result });
     result.other = otherOf(result);
+    if (result.other) result.other.distances = distancesFrom(result.other.rows, result.rows);
     result.divergence = divergenceOf(result);
     this.sizes = sizesOf(run);
     this.moment = new Moment(result.rows);
@@ -67,7 +68,21 @@ class View {
     element('charts-note').textContent = result.rows.step.length > 5_000 ? `${decimated}Of many rows to a pixel, the smallest and the largest value are drawn.` : decimated;
     element('stage-note').textContent = result.other ? `Dashed: the ${result.other.name}.` : '';
     this.setMode('replay');
-    this.openLink() || this.paint();
+    this.openLink() || this.#openWorst();
+    this.paint();
+  }
+
+  // Two runs: the second around their largest distance, again and again until the reader does something. Runs that settle
+  // apart come within 1 % of it while they still move.
+  #openWorst() {
+    const distances = this.result.other?.distances ?? [];
+    const most = distances.reduce((most, px) => (px > most ? px : most), 0);
+    const worst = distances.findIndex(px => px >= 0.99 * most);
+    const { t } = this.result.rows;
+    if (most === 0) return;
+    this.player.seek(worst);
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches)
+      this.player.play([firstAtLeast(t, t[worst] - 0.5), lastAtMost(t, t[worst] + 0.5)]);
   }
 
   body() {
@@ -95,7 +110,6 @@ class View {
     const wanted = /^#step=(\d+)/.exec(location.hash);
     if (!wanted) return false;
     this.player.seek(Math.max(0, lastAtMost(this.moment.rows.step, Number(wanted[1]))));
-    this.paint();
     return true;
   }
 
