@@ -1,5 +1,6 @@
 #include "sim/study/frame_rate/frame_rate.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -12,9 +13,15 @@ namespace {
 
 constexpr std::array<Tone, 2> kMethodTones = {Tone::vermilion, Tone::blue};
 
+// As far as the study has rates, and some space.
+Axis rate_axis(const FrameRateStudy& study) {
+  const auto [low, high] = std::ranges::minmax_element(study.shifts, {}, &DisplayShift::rate_hz);
+  return display_rate_axis(low->rate_hz / 1.1, high->rate_hz * 1.1);
+}
+
 Figure landing_figure(const FrameRateStudy& study) {
   Plot plot;
-  plot.x = display_rate_axis(20, 1100);
+  plot.x = rate_axis(study);
   plot.y = {.label = "x where it settles, px"};
   Figure figure{
       .title = "One fling, many displays",
@@ -48,8 +55,7 @@ Figure landing_figure(const FrameRateStudy& study) {
 
 // Over all flings, not the drawn one alone.
 Figure shift_figure(const FrameRateStudy& study) {
-  Plot plot{.x = display_rate_axis(20, 1100),
-            .y = {.label = "distance from where it settles at 60 Hz, px", .low = 0}};
+  Plot plot{.x = rate_axis(study), .y = {.label = "distance from where it settles at 60 Hz, px", .low = 0}};
   constexpr std::array<Tone, kFrameRateMethods.size()> kBandTones = {Tone::bad, Tone::sky_blue};
   Figure figure{
       .suffix = "-flings",
@@ -82,16 +88,16 @@ Figure fan_figure(const FrameRateStudy& study, std::size_t method) {
   Plot plot{.x = {.label = "x, px", .low = 0, .high = kDrawnBounds.right_px},
             .y = {.label = "y, px, downwards", .is_reversed = true, .low = 0, .high = kDrawnBounds.bottom_px},
             .has_equal_scales = true};
-  Figure figure{
-      .suffix = method == 0 ? "-fan" : "-fan-by-time",
-      .title = method == 0 ? "The fan of one fling" : "The same fling, drag and friction by time",
-      .subtitle = fmt::format("The path of its corner, {}, at six display rates", kMethodTexts[method])};
+  Figure figure{.suffix = method == 0 ? "-fan" : "-fan-by-time",
+                .title = method == 0 ? "The fan of one fling" : "The same fling, drag and friction by time"};
   std::map<double, Series> paths;
   for (const FanPoint& point : study.paths) {
     if (point.method != method) continue;
     paths[point.rate_hz].x.push_back(point.x_px);
     paths[point.rate_hz].y.push_back(point.y_px);
   }
+  figure.subtitle =
+      fmt::format("The path of its corner, {}, at {} display rates", kMethodTexts[method], paths.size());
   for (auto& [rate_hz, series] : paths) {
     series.name = fmt::format("{:.0f} Hz", rate_hz);
     series.look = {.tone = kRateTones[plot.series.size() % kRateTones.size()], .width_px = 2};
