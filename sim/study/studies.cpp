@@ -7,6 +7,7 @@
   ONE(hard_cases)          \
   ONE(frame_rate)          \
   ONE(rest)                \
+  ONE(bounces)             \
   ONE(paper)
 
 namespace hyrax {

@@ -5,6 +5,7 @@
 #include "sim/motion/step.h"
 #include "sim/replay/core_constants.h"
 #include "sim/result/estimate.h"
+#include "sim/study/bounces/bounces.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
@@ -12,21 +13,6 @@ namespace {
 
 constexpr char kDiffersFromListing[] =
     "this core's step is not the listing's, so it cannot be measured without drag";
-
-// The core's laws without loss.
-Constants lossless() {
-  return {.gravity_px_per_s2 = core_constants().gravity_px_per_s2,
-          .restitution = 1.0,
-          .air_drag = 1.0,
-          .ground_friction = 1.0,
-          .rest_threshold_px_per_s = 0.0};
-}
-
-// e = v^2 / 2 + G (bottom - y).
-double energy(const State& body, double gravity_px_per_s2, Bounds bounds) {
-  return (body.vx_px_per_s * body.vx_px_per_s + body.vy_px_per_s * body.vy_px_per_s) / 2 +
-         gravity_px_per_s2 * (bounds.bottom_px - body.y_px);
-}
 
 // Largest relative change of energy in lossless motion.
 double lossless_drift(StepOrder order, State body, double duration_s, Bounds bounds) {

@@ -1,0 +1,193 @@
+// `hyrax-sim study bounces`: its tables, figure and verdict.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/result/estimate.h"
+#include "sim/study/bounces/bounces.h"
+#include "sim/study/methods/many_flings.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kRounding = 1e-9;  // Of the energy, by exact impacts.
+
+// All throws by one method at one rate.
+struct KeptAtRate {
+  BounceMethod method;
+  double rate_hz;
+  Band minute, ten_minutes;
+  Share about_kept;  // At least half and at most twice the energy after ten minutes.
+};
+
+std::size_t index_of(BounceMethod method) { return static_cast<std::size_t>(method); }
+
+std::vector<KeptAtRate> by_rate(const std::vector<KeptEnergy>& kept) {
+  std::vector<KeptAtRate> rates;
+  for (auto first = kept.begin(); first != kept.end();) {
+    const auto end = std::find_if(first, kept.end(), [&](const KeptEnergy& each) {
+      return each.method != first->method || each.rate_hz != first->rate_hz;
+    });
+    std::vector<double> minutes, ten_minutes;
+    Share about_kept;
+    for (const KeptEnergy& each : std::span(first, end)) {
+      minutes.push_back(each.minute);
+      ten_minutes.push_back(each.ten_minutes);
+      about_kept.add(each.ten_minutes >= 0.5 && each.ten_minutes <= 2.0);
+    }
+    rates.push_back({first->method, first->rate_hz, *band_of(minutes), *band_of(ten_minutes), about_kept});
+    first = end;
+  }
+  return rates;
+}
+
+template <class Record>
+Column method_column(const std::vector<Record>& records) {
+  return column_of<std::string>("method", "", "method", records,
+                                [](const Record& each) { return kBounceMethods[index_of(each.method)]; });
+}
+template <class Record>
+Column rate_column(const std::vector<Record>& records) {
+  return column_of<double>("rate", "Hz", "display rate; 0: without frames", records, &Record::rate_hz);
+}
+
+Table throw_table(const std::vector<KeptEnergy>& kept) {
+  return {"throws",
+          "energy of bounces without loss, in parts of that at the start",
+          {method_column(kept), rate_column(kept),
+           column_of<std::int64_t>("throw", "1", "number of the throw", kept, &KeptEnergy::number),
+           column_of<double>("speed", "px/s", "speed at the start", kept, &KeptEnergy::speed_px_per_s),
+           column_of<double>("minute", "1", "after a minute", kept, &KeptEnergy::minute),
+           column_of<double>("ten_minutes", "1", "after ten minutes", kept, &KeptEnergy::ten_minutes)}};
+}
+
+Table rate_table(const std::vector<KeptAtRate>& rates) {
+  const auto part = [&](const std::string& name, const std::string& what, Band KeptAtRate::*band,
+                        double Band::*value) {
+    return column_of<double>(name, "1", what, rates,
+                             [=](const KeptAtRate& each) { return each.*band.*value; });
+  };
+  return {
+      "rates",
+      "the same over all throws",
+      {method_column(rates), rate_column(rates),
+       part("minute", "after a minute, median", &KeptAtRate::minute, &Band::median),
+       part("minute_low", "after a minute, 10 %", &KeptAtRate::minute, &Band::low),
+       part("minute_high", "after a minute, 90 %", &KeptAtRate::minute, &Band::high),
+       part("ten_minutes", "after ten minutes, median", &KeptAtRate::ten_minutes, &Band::median),
+       part("ten_minutes_low", "after ten minutes, 10 %", &KeptAtRate::ten_minutes, &Band::low),
+       part("ten_minutes_high", "after ten minutes, 90 %", &KeptAtRate::ten_minutes, &Band::high),
+       column_of<std::int64_t>("about_kept", "1", "throws with half to twice their energy after ten minutes",
+                               rates, [](const KeptAtRate& each) { return each.about_kept.count; }),
+       column_of<std::int64_t>("throws", "1", "played", rates,
+                               [](const KeptAtRate& each) { return each.about_kept.of; }),
+       column_of<std::int64_t>("seed", "1", "of the throws", rates,
+                               [](const KeptAtRate&) { return static_cast<std::int64_t>(kFlingSeed); })}};
+}
+
+Table shown_rates(const std::vector<KeptAtRate>& rates) {
+  const auto band = [&](const std::string& name, Band KeptAtRate::*of) {
+    return column_of<std::string>(name, "", "", rates, [of](const KeptAtRate& each) {
+      const Band& shown = each.*of;
+      return fmt::format("{:.3f} ({:.3f} .. {:.3f})", shown.median, shown.low, shown.high);
+    });
+  };
+  return {"rates",
+          "",
+          {column_of<std::string>(
+               "method", "", "", rates,
+               [](const KeptAtRate& each) { return kBounceMethodTexts[index_of(each.method)]; }),
+           column_of<std::string>("rate,_Hz", "", "", rates,
+                                  [](const KeptAtRate& each) {
+                                    return each.rate_hz == 0.0 ? "-" : fmt::format("{:g}", each.rate_hz);
+                                  }),
+           band("after_a_minute", &KeptAtRate::minute), band("after_ten_minutes", &KeptAtRate::ten_minutes),
+           column_of<std::string>("half_to_twice", "", "", rates, [](const KeptAtRate& each) {
+             return fmt::format("{} of {}", each.about_kept.count, each.about_kept.of);
+           })}};
+}
+
+// Nothing where a method did not play at 60 Hz.
+std::vector<KeptEnergy> at_60(const std::vector<KeptEnergy>& kept, BounceMethod method) {
+  std::vector<KeptEnergy> throws;
+  std::copy_if(kept.begin(), kept.end(), std::back_inserter(throws),
+               [&](const KeptEnergy& each) { return each.method == method && each.rate_hz == 60.0; });
+  return throws;
+}
+
+std::string nearer_text(const std::vector<KeptEnergy>& kept) {
+  const std::vector<KeptEnergy> paper = at_60(kept, BounceMethod::paper),
+                                euler = at_60(kept, BounceMethod::explicit_euler);
+  Share nearer;
+  for (std::size_t number = 0; number < paper.size(); ++number)
+    nearer.add(std::fabs(paper[number].ten_minutes - 1.0) < std::fabs(euler[number].ten_minutes - 1.0));
+  return fmt::format(
+      "At 60 Hz the paper's step ends nearer to the energy at the start than explicit Euler in {} of {} "
+      "throws ({:.0f} .. {:.0f} %).",
+      nearer.count, nearer.of, 100.0 * nearer.low(), 100.0 * nearer.high());
+}
+
+Figure kept_figure(const std::vector<KeptEnergy>& kept) {
+  Plot plot{.x = {.label = "speed of the throw, px/s", .low = 0.0},
+            .y = {.label = "energy after ten minutes, in parts of that at the start", .is_logarithmic = true},
+            .marks = {{.is_vertical = false, .at = 1.0, .text = "exact impacts"}}};
+  Figure figure{.title = "Bounces without loss, after ten minutes",
+                .subtitle = fmt::format("at 60 Hz, random throws of seed {}", kFlingSeed)};
+  for (const auto& [method, tone] : {std::pair(BounceMethod::paper, Tone::vermilion),
+                                     std::pair(BounceMethod::explicit_euler, Tone::blue)}) {
+    Series series{.name = std::string(kBounceMethodTexts[index_of(method)]),
+                  .look = {.form = Form::points, .tone = tone, .marker_size = 0.3}};
+    for (const KeptEnergy& each : at_60(kept, method)) {
+      series.x.push_back(each.speed_px_per_s);
+      series.y.push_back(each.ten_minutes);
+    }
+    figure.legend.push_back({series.name, series.look});
+    plot.series.push_back(std::move(series));
+  }
+  figure.body = std::vector{std::move(plot)};
+  return figure;
+}
+
+Verdict verdict_of(const std::vector<KeptEnergy>& kept, const std::vector<KeptAtRate>& rates) {
+  Verdict verdict{
+      {fmt::format("bounces: what is left of the energy of {} throws that lose nothing to drag, walls "
+                   "or friction\nIn parts of the energy at the start, median (10 .. 90 %), seed {}:",
+                   rates.front().about_kept.of, kFlingSeed),
+       shown_rates(rates), nearer_text(kept)},
+      {}};
+  for (const KeptEnergy& each : kept) {
+    if (each.method != BounceMethod::exact) continue;
+    for (const double part : {each.minute, each.ten_minutes})
+      if (!(std::fabs(part - 1.0) <= kRounding))
+        verdict.broken.push_back(
+            fmt::format("exact impacts: throw {} changes its energy by {:.3g} of it, more than {:g}",
+                        each.number, part - 1.0, kRounding));
+  }
+  return verdict;
+}
+
+StudyResult run_bounces(const StudyRequest& request) {
+  return bounces_result(kept_energies({24.0, 60.0, 144.0, 240.0}, request.is_quick ? 100 : 1'000));
+}
+
+}  // namespace
+
+StudyResult bounces_result(const std::vector<KeptEnergy>& kept) {
+  const std::vector<KeptAtRate> rates = by_rate(kept);
+  return {.tables = {throw_table(kept), rate_table(rates)},
+          .figures = {kept_figure(kept)},
+          .verdict = verdict_of(kept, rates),
+          .summary = {rate_table(rates)}};
+}
+
+Study bounces_study() {
+  return {.name = "bounces",
+          .summary = "what a step's order alone does to the energy of ten minutes of bounces",
+          .run = run_bounces};
+}
+
+}  // namespace hyrax
