@@ -91,15 +91,10 @@ State timed_steps(const State& body, double dt_s, const Bounds& bounds, std::int
 #include "sim/card/core_defect.h"
 #include "sim/replay/core.cpp"  // NOLINT(bugprone-suspicious-include): one unit, as one command compiles it.
 
-// A kernel that plays every step: it looks for none to skip by steps that belong to no run.
-namespace hyrax {
-namespace {
-bool skips_steps() { return false; }
-}  // namespace
-}  // namespace hyrax
-#define core_is_listing skips_steps
 #include "sim/replay/kernel.cpp"  // NOLINT(bugprone-suspicious-include): as above.
-#undef core_is_listing
+
+// It plays every step, and looks for none to skip.
+bool hyrax::core_is_listing() { return false; }
 
 extern "C" [[gnu::visibility("default")]] const hyrax::CoreFunctions* hyrax_core_functions(
     int number, volatile std::int64_t* updates) {

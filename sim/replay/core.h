@@ -25,9 +25,4 @@ namespace hyrax {
 /// One call of physics::update without walls.
 [[nodiscard]] State core_flight(const State& body, double dt_s);
 
-/// Whether class physics does what the listing of sim/motion does with its constants: in a step from every
-/// state of a grid on, beside and far from the bounds, in random flings at speeds of up to 1e12 px/s, and in
-/// its setters. Then the listing's steps may replace the core's. Found out once.
-[[nodiscard]] bool core_is_listing();
-
 }  // namespace hyrax

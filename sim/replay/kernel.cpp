@@ -1,6 +1,5 @@
 #include "sim/motion/paper_constants.h"
 #include "sim/physics/physics.h"
-#include "sim/replay/core.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/kernel_of.h"
 #include "sim/trajectory/physics_model.h"

@@ -80,6 +80,9 @@ class Kernel {
 /// Plays this program's class physics, whose source is the only one of the replay that includes it. Its
 /// contacts are right where its step is the paper's.
 [[nodiscard]] const Kernel& compiled_kernel();
+/// Whether the step of class physics is proved to be the paper's with its constants: then steps of that may
+/// replace its own. What the build records says so (tools/cmake/record_core.cmake).
+[[nodiscard]] bool core_is_listing();
 /// The kernel of this program's core, with its contacts: compiled_kernel(), or the one of core_contacts.h.
 [[nodiscard]] const Kernel& core_kernel();
 

@@ -1,5 +1,5 @@
 # cmake -D settings=FILE -P record_core.cmake: traces the step of a core's header and writes core_record.cpp, and
-# core_kernel.cpp, which says what tells the core's contacts (sim/replay/kernel.h).
+# core_kernel.cpp, which says whether it is the paper's, and so what tells the core's contacts (sim/replay/kernel.h).
 #
 # The settings are those of hyrax_core_record (core_record.cmake). Two host programs are built: one compiles the header
 # with numbers that record and writes its step; the other compiles it as it is, and holds it to that step.
@@ -168,7 +168,9 @@ const CoreRecord& core_record() {
 ")
 
 set(kernel core_with_recorded_contacts)
+set(is_listing false)
 if(EXISTS ${listing})
+  set(is_listing true)
   set(kernel compiled_kernel)
 endif()
 file(
@@ -179,7 +181,9 @@ namespace hyrax {
 class Kernel;
 const Kernel& ${kernel}();
 const Kernel& core_kernel();
+bool core_is_listing();
 
+bool core_is_listing() { return ${is_listing}; }
 const Kernel& core_kernel() { return ${kernel}(); }
 
 }  // namespace hyrax
