@@ -109,8 +109,7 @@ bool settles(const CoreFunctions& core, const Scenario& scenario, const CoreRun&
   const std::optional<Scenario> longer = played_on(scenario);
   if (!longer) return false;
   const CoreInUse in_use(core, place);
-  RowSink discard;
-  return replay(*longer, discard).at_rest_since_s.has_value();
+  return replay(*longer).at_rest_since_s.has_value();
 }
 
 std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows) {

@@ -27,7 +27,7 @@ class Replay {
  public:
   /// From the start. Refers to scenario and sinks.
   /// REQUIRES: a scenario within the limits of scenario.h whose events have frames.
-  Replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options = {});
+  explicit Replay(const Scenario& scenario, std::vector<RowSink*> sinks = {}, ReplayOptions options = {});
   Replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {})
       : Replay(scenario, std::vector<RowSink*>{&sink}, options) {}
   /// Resumes after the keyframe's row, which the sink does not get again. Contacts that touch
@@ -51,8 +51,8 @@ class Replay {
   std::unique_ptr<Player> player_;
 };
 
-/// Plays all of a scenario.
+/// Plays all of a scenario; without sinks for its summary alone.
 RunSummary replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {});
-RunSummary replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options = {});
+RunSummary replay(const Scenario& scenario, std::vector<RowSink*> sinks = {}, ReplayOptions options = {});
 
 }  // namespace hyrax

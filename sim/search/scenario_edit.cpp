@@ -88,8 +88,7 @@ Scenario without_events(const Scenario& scenario, std::size_t first, std::size_t
 
 Scenario after_frames(const Scenario& scenario, std::int64_t frames) {
   assert(0 <= frames && frames <= step_count(scenario));
-  RowSink discard;
-  Replay run(scenario, discard);
+  Replay run(scenario);
   run.play_to(frames);
   const Keyframe& then = run.keyframe();
   Scenario later = without_frames(scenario, 0, frames);

@@ -17,8 +17,7 @@ ReplayOptions judged_options(const Scenario& scenario, const Kernel& kernel) {
 }
 
 RunSummary play(const Scenario& scenario, const Kernel& kernel) {
-  RowSink nothing_wanted;
-  return replay(scenario, nothing_wanted, judged_options(scenario, kernel));
+  return replay(scenario, {}, judged_options(scenario, kernel));
 }
 
 std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,

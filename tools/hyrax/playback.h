@@ -38,7 +38,6 @@ class Playback {
   const Scenario& scenario_;
   std::int64_t ticks_per_s_;
   std::int64_t begin_ticks_;
-  RowSink sink_;  // Discards everything.
   Replay replay_;
   bool is_non_finite_ = false;
 };

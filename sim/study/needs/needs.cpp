@@ -249,8 +249,7 @@ void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& 
 void count_paths(ScenarioNeeds& needs, const Scenario& scenario, const StepProgram& step) {
   const WatchedKernel watched(
       core_kernel(), [&](const StepInput& input) { needs.paths_taken.insert(step.path_taken(input)); });
-  RowSink nothing_wanted;
-  Replay run(scenario, nothing_wanted, {.kernel = &watched});
+  Replay run(scenario, {}, {.kernel = &watched});
   run.play_to(needs.steps);
   static_cast<void>(run.finish());
 }

@@ -17,8 +17,7 @@ inline void hold_accepted(const Scenario& scenario) {
   hold(plays_the_same(again, scenario) && scenario_file_text(again) == text,
        "a scenario that is written is read as the same");
   constexpr std::int64_t kStepsPlayed = 500;
-  RowSink nothing_wanted;
-  Replay replay(scenario, nothing_wanted, {.checks_bounds = true});
+  Replay replay(scenario, {}, {.checks_bounds = true});
   replay.play_to(replay.steps() < kStepsPlayed ? replay.steps() : kStepsPlayed);
   static_cast<void>(replay.finish());
 }

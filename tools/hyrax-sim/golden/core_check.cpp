@@ -11,7 +11,6 @@
 #include "sim/cause/watched_kernel.h"
 #include "sim/compare/run_distance.h"
 #include "sim/replay/core_constants.h"
-#include "sim/replay/replay.h"
 #include "sim/replay/traced_kernel.h"
 #include "sim/result/figure.h"
 #include "sim/search/shrink.h"
@@ -20,6 +19,7 @@
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/table_text.h"
+#include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
 
 namespace hyrax {
@@ -69,16 +69,11 @@ std::string name_of(const Scenario& scenario) {
   return "unnoticed-" + hex(hash.value()).substr(0, 8);
 }
 
-RunSummary played(const Scenario& scenario, const Kernel& kernel) {
-  RowSink nothing_wanted;
-  return replay(scenario, nothing_wanted, {.kernel = &kernel});
-}
-
 std::string consequence_of(Scenario scenario, double dt_s, const Kernel& accepted, const Kernel& program) {
   const double steps = dt_s > 0.0 ? std::ceil(kConsequence_s / dt_s) : 1.0;
   scenario.length = static_cast<std::int64_t>(std::min(steps, static_cast<double>(kConsequenceSteps)));
-  const RunSummary before = played(scenario, accepted);
-  const RunSummary after = played(scenario, program);
+  const RunSummary before = play(scenario, accepted);
+  const RunSummary after = play(scenario, program);
   const double apart_px = distance_px(state_of(before.final), state_of(after.final));
   if (after.non_finite_step) return fmt::format("not finite from step {}", *after.non_finite_step);
   return fmt::format("after {:.3g} s {:.3g} px apart", after.final.t_s, apart_px);
@@ -200,7 +195,7 @@ void CoreCheck::judge_differences(const std::vector<Scenario>& library) {
   });
   for (const Scenario& scenario : library) {
     if (is_all_noticed()) break;
-    static_cast<void>(played(scenario, watched));
+    static_cast<void>(play(scenario, watched));
   }
   if (std::ranges::find(noticed, true) != noticed.end()) verdict_.status = CoreStatus::changed;
   std::size_t searched = 0;
@@ -223,7 +218,7 @@ void CoreCheck::judge_differences(const std::vector<Scenario>& library) {
     pair.notice(*search.found, shown);
     const Kernel& accepted = *steps_->accepted_kernel;
     const auto differs = [&](const Scenario& scenario) {
-      return played(scenario, accepted).state_hash != played(scenario, core_kernel()).state_hash;
+      return play(scenario, accepted).state_hash != play(scenario, core_kernel()).state_hash;
     };
     unnoticed.scenario = shrink(scenario_of(*search.found), differs, {.trials_max = kShrinkTrials}).scenario;
     unnoticed.consequence = consequence_of(*unnoticed.scenario, search.found->dt_s, accepted, core_kernel());

@@ -87,8 +87,7 @@ std::optional<double> settled_since_s(const StoredRun& kept, std::int64_t steps_
                                       const Kernel& kernel) {
   if (kept.blocks.empty()) return at_rest_since_s(kept.rows);
   if (step_count(kept.scenario) > std::max(steps_played, kStepsRestoredMax)) return std::nullopt;
-  RowSink nothing_wanted;
-  const RunSummary summary = replay(kept.scenario, nothing_wanted, {.kernel = &kernel});
+  const RunSummary summary = replay(kept.scenario, {}, {.kernel = &kernel});
   return hex(summary.state_hash) == kept.state_hash ? summary.at_rest_since_s : std::nullopt;
 }
 

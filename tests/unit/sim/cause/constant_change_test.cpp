@@ -14,10 +14,7 @@ namespace {
 
 TracedStep shipped_step() { return read_step(core_record().step).value(); }
 
-Digest hash_of(const Kernel& kernel) {
-  RowSink nothing_wanted;
-  return replay(eventful_fling(), nothing_wanted, {.kernel = &kernel}).state_hash;
-}
+Digest hash_of(const Kernel& kernel) { return replay(eventful_fling(), {}, {.kernel = &kernel}).state_hash; }
 
 TEST(WithConstant, PlaysAsTheListingWithThatConstant) {
   for (const double gravity : {1250.0, -1200.0, 0.0, -0.0}) {

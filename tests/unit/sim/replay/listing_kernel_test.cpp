@@ -11,8 +11,7 @@ namespace hyrax {
 namespace {
 
 Digest hash_of(const Scenario& scenario, const Kernel* kernel) {
-  RowSink nothing_wanted;
-  return replay(scenario, nothing_wanted, {.kernel = kernel}).state_hash;
+  return replay(scenario, {}, {.kernel = kernel}).state_hash;
 }
 
 TEST(ListingKernel, WithTheShippedConstantsGivesTheShippedBits) {

@@ -164,8 +164,7 @@ TEST(HardCase, ThePositionStandsStillAtEveryRate) {
   int zero_speed = 0;
   for (const HardCase& hard_case : hard_cases_of(named("rest"))) {
     if (!hard_case.must_come_to_rest) continue;
-    RowSink null_sink;
-    EXPECT_TRUE(replay(hard_case.scenario, null_sink).at_rest_since_s) << hard_case.name;
+    EXPECT_TRUE(replay(hard_case.scenario).at_rest_since_s) << hard_case.name;
     const bool is_held = judged(hard_case, Invariant::comes_to_rest) == CaseVerdict::held;
     EXPECT_EQ(is_held, hard_case.expected_failures.empty()) << hard_case.name;
     zero_speed += is_held;

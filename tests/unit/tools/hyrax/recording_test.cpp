@@ -54,8 +54,7 @@ class RecordedSession : public testing::Test {
   // Frames of a file that replays to its own state hash.
   static std::int64_t good_frames(const std::string& path) {
     const Scenario scenario = load_scenario(path);
-    RowSink null_sink;
-    const RunSummary summary = replay(scenario, null_sink);
+    const RunSummary summary = replay(scenario);
     EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash)) << path;
     return summary.steps;
   }

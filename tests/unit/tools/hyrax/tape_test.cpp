@@ -55,8 +55,7 @@ void live(Session& session) {
 // The summary of replaying its scenario file.
 RunSummary replayed_from_text(const Tape& tape) {
   const Scenario read = parse_scenario(scenario_file_text(tape.scenario("tape")), "tape");
-  RowSink null_sink;
-  return replay(read, null_sink);
+  return replay(read);
 }
 
 void expect_replays(const Tape& tape, const Keyframe& end) {
