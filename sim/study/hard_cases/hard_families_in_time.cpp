@@ -27,15 +27,17 @@ struct DropTimes {
   double sink_s;
 };
 
+double zero_speed_hz() {
+  const Constants core = core_constants();
+  return core.restitution * core.air_drag * core.gravity_px_per_s2 / core.rest_threshold_px_per_s;
+}
+
 }  // namespace
 
 // On the floor each step of gravity adds a = drag * G * h to vy, and the bounce keeps restitution * a of it.
 // The rest rule sets vy to 0 in every step if that is below its threshold; at other rates a two-cycle or
 // residual speed is left. The position stands still at every rate.
-bool ends_at_zero_speed(double rate_hz) {
-  const Constants core = core_constants();
-  return core.restitution * core.air_drag * core.gravity_px_per_s2 / rate_hz < core.rest_threshold_px_per_s;
-}
+bool ends_at_zero_speed(double rate_hz) { return rate_hz > zero_speed_hz(); }
 
 double time_to_rest_s(const Scenario& drop, double rate_max_hz) {
   const double bounce = core_constants().restitution;
@@ -135,6 +137,15 @@ std::vector<HardCase> any_jitter_family(const Scenario& base) {
       family.add(std::string(kind.name) + "-" + text_of(amount), "no two frames take the same time",
                  scenario);
     }
+  if (!(zero_speed_hz() >= 1.0 && zero_speed_hz() <= kZenoFastest_hz)) return family.take();
+  for (const double fraction : {0.001, 0.1}) {
+    Scenario scenario = family.base();
+    scenario.clock = {FixedRate{zero_speed_hz()}, Jitter{Jitter::Kind::uniform, fraction, 2026}};
+    scenario.length = 5'000;
+    scenario.events.clear();
+    family.add("resonant-" + text_of(fraction), "each frame decides anew whether the floor stops the sprite",
+               scenario);
+  }
   return family.take();
 }
 
