@@ -23,18 +23,6 @@ constexpr std::int64_t kRate_hz = 60;
 constexpr std::int64_t kDuration_s = 20;  // Longer than any fling of the shipped core takes to settle.
 constexpr std::int64_t kExactSeconds = 5;
 
-Scenario fling_scenario(const State& start) {
-  Scenario scenario;
-  scenario.name = "fling";
-  scenario.window = kWindow;
-  scenario.sprite = kSprite;
-  scenario.start = {start.x_px, start.y_px};
-  scenario.start_velocity = {start.vx_px_per_s, start.vy_px_per_s};
-  scenario.clock.base = FixedRate{static_cast<double>(kRate_hz)};
-  scenario.length = kRate_hz * kDuration_s;
-  return scenario;
-}
-
 std::string place_of(std::uint64_t seed, std::int64_t number) {
   return "random fling " + std::to_string(number) + " of seed " + std::to_string(seed);
 }
@@ -136,7 +124,8 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
   std::vector<double> shift_px, distances_px;
   FlingSamples before, after;
   for (std::int64_t number = 0; number < flings; ++number) {
-    const Scenario scenario = fling_scenario(random_fling(seed, number));
+    const Scenario scenario =
+        scenario_from(random_fling(seed, number), kWindow, kSprite, kRate_hz, kRate_hz * kDuration_s);
     const std::string place = place_of(seed, number);
     CoreRun from = play_by(base, scenario, place);
     CoreRun to = play_by(candidate, scenario, place);

@@ -80,14 +80,7 @@ Scenario edge_run(std::uint64_t seed) {
 }
 
 Scenario fling(double rate_hz, std::int64_t frames, const State& start) {
-  Scenario run;
-  run.window = {1920, 1080};
-  run.sprite = {128, 128};
-  run.start = {start.x_px, start.y_px};
-  run.start_velocity = {start.vx_px_per_s, start.vy_px_per_s};
-  run.clock.base = FixedRate{rate_hz};
-  run.length = frames;
-  return run;
+  return scenario_from(start, {1920, 1080}, {128, 128}, rate_hz, frames);
 }
 
 }  // namespace

@@ -142,6 +142,19 @@ struct Scenario {
           scenario.start_velocity.vy_px_per_s};
 }
 
+/// So many frames from there on, without a name.
+[[nodiscard]] inline Scenario scenario_from(const State& start, const Size& window, const Size& sprite,
+                                            double rate_hz, std::int64_t frames) {
+  Scenario scenario;
+  scenario.window = window;
+  scenario.sprite = sprite;
+  scenario.start = {start.x_px, start.y_px};
+  scenario.start_velocity = velocity_of(start);
+  scenario.clock.base = FixedRate{rate_hz};
+  scenario.length = frames;
+  return scenario;
+}
+
 /// Whether two scenarios play the same run: all but name, description, expect and schema.
 [[nodiscard]] bool plays_the_same(const Scenario& a, const Scenario& b);
 

@@ -153,15 +153,9 @@ void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px
 
 Scenario scenario_of(const Problem& flight, double rate_hz) {
   const Stage& stage = flight.stages.front();
-  Scenario scenario;
-  scenario.sprite = {1, 1};
-  scenario.window = {static_cast<std::int32_t>(stage.bounds.right_px) + scenario.sprite.width_px,
-                     static_cast<std::int32_t>(stage.bounds.bottom_px) + scenario.sprite.height_px};
-  scenario.start = {flight.start.x_px, flight.start.y_px};
-  scenario.start_velocity = {flight.start.vx_px_per_s, flight.start.vy_px_per_s};
-  scenario.clock.base = FixedRate{rate_hz};
-  scenario.length = std::llround(stage.duration_s * rate_hz);
-  return scenario;
+  const Size window{static_cast<std::int32_t>(stage.bounds.right_px) + 1,
+                    static_cast<std::int32_t>(stage.bounds.bottom_px) + 1};
+  return scenario_from(flight.start, window, {1, 1}, rate_hz, std::llround(stage.duration_s * rate_hz));
 }
 
 struct OneArc final : DriftSink {

@@ -46,18 +46,11 @@ bool depends_on_library(const Expression& expression) {
 // One step from `input`.
 Scenario scenario_of(const StepInput& input) {
   const auto& [state, window, sprite, is_held] = input.world;
-  Scenario scenario;
-  scenario.name = "unnoticed";
-  scenario.window = window;
-  scenario.sprite = sprite;
-  scenario.start = {state.x_px, state.y_px};
-  scenario.start_velocity = {state.vx_px_per_s, state.vy_px_per_s};
   const double rate_hz = std::round(1.0 / input.dt_s);
-  if (input.dt_s > 0.0 && rate_hz >= 1.0 && 1.0 / rate_hz == input.dt_s)
-    scenario.clock.base = FixedRate{rate_hz};
-  else
+  Scenario scenario = scenario_from(state, window, sprite, rate_hz, 1);
+  scenario.name = "unnoticed";
+  if (!(input.dt_s > 0.0 && rate_hz >= 1.0 && 1.0 / rate_hz == input.dt_s))
     scenario.clock.base = FixedStep{input.dt_s};
-  scenario.length = std::int64_t{1};
   return scenario;
 }
 
