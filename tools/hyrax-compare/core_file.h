@@ -6,7 +6,7 @@
 #include "sim/card/core_functions.h"
 #include "sim/card/play_watch.h"
 #include "tools/files/temporary_folder.h"
-#include "tools/hyrax-sim/golden/accepted_core.h"
+#include "tools/hyrax-sim/core/accepted_core.h"
 
 namespace hyrax {
 

@@ -16,7 +16,7 @@
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/print.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/runs/paper_model.h"
+#include "tools/hyrax-sim/core/paper_model.h"
 
 // All commands, in the order of the help. commands/NAME.cpp defines NAME_command().
 #define HYRAX_COMMANDS(COMMAND) \

@@ -4,10 +4,11 @@
 
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
+#include "tools/hyrax-sim/bless/bless_report.h"
+#include "tools/hyrax-sim/bless/blessing.h"
+#include "tools/hyrax-sim/bless/pruning.h"
+#include "tools/hyrax-sim/causes/library.h"
 #include "tools/hyrax-sim/command_line/options.h"
-#include "tools/hyrax-sim/golden/bless_report.h"
-#include "tools/hyrax-sim/golden/blessing.h"
-#include "tools/hyrax-sim/golden/pruning.h"
 
 namespace hyrax {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/diff/diff_text.h"
-#include "tools/hyrax-sim/golden/difference_text.h"
+#include "tools/hyrax-sim/diff/difference_text.h"
 #include "tools/report/figure_script.h"
 #include "tools/report/gnuplot.h"
 #include "tools/store/output_guard.h"

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
+#include <string_view>
 
+#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/outcomes.h"
 #include "tools/hyrax-sim/drift/drift.h"
-#include "tools/hyrax-sim/golden/golden_check.h"
+#include "tools/hyrax-sim/play/golden_run.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/trajectory_file.h"
@@ -31,6 +34,17 @@ struct DriftInput {
   std::optional<Scenario> scenario;
   std::optional<Failure> failure;
 };
+
+// Whether the path is a trajectory file's. By name first: a file with damaged first bytes is reported as a
+// bad trajectory. A pipe is not opened: reading its first bytes would consume them, or wait for them.
+bool is_trajectory(const std::string& path) {
+  if (path.ends_with(".h5")) return true;
+  if (!is_regular_file(path)) return false;
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  char begin[kSignature.size()] = {};
+  std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
+  return std::string_view(begin, sizeof begin) == kSignature;
+}
 
 DriftInput read_input(const std::string& path) {
   DriftInput input{path, is_trajectory(path), {}, {}};

@@ -13,6 +13,7 @@
 #include "sim/replay/core_constants.h"
 #include "sim/study/study.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/files/json_pointer.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
@@ -20,8 +21,7 @@
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-sim/command_line/options.h"
 #include "tools/hyrax-sim/command_line/progress.h"
-#include "tools/hyrax-sim/golden/accepted_core.h"
-#include "tools/hyrax-sim/studies/expected_verdicts.h"
+#include "tools/hyrax-sim/core/accepted_core.h"
 #include "tools/report/figure_json.h"
 #include "tools/report/figure_script.h"
 #include "tools/report/gnuplot.h"
@@ -30,6 +30,61 @@
 
 namespace hyrax {
 namespace {
+
+constexpr std::string_view kVerdictsFormat = "hyrax-verdicts/1";
+
+// Reads { "format": "hyrax-verdicts/1", "verdicts": { "2.3-energy": "does not hold", ... } } and collects
+// every fault of its form. Whether its names and verdicts exist is the study's to judge.
+class VerdictsReader {
+ public:
+  explicit VerdictsReader(const std::string& path)
+      : expected_{path, {}}, document_(parse_json(read_text_file(path), path)) {}
+
+  [[nodiscard]] ExpectedVerdicts read() {
+    const Json::Object* const members = document_.get<Json::Object>();
+    if (members == nullptr) {
+      refuse("/", "must be an object with the keys format, verdicts");
+    } else {
+      for (const auto& [key, value] : *members) read_member(key, value);
+      for (const char* const key : {"format", "verdicts"})
+        if (document_.find(key) == nullptr) refuse(std::string("/") + key, "is missing");
+    }
+    if (!faults_.empty()) throw Failure(ExitCode::bad_input, faults_);
+    return std::move(expected_);
+  }
+
+ private:
+  void refuse(const std::string& place, const std::string& rule) {
+    faults_ += (faults_.empty() ? "" : "\n") + expected_.path + ": " + place + ": " + rule;
+  }
+
+  void read_member(const std::string& key, const Json& value) {
+    if (key == "verdicts") return read_verdicts(value);
+    if (key != "format") return refuse("/" + key, unknown_word("key", key, {"format", "verdicts"}));
+    const std::string* const format = value.get<std::string>();
+    if (format == nullptr || *format != kVerdictsFormat)
+      refuse("/format", "must be \"" + std::string(kVerdictsFormat) + "\" (found " + to_text(value) + ")");
+  }
+
+  void read_verdicts(const Json& value) {
+    const Json::Object* const verdicts = value.get<Json::Object>();
+    if (verdicts == nullptr) return refuse("/verdicts", "must be an object with a verdict for each name");
+    std::set<std::string> names;
+    for (const auto& [name, verdict] : *verdicts) {
+      const std::string* const text = verdict.get<std::string>();
+      if (!names.insert(name).second)
+        refuse(pointer_to("/verdicts", name), "duplicate key");
+      else if (text == nullptr)
+        refuse(pointer_to("/verdicts", name), "must be a text (found " + to_text(verdict) + ")");
+      else
+        expected_.verdicts.emplace_back(name, *text);
+    }
+  }
+
+  ExpectedVerdicts expected_;
+  Json document_;
+  std::string faults_;
+};
 
 struct StudyArguments {
   std::vector<std::string> files;  ///< The study's name, then scenarios.
@@ -133,7 +188,7 @@ StudyRequest request_of(const Study& study, const StudyArguments& arguments,
   }
   if (!arguments.within.empty())
     request.within_px = parse_length_px(arguments.within, "hyrax-sim study " + study.name + ": --within");
-  if (!arguments.expect_file.empty()) request.expected = read_expected_verdicts(arguments.expect_file);
+  if (!arguments.expect_file.empty()) request.expected = VerdictsReader(arguments.expect_file).read();
   return request;
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tools/hyrax-sim/golden/difference_text.h"
+#include "tools/hyrax-sim/diff/difference_text.h"
 
 namespace hyrax {
 namespace {

@@ -15,7 +15,7 @@
 #include "sim/study/reference_model.h"
 #include "tools/files/json.h"
 #include "tools/hyrax-sim/command_line/options.h"
-#include "tools/hyrax-sim/runs/run_rows.h"
+#include "tools/hyrax-sim/play/play_with_progress.h"
 #include "tools/report/drift_figures.h"
 
 namespace hyrax {

@@ -1,5 +1,5 @@
+#include "tools/hyrax-sim/core/paper_model.h"
 #include "tools/hyrax-sim/drift/drift.h"
-#include "tools/hyrax-sim/runs/paper_model.h"
 
 #include <fmt/format.h>
 

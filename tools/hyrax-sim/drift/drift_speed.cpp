@@ -7,7 +7,6 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/hyrax-sim/drift/drift.h"
-#include "tools/hyrax-sim/golden/golden_check.h"
 
 namespace hyrax {
 namespace {

@@ -8,7 +8,7 @@
 #include "sim/replay/kernel.h"
 #include "sim/trajectory/stored_run.h"
 #include "tools/files/golden_place.h"
-#include "tools/hyrax-sim/golden/golden_check.h"
+#include "tools/hyrax-sim/play/golden_run.h"
 
 namespace hyrax {
 

@@ -11,8 +11,8 @@
 #include "tools/files/path.h"
 #include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/golden/difference_text.h"
-#include "tools/hyrax-sim/runs/run_rows.h"
+#include "tools/hyrax-sim/diff/difference_text.h"
+#include "tools/hyrax-sim/play/play_with_progress.h"
 #include "tools/hyrax-sim/runs/scenario_run.h"
 
 namespace hyrax {

@@ -15,7 +15,7 @@
 #include "tools/files/path.h"
 #include "tools/hyrax-replay/judged_run.h"
 #include "tools/hyrax-sim/golden/golden_pair.h"
-#include "tools/hyrax-sim/runs/run_rows.h"
+#include "tools/hyrax-sim/play/play_with_progress.h"
 #include "tools/report/run_figure.h"
 #include "tools/store/drift_tables.h"
 #include "tools/store/trajectory_format.h"
