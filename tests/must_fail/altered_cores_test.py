@@ -45,7 +45,7 @@ class OneCore(unittest.TestCase):
 
     def test_each_source_that_includes_the_core_is_compiled_with_the_altered_one(self):
         commands = json.loads(pathlib.Path(os.environ["HYRAX_BUILD"], "compile_commands.json").read_text())
-        users = {path for folder in ("sim", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.cpp")
+        users = {path for folder in ("sim", "tools/app", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.cpp")
                  if includes_core(path) and path.name != "core_library.cpp"}
         self.assertTrue(users)
         for control in ("altered", "contracted"):
@@ -55,7 +55,7 @@ class OneCore(unittest.TestCase):
                               "altered_cores" not in path.parts}, users, control)
 
     def test_no_header_includes_the_core(self):
-        headers = [path for folder in ("sim", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.h")]
+        headers = [path for folder in ("sim", "tools/app", "tools/hyrax-sim") for path in (SOURCE / folder).rglob("*.h")]
         self.assertEqual([path for path in headers if includes_core(path)], [])
 
 

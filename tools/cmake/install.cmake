@@ -28,8 +28,12 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
 # core compiles two sources and needs no library but the compiler's own.
 set(hyrax_rooms physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
-                scenario store golden judged_run report child_process page_record pages page files fmt)
-list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:hyrax_\\1>")
+                scenario store golden report child_process page_record pages page files fmt)
+list(TRANSFORM hyrax_rooms PREPEND hyrax_)
+get_target_property(hyrax_app hyrax-sim LINK_LIBRARIES)
+list(FILTER hyrax_app INCLUDE REGEX "^hyrax_app_")
+list(APPEND hyrax_rooms ${hyrax_app})
+list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_custom_command(
   OUTPUT ${hyrax_program_object}
   COMMAND

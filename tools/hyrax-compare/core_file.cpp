@@ -10,10 +10,10 @@
 
 #include "compile_command.h"
 #include "sim/card/core_in_use.h"
+#include "tools/app/command_line/shell_command.h"
 #include "tools/files/child_process.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
-#include "tools/hyrax-sim/command_line/shell_command.h"
 
 namespace hyrax {
 namespace {

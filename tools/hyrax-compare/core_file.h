@@ -5,8 +5,8 @@
 
 #include "sim/card/core_functions.h"
 #include "sim/card/play_watch.h"
+#include "tools/app/core/accepted_core.h"
 #include "tools/files/temporary_folder.h"
-#include "tools/hyrax-sim/core/accepted_core.h"
 
 namespace hyrax {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/physics/strict_arithmetic.h"
+#include "tools/app/command_line/options.h"
 #include "tools/files/failure.h"
 #include "tools/files/main_program.h"
 #include "tools/files/printable.h"
@@ -16,7 +17,6 @@
 #include "tools/hyrax-compare/card_output.h"
 #include "tools/hyrax-compare/core_file.h"
 #include "tools/hyrax-compare/core_process.h"
-#include "tools/hyrax-sim/command_line/options.h"
 #include "tools/report/page_file.h"
 #include "tools/store/output_guard.h"
 

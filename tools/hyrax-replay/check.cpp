@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "sim/trajectory/state_hash.h"
+#include "tools/app/expect/judged_run.h"
 #include "tools/files/check_status.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/non_finite_text.h"
@@ -13,7 +14,6 @@
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
 #include "tools/files/unreferenced_golden.h"
-#include "tools/hyrax-replay/judged_run.h"
 
 namespace hyrax {
 namespace {

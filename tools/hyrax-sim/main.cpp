@@ -10,15 +10,15 @@
 #include "sim/replay/core_constants.h"
 #include "sim/replay/core_shape.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/print.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/core/paper_model.h"
 #include "tools/files/build_info.h"
 #include "tools/files/main_program.h"
 #include "tools/files/unknown_word.h"
-#include "tools/hyrax-sim/command_line/options.h"
-#include "tools/hyrax-sim/command_line/print.h"
-#include "tools/hyrax-sim/command_line/shell_command.h"
-#include "tools/hyrax-sim/core/paper_model.h"
 
-// All commands, in the order of the help. commands/NAME.cpp defines NAME_command().
+// All commands, in the order of the help. NAME.cpp defines NAME_command().
 #define HYRAX_COMMANDS(COMMAND) \
   COMMAND(run)                  \
   COMMAND(check)                \

@@ -4,7 +4,8 @@ import math
 
 from mutators import mutants_of
 
-FOLDERS = ("sim/compare", "sim/replay", "sim/reference", "sim/study", "tools/files", "tools/store", "tools/hyrax-sim")
+FOLDERS = ("sim/compare", "sim/replay", "sim/reference", "sim/study", "tools/files", "tools/store", "tools/app",
+           "tools/hyrax-sim")
 
 
 def mutants_by_folder(build):

@@ -1,0 +1,180 @@
+#include "tools/app/bless/bless_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/replay/core_constants.h"
+#include "sim/trajectory/physics_model.h"
+#include "tools/app/causes/group_text.h"
+#include "tools/app/diff/difference_text.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/files/printable.h"
+
+namespace hyrax {
+namespace {
+
+using BlessStatus = Blessing::Status;
+
+bool differs_more_than_rounding(const Blessing& blessing) {
+  return blessing.differs_in && *blessing.differs_in > DifferenceClass::rounding;
+}
+
+// Whether its run is another one than its golden file's; one that fails for another reason may be, too.
+bool plays_otherwise(const Blessing& blessing) {
+  return blessing.status != BlessStatus::fresh && blessing.unreadable.empty() && !blessing.comparison.agrees;
+}
+
+// Of a run that differs, its group says more.
+void print_plan(const Blessing& blessing, const Printing& printing) {
+  const std::string path = printable(blessing.path);
+  const std::string h5_path = printable(blessing.place.h5_path);
+  if (printing.is_quiet()) return;
+  if (!blessing.updated.empty()) print_text("{}: new {}\n", path, broken_sentence(blessing.updated));
+  if (blessing.status == BlessStatus::fresh) print_text("{}: new golden file\n", path);
+  if (blessing.status != BlessStatus::changed && blessing.status != BlessStatus::refused) return;
+  if (!blessing.unreadable.empty())
+    return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
+  print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
+             printing.is_verbose() || !plays_otherwise(blessing)
+                 ? difference_text(blessing.comparison, printing.is_verbose())
+                 : "");
+}
+
+// A line each of a few, else how many they are.
+void print_unchanged(const BlessReport& report) {
+  constexpr std::ptrdiff_t kListed = 3;
+  const auto unchanged = std::ranges::count(report.blessings, BlessStatus::unchanged, &Blessing::status);
+  if (unchanged > kListed)
+    return print_text("{} scenarios: {} with their golden files already\n", unchanged,
+                      VerdictWord{"agree", true});
+  for (const Blessing& blessing : report.blessings)
+    if (blessing.status == BlessStatus::unchanged)
+      print_text("{}: {} with {} already\n", printable(blessing.path), VerdictWord{"agrees", true},
+                 printable(blessing.place.h5_path));
+}
+
+// Where results that were accepted under a model's name change by more than rounding.
+void print_model_hint(const BlessReport& report) {
+  const bool is_due = std::ranges::any_of(report.blessings, [](const Blessing& blessing) {
+    return differs_more_than_rounding(blessing) && blessing.runs &&
+           blessing.runs->golden.physics == core_model();
+  });
+  if (is_due && is_paper_model(core_model()))
+    print_text(
+        "results change by more than rounding: give the physics model a new number (now {}; kPhysicsModel in "
+        "sim/trajectory/physics_model.h)\n",
+        kPhysicsModel);
+}
+
+void print_done(const Blessing& blessing) {
+  if (blessing.has_failed()) return;
+  const std::string path = printable(blessing.path);
+  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
+  if (blessing.writes_golden_file() && blessing.keeps_h5)
+    print_text("{}: agrees with {} already; its summary, {}, is written again\n", path, printable(h5_path),
+               printable(txt_path));
+  else if (blessing.writes_golden_file())
+    print_text("{}: {}, {}\n", path, VerdictWord{"blessed", true}, printable(h5_path));
+  if (blessing.scenario_text)
+    print_text("{}: {} updated\n", path, blessing.updated.empty() ? "expect.state_hash" : "expect");
+}
+
+// null for a scenario that cannot be read.
+Json path_json(const std::string& path) { return path.empty() ? Json() : Json(path); }
+
+Json result_json(const Blessing& blessing) {
+  const Comparison& comparison = blessing.comparison;
+  const bool is_compared = !blessing.has_failed() && blessing.status != BlessStatus::fresh;
+  Json::Object entry{{"scenario", blessing.path},
+                     {"status", name_of(blessing.status)},
+                     {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+                     {"max_px", is_compared ? max_px_json(comparison) : Json()},
+                     {"contacts_moved", is_compared ? Json(comparison.contacts.total()) : Json()},
+                     {"first_divergence", divergence_json(comparison.first)},
+                     {"golden_file", path_json(blessing.place.h5_path)},
+                     {"summary", path_json(blessing.place.txt_path)},
+                     {"updates_hash", blessing.scenario_text.has_value()}};
+  if (!blessing.error.empty()) entry.emplace_back("error", blessing.error);
+  return entry;
+}
+
+}  // namespace
+
+std::string refusal_sentence(const BlessReport& report) {
+  const auto& blessings = report.blessings;
+  const auto failed = std::ranges::count(blessings, BlessStatus::failed, &Blessing::status);
+  if (failed > 0)
+    return fmt::format("hyrax-sim bless: nothing written: {} of {} scenarios failed", failed,
+                       blessings.size());
+  const auto refused = std::ranges::count(blessings, BlessStatus::refused, &Blessing::status);
+  if (refused == 0) return "";
+  const Blessing& widest = *std::ranges::max_element(blessings, {}, [](const Blessing& blessing) {
+    return blessing.status == BlessStatus::refused ? blessing.differs_in : std::nullopt;
+  });
+  return fmt::format(
+      "hyrax-sim bless: nothing written: {} of {} scenarios differ by more than --accept allows; --accept {} "
+      "accepts all of them, the widest of which is {}",
+      refused, blessings.size(), name_of(*widest.differs_in), widest.path);
+}
+
+std::string unfinished_sentence(const BlessReport& report) {
+  const auto failed = std::ranges::count(report.blessings, BlessStatus::failed, &Blessing::status);
+  const auto planned = failed + std::ranges::count_if(report.blessings, &Blessing::writes);
+  if (failed == 0) return "";
+  return fmt::format(
+      "hyrax-sim bless: {} of {} scenarios blessed, {} could not be written; the same command completes it",
+      planned - failed, planned, failed);
+}
+
+std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& cores) {
+  std::vector<DifferingScenario> differing;
+  for (const Blessing& blessing : report.blessings)
+    if (plays_otherwise(blessing))
+      differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get(), blessing.golden_folder});
+  if (differing.empty()) return {};
+  return group_by_cause(differing, cores);
+}
+
+void print_plans(const BlessReport& report, const std::vector<DifferenceGroup>& groups,
+                 const CoreChecks& cores, const Printing& printing) {
+  print_unchanged(report);
+  for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
+  if (printing.is_quiet()) return;
+  print_groups(groups, cores.verdicts(), report.blessings.size());
+  print_model_hint(report);
+  for (const std::string& path : report.pruning.removed) print_text("{}: has no scenario\n", printable(path));
+}
+
+void print_done(const BlessReport& report, bool is_dry_run) {
+  if (is_dry_run) print_text("{}dry run: nothing written\n", acceptances_text(report.cores, false));
+  if (!report.is_written) return;
+  for (const Blessing& blessing : report.blessings) print_done(blessing);
+  for (const std::string& path : report.pruning.removed) print_text("{}: removed\n", printable(path));
+  print_text("{}", acceptances_text(report.cores, true));
+}
+
+Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& groups) {
+  Json::Object document;
+  for (const BlessStatus status : {BlessStatus::fresh, BlessStatus::changed, BlessStatus::unchanged,
+                                   BlessStatus::refused, BlessStatus::failed})
+    document.emplace_back(name_of(status), std::ranges::count(report.blessings, status, &Blessing::status));
+  document.emplace_back("written", report.is_written);
+  const std::vector<std::string>& removed = report.pruning.removed;
+  document.emplace_back("pruned", Json::Array(removed.begin(), removed.end()));
+  Json::Array cores;
+  for (const CoreAcceptance& core : report.cores)
+    cores.push_back(Json::Object{{"golden", core.golden_folder},
+                                 {"accepted", core.why_not.empty()},
+                                 {"why_not", core.why_not.empty() ? Json() : Json(core.why_not)}});
+  document.emplace_back("cores", std::move(cores));
+  Json::Array results;
+  for (const Blessing& blessing : report.blessings) results.emplace_back(result_json(blessing));
+  document.emplace_back("results", std::move(results));
+  Json::Array causes;
+  for (const DifferenceGroup& group : groups) causes.emplace_back(group_json(group));
+  document.emplace_back("groups", std::move(causes));
+  return document;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,228 @@
+#include "tools/app/bless/blessing.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cerrno>
+#include <filesystem>
+#include <map>
+
+#include <unistd.h>
+
+#include "sim/study/reference_model.h"
+#include "tools/app/core/paper_model.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/app/golden/expect_update.h"
+#include "tools/files/json_edit.h"
+#include "tools/files/non_finite_text.h"
+#include "tools/files/path.h"
+#include "tools/files/printable.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
+#include "tools/store/golden_file.h"
+#include "tools/store/golden_summary.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+using BlessStatus = Blessing::Status;
+
+GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
+  if (path == "-")
+    throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
+  const auto place = golden_place(path, golden_folder);
+  if (!place)
+    throw Failure(
+        ExitCode::bad_input,
+        path + ": no folder `scenarios` above it; name the folder of its golden file with --golden DIR");
+  return *place;
+}
+
+// As far as possible without writing.
+void require_writable(const std::string& path) {
+  fs::path folder = fs::absolute(path).parent_path();
+  while (!is_there(folder.string()) && folder.has_relative_path()) folder = folder.parent_path();
+  if (!is_folder(folder.string())) fail_to_write(path, ENOTDIR);
+  if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_write(path, errno);
+}
+
+void require_usable(const GoldenPlace& place, const OutputGuard& guard) {
+  for (const std::string& path : {place.h5_path, place.txt_path}) {
+    if (is_folder(path)) fail_to_write(path, EISDIR);
+    guard.admit_golden("hyrax-sim bless: --golden", path);
+  }
+}
+
+void require_expected(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
+  if (const std::string text = non_finite_text(scenario, summary.final); !text.empty())
+    throw Failure(ExitCode::disagreed, path + ": not blessed: " + text);
+  std::string broken;
+  for (const Expectation& expectation : broken_expectations(scenario, summary, reference_model()))
+    broken += "; " + expectation_text(expectation);
+  if (!broken.empty())
+    throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
+}
+
+// A golden file whose rows cannot be compared. Its summary may still say that the run is the accepted one.
+RunSummary replace_unreadable(const Scenario& scenario, const std::string& why, Blessing& blessing) {
+  blessing.status = BlessStatus::changed;
+  blessing.unreadable = why;
+  blessing.comparison.agrees = false;
+  blessing.comparison.difference = DifferenceClass::shape;
+  const RunSummary summary = play(scenario);
+  const std::string& txt_path = blessing.place.txt_path;
+  const std::string text = is_there(txt_path) ? read_text_file(txt_path) : "";
+  if (summary_state_hash(text) != hex(summary.state_hash)) blessing.differs_in = DifferenceClass::shape;
+  return summary;
+}
+
+void take_over(PairComparison pair, Blessing& blessing) {
+  blessing.comparison = std::move(pair.comparison);
+  blessing.runs = std::move(pair.runs);
+  if (!pair.gives_its_rows) blessing.differs_in = blessing.comparison.difference;
+  if (blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario))
+    blessing.differs_in = blessing.comparison.difference;
+}
+
+// Sets what has to be blessed; returns the summary of the run.
+RunSummary compare(const Scenario& scenario, Blessing& blessing) {
+  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
+  const bool has_both = has_golden_file(blessing.place);
+  if (!is_there(h5_path) && !is_there(txt_path)) {
+    blessing.status = BlessStatus::fresh;
+    return play(scenario);
+  }
+  if (!is_there(h5_path)) return replace_unreadable(scenario, h5_path + " is missing", blessing);
+  if (!has_both) blessing.unreadable = txt_path + " is missing";
+  try {
+    PairComparison pair = *compare_with_pair(scenario, blessing.place, true);
+    const bool is_current = pair.is_proved && is_summary_current(scenario, blessing.place);
+    blessing.status = is_current ? BlessStatus::unchanged : BlessStatus::changed;
+    blessing.keeps_h5 = has_both && !is_current && is_h5_current(scenario, blessing.place);
+    const RunSummary summary = pair.summary;
+    take_over(std::move(pair), blessing);
+    return summary;
+  } catch (const Failure& failure) {
+    if (failure.exit_code() != ExitCode::bad_input) throw;
+    return replace_unreadable(scenario, failure.what(), blessing);
+  }
+}
+
+void update_expect(const RunSummary& summary, bool updates_ranges, Scenario& scenario, Blessing& blessing) {
+  const std::string hash = hex(summary.state_hash);
+  const std::string text = read_scenario_text(blessing.path);
+  std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
+  if (updates_ranges) {
+    const std::vector<Expectation> broken = broken_expectations(scenario, summary, reference_model());
+    updated = with_updated_ranges(std::move(updated), scenario, broken);
+    for (const Expectation& expectation : broken)
+      if (is_updatable(expectation)) blessing.updated.push_back(expectation);
+  }
+  scenario = parse_scenario_file(updated, blessing.path);
+  if (updated != text) blessing.scenario_text = std::move(updated);
+}
+
+void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& guard) {
+  Scenario scenario = load_scenario(blessing.path);
+  require_measurable(blessing.path, scenario);
+  blessing.place = place_of(blessing.path, options.golden_folder);
+  blessing.golden_folder = golden_folder_for(blessing.path, options.golden_folder);
+  require_usable(blessing.place, guard);
+  const RunSummary summary = compare(scenario, blessing);
+  if (options.updates_hash || options.updates_ranges)
+    update_expect(summary, options.updates_ranges, scenario, blessing);
+  if (blessing.scenario_text) require_writable(blessing.path);
+  require_expected(blessing.path, scenario, summary);
+  if (blessing.writes_golden_file())
+    for (const std::string& path : {blessing.place.h5_path, blessing.place.txt_path}) require_writable(path);
+  if (!blessing.writes() || !blessing.differs_in || *blessing.differs_in <= options.accepted) return;
+  blessing.status = BlessStatus::refused;
+  blessing.exit_code = ExitCode::disagreed;
+}
+
+void write_golden_file(const Blessing& blessing, const std::string& reason) {
+  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
+  Scenario scenario = load_scenario(blessing.path);
+  if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
+  const FreshRun fresh = play_for_golden(scenario);
+  if (blessing.keeps_h5) return write_text_file(txt_path, summary_of(fresh, reason, file_checksum(h5_path)));
+  std::error_code error;
+  fs::create_directories(fs::path(h5_path).parent_path(), error);
+  AtomicFile rows(h5_path);
+  AtomicFile summary(txt_path);
+  write_golden(rows, h5_path, fresh.run);
+  summary.write(summary_of(fresh, reason, file_checksum(rows.part_path())));
+  // The rows come last: until they are there, `check` compares with the old ones and reports it.
+  summary.commit();
+  rows.commit();
+}
+
+// A failure of one scenario does not end the others.
+template <class Step>
+void attempt(Blessing& blessing, const Step& step) {
+  try {
+    return step();
+  } catch (const Failure& failure) {
+    blessing.error = failure.what();
+    blessing.exit_code = failure.exit_code();
+  } catch (const std::exception& error) {
+    blessing.error = blessing.path + ": internal error: " + error.what();
+    blessing.exit_code = ExitCode::program_fault;
+  }
+  blessing.status = BlessStatus::failed;
+  print_error(blessing.error);
+}
+
+// Refuses scenarios that share a golden file: each would overwrite the other's. A scenario that is given
+// twice is blessed once.
+std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
+  std::map<std::string, std::string> owners;
+  std::vector<Blessing> kept;
+  for (Blessing& blessing : blessings) {
+    std::error_code unknown;
+    const std::string place = fs::weakly_canonical(blessing.place.h5_path, unknown).string();
+    const auto [entry, is_first] = owners.emplace(place, blessing.path);
+    const std::string& owner = entry->second;
+    if (!is_first && !blessing.has_failed()) {
+      if (fs::equivalent(owner, blessing.path, unknown)) continue;
+      attempt(blessing, [&] {
+        throw Failure(ExitCode::bad_input, blessing.path + ": has the same golden file as " + owner + " (" +
+                                               blessing.place.h5_path +
+                                               "); bless them with different --golden DIR");
+      });
+    }
+    kept.push_back(std::move(blessing));
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::string_view name_of(BlessStatus status) {
+  constexpr std::string_view kNames[] = {"new", "changed", "unchanged", "refused", "failed"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+std::vector<Blessing> plan_blessings(const std::vector<std::string>& paths, const BlessOptions& options) {
+  const OutputGuard guard(paths);
+  std::vector<Blessing> blessings;
+  for (const std::string& path : paths) {
+    Blessing& blessing = blessings.emplace_back();
+    blessing.path = path;
+    attempt(blessing, [&] { plan(blessing, options, guard); });
+  }
+  return without_shared_places(std::move(blessings));
+}
+
+void write(Blessing& blessing, const BlessOptions& options) {
+  assert(blessing.writes());
+  attempt(blessing, [&] {
+    if (blessing.writes_golden_file()) write_golden_file(blessing, options.reason);
+    if (blessing.scenario_text) write_text_file(blessing.path, *blessing.scenario_text);
+  });
+}
+
+}  // namespace hyrax

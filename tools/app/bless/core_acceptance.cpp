@@ -1,0 +1,111 @@
+#include "tools/app/bless/core_acceptance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "tools/app/causes/library.h"
+#include "tools/app/check/check_verdict.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_accepted_already(const AcceptedCore& program, const std::string& golden_folder) {
+  try {
+    const std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
+    return accepted && accepted->header == program.header && accepted->step == program.step &&
+           accepted->model == program.model;
+  } catch (const Failure&) {
+    return false;  // A damaged one is replaced.
+  }
+}
+
+std::string canonical_path(const std::string& path) {
+  std::error_code unknown;
+  return fs::weakly_canonical(path, unknown).string();
+}
+
+// What became of the scenarios that are not blessed now.
+struct LibraryCheck {
+  std::vector<std::string> disagreeing;
+  std::set<std::string> cores;  // That their golden files name.
+  std::size_t checked = 0;
+};
+
+LibraryCheck check_library(const Library& library, const std::set<std::string>& blessed) {
+  LibraryCheck result;
+  for (const std::string& path : list_scenarios({library.scenarios_folder})) {
+    ++result.checked;
+    if (blessed.contains(canonical_path(path))) continue;
+    const CheckVerdict verdict = check_scenario(path, {.golden_folder = library.golden_option});
+    if (verdict.status != CheckStatus::agreed)
+      result.disagreeing.push_back(path);
+    else if (verdict.has_golden)
+      result.cores.insert(summary_core(read_text_file(verdict.golden->txt_path)));
+  }
+  return result;
+}
+
+std::optional<CoreAcceptance> plan(const Library& library, const std::set<std::string>& blessed,
+                                   const std::string& reason) {
+  AcceptedCore core = program_core();
+  if (is_accepted_already(core, library.golden_folder)) return std::nullopt;
+  LibraryCheck check = check_library(library, blessed);
+  core.reason = reason;
+  check.cores.erase(core.name());
+  check.cores.erase("");
+  core.agreeing_cores.assign(check.cores.begin(), check.cores.end());
+  CoreAcceptance acceptance{library.golden_folder, std::move(core), "", {}};
+  if (!check.disagreeing.empty()) {
+    acceptance.why_not = fmt::format("{} of {} scenarios do not agree, the first is {}",
+                                     check.disagreeing.size(), check.checked, check.disagreeing.front());
+    return acceptance;
+  }
+  CoreCheck differences(library.golden_folder);
+  differences.judge_differences(scenarios_in(library.scenarios_folder));
+  acceptance.differences = differences.verdict();
+  return acceptance;
+}
+
+}  // namespace
+
+std::vector<CoreAcceptance> plan_core_acceptances(const std::vector<std::string>& arguments,
+                                                  const std::vector<Blessing>& blessings,
+                                                  const BlessOptions& options) {
+  std::set<std::string> blessed;
+  for (const Blessing& blessing : blessings) blessed.insert(canonical_path(blessing.path));
+  std::vector<CoreAcceptance> acceptances;
+  for (const Library& library : libraries_of(arguments, options.golden_folder))
+    if (auto acceptance = plan(library, blessed, options.reason))
+      acceptances.push_back(std::move(*acceptance));
+  return acceptances;
+}
+
+void write_cores(const std::vector<CoreAcceptance>& cores, const std::vector<Blessing>& blessings) {
+  if (std::ranges::any_of(blessings, &Blessing::has_failed)) return;
+  for (const CoreAcceptance& acceptance : cores)
+    if (acceptance.why_not.empty()) write_accepted_core(acceptance.golden_folder, acceptance.core);
+}
+
+std::string acceptances_text(const std::vector<CoreAcceptance>& cores, bool is_written) {
+  std::string text;
+  for (const CoreAcceptance& acceptance : cores) {
+    const std::string folder = accepted_core_folder(acceptance.golden_folder);
+    if (!acceptance.why_not.empty()) {
+      text += fmt::format("core: not accepted in {}: {}\n", folder, acceptance.why_not);
+      continue;
+    }
+    if (!acceptance.differences.unnoticed.empty()) text += core_text(acceptance.differences);
+    text += fmt::format("core: {} in {}\n", is_written ? "accepted" : "would be accepted", folder);
+  }
+  return text;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,114 @@
+// This program's core against the accepted one of a golden folder.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/cause/cause_groups.h"
+#include "sim/cause/header_change.h"
+#include "sim/scenario/scenario.h"
+#include "tools/app/core/accepted_core.h"
+#include "tools/files/failure.h"
+#include "tools/files/json.h"
+
+namespace hyrax {
+
+enum class CoreStatus : std::uint8_t {
+  none,          ///< No accepted core, or a damaged one.
+  accepted,      ///< The same header and step.
+  proved_equal,  ///< Another header, the same step: the same bits for every state, dt and size.
+  changed,       ///< Steps of other bits are known.
+  not_proved
+};
+inline constexpr std::array<std::string_view, 5> kCoreStatusNames = {"none", "accepted", "proved_equal",
+                                                                     "changed", "not_proved"};
+
+struct CoreChange {
+  HeaderChange change;
+  std::optional<std::int64_t> scenarios;  ///< How many differing scenarios a constant reproduces alone.
+};
+
+/// A difference of two steps that no scenario of the library shows.
+struct UnnoticedDifference {
+  std::string text;
+  std::optional<Scenario> scenario;  ///< Shows it, where the search found a step.
+  std::string consequence;           ///< As "after 5 s 12.3 px apart".
+  std::int64_t steps_tried = 0;
+};
+
+struct CoreVerdict {
+  std::string golden_folder;
+  CoreStatus status = CoreStatus::none;
+  std::string why;  ///< Of none and not_proved.
+  std::vector<CoreChange> changes;
+  std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
+  std::set<std::int32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
+  std::vector<UnnoticedDifference> unnoticed;
+  ExitCode exit_code = ExitCode::agreed;
+};
+
+class CoreCheck {
+ public:
+  /// Reads and compares; what is damaged becomes part of the verdict.
+  explicit CoreCheck(const std::string& golden_folder);
+  ~CoreCheck();
+  CoreCheck(CoreCheck&&) noexcept;
+
+  [[nodiscard]] const CoreVerdict& verdict() const { return verdict_; }
+  [[nodiscard]] const std::optional<AcceptedCore>& accepted() const { return accepted_; }
+
+  /// What the causes of differing runs are judged by. Refers to this.
+  [[nodiscard]] CauseBase base() const;
+  /// Whether a golden file of that core can be judged by the accepted one.
+  [[nodiscard]] bool covers(const std::string& core_name) const;
+
+  /// These runs differ because of the core: counts which each changed constant reproduces alone.
+  void take_core_runs(const std::vector<const StoredRun*>& fresh);
+  /// Plays the whole library by the accepted step, and looks for steps that show what it does not notice.
+  void judge_differences(const std::vector<Scenario>& library);
+  /// A scenario took these paths of the program's step.
+  void take_paths(const std::set<std::int32_t>& paths) {
+    verdict_.paths_taken.insert(paths.begin(), paths.end());
+  }
+
+ private:
+  struct Steps;
+
+  void compare();
+  [[nodiscard]] std::string why_not_played() const;
+
+  CoreVerdict verdict_;
+  std::optional<AcceptedCore> accepted_;
+  std::unique_ptr<Steps> steps_;
+};
+
+/// The checks of several golden folders, each made when first asked for.
+class CoreChecks {
+ public:
+  [[nodiscard]] CoreCheck& of(const std::string& golden_folder) {
+    return checks_.try_emplace(golden_folder, golden_folder).first->second;
+  }
+  /// In order of the folders' names.
+  [[nodiscard]] std::vector<const CoreVerdict*> verdicts() const {
+    std::vector<const CoreVerdict*> verdicts;
+    for (const auto& [folder, check] : checks_) verdicts.push_back(&check.verdict());
+    return verdicts;
+  }
+
+ private:
+  std::map<std::string, CoreCheck> checks_;
+};
+
+/// The verdict as text: complete lines; empty where the core is the accepted one.
+[[nodiscard]] std::string core_text(const CoreVerdict& verdict);
+/// {"golden", "status", "why", "paths", "paths_taken", "changes", "unnoticed"}, an entry of "cores".
+[[nodiscard]] Json core_json(const CoreVerdict& verdict);
+
+}  // namespace hyrax

@@ -1,0 +1,134 @@
+// The report of `check` for programs: JSON, JUnit XML, annotations.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/app/check/check_report.h"
+#include "tools/app/diff/difference_text.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/files/printable.h"
+
+namespace hyrax {
+namespace {
+
+using Status = CheckVerdict::Status;
+
+// Whether rows of the golden file were compared.
+bool is_compared(const CheckVerdict& verdict) {
+  return verdict.has_golden && verdict.status != Status::failed;
+}
+
+Json result_json(const CheckVerdict& verdict) {
+  const Comparison& comparison = verdict.comparison;
+  Json::Object entry{{"scenario", verdict.path},
+                     {"status", name_of(verdict.status)},
+                     {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+                     {"max_px", is_compared(verdict) ? max_px_json(comparison) : Json()},
+                     {"contacts_moved", is_compared(verdict) ? Json(comparison.contacts.total()) : Json()},
+                     {"first_divergence", divergence_json(comparison.first)}};
+  if (!verdict.broken.empty()) {
+    Json::Array broken;
+    for (const Expectation& expectation : verdict.broken) broken.push_back(expectation_json(expectation));
+    entry.emplace_back("expect", std::move(broken));
+  }
+  if (!verdict.error.empty()) entry.emplace_back("error", verdict.error);
+  return entry;
+}
+
+// XML 1.0 allows neither control characters, except some white space, nor U+FFFE, U+FFFF and invalid UTF-8,
+// not even escaped: they become text.
+std::string xml_text(std::string_view text) {
+  std::string xml;
+  for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes) {
+    const auto [length, code] = utf8_character(text, at);
+    bytes = length;
+    if (code < 0)
+      xml += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
+    else if (code == '\n' || code == '\t')
+      xml += fmt::format("&#{};", code);  // Unescaped, an attribute turns it into a space.
+    else if (code < 0x20 || code == 0x7f || code == 0xFFFE || code == 0xFFFF)
+      xml += fmt::format("\\u{:04x}", code);
+    else if (code == '&' || code == '<' || code == '>' || code == '"')
+      xml += fmt::format("&#{};", code);
+    else
+      xml += text.substr(at, length);
+  }
+  return xml;
+}
+
+std::string test_case(const CheckReport& report, const CheckVerdict& verdict) {
+  const std::string open =
+      fmt::format("  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"",
+                  xml_text(verdict.path), verdict.seconds);
+  if (verdict.status == Status::agreed) return open + "/>\n";
+  const bool is_failure = verdict.exit_code == ExitCode::disagreed;
+  const char* const element = is_failure ? "failure" : "error";
+  return open + fmt::format(">\n    <{0} message=\"{1}: {2}\">{3}</{0}>\n  </testcase>\n", element,
+                            name_of(verdict.status), xml_text(verdict_sentence(report, verdict)),
+                            xml_text(verdict_details(verdict)));
+}
+
+// Text of a workflow command; in a property `:` and `,` end it.
+std::string workflow_text(std::string_view text, bool is_property) {
+  constexpr std::string_view kEscaped = "%\r\n:,";
+  std::string escaped;
+  for (const char c : text) {
+    const std::size_t place = kEscaped.find(c);
+    if (place == std::string_view::npos || (place > 2 && !is_property))
+      escaped += c;
+    else
+      escaped += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return escaped;
+}
+
+std::string annotation(const CheckReport& report, const CheckVerdict& verdict) {
+  return fmt::format("::error file={},title={}::{}\n", workflow_text(verdict.path, true),
+                     workflow_text(fmt::format("hyrax-sim check: {}", name_of(verdict.status)), true),
+                     workflow_text(verdict_sentence(report, verdict), false));
+}
+
+}  // namespace
+
+Json check_json(const CheckReport& report) {
+  Json::Array results;
+  for (const CheckVerdict& verdict : report.verdicts()) results.push_back(result_json(verdict));
+  Json::Array groups;
+  for (const DifferenceGroup& group : report.groups()) groups.push_back(group_json(group));
+  Json::Array cores;
+  for (const CoreVerdict* const core : report.cores()) cores.push_back(core_json(*core));
+  return Json::Object{{"checked", report.scenario_count()},
+                      {"agreed", report.count(Status::agreed)},
+                      {"disagreed", report.count(Status::disagreed)},
+                      {"missing", report.count(Status::missing)},
+                      {"failed", report.count(Status::failed)},
+                      {"unreferenced", report.count(Status::unreferenced)},
+                      {"results", std::move(results)},
+                      {"cores", std::move(cores)},
+                      {"groups", std::move(groups)}};
+}
+
+std::string check_junit(const CheckReport& report) {
+  double seconds = 0.0;
+  for (const CheckVerdict& verdict : report.verdicts()) seconds += verdict.seconds;
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n",
+      report.verdicts().size(), report.count(Status::disagreed) + report.count(Status::unreferenced),
+      report.count(Status::missing) + report.count(Status::failed), seconds);
+  for (const CheckVerdict& verdict : report.verdicts()) text += test_case(report, verdict);
+  return text + "</testsuite>\n";
+}
+
+std::string github_annotations(const CheckReport& report) {
+  std::string text;
+  for (const DifferenceGroup& group : report.groups())
+    for (const DifferingScenario& scenario : group.scenarios)
+      text += annotation(report, report.verdict_on(scenario));
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
+      text += annotation(report, verdict);
+  return text;
+}
+
+}  // namespace hyrax

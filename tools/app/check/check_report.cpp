@@ -1,0 +1,224 @@
+#include "tools/app/check/check_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "tools/app/causes/group_text.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/files/path.h"
+#include "tools/files/printable.h"
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+using Status = CheckVerdict::Status;
+
+// The names of the physics models, where they differ: each sentence once.
+std::string physics_text(const CheckReport& report) {
+  std::set<std::string> sentences;
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (!verdict.comparison.agrees && !verdict.comparison.physics.empty())
+      sentences.insert(verdict.comparison.physics);
+  std::string text;
+  for (const std::string& sentence : sentences) text += sentence + "\n";
+  return text;
+}
+
+// How many of those that differ break their expectations as well.
+std::string broken_text(const CheckReport& report) {
+  const auto broken = std::ranges::count_if(report.verdicts(), [&](const CheckVerdict& verdict) {
+    return report.group_of(verdict) != nullptr && !verdict.broken.empty();
+  });
+  return broken == 0 ? "" : fmt::format("  expect  does not hold in {} of them\n", broken);
+}
+
+// "a, b, c and 37 more".
+std::string names_text(const std::vector<const CheckVerdict*>& verdicts) {
+  constexpr std::size_t kNamed = 3;
+  std::string text;
+  for (std::size_t index = 0; index < std::min(verdicts.size(), kNamed); ++index)
+    text += (index == 0 ? "" : ", ") + printable(verdicts[index]->path);
+  return verdicts.size() <= kNamed ? text : text + fmt::format(" and {} more", verdicts.size() - kNamed);
+}
+
+void print_line(const CheckReport& report, const CheckVerdict& verdict) {
+  print_text("{}: {}: {}\n", printable(verdict.path), VerdictWord{name_of(verdict.status), false},
+             verdict_sentence(report, verdict));
+}
+
+// With how to accept them all, unless others keep bless from it.
+void print_missing(const CheckReport& report, const std::vector<const CheckVerdict*>& missing) {
+  if (missing.size() == 1) return print_line(report, *missing.front());
+  const std::string& folder = report.golden_folder();
+  print_text("{} scenarios: {}: {}: {}\n", missing.size(), VerdictWord{name_of(Status::missing), false},
+             folder.empty() || is_folder(folder) ? "no golden file" : "no folder " + printable(folder),
+             names_text(missing));
+  std::vector<std::string> paths = report.arguments();
+  if (std::ssize(missing) + report.count(Status::agreed) != report.scenario_count()) {
+    paths.clear();
+    for (const CheckVerdict* const verdict : missing) paths.push_back(verdict->path);
+  } else if (paths.empty()) {
+    paths = {"scenarios"};
+  }
+  print_text("  to create them  {}\n", bless_command_for(paths, report.golden_folder()));
+}
+
+// A line for each kind: what is missing, failed or unreferenced, and expectations that do not hold.
+void print_lines(const CheckReport& report) {
+  std::vector<const CheckVerdict*> missing;
+  std::vector<const CheckVerdict*> unreferenced;
+  for (const CheckVerdict& verdict : report.verdicts()) {
+    if (verdict.status == Status::agreed || report.group_of(verdict) != nullptr) continue;
+    const bool is_renamed = report.renamed(verdict) != nullptr;
+    if (verdict.status == Status::unreferenced && !is_renamed)
+      unreferenced.push_back(&verdict);
+    else if (verdict.status == Status::missing && !is_renamed && verdict.broken.empty() &&
+             verdict.non_finite.empty())
+      missing.push_back(&verdict);
+    else if (verdict.status != Status::unreferenced)
+      print_line(report, verdict);
+  }
+  if (!missing.empty()) print_missing(report, missing);
+  if (unreferenced.size() == 1) print_line(report, *unreferenced.front());
+  if (unreferenced.size() > 1)
+    print_text("{} golden files: {}: no scenario: {}\n", unreferenced.size(),
+               VerdictWord{name_of(Status::unreferenced), false}, names_text(unreferenced));
+}
+
+// A line for each status but `agreed`; why one failed is on standard error.
+void print_names(const CheckReport& report) {
+  for (const Status status : {Status::disagreed, Status::missing, Status::unreferenced}) {
+    std::vector<const CheckVerdict*> verdicts;
+    for (const CheckVerdict& verdict : report.verdicts())
+      if (verdict.status == status) verdicts.push_back(&verdict);
+    if (!verdicts.empty()) print_text("{}: {}\n", VerdictWord{name_of(status), false}, names_text(verdicts));
+  }
+}
+
+// What bless accepts without --accept: rounding, and edits of the scenarios themselves.
+std::string accept_option(const CheckReport& report) {
+  DifferenceClass widest = DifferenceClass::rounding;
+  for (const DifferenceGroup& group : report.groups())
+    if (group.cause.kind != CauseKind::scenario) widest = std::max(widest, group.difference);
+  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
+}
+
+// The commands that show more of the worst scenario, and that accept all.
+std::string commands_text(const CheckReport& report) {
+  const DifferingScenario& worst = report.groups().front().scenarios.front();
+  const CheckVerdict& verdict = report.verdict_on(worst);
+  const bool is_alone = report.groups().size() == 1 && report.groups().front().scenarios.size() == 1;
+  const std::vector<std::string> checked =
+      report.arguments().empty() ? std::vector<std::string>{"scenarios"} : report.arguments();
+  std::vector<std::string> verbose = {"check", "--verbose"};
+  for (const std::string& argument : report.arguments()) verbose.push_back(as_argument(argument));
+  if (!report.golden_folder().empty())
+    verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
+  std::vector<const CheckVerdict*> blessed;
+  for (const CheckVerdict& each : report.verdicts())
+    if (each.status != Status::unreferenced && (!is_alone || &each == &verdict)) blessed.push_back(&each);
+  const std::string text =
+      fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
+                  program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
+                  program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"}));
+  // Its results are others the next time.
+  if (std::ranges::any_of(report.groups(),
+                          [](const auto& each) { return each.cause.detail == kNotRepeated; }))
+    return text;
+  return text + acceptance_text(is_alone ? std::vector{worst.path} : checked, accept_option(report), blessed);
+}
+
+void print_every(const CheckReport& report) {
+  for (const CheckVerdict& verdict : report.verdicts())
+    print_text("{}: {}\n{}", printable(verdict.path),
+               VerdictWord{name_of(verdict.status), verdict.status == Status::agreed},
+               verdict_details(verdict, true));
+}
+
+}  // namespace
+
+CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
+                         std::string golden_folder)
+    : verdicts_(std::move(verdicts)),
+      arguments_(std::move(arguments)),
+      golden_folder_(std::move(golden_folder)) {
+  std::vector<DifferingScenario> differing;
+  for (const CheckVerdict& verdict : verdicts_) {
+    verdict_on_[&verdict.comparison] = &verdict;
+    const std::string folder =
+        verdict.is_scenario ? golden_folder_for(verdict.path, verdict.golden_folder) : "";
+    if (is_folder(folder)) cores_.of(folder).take_paths(verdict.paths_taken);
+    if (verdict.status == Status::disagreed && !verdict.comparison.agrees)
+      differing.push_back({verdict.path, &verdict.comparison, verdict.runs.get(), folder});
+  }
+  for (const CheckVerdict& missing : verdicts_)
+    for (const CheckVerdict& golden : verdicts_)
+      if (missing.status == Status::missing && golden.status == Status::unreferenced &&
+          !golden.state_hash.empty() && missing.state_hash == golden.state_hash &&
+          !renamed_.contains(&golden) && renamed_.emplace(&missing, &golden).second)
+        renamed_.emplace(&golden, &missing);
+  if (!differing.empty()) groups_ = group_by_cause(differing, cores_);
+  for (const DifferenceGroup& group : groups_)
+    for (const DifferingScenario& scenario : group.scenarios) group_of_[scenario.comparison] = &group;
+}
+
+void CheckReport::judge_cores(const std::vector<Library>& libraries) {
+  for (const Library& library : libraries)
+    if (is_folder(library.golden_folder))
+      cores_.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
+}
+
+std::int64_t CheckReport::count(Status status) const {
+  return std::ranges::count(verdicts_, status, &CheckVerdict::status);
+}
+
+std::int64_t CheckReport::scenario_count() const {
+  return std::ranges::count_if(verdicts_, &CheckVerdict::is_scenario);
+}
+
+const DifferenceGroup* CheckReport::group_of(const CheckVerdict& verdict) const {
+  const auto found = group_of_.find(&verdict.comparison);
+  return found == group_of_.end() ? nullptr : found->second;
+}
+
+const CheckVerdict* CheckReport::renamed(const CheckVerdict& verdict) const {
+  const auto found = renamed_.find(&verdict);
+  return found == renamed_.end() ? nullptr : found->second;
+}
+
+const CheckVerdict& CheckReport::verdict_on(const DifferingScenario& scenario) const {
+  return *verdict_on_.at(scenario.comparison);
+}
+
+std::string counts_sentence(const CheckReport& report) {
+  std::vector<CheckStatus> statuses;
+  std::int64_t folders_failed = 0;
+  for (const CheckVerdict& verdict : report.verdicts())
+    if (!verdict.is_scenario && verdict.status == Status::failed)
+      ++folders_failed;
+    else
+      statuses.push_back(verdict.status);
+  return counts_sentence(statuses, folders_failed);
+}
+
+void print_check(const CheckReport& report, const Printing& printing) {
+  if (printing.is_quiet()) {
+    for (const CheckVerdict& verdict : report.verdicts())
+      if (verdict.status == Status::failed) print_error(verdict.error);
+    print_names(report);
+    return print_text("{}\n", counts_sentence(report));
+  }
+  if (printing.is_verbose()) print_every(report);
+  const auto checked = static_cast<std::size_t>(report.scenario_count());
+  print_groups(report.groups(), report.cores(), checked);
+  print_text("{}{}", broken_text(report), physics_text(report));
+  print_lines(report);
+  if (!report.groups().empty()) print_text("{}", commands_text(report));
+  print_text("{}\n", counts_sentence(report));
+}
+
+}  // namespace hyrax

@@ -1,0 +1,57 @@
+// The verdict of `check` on one scenario, and on all.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/compare/comparison.h"
+#include "sim/compare/expectations.h"
+#include "sim/trace/step_player.h"
+#include "tools/app/golden/golden_pair.h"
+#include "tools/files/check_status.h"
+#include "tools/files/failure.h"
+#include "tools/files/golden_place.h"
+
+namespace hyrax {
+
+struct CheckVerdict {
+  using Status = CheckStatus;
+  std::string path;  ///< Of the scenario as given; of an unreferenced golden file without its suffix.
+  Status status = Status::agreed;
+  bool is_scenario = true;  ///< No golden file without a scenario, and no golden folder.
+  std::optional<GoldenPlace> golden;
+  bool has_golden = false;    ///< Its golden file exists.
+  std::string golden_folder;  ///< As given with --golden; empty if it was not.
+  Comparison comparison;
+  std::vector<Expectation> broken;  ///< Expectations that do not hold.
+  std::string non_finite;           ///< non_finite_text of the run; empty: it stays finite.
+  std::string error;                ///< Of a failed one.
+  /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
+  std::string state_hash;
+  std::string note;                      ///< A remark on one that agrees; may be empty.
+  std::shared_ptr<const PairRuns> runs;  ///< Of one that differs; see PairComparison.
+  std::set<std::int32_t> paths_taken;    ///< Of CheckOptions::watched_step.
+  bool is_open = false;                  ///< Undecided: the golden file must be read.
+  ExitCode exit_code = ExitCode::agreed;
+  double seconds = 0.0;
+};
+
+struct CheckOptions {
+  std::string golden_folder;
+  bool reads_golden = true;  ///< If the summary does not decide. REQUIRES: no other threads.
+  /// The program's, whose paths are noted as they are taken, which takes time; null: not noted.
+  std::shared_ptr<const StepProgram> watched_step = nullptr;
+};
+
+/// Plays a scenario and compares; never throws Failure: it becomes a verdict.
+[[nodiscard]] CheckVerdict check_scenario(const std::string& path, const CheckOptions& options);
+
+/// A verdict for each golden file without a scenario, and for each golden folder that cannot be read; see
+/// find_unreferenced.
+[[nodiscard]] std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& arguments,
+                                                              const std::string& golden_folder);
+
+}  // namespace hyrax

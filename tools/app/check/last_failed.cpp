@@ -1,0 +1,70 @@
+#include "tools/app/check/last_failed.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+
+#include "sim/trajectory/state_hash.h"
+#include "tools/files/json.h"
+#include "tools/files/path.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As the XDG Base Directory Specification has it: a relative path counts as none.
+fs::path cache_folder() {
+  for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", ""), std::pair("HOME", ".cache")})
+    if (const char* const value = std::getenv(variable); value != nullptr && fs::path(value).is_absolute())
+      return fs::path(value) / below;
+  return {};
+}
+
+std::string absolute(const std::string& path) {
+  std::error_code unknown;
+  return fs::absolute(path, unknown).lexically_normal().string();
+}
+
+}  // namespace
+
+LastFailed::LastFailed() {
+  std::error_code error;
+  const std::string folder = fs::current_path(error).string();
+  const fs::path cache = cache_folder();
+  if (error || cache.empty()) return;
+  file_ = (cache / "hyrax-sim" / (hex(digest(std::as_bytes(std::span(folder)))) + ".json")).string();
+  try {
+    const Json document = parse_json(read_text_file(file_), file_);
+    const Json* const paths = document.find("not_agreed");
+    if (paths == nullptr || paths->get<Json::Array>() == nullptr) return;
+    for (const Json& path : *paths->get<Json::Array>())
+      if (const auto* const text = path.get<std::string>()) paths_.insert(*text);
+  } catch (const Failure&) {
+    // Nothing was recorded, or it is damaged: all are checked.
+  }
+}
+
+bool LastFailed::contains(const std::string& path) const { return paths_.contains(absolute(path)); }
+
+void LastFailed::update(const std::vector<CheckVerdict>& verdicts, OutputGuard& guard) {
+  const std::set<std::string> before = paths_;
+  for (const CheckVerdict& verdict : verdicts)
+    if (verdict.status == CheckStatus::agreed)
+      paths_.erase(absolute(verdict.path));
+    else
+      paths_.insert(absolute(verdict.path));
+  if (file_.empty() || paths_ == before) return;
+  try {
+    guard.admit("hyrax-sim check: cache", file_);
+    std::error_code error;
+    fs::create_directories(fs::path(file_).parent_path(), error);
+    const Json document = Json::Object{{"not_agreed", Json::Array(paths_.begin(), paths_.end())}};
+    write_text_file(file_, to_text(document, {.depth_indented = 2}) + "\n");
+  } catch (const Failure&) {
+    // The verdicts do not depend on it.
+  }
+}
+
+}  // namespace hyrax

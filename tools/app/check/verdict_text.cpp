@@ -1,0 +1,139 @@
+// One verdict of `check` as text.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "tools/app/causes/group_text.h"
+#include "tools/app/check/check_report.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/diff/difference_text.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/app/golden/expect_update.h"
+#include "tools/files/golden_place.h"
+#include "tools/files/path.h"
+#include "tools/files/unreferenced_golden.h"
+
+namespace hyrax {
+namespace {
+
+using Status = CheckVerdict::Status;
+
+std::string joined(const std::string& first, const std::string& second) {
+  return first.empty() || second.empty() ? first + second : first + "; " + second;
+}
+
+bool is_hash(const Expectation& expectation) { return expectation.rule == "state_hash"; }
+
+// How to give the golden file the scenario's new name.
+std::string rename_command(const std::string& golden_path, const GoldenPlace& place) {
+  const std::string folder(file_name(place.h5_path).folder);
+  const std::string make_folder =
+      folder.empty() || is_folder(folder) ? "" : shell_command({"mkdir", "-p", folder}) + " && ";
+  return make_folder + shell_command({"mv", as_argument(golden_path + ".h5"), as_argument(place.h5_path)}) +
+         " && " + shell_command({"mv", as_argument(golden_path + ".txt"), as_argument(place.txt_path)});
+}
+
+}  // namespace
+
+std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict) {
+  const std::string broken = broken_sentence(verdict.broken);
+  const CheckVerdict* const renamed = report.renamed(verdict);
+  switch (verdict.status) {
+    case Status::agreed:
+      return "";
+    case Status::failed:
+      return verdict.error;
+    case Status::unreferenced:
+      return renamed == nullptr ? kUnreferencedSentence : "its scenario was renamed to " + renamed->path;
+    case Status::missing:
+      if (renamed != nullptr)
+        return fmt::format("renamed: {} has the same run; to rename that: {}", renamed->path,
+                           rename_command(renamed->path, *verdict.golden));
+      return joined(joined(verdict.non_finite, missing_golden_sentence(verdict.golden)),
+                    broken.empty() && verdict.non_finite.empty()
+                        ? "to create it: " + bless_command_for({verdict.path}, verdict.golden_folder)
+                        : broken);
+    case Status::disagreed:
+      break;
+  }
+  const DifferenceGroup* const group = report.group_of(verdict);
+  if (group == nullptr || !verdict.non_finite.empty()) return joined(verdict.non_finite, broken);
+  if (!verdict.runs) return joined(verdict.comparison.shape, broken);
+  return joined(
+      fmt::format("{}{}: {}", group->cause.kind == CauseKind::unknown ? "cause unknown: " : "",
+                  group->cause.detail,
+                  scenario_consequence({verdict.path, &verdict.comparison, verdict.runs.get(), ""})),
+      broken);
+}
+
+std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
+  if (verdict.status == Status::failed) return "  " + verdict.error + "\n";
+  if (verdict.status == Status::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
+  if (verdict.status == Status::agreed) return "";
+  std::string text = verdict.non_finite.empty() ? "" : fmt::format("  not finite {}\n", verdict.non_finite);
+  for (const Expectation& broken : verdict.broken)
+    text += fmt::format("  expect     {}\n", expectation_text(broken));
+  if (verdict.status == Status::missing)
+    return text + fmt::format("  {}\n", missing_golden_sentence(verdict.golden)) +
+           (text.empty() ? fmt::format("  to create it: {}\n",
+                                       bless_command_for({verdict.path}, verdict.golden_folder))
+                         : "");
+  if (verdict.comparison.agrees) return text;
+  return text + difference_text(verdict.comparison, lists_all) +
+         fmt::format("  to see more     {}; {}\n",
+                     program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
+                     program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
+         acceptance_text({verdict.path}, "", {&verdict});
+}
+
+std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
+                            const std::vector<const CheckVerdict*>& verdicts) {
+  const std::string& golden_folder = verdicts.front()->golden_folder;
+  std::vector<std::string> to_update;
+  std::vector<std::string> to_edit;
+  std::vector<std::string> damaged;
+  bool updates_ranges = false;
+  std::vector<std::string> others;
+  bool blesses_all = true;  // Nothing among `paths` would make bless refuse.
+  bool is_acceptable =
+      true;  // A run that is not finite or not repeated is no result, nor are `paths` with it.
+  for (const CheckVerdict* const verdict : verdicts) {
+    for (const Expectation& broken : verdict->broken)
+      updates_ranges |= is_updatable(broken) && !is_hash(broken);
+    const bool is_to_edit = !std::ranges::all_of(verdict->broken, is_updatable);
+    blesses_all &= !is_to_edit && verdict->status != Status::failed;
+    if (is_to_edit)
+      to_edit.push_back(verdict->path);
+    else if (!verdict->broken.empty())
+      to_update.push_back(verdict->path);
+    else if (verdict->status == Status::disagreed && !verdict->comparison.agrees)
+      others.push_back(verdict->path);
+    const bool is_changed = verdict->status == Status::disagreed && !verdict->comparison.agrees &&
+                            (!verdict->runs || !verdict->runs->is_golden_as_blessed);
+    if (is_changed)
+      damaged.push_back(verdict->golden->h5_path +
+                        (verdict->runs ? "" : " and " + verdict->golden->txt_path));
+    is_acceptable &= verdict->non_finite.empty() && (!verdict->runs || verdict->runs->is_repeated);
+  }
+  std::string text;
+  if (!damaged.empty())
+    text += fmt::format("  to restore it   take {}{} from version control\n", damaged.front(),
+                        damaged.size() == 1 ? "" : fmt::format(" and {} more", damaged.size() - 1));
+  if (!is_acceptable) return text;
+  if (!to_edit.empty())
+    text += fmt::format(
+        "  to edit         expect of {}: bless changes no boolean, error bound or one-sided limit\n",
+        fmt::join(to_edit, ", "));
+  // Of others than these, a hash would be written where there is none.
+  const std::string first = to_update.empty() ? ""
+                                              : bless_command_for(to_update, golden_folder) + options +
+                                                    (updates_ranges ? " --update-expect" : " --update-hash");
+  const std::string second =
+      others.empty() ? "" : bless_command_for(blesses_all ? paths : others, golden_folder) + options;
+  if (first.empty() && second.empty()) return text;
+  return text + fmt::format("  to accept it    {}{}{}\n", first, first.empty() || second.empty() ? "" : "; ",
+                            second);
+}
+
+}  // namespace hyrax

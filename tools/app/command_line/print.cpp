@@ -1,0 +1,25 @@
+#include "tools/app/command_line/print.h"
+
+#include <cstdlib>
+
+#include <unistd.h>
+
+namespace hyrax {
+namespace {
+
+bool has_colour() {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+}  // namespace
+
+std::string printed(const VerdictWord& verdict) {
+  static const bool is_coloured = has_colour();
+  if (!is_coloured) return std::string(verdict.word);
+  return fmt::format("\x1b[{}m{}\x1b[0m", verdict.is_good ? 32 : 31, verdict.word);
+}
+
+}  // namespace hyrax

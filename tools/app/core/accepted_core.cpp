@@ -1,0 +1,164 @@
+#include "tools/app/core/accepted_core.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "sim/cause/header_change.h"
+#include "sim/replay/core_constants.h"
+#include "sim/trace/step_program.h"
+#include "sim/trace/step_text.h"
+#include "sim/trajectory/state_hash.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/files/atomic_file.h"
+#include "tools/files/failure.h"
+#include "tools/files/path.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kCoreFormat = "hyrax-core/1";
+
+std::string checksum_of(std::string_view text) {
+  ByteHash hash;
+  hash.add(std::as_bytes(std::span(text.data(), text.size())));
+  return hex(hash.value());
+}
+
+struct CoreFiles {
+  std::string header, step, accepted;
+};
+
+CoreFiles files_in(const std::string& golden_folder) {
+  const std::string folder = accepted_core_folder(golden_folder);
+  return {folder + "/physics.h", folder + "/step.txt", folder + "/accepted.txt"};
+}
+
+std::string constants_text(const std::string& header) {
+  std::string text;
+  for (const HeaderConstant& constant : header_constants(header))
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", constant.name, constant.value);
+  return text;
+}
+
+std::string one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+// accepted.txt: a line a key, the checksum of all lines before it last.
+std::string accepted_text(const AcceptedCore& core) {
+  std::string text = fmt::format("{}\nclass: {}\nconstants: {}\nheader: {}\n", kCoreFormat, core.model,
+                                 constants_text(core.header), checksum_of(core.header));
+  text += core.step.empty() ? fmt::format("step: not complete: {}\n", core.why_incomplete)
+                            : fmt::format("step: {}\n", checksum_of(core.step));
+  if (!core.agreeing_cores.empty())
+    text += fmt::format("agreeing: {}\n", fmt::join(core.agreeing_cores, " "));
+  text += fmt::format("reason: {}\n", core.reason);
+  return text + fmt::format("checksum: {}\n", checksum_of(text));
+}
+
+// The rest of the line that begins with the key; empty if there is none.
+std::string value_of(const std::string& text, std::string_view key) {
+  const std::size_t line = text.find(fmt::format("\n{}: ", key));
+  if (line == std::string::npos) return "";
+  const std::size_t begin = line + key.size() + 3;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+[[noreturn]] void refuse_core(const std::string& path, const std::string& fault) {
+  throw Failure(ExitCode::disagreed,
+                fmt::format("{}: {}; take the folder from version control, or accept this program's core: {}",
+                            path, fault, program_command({"bless", "--core", "--reason", "TEXT"})));
+}
+
+}  // namespace
+
+std::string AcceptedCore::name() const { return checksum_of(step.empty() ? header : step); }
+
+bool AcceptedCore::covers(const std::string& core_name) const {
+  return core_name == name() || std::ranges::find(agreeing_cores, core_name) != agreeing_cores.end();
+}
+
+AcceptedCore program_core() {
+  const CoreRecord& record = core_record();
+  return {.model = std::string(core_model()),
+          .header = std::string(record.header),
+          .step = std::string(record.step),
+          .why_incomplete = std::string(record.why_incomplete),
+          .agreeing_cores = {},
+          .reason = {}};
+}
+
+std::shared_ptr<const StepProgram> program_step() {
+  const std::optional<TracedStep> step = read_step(core_record().step);
+  return step ? make_step_program(*step) : nullptr;
+}
+
+std::string accepted_core_folder(const std::string& golden_folder) { return golden_folder + "/core"; }
+
+std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder) {
+  const CoreFiles files = files_in(golden_folder);
+  if (!is_there(files.accepted)) {
+    for (const std::string& path : {files.header, files.step})
+      if (is_there(path)) refuse_core(files.accepted, "is missing, but " + path + " exists: half written");
+    return std::nullopt;
+  }
+  for (const std::string& path : {files.header, files.step, files.accepted})
+    if (is_device_or_pipe(path)) refuse_core(path, "is a pipe or a device");
+  const std::string accepted = read_text_file(files.accepted);
+  AcceptedCore core;
+  core.model = value_of(accepted, "class");
+  core.agreeing_cores = words_of(value_of(accepted, "agreeing"));
+  core.reason = value_of(accepted, "reason");
+  const std::string step_line = value_of(accepted, "step");
+  constexpr std::string_view kNotComplete = "not complete: ";
+  const bool has_step = !step_line.starts_with(kNotComplete);
+  if (!has_step) core.why_incomplete = step_line.substr(kNotComplete.size());
+  if (!accepted.starts_with(fmt::format("{}\n", kCoreFormat)))
+    refuse_core(files.accepted, fmt::format("must begin with {}", kCoreFormat));
+  if (!is_there(files.header)) refuse_core(files.header, "is missing");
+  core.header = read_text_file(files.header);
+  if (checksum_of(core.header) != value_of(accepted, "header"))
+    refuse_core(files.header, "does not have the checksum in accepted.txt");
+  if (has_step != is_there(files.step))
+    refuse_core(files.step, has_step ? "is missing" : "is not in accepted.txt");
+  if (has_step) core.step = read_text_file(files.step);
+  if (has_step && checksum_of(core.step) != step_line)
+    refuse_core(files.step, "does not have the checksum in accepted.txt");
+  if (has_step && !read_step(core.step)) refuse_core(files.step, "is not the canonical text of a step");
+  if (accepted_text(core) != accepted) refuse_core(files.accepted, "was changed after it was written");
+  return core;
+}
+
+void write_accepted_core(const std::string& golden_folder, const AcceptedCore& core) {
+  AcceptedCore written = core;
+  written.reason = one_line(core.reason);
+  const CoreFiles files = files_in(golden_folder);
+  std::error_code error;
+  fs::create_directories(accepted_core_folder(golden_folder), error);
+  write_text_file(files.header, core.header);
+  if (!core.step.empty())
+    write_text_file(files.step, core.step);
+  else
+    fs::remove(files.step, error);
+  write_text_file(files.accepted, accepted_text(written));
+}
+
+}  // namespace hyrax

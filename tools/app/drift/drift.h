@@ -1,0 +1,148 @@
+// A run measured against the reference: the command-line options for it, the measurement, and its report.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/reference/drift.h"
+#include "sim/reference/gsl_flight.h"
+#include "sim/reference/margin.h"
+#include "sim/reference/whole_run.h"
+#include "sim/search/contact_chance.h"
+#include "sim/study/reference_model.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/play/play_with_progress.h"
+#include "tools/files/json.h"
+#include "tools/report/drift_figures.h"
+
+namespace hyrax {
+
+/// The options --reference, --stepper and --tolerance.
+struct ReferenceRequest {
+  std::string name;  ///< "closed" or "gsl"; the initial value is the default.
+  std::string stepper;
+  std::optional<double> tolerance;
+
+  /// Whether an option was given, for a default of "closed".
+  [[nodiscard]] bool is_given() const { return name != "closed" || !stepper.empty() || tolerance; }
+};
+void declare_reference(Options& options, ReferenceRequest& request);
+
+/// Nothing if GSL is not used.
+/// ERRORS: Failure(bad_input) "COMMAND: ..." for a tolerance out of range, or settings of GSL without it.
+[[nodiscard]] std::optional<GslOptions> gsl_options(const ReferenceRequest& request,
+                                                    const std::string& command);
+
+/// A run lists no more arcs and no more contacts than this; all of them are measured and counted.
+inline constexpr std::size_t kArcsListedMax = 100'000;
+/// A figure gets no more rows than this; of a longer run every K-th is kept.
+inline constexpr std::size_t kRowsDrawnMax = 4'000;
+
+struct DriftOptions {
+  std::optional<GslOptions> gsl;    ///< A second solution of every arc; none: the closed form alone.
+  bool keeps_rows = false;          ///< For a figure.
+  Model model = reference_model();  ///< Of a file: its constants' (load_drift).
+  DriftSink* also = nullptr;        ///< Gets every measurement as well, its rows if it wants them.
+};
+
+struct DriftRun {
+  Scenario scenario;
+  std::int64_t steps = 0;
+  double simulated_s = 0.0;
+  std::string note;  ///< On the origin of the rows; may be empty.
+  std::optional<GslOptions> gsl;
+  Model model;
+
+  DriftSummary summary;
+  std::optional<ArcErrors> longest_arc;
+  std::vector<ArcErrors> arcs;
+  std::vector<ImpactErrors> contacts;
+  std::vector<DrawnRow> rows;        ///< On request, thinned out,
+  std::vector<WholeRow> whole_rows;  ///< as these.
+  Margin margin;
+  WholeOutcome whole;
+};
+
+/// Measures the whole run, its arcs, its contacts and the margin, as the run is played or read.
+class DriftRecorder {
+ public:
+  explicit DriftRecorder(const Scenario& scenario, const DriftOptions& options = {});
+  ~DriftRecorder();
+
+  /// Each of them must get the run.
+  [[nodiscard]] std::vector<RowSink*> sinks();
+  [[nodiscard]] DriftRun finish(std::int64_t steps, double simulated_s);
+
+ private:
+  struct Sinks;
+  std::unique_ptr<Sinks> sinks_;
+};
+
+/// Plays the scenario once. Shows progress.
+[[nodiscard]] DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options = {});
+/// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
+/// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
+[[nodiscard]] DriftRun load_drift(const std::string& path, DriftOptions options = {});
+
+/// How a measurement ends: a fault of the reference is an internal error.
+[[nodiscard]] ExitCode drift_exit_code(const DriftSummary& summary);
+
+/// Time of one physics::update on this machine in ns, over the scenario's first frames without its events:
+/// the least of several rounds, a few ms in all. Nothing without frames.
+[[nodiscard]] std::optional<double> step_ns(const Scenario& scenario);
+
+/// The same scenario at half the dt: twice the frames, its events at the same times.
+struct HalfDt {
+  std::int64_t steps = 0;
+  double step_ns = 0.0;
+  DriftSummary summary;
+  std::optional<ArcErrors> longest_arc;
+};
+struct HalfDtOutcome {
+  std::optional<HalfDt> half;
+  std::string why_not;  ///< If it was not measured.
+};
+[[nodiscard]] HalfDtOutcome measure_half_dt(const Scenario& scenario);
+
+struct DriftReport {
+  DriftRun run;
+  bool has_rows_stored = false;  ///< The errors of every row are in a file.
+  std::optional<double> step_ns = {};
+  HalfDtOutcome half_dt = {};
+  std::optional<ContactChance> contact_chance = {};
+};
+
+/// Prints a table of at most 100 columns: the whole run, arcs, contacts, margin, what was not computed, and
+/// in the last line, if a step was timed, speed against error.
+void print_drift(const DriftReport& report, const Printing& printing);
+
+/// The members of an entry of "runs", all except "scenario".
+[[nodiscard]] Json::Object drift_json(const DriftReport& report);
+
+/// What was not computed.
+[[nodiscard]] std::vector<std::string> not_computed(const DriftReport& report);
+
+/// Whether rounding alone can change a contact.
+[[nodiscard]] bool is_knife_edge(const Margin& margin);
+
+/// "any start within ±0.27 px and px/s keeps all contacts; nearest decision: right wall, step 135".
+[[nodiscard]] std::string margin_text(const Margin& margin);
+
+/// How a run depends on its start: the margin, how far its end moves, how likely its contacts change.
+struct StartDependence {
+  Margin margin;
+  ContactChance contact_chance;
+};
+/// Plays 200 starts beside the scenario's.
+[[nodiscard]] ContactChance contact_chance_of(const Scenario& scenario, const Margin& margin);
+/// "within ±1 px of the start, contacts change in 38 % of the starts (31 .. 45 %; 200 starts, seed 1)".
+[[nodiscard]] std::string contact_chance_text(const ContactChance& chance);
+/// A table of d(end) / d(start), each line indented by two.
+[[nodiscard]] std::string sensitivity_text(const Sensitivity& sensitivity);
+/// The member "margin".
+[[nodiscard]] Json margin_json(const Margin& margin, const std::optional<ContactChance>& chance);
+
+}  // namespace hyrax

@@ -1,0 +1,181 @@
+#include "tools/app/golden/golden_pair.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/cause/cause.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
+#include "sim/replay/kernel.h"
+#include "sim/replay/replay.h"
+#include "sim/study/reference_model.h"
+#include "sim/trajectory/physics_model.h"
+#include "tools/app/core/accepted_core.h"
+#include "tools/app/core/paper_model.h"
+#include "tools/app/drift/drift.h"
+#include "tools/files/failure.h"
+#include "tools/files/path.h"
+#include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
+#include "tools/store/golden_file.h"
+#include "tools/store/golden_summary.h"
+#include "tools/store/trajectory_format.h"
+
+namespace hyrax {
+namespace {
+
+// Air drag reduces a change of the start to 2e-9 in 20,000 steps; these are a few more.
+constexpr std::int64_t kBlocksUntilStartIsForgotten = 5;
+
+bool has_input_within(const std::vector<Input>& inputs, std::int64_t first_step, std::int64_t end_step) {
+  return std::ranges::any_of(
+      inputs, [&](const Input& input) { return input.frame >= first_step && input.frame < end_step; });
+}
+
+// Sends the rows that can decide the margin. A block that repeats is played until its start has no effect
+// any more, and the rest of it skipped: its last row has the same state each time.
+void send_decisive_rows(const StoredRun& run, RowSink& sink) {
+  auto replay = std::make_optional<Replay>(run.scenario, sink);
+  for (std::size_t index = 0; index + 1 < run.blocks.size(); ++index) {
+    const StoredBlock& block = run.blocks[index];
+    const Keyframe& next = run.blocks[index + 1].keyframe;
+    const std::int64_t end_step =
+        block.keyframe.row.step + kBlocksUntilStartIsForgotten * static_cast<std::int64_t>(kBlockRows);
+    if (end_step >= next.row.step || has_input_within(run.inputs, end_step - 1, next.row.step)) continue;
+    replay->play_to(end_step - 1);
+    static_cast<void>(replay->finish());
+    Columns row;
+    row.append(next.row);
+    sink.rows(row);
+    replay.emplace(run.scenario, next, sink);
+  }
+  replay->play_to(run.steps);
+  static_cast<void>(replay->finish());
+}
+
+// Empty for a core of another shape: the margin is measured by the paper's laws.
+std::string margin_in_summary(const FreshRun& fresh) {
+  const StoredRun& run = fresh.run;
+  if (!run.constants) return "";
+  MarginMeter meter(run.scenario, run.inputs, reference_model(run.physics, run.constants));
+  if (run.blocks.empty())
+    meter.rows(run.rows);
+  else
+    send_decisive_rows(run, meter);
+  const Margin margin = meter.margin();
+  return margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : "");
+}
+
+std::string summary_text(const FreshRun& fresh, const std::string& reason, const GoldenChecksums& checksums) {
+  return golden_summary_text(fresh.run, fresh.summary, fresh.waypoints, reason, margin_in_summary(fresh),
+                             checksums);
+}
+
+// What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
+// are written and be the same all the same, and the physics model's name sets no class, so all are taken from
+// the .h5 file.
+std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept, FreshRun fresh,
+                                    const std::string& h5_checksum, bool is_blessed_file,
+                                    const GoldenPlace& place) {
+  fresh.run.scenario.name = kept.scenario.name;
+  fresh.run.physics = kept.physics;
+  if (text.find("\r\n") != std::string::npos) return place.txt_path + ": " + kConvertedLineEnds;
+  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum, summary_core(text)};
+  if (!has_checksums(text, checksums.contents, checksums.file)) {
+    const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums));
+    return place.txt_path + ": " + fault.value();
+  }
+  // Files of earlier versions have fewer attributes; those that they have must be the same.
+  return attribute_difference(place.h5_path, kept, is_blessed_file);
+}
+
+void refuse_pair(Comparison& comparison, const std::string& fault) {
+  comparison.agrees = false;
+  comparison.difference = DifferenceClass::shape;
+  comparison.shape = fault;
+}
+
+std::string changed_text(const std::string& fault) {
+  return "the golden file was changed since it was blessed: " + fault +
+         "; restore it, or bless the scenario again";
+}
+
+// Whether a row, a contact or the scenario differs; else only what the golden file says of itself.
+bool has_other_run(const Comparison& comparison, const StoredRun& kept, const Scenario& scenario) {
+  return comparison.first || !comparison.contacts.is_none() || !plays_the_same(kept.scenario, scenario);
+}
+
+PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
+                                FreshRun fresh, const std::string& h5_checksum) {
+  StoredRun kept = read_golden(place.h5_path);
+  require_own_core(place.h5_path, kept.physics);
+  ComparedRun compared = compare_with(kept, scenario);
+  PairComparison pair{
+      .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
+  const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
+  const bool is_blessed_file = blessed_checksum == h5_checksum;
+  const bool is_repeated = fresh.run.state_hash == hex(compared.summary.state_hash);
+  if (is_repeated && !is_blessed_file && !plays_the_same(kept.scenario, scenario) && !gives_its_rows(kept)) {
+    pair.gives_its_rows = false;
+    refuse_pair(pair.comparison, changed_text(place.h5_path + ": its scenario does not give its rows"));
+    return pair;
+  }
+  // A file that is as it was blessed does not contradict itself.
+  const bool has_other_hash =
+      kept.state_hash != fresh.run.state_hash && summary_file_checksum(text) == h5_checksum;
+  if (has_other_hash && !pair.comparison.first && pair.comparison.contacts.is_none() &&
+      plays_the_same(kept.scenario, scenario) && kept.steps == fresh.run.steps)
+    pair.comparison.shape = "the state hash differs, but no row that was compared: a fault of the program";
+  if (!is_repeated || has_other_hash || has_other_run(pair.comparison, kept, scenario))
+    pair.runs = std::make_shared<const PairRuns>(
+        PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file, summary_core(text), is_repeated});
+  if (!is_repeated) refuse_pair(pair.comparison, std::string(kNotRepeated));
+  if (!pair.comparison.agrees) return pair;
+  if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, is_blessed_file, place))
+    refuse_pair(pair.comparison, changed_text(*fault));
+  else if (!is_blessed_file)
+    pair.note = place.h5_path + ": agrees, but does not have the checksum in " + place.txt_path +
+                ": its provenance or its layout differs";
+  else
+    pair.note = pair.comparison.physics;
+  return pair;
+}
+
+bool has_core_constants(const StoredRun& kept) {
+  const std::optional<Constants> constants = measured_constants();
+  if (!kept.constants || !constants) return kept.constants.has_value() == constants.has_value();
+  return numbers_of(*kept.constants) == numbers_of(*constants);
+}
+
+}  // namespace
+
+std::string summary_of(const FreshRun& fresh, const std::string& reason, const std::string& h5_checksum) {
+  return summary_text(fresh, reason, {contents_checksum(fresh.run), h5_checksum, program_core().name()});
+}
+
+std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
+                                                bool reads_h5, const Kernel& kernel) {
+  const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
+  const std::string h5_checksum = file_checksum(place.h5_path);
+  FreshRun fresh = play_for_golden(scenario, kernel);
+  if (has_checksums(text, contents_checksum(fresh.run), h5_checksum))
+    return PairComparison{.summary = fresh.summary};
+  if (!reads_h5) return std::nullopt;
+  return read_and_compare(scenario, place, text, std::move(fresh), h5_checksum);
+}
+
+bool is_summary_current(const Scenario& scenario, const GoldenPlace& place) {
+  const std::string text = read_text_file(place.txt_path);
+  const FreshRun fresh = play_for_golden(scenario);
+  return text ==
+         summary_text(fresh, summary_reason(text),
+                      {contents_checksum(fresh.run), file_checksum(place.h5_path), summary_core(text)});
+}
+
+bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
+  const StoredRun kept = read_golden(place.h5_path);
+  return kept.scenario.name == scenario.name && kept.physics == core_model() && has_core_constants(kept) &&
+         compare_with(kept, scenario).comparison.agrees && !attribute_difference(place.h5_path, kept, false);
+}
+
+}  // namespace hyrax

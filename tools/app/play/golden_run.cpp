@@ -1,0 +1,139 @@
+#include "tools/app/play/golden_run.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+
+#include "sim/compare/run_comparer.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
+#include "sim/replay/listing_kernel.h"
+#include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/files/scenario_changes.h"
+
+namespace hyrax {
+namespace {
+
+// Keeps the rows of the first block.
+class BlockSink : public RowSink {
+ public:
+  explicit BlockSink(RowBlock& rows) : rows_(rows) {}
+  [[nodiscard]] Wants wants() const override { return {.blocks = true}; }
+  void block(const Block& block, std::int64_t) override {
+    if (rows_.size() == 0) rows_.append(block.rows, 0, block.rows.size());
+  }
+
+ private:
+  RowBlock& rows_;
+};
+
+constexpr std::size_t kContactsHeldMax = 1 << 16;
+// A golden file of any origin may say that it is of a run far longer than the scenario's.
+constexpr std::int64_t kStepsRestoredMax = 20'000'000;
+
+// Keeps all contacts up to a limit; beyond it, only the last step of each.
+class FreshRecorder final : public RunRecorder {
+ public:
+  using RunRecorder::RunRecorder;
+  void contact_began(const Contact& contact) override {
+    last_steps_.push_back(contact.step);
+    if (last_steps_.size() <= kContactsHeldMax) RunRecorder::contact_began(contact);
+  }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    last_steps_[static_cast<std::size_t>(index)] = last_step;
+    if (static_cast<std::size_t>(index) < kContactsHeldMax) RunRecorder::contact_ended(index, last_step);
+  }
+  [[nodiscard]] bool holds_all() const { return last_steps_.size() <= kContactsHeldMax; }
+  [[nodiscard]] std::vector<std::int64_t> take_last_steps() { return std::move(last_steps_); }
+
+ private:
+  std::vector<std::int64_t> last_steps_;
+};
+
+// Sends the contacts of a run that was played before, each with its last step.
+class ContactSink final : public RowSink {
+ public:
+  ContactSink(const std::vector<std::int64_t>& last_steps, const std::function<void(const Contact&)>& take)
+      : last_steps_(last_steps), take_(take) {}
+  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
+  void contact_began(const Contact& contact) override {
+    Contact complete = contact;
+    complete.last_step = last_steps_[next_++];
+    take_(complete);
+  }
+
+ private:
+  const std::vector<std::int64_t>& last_steps_;
+  const std::function<void(const Contact&)>& take_;
+  std::size_t next_ = 0;
+};
+
+// Replays a stored block from its keyframe.
+RowBlock expand(const Scenario& scenario, const StoredBlock& kept, const Kernel& kernel) {
+  RowBlock rows;
+  BlockSink sink(rows);
+  Replay replay(scenario, kept.keyframe, sink, {.kernel = &kernel});
+  replay.play_to(
+      std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
+  static_cast<void>(replay.finish());
+  return rows;
+}
+
+// Since when a stored run has settled; nothing if it has not, or if its rows are neither stored nor restored.
+std::optional<double> settled_since_s(const StoredRun& kept, std::int64_t steps_played,
+                                      const Kernel& kernel) {
+  if (kept.blocks.empty()) return at_rest_since_s(kept.rows);
+  if (step_count(kept.scenario) > std::max(steps_played, kStepsRestoredMax)) return std::nullopt;
+  const RunSummary summary = replay(kept.scenario, {}, {.kernel = &kernel});
+  return hex(summary.state_hash) == kept.state_hash ? summary.at_rest_since_s : std::nullopt;
+}
+
+}  // namespace
+
+ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
+  const std::unique_ptr<const Kernel> listing = kept.constants ? listing_kernel(*kept.constants) : nullptr;
+  const Kernel& kernel = listing ? *listing : core_kernel();
+  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(kept.scenario, block, kernel); });
+  const RunSummary summary = replay(scenario, comparer, judged_options(scenario));
+  ComparedRun compared{comparer.finish({scenario, summary.steps, core_model(), hex(summary.state_hash),
+                                        summary.final, inputs_of(scenario, summary.steps)}),
+                       summary};
+  if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
+    compared.comparison.shape += ": " + changes;
+  if (!compared.comparison.agrees && summary.at_rest_since_s && settled_since_s(kept, summary.steps, kernel))
+    compared.comparison.rest_shift_px = distance_px(state_of(kept.final), state_of(summary.final));
+  return compared;
+}
+
+bool gives_its_rows(const StoredRun& kept) {
+  return kept.steps <= kStepsRestoredMax && step_count(kept.scenario) == kept.steps &&
+         compare_with(kept, kept.scenario).comparison.agrees;
+}
+
+FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel) {
+  FreshRecorder recorder(step_count(scenario));
+  WaypointMeter waypoints(step_count(scenario));
+  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, judged_options(scenario, kernel));
+  StoredRun run = recorder.take();
+  if (!recorder.holds_all()) {
+    run.contacts = {};
+    run.replay_contacts = [scenario, last_steps = recorder.take_last_steps()](const auto& take) {
+      ContactSink sink(last_steps, take);
+      static_cast<void>(replay(scenario, sink, judged_options(scenario)));
+    };
+  }
+  run.scenario = scenario;
+  run.physics = core_model();
+  run.constants = measured_constants();
+  run.steps = summary.steps;
+  run.state_hash = hex(summary.state_hash);
+  run.final = summary.final;
+  run.contacts_total = summary.contacts.total();
+  run.inputs = inputs_of(scenario, summary.steps);
+  return {std::move(run), summary, waypoints.take()};
+}
+
+}  // namespace hyrax

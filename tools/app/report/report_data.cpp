@@ -1,0 +1,258 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim/replay/core_constants.h"
+#include "sim/replay/fingerprint.h"
+#include "sim/scenario/schedule.h"
+#include "sim/trajectory/physics_model.h"
+#include "sim/trajectory/state_hash.h"
+#include "tools/app/core/paper_model.h"
+#include "tools/app/diff/difference_text.h"
+#include "tools/app/diff/trajectory_diff.h"
+#include "tools/app/drift/drift.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/app/play/play_with_progress.h"
+#include "tools/app/report/report_page.h"
+#include "tools/app/runs/scenario_run.h"
+#include "tools/files/build_info.h"
+#include "tools/files/non_finite_text.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/report/wasm/scenario_record.h"
+#include "tools/store/trajectory_file.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::size_t kInputsShownMax = 5'000;
+constexpr std::size_t kScenarioTextMax = 200'000;
+
+std::string base64(std::string_view bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t index = 0; index < 3; ++index)
+      group = group << 8 | (at + index < bytes.size() ? static_cast<std::uint8_t>(bytes[at + index]) : 0u);
+    for (std::size_t digit = 0; digit < 4; ++digit)
+      text += at + digit > bytes.size() ? '=' : kDigits[group >> (18 - 6 * digit) & 63u];
+  }
+  return text;
+}
+
+// Doubles as base64 of little-endian binary64: exact, and a third of their decimal text.
+Json doubles_json(const std::vector<double>& values) {
+  std::string bytes(values.size() * sizeof(double), '\0');
+  for (std::size_t index = 0; index < values.size(); ++index)
+    store_little_endian(reinterpret_cast<std::byte*>(bytes.data()) + index * sizeof(double), values[index]);
+  return base64(bytes);
+}
+
+Json rows_json(const Columns& rows) {
+  const std::vector<double> steps(rows.step.begin(), rows.step.end());
+  const std::vector<double> contacts(rows.contact.begin(), rows.contact.end());
+  return Json::Object{{"step", doubles_json(steps)},          {"t", doubles_json(rows.t_s)},
+                      {"dt", doubles_json(rows.dt_s)},        {"x", doubles_json(rows.x_px)},
+                      {"y", doubles_json(rows.y_px)},         {"vx", doubles_json(rows.vx_px_per_s)},
+                      {"vy", doubles_json(rows.vy_px_per_s)}, {"contact", doubles_json(contacts)}};
+}
+
+// What of a file's rows goes into the page: the rows, or, of a long run of which the file holds every row,
+// the digests of its blocks and the rows of the first block that the replay does not give.
+struct Evidence {
+  Columns rows;
+  std::vector<Digest> blocks;
+};
+
+class BlockList final : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.blocks = true}; }
+  void block(const Block& block, std::int64_t count) override {
+    digests.insert(digests.end(), static_cast<std::size_t>(count), block.digest);
+  }
+  std::vector<Digest> digests;
+};
+
+std::vector<Digest> block_digests(const TrajectoryFile& file) {
+  std::vector<Digest> digests;
+  constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
+  for (std::int64_t first = 0; first < file.row_count(); first += kRows) {
+    const Columns rows = file.rows(first, std::min(kRows, file.row_count() - first));
+    RowBlock block;
+    for (std::size_t index = 0; index < rows.size(); ++index) block.append(rows.row(index));
+    digests.push_back(digest(block));
+  }
+  return digests;
+}
+
+Evidence evidence_of(const TrajectoryFile& file) {
+  Evidence evidence;
+  if (file.row_count() <= kPageRowsMax) {
+    evidence.rows = file.rows(0, file.row_count());
+    return evidence;
+  }
+  if (file.row_count() != file.head().steps + 1) return evidence;
+  evidence.blocks = block_digests(file);
+  BlockList played;
+  static_cast<void>(replay(file.head().scenario, played));
+  const auto end = std::min(evidence.blocks.size(), played.digests.size());
+  std::size_t block = 0;
+  while (block < end && evidence.blocks[block] == played.digests[block]) ++block;
+  const auto first = static_cast<std::int64_t>(block * kBlockRows);
+  if (first < file.row_count())
+    evidence.rows = file.rows(first, std::min<std::int64_t>(kBlockRows, file.row_count() - first));
+  return evidence;
+}
+
+Json blocks_json(const std::vector<Digest>& blocks) {
+  std::string bytes;
+  for (const Digest& block : blocks) bytes.append(block.begin(), block.end());
+  return base64(bytes);
+}
+
+Json input_json(const Input& input) {
+  Json::Object object{{"frame", input.frame}, {"kind", name_of(input.action)}};
+  if (const auto* resize = std::get_if<Resize>(&input.action)) {
+    const auto add = [&](const char* name, const std::optional<Size>& size) {
+      if (size)
+        object.emplace_back(name, Json::Array{std::int64_t{size->width_px}, std::int64_t{size->height_px}});
+    };
+    add("window", resize->window);
+    add("sprite", resize->sprite);
+  }
+  return object;
+}
+
+// All resizes, which the drawing needs, and the first of the others.
+Json inputs_json(const std::vector<Input>& inputs) {
+  Json::Array list;
+  for (const Input& input : inputs)
+    if (list.size() < kInputsShownMax || std::holds_alternative<Resize>(input.action))
+      list.push_back(input_json(input));
+  return list;
+}
+
+Json provenance_json(const Provenance& provenance) {
+  Json::Object object;
+  for (const ProvenanceField& field : kProvenanceFields)
+    if (const auto& value = provenance.*field.value) object.emplace_back(field.name, *value);
+  return object;
+}
+
+Json constants_json(const Constants& constants) {
+  const ConstantNumbers numbers = numbers_of(constants);
+  return Json::Array(numbers.begin(), numbers.end());
+}
+
+Json worst_json(const std::optional<Worst>& worst) {
+  if (!worst) return nullptr;
+  return Json::Object{{"value", worst->value}, {"step", worst->step}};
+}
+
+Json errors_json(const DriftSummary& summary) {
+  return Json::Object{{"implementation_px", worst_json(summary.implementation_px)},
+                      {"truncation_px", worst_json(summary.truncation_px)},
+                      {"model_px", worst_json(summary.model_px)},
+                      {"energy_drift_rel", worst_json(summary.energy_drift_rel_max)},
+                      {"arcs", summary.arcs}};
+}
+
+Json comparison_json(const TrajectoryDiff& difference, const std::string& against) {
+  const Comparison& comparison = difference.comparison;
+  return Json::Object{{"file", against},
+                      {"agrees", comparison.agrees},
+                      {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+                      {"shape", comparison.shape},
+                      {"first_divergence", divergence_json(comparison.first)},
+                      {"max_px", max_px_json(comparison)},
+                      {"contacts_moved", comparison.contacts.total()},
+                      {"rows_compared", difference.rows_compared}};
+}
+
+Json expectations_json(const std::vector<Expectation>& expectations) {
+  Json::Array list;
+  for (const Expectation& expectation : expectations)
+    list.push_back(Json::Object{{"text", expectation_text(expectation)}, {"holds", expectation.holds}});
+  return list;
+}
+
+// The run of this program's own replay: what it exercised, what holds, where it ends.
+ScenarioRun played(const TrajectoryFile& file) {
+  ScenarioRun run;
+  run.path = file.path();
+  run.output = file.path();
+  run.scenario = file.head().scenario;
+  run.rows_recorded = file.row_count();
+  DriftOptions options;
+  options.model = reference_model(file.head().physics, file.head().constants);
+  std::optional<DriftRecorder> recorder;
+  if (file.head().constants) recorder.emplace(run.scenario, options);
+  Replay replay(run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
+                judged_options(run.scenario));
+  play_with_progress(replay, replay.steps());
+  run.summary = replay.finish();
+  if (recorder) run.drift = recorder->finish(run.summary.steps, run.summary.simulated_s);
+  run.expectations =
+      judge_run(run.scenario, run.summary, run.drift ? std::optional(run.drift->summary) : std::nullopt);
+  return run;
+}
+
+Json run_data(const TrajectoryFile& file) {
+  const FileHead& head = file.head();
+  const ScenarioRun run = played(file);
+  const Evidence evidence = evidence_of(file);
+  Json::Object data{{"file", file.path()},
+                    {"name", head.scenario.name},
+                    {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
+                    {"description", head.scenario.description.value_or("")},
+                    {"steps", head.steps},
+                    {"row_count", file.row_count()},
+                    {"state_hash", head.state_hash},
+                    {"physics", head.physics},
+                    {"constants", head.constants ? constants_json(*head.constants) : Json()},
+                    {"record", doubles_json(record_of(head.scenario))},
+                    {"rows", rows_json(evidence.rows)},
+                    {"blocks", blocks_json(evidence.blocks)},
+                    {"inputs", inputs_json(file.inputs())},
+                    {"result", run_json(run)},
+                    {"expect", expectations_json(run.expectations)},
+                    {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
+                    {"non_finite", non_finite_text(head.scenario, run.summary.final)},
+                    {"margin", run.drift ? margin_text(run.drift->margin) : ""},
+                    {"provenance", provenance_json(file.provenance())}};
+  const std::string text = scenario_file_text(head.scenario);
+  if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
+  return data;
+}
+
+}  // namespace
+
+Json report_data(const ReportRequest& request) {
+  Json::Array runs;
+  std::optional<TrajectoryFile> against;
+  if (!request.against.empty())
+    require_own_core(request.against, against.emplace(TrajectoryFile::open(request.against)).head().physics);
+  for (const std::string& path : request.files) {
+    const TrajectoryFile file = TrajectoryFile::open(path);
+    require_own_core(path, file.head().physics);
+    Json run = run_data(file);
+    run.get<Json::Object>()->emplace_back("cause", request.cause);
+    if (against)
+      run.get<Json::Object>()->emplace_back(
+          "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));
+    runs.push_back(std::move(run));
+  }
+  Json::Object data{
+      {"format", "hyrax-report/1"},
+      {"program", "hyrax-sim " + std::string(build_info().version)},
+      {"core", core_model()},
+      {"core_fingerprint", is_paper_model(core_model()) ? Json(hex(core_fingerprint())) : Json()},
+      {"command", request.command},
+      {"runs", std::move(runs)}};
+  if (against) data.emplace_back("against", run_data(*against));
+  return data;
+}
+
+}  // namespace hyrax

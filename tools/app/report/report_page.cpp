@@ -1,0 +1,46 @@
+#include "tools/app/report/report_page.h"
+
+#include "sim/replay/fingerprint.h"
+#include "tools/files/failure.h"
+#include "tools/report/page_file.h"
+#include "tools/report/result_page.h"
+
+namespace hyrax {
+namespace {
+
+void write_results(const ReportRequest& request) {
+  if (!request.against.empty())
+    throw Failure(ExitCode::bad_input, "hyrax-sim report: --against: allowed for trajectories only (found " +
+                                           request.files.front() + ")");
+  Json::Array results;
+  for (const std::string& path : request.files) {
+    if (!holds_results(path))
+      throw Failure(ExitCode::bad_input, path + ": is not a file of a study or a sweep, as " +
+                                             request.files.front() +
+                                             " is; a page shows either trajectories or these");
+    results.push_back(result_of_file(path));
+  }
+  write_result_page(request.output, request.command, std::move(results));
+}
+
+// The page says so, too: it is written all the same.
+void require_core_of_page(const std::string& output) {
+  const std::string own = hex(core_fingerprint());
+  if (page_core_fingerprint() == own) return;
+  throw Failure(ExitCode::program_fault,
+                output + ": replays another core than this program's (found fingerprint " +
+                    std::string(page_core_fingerprint()) + "; this program's is " + own +
+                    "): the page was not built again after the core changed; to do so: tools/run SCENARIO "
+                    "--report FILE.html, or cmake --build DIR --target page, then cmake --build DIR");
+}
+
+}  // namespace
+
+void write_report(const ReportRequest& request) {
+  if (holds_results(request.files.front())) return write_results(request);
+  const Json data = report_data(request);  // First: a bad input is reported by any build.
+  write_page_file(request.output, PageKind::runs, data);
+  require_core_of_page(request.output);
+}
+
+}  // namespace hyrax

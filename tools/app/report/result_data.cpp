@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim/ensemble/member_numbers.h"
+#include "tools/app/report/report_page.h"
+#include "tools/files/failure.h"
+#include "tools/report/result_page.h"
+#include "tools/store/ensemble_file.h"
+#include "tools/store/table_file.h"
+
+namespace hyrax {
+namespace {
+
+using Origin = std::vector<std::pair<std::string, std::string>>;
+
+void add_provenance(Origin& origin, const Provenance& provenance) {
+  for (const ProvenanceField& field : kProvenanceFields)
+    if (const auto& value = provenance.*field.value) origin.emplace_back(field.name, *value);
+}
+
+void set_member(Json& object, std::string_view key, Json value) {
+  for (auto& [name, member] : *object.get<Json::Object>())
+    if (name == key) member = std::move(value);
+}
+
+Json study_result(const std::string& path) {
+  StudyFile study = read_study_file(path);
+  ShownResult result{.title = study.head.study, .subtitle = study.head.long_name, .origin = {{"file", path}}};
+  add_provenance(result.origin, study.provenance);
+  const auto report = std::find_if(study.tables.begin(), study.tables.end(),
+                                   [](const Table& table) { return table.name == kReportTable; });
+  std::vector<std::pair<std::string, Json>> parts;
+  if (report != study.tables.end()) {
+    for (const Column& column : report->columns) {
+      const auto* const texts = std::get_if<std::vector<std::string>>(&column.values);
+      const std::string place = path + ": " + report->name + "/" + column.name;
+      if (texts == nullptr || texts->size() != 1)
+        throw Failure(ExitCode::bad_input, place + ": must be one text");
+      parts.emplace_back(column.name, parse_json(texts->front(), place));
+    }
+    study.tables.erase(report);
+  }
+  result.tables = std::move(study.tables);
+  Json json = result_json(result);
+  const auto broken_of = [](const Json& verdict) {
+    const Json* const broken = verdict.find("broken");
+    return broken == nullptr ? nullptr : broken->get<Json::Array>();
+  };
+  for (const auto& [key, value] : parts)
+    if (key == "verdict" && broken_of(value) != nullptr && broken_of(value)->empty())
+      set_member(json, "judgement", "no rule of the study is broken");
+  for (auto& [key, value] : parts) set_member(json, key, std::move(value));
+  return json;
+}
+
+double number_at(ColumnType type, const std::byte* from) {
+  const auto as = [from]<class Value>(Value value) {
+    std::memcpy(&value, from, sizeof value);
+    return static_cast<double>(value);
+  };
+  if (type == ColumnType::real) return as(double{});
+  return type == ColumnType::seed ? as(std::uint64_t{}) : as(std::int64_t{});
+}
+
+// The columns of inputs are the last ones, in the order of the varied keys.
+MemberRole role_of(const EnsembleReader& reader, std::size_t index) {
+  const std::vector<VariedKey>& vary = reader.sweep().vary;
+  const std::size_t results = reader.columns().size() - vary.size();
+  if (index < results) return MemberRole::result;
+  return std::holds_alternative<GridAxis>(vary[index - results].variation) ? MemberRole::grid
+                                                                           : MemberRole::input;
+}
+
+// Every row is read, or of a very long file every K-th.
+std::int64_t rows_between_read(const EnsembleReader& reader) {
+  constexpr std::int64_t kReadMax = 100'000'000;
+  return reader.rows() <= kReadMax ? 1 : sample_stride(reader.rows(), kSamplesMax);
+}
+
+// All numbers of a column: one, or of contacts one a wall.
+void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, std::size_t index) {
+  const EnsembleColumn& column = reader.columns()[index];
+  if (column.type == ColumnType::byte) return;
+  const MemberRole role = role_of(reader, index);
+  const std::size_t first = all.size();
+  const std::int64_t between = rows_between_read(reader);
+  for (std::size_t part = 0; part < column.width; ++part)
+    all.emplace_back(column.width == 1 ? column.name : column.name + "." + std::string(kWallNames.at(part)),
+                     column.unit, column.long_name, role, (reader.rows() + between - 1) / between);
+  const std::int64_t rows_at_once = between == 1 ? 1 << 16 : 1;
+  std::vector<std::byte> bytes;
+  for (std::int64_t row = 0; row < reader.rows(); row += std::max(rows_at_once, between)) {
+    const std::int64_t count = std::min(rows_at_once, reader.rows() - row);
+    bytes.resize(static_cast<std::size_t>(count) * column.row_bytes());
+    reader.read(index, row, count, bytes.data());
+    for (std::size_t value = 0; value < static_cast<std::size_t>(count) * column.width; ++value)
+      all[first + value % column.width].add(number_at(column.type, bytes.data() + 8 * value));
+  }
+}
+
+Json sweep_result(const std::string& path) {
+  const EnsembleReader reader(path);
+  const Sweep& sweep = reader.sweep();
+  std::vector<MemberNumbers> numbers;
+  for (std::size_t index = 0; index < reader.columns().size(); ++index) add_numbers(numbers, reader, index);
+  std::string varied;
+  for (const VariedKey& key : sweep.vary) varied += (varied.empty() ? "" : ", ") + key.pointer;
+  ShownResult result{.title = sweep.base.name,
+                     .subtitle = fmt::format("{} flings that differ in {}", sweep.members, varied),
+                     .tables = {member_table(numbers)},
+                     .figures = member_figures(numbers, reader.rows()),
+                     .origin = {{"file", path}, {"seed of the draws", std::to_string(sweep.seed)}}};
+  if (reader.head().is_part)
+    result.verdict.text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.",
+                                                 reader.head().part.index, reader.head().part.count,
+                                                 reader.rows()));
+  if (const std::int64_t between = rows_between_read(reader); between > 1)
+    result.verdict.text.emplace_back(fmt::format(
+        "All numbers are those of a sample: 1 of every {} of {} members.", between, reader.rows()));
+  for (const MemberNumbers& each : numbers)
+    if (each.name() == "at_rest_since")
+      result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.", each.known(),
+                                                   each.known() + each.missing()));
+  result.origin.emplace_back("sweep", reader.head().sweep_text);
+  return result_json(result);
+}
+
+}  // namespace
+
+bool holds_results(const std::string& path) {
+  const std::string format = format_of_file(path);
+  return format == kStudyFormat || format == kEnsembleFormat;
+}
+
+Json result_of_file(const std::string& path) {
+  return format_of_file(path) == kStudyFormat ? study_result(path) : sweep_result(path);
+}
+
+}  // namespace hyrax

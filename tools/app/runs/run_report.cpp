@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "sim/replay/core_constants.h"
+#include "sim/replay/core_contacts.h"
+#include "sim/replay/core_shape.h"
+#include "sim/trajectory/physics_model.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/diff/difference_text.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/app/play/play_with_progress.h"
+#include "tools/app/runs/scenario_run.h"
+#include "tools/files/non_finite_text.h"
+#include "tools/files/path.h"
+
+namespace hyrax {
+namespace {
+
+// What the run exercised, what it never touched, and what was not computed.
+struct Coverage {
+  std::vector<std::string> exercised;
+  std::vector<std::string> never_touched;
+  std::vector<std::string> not_computed;
+};
+
+Coverage coverage_of(const ScenarioRun& run) {
+  const RunSummary& summary = run.summary;
+  Coverage coverage;
+  const auto add = [&](bool is_exercised, const char* name) {
+    (is_exercised ? coverage.exercised : coverage.never_touched).emplace_back(name);
+  };
+  const bool is_paper = measured_constants().has_value();  // Of another shape only the walls are known.
+  if (is_paper) {
+    add(summary.had_gravity, "gravity");
+    add(summary.had_drag, "drag");
+  }
+  add(summary.clamped_steps.left > 0, "left wall");
+  add(summary.clamped_steps.right > 0, "right wall");
+  add(summary.clamped_steps.top > 0, "top");
+  add(summary.clamped_steps.ground > 0, "ground");
+  if (is_paper) {
+    add(summary.had_friction, "friction");
+    add(summary.rest_steps > 0, "rest rule");
+  }
+  const std::int64_t skipped = summary.steps - summary.steps_computed;
+  if (skipped > 0 && summary.periodic_from_step)
+    coverage.not_computed.push_back(
+        fmt::format("{} of {} steps (the state repeats every {} from row {})", skipped, summary.steps,
+                    summary.period_steps == 1 ? "step" : fmt::format("{} steps", summary.period_steps),
+                    *summary.periodic_from_step));
+  else if (skipped > 0)
+    coverage.not_computed.push_back(
+        fmt::format("{} of {} steps (the state repeats between inputs)", skipped, summary.steps));
+  if (run.rows_recorded < summary.steps + 1)
+    coverage.not_computed.push_back(
+        fmt::format("{} of {} rows not stored", summary.steps + 1 - run.rows_recorded, summary.steps + 1));
+  if (is_paper && !run.drift) coverage.not_computed.emplace_back("reference and energy (hyrax-sim drift)");
+  if (!run.not_compared.empty())
+    coverage.not_computed.push_back(fmt::format("comparison with a golden file ({})", run.not_compared));
+  return coverage;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string counts_text(const WallCounts& counts) {
+  std::vector<std::string> names;
+  for (const Wall wall : kWalls)
+    if (counts[wall] > 0) names.push_back(fmt::format("{} {}", kWallNames[wall_index(wall)], counts[wall]));
+  return names.empty() ? "none" : joined(names);
+}
+
+Json counts_json(const WallCounts& counts) {
+  Json::Object object;
+  for (const Wall wall : kWalls) object.emplace_back(kWallNames[wall_index(wall)], counts[wall]);
+  return object;
+}
+
+Json golden_json(const ScenarioRun& run) {
+  if (run.golden_path.empty()) return nullptr;
+  const char* const status = !run.comparison ? "missing" : run.comparison->agrees ? "agreed" : "disagreed";
+  Json::Object object{{"file", run.golden_path}, {"status", status}};
+  if (run.comparison && run.comparison->difference) {
+    object.emplace_back("class", name_of(*run.comparison->difference));
+    object.emplace_back("first_divergence", divergence_json(run.comparison->first));
+  }
+  return object;
+}
+
+Json list_json(const std::vector<std::string>& names) { return Json::Array(names.begin(), names.end()); }
+
+// Only a trajectory file can be compared.
+std::string diff_command_for(const ScenarioRun& run) {
+  const auto diff = [&](const std::string& output) {
+    return program_command({"diff", as_argument(run.golden_path), as_argument(output)});
+  };
+  if (file_name(run.output).extension != ".csv") return diff(run.output);
+  return program_command({"run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
+}
+
+void print_motion(const RunSummary& summary) {
+  const std::string_view why = why_contacts_from_rows();
+  print_text("  contacts       {}{}\n", counts_text(summary.contacts),
+             why.empty() ? "" : fmt::format("; from the rows: the core's step is not complete: {}", why));
+  print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
+             summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s, summary.final.vy_px_per_s);
+  if (summary.at_rest_since_s)
+    print_text("  settled        since {:.6g} s\n", *summary.at_rest_since_s);
+  else
+    print_text("  not settled    moved within the last 1 s\n");
+}
+
+void print_details(const RunSummary& summary) {
+  print_text("  clamped steps  {}; rest rule {}\n", counts_text(summary.clamped_steps), summary.rest_steps);
+  if (summary.periodic_from_step)
+    print_text("  repeats        from row {}, every {} step{}\n", *summary.periodic_from_step,
+               summary.period_steps, summary.period_steps == 1 ? "" : "s");
+}
+
+// Those that do not hold, or all.
+void print_expectations(const std::vector<Expectation>& expectations, bool all) {
+  if (expectations.empty()) return;
+  const auto holding = std::ranges::count_if(expectations, &Expectation::holds);
+  print_text("  expect         {} of {} hold\n", holding, expectations.size());
+  for (const Expectation& expectation : expectations)
+    if (all || !expectation.holds)
+      print_text("    {}: {}\n",
+                 expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
+                 expectation_text(expectation));
+}
+
+void print_golden(const ScenarioRun& run) {
+  if (run.golden_path.empty()) return;
+  if (!run.comparison)
+    print_text(
+        "  golden         missing: {}{}\n", run.golden_path,
+        run.is_as_expected() ? "; to create it: " + bless_command_for({run.path}, run.golden_folder) : "");
+  else if (run.comparison->agrees)
+    print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden_path);
+  else
+    print_text("  golden         {} from {}\n{}  more           {}\n", VerdictWord{"DIFFERS", false},
+               run.golden_path, difference_text(*run.comparison), diff_command_for(run));
+}
+
+}  // namespace
+
+void print_run(const ScenarioRun& run, const Printing& printing) {
+  const RunSummary& summary = run.summary;
+  if (printing.is_quiet()) {
+    const std::string_view status = run.status();
+    if (status == "played")
+      print_text("{}: played; no golden file and no expect; written: {}\n", run.scenario.name, run.output);
+    else
+      print_text("{}: {}; written: {}\n", run.scenario.name, VerdictWord{status, run.is_as_expected()},
+                 run.output);
+    return;
+  }
+  if (const std::string text = non_finite_text(run.scenario, summary.final); !text.empty())
+    print_text("{}: {}; the run ended there\n", VerdictWord{"NOT FINITE", false}, text);
+  print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
+  if (!is_paper_model(core_model())) print_text("  core           {}\n", core_model());
+  print_motion(summary);
+  if (printing.is_verbose()) print_details(summary);
+  if (run.start)
+    print_text("  {}\n  {}\n{}", margin_text(run.start->margin),
+               contact_chance_text(run.start->contact_chance),
+               sensitivity_text(run.start->margin.sensitivity));
+  const Coverage coverage = coverage_of(run);
+  print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n", joined(coverage.exercised),
+             joined(coverage.never_touched), joined(coverage.not_computed));
+  print_expectations(run.expectations, printing.is_verbose());
+  print_golden(run);
+  print_text("  state hash     {}\n", hex(summary.state_hash));
+  print_text("  written        {} ({} rows)\n", run.output, run.rows_recorded);
+}
+
+Json run_json(const ScenarioRun& run) {
+  const RunSummary& summary = run.summary;
+  const Coverage coverage = coverage_of(run);
+  Json clamped = counts_json(summary.clamped_steps);
+  clamped.get<Json::Object>()->emplace_back("rest", summary.rest_steps);
+  Json::Array expectations;
+  for (const Expectation& expectation : run.expectations)
+    expectations.push_back(expectation_json(expectation));
+  Json::Object object{{"scenario", run.path},
+                      {"status", run.status()},
+                      {"steps", summary.steps},
+                      {"simulated_s", summary.simulated_s},
+                      {"contacts", counts_json(summary.contacts)},
+                      {"contacts_from", why_contacts_from_rows().empty() ? "step" : "rows"},
+                      {"clamped_steps", clamped},
+                      {"final", Json::Object{{"x_px", summary.final.x_px},
+                                             {"y_px", summary.final.y_px},
+                                             {"vx_px_per_s", summary.final.vx_px_per_s},
+                                             {"vy_px_per_s", summary.final.vy_px_per_s}}},
+                      {"at_rest_since_s", or_null(summary.at_rest_since_s)},
+                      {"periodic_from_step", or_null(summary.periodic_from_step)},
+                      {"state_hash", hex(summary.state_hash)},
+                      {"output", run.output},
+                      {"expect", std::move(expectations)},
+                      {"golden", golden_json(run)},
+                      {"exercised", list_json(coverage.exercised)},
+                      {"never_touched", list_json(coverage.never_touched)},
+                      {"not_computed", list_json(coverage.not_computed)}};
+  if (run.start) object.emplace_back("margin", margin_json(run.start->margin, run.start->contact_chance));
+  if (summary.non_finite_step) object.emplace_back("non_finite_step", *summary.non_finite_step);
+  return object;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,200 @@
+#include "tools/app/runs/scenario_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/reference/drift_meter.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
+#include "sim/replay/kernel.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
+#include "sim/study/reference_model.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/app/golden/golden_pair.h"
+#include "tools/app/play/play_with_progress.h"
+#include "tools/files/path.h"
+#include "tools/report/run_figure.h"
+#include "tools/store/drift_tables.h"
+#include "tools/store/trajectory_format.h"
+#include "tools/store/trajectory_writer.h"
+
+namespace hyrax {
+namespace {
+
+RunSummary play_into(const Scenario& scenario, std::vector<RowSink*> sinks, const ReplayOptions& options) {
+  Replay replay(scenario, std::move(sinks), options);
+  play_with_progress(replay, replay.steps());
+  return replay.finish();
+}
+
+void append(std::vector<RowSink*>& sinks, const std::vector<RowSink*>& others) {
+  sinks.insert(sinks.end(), others.begin(), others.end());
+}
+
+std::string checked_by(const std::optional<GslOptions>& gsl) {
+  if (!gsl) return "nothing";
+  return fmt::format("GSL {}, tolerance {:g}", kGslStepperNames[static_cast<std::size_t>(gsl->stepper)],
+                     gsl->tolerance);
+}
+
+// Measures a run as it is written, and adds the result to its file.
+class StoredErrors {
+ public:
+  StoredErrors(hid_t file, const Scenario& scenario, std::int64_t steps, const StoredDrift& stored)
+      : reference_(h5::create_group(file, "reference")), drift_(h5::create_group(file, "drift")) {
+    DriftOptions options = stored.options;
+    if (stored.stores_rows) options.also = &rows_.emplace(reference_, drift_, steps, scenario.record_every);
+    recorder_.emplace(scenario, options);
+  }
+
+  [[nodiscard]] std::vector<RowSink*> sinks() { return recorder_->sinks(); }
+  /// False if the result could not be written.
+  [[nodiscard]] bool finish(hid_t file, const RunSummary& summary, DriftRun& run) {
+    run = recorder_->finish(summary.steps, summary.simulated_s);
+    const bool has_rows = !rows_ || rows_->finish(file);
+    const bool has_arcs = write_measured_arcs(
+        reference_, drift_, {run.summary, run.arcs, run.contacts, run.whole, checked_by(run.gsl)});
+    reference_ = {};
+    drift_ = {};
+    return has_rows && has_arcs;
+  }
+
+ private:
+  h5::Handle reference_;
+  h5::Handle drift_;
+  std::optional<DriftRowTable> rows_;
+  std::optional<DriftRecorder> recorder_;
+};
+
+// `steps` is less than the scenario's if a first try found that the run ends there.
+WrittenRun write_trajectory(const std::string& output, const Scenario& scenario, std::int64_t steps,
+                            const WriteOptions& options) {
+  TrajectoryWriter writer(output, scenario, steps);
+  std::vector<RowSink*> sinks = {&writer};
+  append(sinks, options.also);
+  std::optional<StoredErrors> errors;
+  if (options.drift) append(sinks, errors.emplace(writer.file(), scenario, steps, *options.drift).sinks());
+  WrittenRun run;
+  run.summary = play_into(scenario, sinks, options.replay);
+  run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
+  if (run.summary.steps != steps) return run;
+  std::function<bool(hid_t)> write_more;
+  if (errors) write_more = [&](hid_t file) { return errors->finish(file, run.summary, run.drift.emplace()); };
+  writer.finish(
+      {scenario, steps, std::string(core_model()), hex(run.summary.state_hash), measured_constants()},
+      inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
+  return run;
+}
+
+WrittenRun write_csv(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
+  TrajectoryCsv csv(output, scenario, step_count(scenario));
+  std::vector<RowSink*> sinks = {&csv};
+  append(sinks, options.also);
+  std::optional<DriftRecorder> drift;
+  if (options.drift) append(sinks, drift.emplace(scenario, options.drift->options).sinks());
+  WrittenRun run;
+  run.summary = play_into(scenario, sinks, options.replay);
+  run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
+  csv.finish();
+  if (drift) run.drift = drift->finish(run.summary.steps, run.summary.simulated_s);
+  return run;
+}
+
+constexpr std::int64_t kRowsDrawnFirst = 50'000;
+constexpr std::size_t kContactsDrawnMax = 100;
+
+}  // namespace
+
+WrittenRun write_run(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
+  if (output == kStandardOutput || file_name(output).extension == ".csv")
+    return write_csv(output, scenario, options);
+  const std::int64_t steps = step_count(scenario);
+  WrittenRun run = write_trajectory(output, scenario, steps, options);
+  if (run.summary.steps == steps) return run;
+  // A run that becomes non-finite is shorter than its file was made for.
+  WriteOptions again = options;
+  again.also.clear();
+  return write_trajectory(output, scenario, run.summary.steps, again);
+}
+
+bool ScenarioRun::is_as_expected() const {
+  const bool all_hold =
+      std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.holds; });
+  return all_hold && !summary.non_finite_step && (!comparison || comparison->agrees);
+}
+
+const char* ScenarioRun::status() const {
+  if (!is_as_expected()) return "disagreed";
+  return comparison || !expectations.empty() ? "agreed" : "played";
+}
+
+ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, const std::string& output,
+                         const ScenarioRunOptions& options) {
+  const bool checks_bounds = scenario.expect && scenario.expect->in_bounds;
+  const bool measures = scenario.expect && bounds_errors(*scenario.expect) && !options.drift;
+  DriftSink ignored;
+  const Model model = reference_model();
+  DriftMeter meter(scenario, inputs_of(scenario, step_count(scenario)), ignored, nullptr, model);
+  std::vector<RowSink*> also;
+  if (options.picture != nullptr) also.push_back(options.picture);
+  if (measures) also.push_back(&meter);
+  std::optional<MarginMeter> margin;
+  if (options.measures_start)
+    also.push_back(&margin.emplace(scenario, inputs_of(scenario, step_count(scenario)), model));
+  ScenarioRun run;
+  static_cast<WrittenRun&>(run) =
+      write_run(output, scenario,
+                {.replay = {.skips_repetition = options.skips_repetition, .checks_bounds = checks_bounds},
+                 .drift = options.drift,
+                 .also = also});
+  run.path = path;
+  run.scenario = scenario;
+  run.output = output;
+  if (margin) run.start = {margin->margin(), contact_chance_of(scenario, margin->margin())};
+  if (measures)
+    run.expectations = judge_run(scenario, run.summary, meter.finish());
+  else if (run.drift)
+    run.expectations = judge_run(scenario, run.summary, run.drift->summary);
+  else
+    run.expectations = judge_run(scenario, run.summary);
+  const auto place = golden_place(path, options.golden_folder);
+  if (path == "-")
+    run.not_compared = "standard input";
+  else if (!place)
+    run.not_compared = "no folder `scenarios` above it; --golden DIR names one";
+  else if (!options.compares)
+    run.not_compared = "values were set";
+  if (!run.not_compared.empty()) return run;
+  run.golden_path = place->h5_path;
+  run.golden_folder = options.golden_folder;
+  if (has_golden_file(*place)) run.comparison = compare_with_pair(scenario, *place, true)->comparison;
+  return run;
+}
+
+RunPicture::RunPicture(const Scenario& scenario) : rows_every_(1 + step_count(scenario) / kRowsDrawnFirst) {}
+
+RowSink::Wants RunPicture::wants() const {
+  return {.rows_every = rows_every_, .all_rows_to = kRowsDrawnFirst, .contacts = true};
+}
+
+void RunPicture::rows(const Columns& batch) {
+  for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
+}
+
+void RunPicture::contact_began(const Contact& contact) {
+  if (contacts_.size() < kContactsDrawnMax) contacts_.push_back(contact);
+}
+
+void RunPicture::contact_ended(std::int64_t index, std::int64_t last_step) {
+  if (static_cast<std::size_t>(index) < contacts_.size())
+    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+}
+
+void RunPicture::draw(const std::string& path, const ScenarioRun& run) const {
+  draw_run_figure(path, run.scenario, rows_, contacts_, run.summary.contacts);
+}
+
+}  // namespace hyrax

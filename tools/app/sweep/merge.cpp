@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <memory>
+
+#include <sys/resource.h>
+
+#include "tools/app/command_line/progress.h"
+#include "tools/app/sweep/sweep_run.h"
+#include "tools/files/atomic_file.h"
+#include "tools/files/failure.h"
+#include "tools/files/printable.h"
+
+namespace hyrax {
+namespace {
+
+// All parts are open at once.
+void allow_open_files(std::size_t count) {
+  constexpr rlim_t kOthers = 64;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+using Parts = std::map<std::int64_t, std::unique_ptr<EnsembleReader>>;
+
+void add_part(const std::string& path, Parts& parts) {
+  auto reader = std::make_unique<EnsembleReader>(path);
+  const auto refuse = [&](const std::string& sentence) {
+    throw Failure(ExitCode::bad_input, path + ": " + sentence);
+  };
+  const EnsembleHead& head = reader->head();
+  if (!head.is_part) refuse("is no part of a sweep, but a complete one");
+  if (!parts.empty()) {
+    const EnsembleHead& first = parts.begin()->second->head();
+    if (head.sweep_text != first.sweep_text) refuse("is a part of another sweep than the first file");
+    if (head.physics != first.physics)
+      refuse(fmt::format("was computed by the physics model {}, the first file by {}",
+                         printable(head.physics), printable(first.physics)));
+    if (head.part.count != first.part.count)
+      refuse(fmt::format("is one of {} parts, the first file one of {}", head.part.count, first.part.count));
+  }
+  if (!parts.emplace(head.part.index, std::move(reader)).second)
+    refuse(fmt::format("part {} is given twice", head.part.index));
+}
+
+// The name that a missing part has, if it is named as the first one.
+std::string missing_path(const std::string& known_path, const WorkPart& known, std::int64_t index) {
+  const std::string mark = fmt::format(".part-{}-of-{}", known.index, known.count);
+  const std::size_t at = known_path.rfind(mark);
+  const std::string name = fmt::format(".part-{}-of-{}", index, known.count);
+  return at == std::string::npos ? "part" + name.substr(5)
+                                 : known_path.substr(0, at) + name + known_path.substr(at + mark.size());
+}
+
+// Rows `first` .. of the merged file, a multiple of the parts: each part gives the same number, or one less.
+class Interleaver {
+ public:
+  explicit Interleaver(const Parts& parts) : parts_(parts) {}
+
+  [[nodiscard]] std::vector<std::byte> column(std::size_t column, std::int64_t first, std::int64_t count) {
+    const auto stride = static_cast<std::int64_t>(parts_.size());
+    const std::size_t width = parts_.begin()->second->columns()[column].row_bytes();
+    std::vector<std::byte> merged(static_cast<std::size_t>(count) * width);
+    for (const auto& [index, part] : parts_) {
+      const std::int64_t part_first = first / stride;
+      const std::int64_t part_count = WorkPart{index, stride}.rows(first + count) - part_first;
+      if (part_count <= 0) continue;
+      buffer_.resize(static_cast<std::size_t>(part_count) * width);
+      part->read(column, part_first, part_count, buffer_.data());
+      for (std::int64_t row = 0; row < part_count; ++row)
+        std::memcpy(merged.data() + static_cast<std::size_t>(row * stride + index) * width,
+                    buffer_.data() + static_cast<std::size_t>(row) * width, width);
+    }
+    return merged;
+  }
+
+  // A multiple of the parts.
+  [[nodiscard]] std::int64_t rows_at_once() const {
+    constexpr std::int64_t kRows = 1 << 18;
+    const auto stride = static_cast<std::int64_t>(parts_.size());
+    return std::max<std::int64_t>(1, kRows / stride) * stride;
+  }
+
+ private:
+  const Parts& parts_;
+  std::vector<std::byte> buffer_;
+};
+
+void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
+  const EnsembleReader& first_part = *parts.begin()->second;
+  AtomicFile target(output);
+  create_ensemble(target.part_path(), head, first_part.sweep());
+  EnsembleWriter writer(target.part_path(), head, first_part.sweep());
+  Interleaver interleaver(parts);
+  Progress progress("members", head.members);
+  while (writer.rows_done() < head.members) {
+    const std::int64_t count = std::min(interleaver.rows_at_once(), head.members - writer.rows_done());
+    std::vector<std::vector<std::byte>> columns;
+    for (std::size_t column = 0; column < first_part.columns().size(); ++column)
+      columns.push_back(interleaver.column(column, writer.rows_done(), count));
+    writer.write(columns, count);
+    progress.show(writer.rows_done());
+  }
+  writer.finish();
+  target.commit();
+}
+
+}  // namespace
+
+MergeOutcome merge_parts(const std::vector<std::string>& paths, const std::string& output) {
+  allow_open_files(paths.size());
+  Parts parts;
+  for (const std::string& path : paths) add_part(path, parts);
+  const EnsembleReader& first = *parts.begin()->second;
+  const EnsembleHead& known = first.head();
+  MergeOutcome outcome{.head = known, .missing = {}};
+  outcome.head.part = {};
+  outcome.head.is_part = false;
+  for (std::int64_t index = 0; index < known.part.count; ++index)
+    if (!parts.contains(index)) outcome.missing.push_back(missing_path(first.path(), known.part, index));
+  if (outcome.missing.empty()) write_merged(parts, outcome.head, output);
+  return outcome;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <new>
+
+#include "tools/app/check/check_report.h"
+#include "tools/app/check/last_failed.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/outcomes.h"
+#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/workers.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/files/text_file.h"
+#include "tools/store/golden_file.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+struct CheckRequest {
+  std::vector<std::string> files;
+  std::string golden_folder;
+  std::optional<std::int64_t> jobs;
+  std::string junit;
+  std::string annotate;
+  std::string summary;
+  std::string filter;
+  bool lists = false;
+  bool takes_last_failed = false;
+  bool judges_core_only = false;
+  std::string unnoticed_folder;
+  bool is_quick = false;  // No effect: `check` always skips work that cannot change a verdict.
+  Printing printing;
+};
+
+// Those that are open have a golden file. A library that is red all over costs one child process, not one
+// each.
+void read_open_goldens(const std::vector<CheckVerdict>& verdicts) {
+  std::vector<std::string> paths;
+  for (const CheckVerdict& verdict : verdicts)
+    if (verdict.is_open && verdict.golden && has_golden_file(*verdict.golden))
+      paths.push_back(verdict.golden->h5_path);
+  read_goldens_ahead(paths);
+}
+
+// Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
+// files are read, in a child process first, only after the workers have ended; and so are scenarios played
+// again for which there was not enough memory.
+std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
+                                    std::int64_t jobs) {
+  std::vector<CheckVerdict> verdicts(paths.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<std::int64_t> done = 0;
+  options.reads_golden = jobs == 1;
+  const auto check_one = [&](std::size_t index) {
+    try {
+      verdicts[index] = check_scenario(paths[index], options);
+    } catch (const std::bad_alloc&) {
+      if (options.reads_golden) throw;
+      verdicts[index].is_open = true;
+    }
+  };
+  const auto work = [&] {
+    for (std::size_t index = next++; index < paths.size(); index = next++) {
+      check_one(index);
+      if (!verdicts[index].is_open) ++done;
+    }
+  };
+  std::vector<std::jthread> workers =
+      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, work);
+  Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
+  for (std::size_t index = next++; index < paths.size(); index = next++) {
+    check_one(index);
+    progress.show(verdicts[index].is_open ? done.load() : ++done);
+  }
+  workers.clear();
+  options.reads_golden = true;
+  read_open_goldens(verdicts);
+  for (std::size_t index = 0; index < paths.size(); ++index) {
+    if (!verdicts[index].is_open) continue;
+    check_one(index);
+    progress.show(++done);
+  }
+  return verdicts;
+}
+
+// GitHub reads both streams; the JSON document has standard output to itself.
+void annotate(const CheckReport& report, const CheckRequest& request) {
+  if (request.annotate.empty()) return;
+  const std::string annotations = github_annotations(report);
+  if (!request.printing.is_json)
+    print_text("{}", annotations);
+  else if (!annotations.empty())
+    print_error(annotations);
+}
+
+// What is checked.
+struct Selection {
+  std::vector<std::string> paths;
+  std::vector<CheckVerdict> unreferenced;  // And golden folders that cannot be read.
+  std::vector<UnlistedFolder> unlisted;
+};
+
+bool is_folder_failure(const CheckVerdict& verdict) { return verdict.status == CheckStatus::failed; }
+
+void narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
+  const auto has_failed = [&](const std::string& path) { return last_failed.contains(path); };
+  const bool takes_failed = request.takes_last_failed &&
+                            (std::ranges::any_of(selection.paths, has_failed) ||
+                             std::ranges::any_of(selection.unreferenced, has_failed, &CheckVerdict::path));
+  if (request.takes_last_failed && !takes_failed)
+    print_error(
+        "hyrax-sim check: --last-failed: nothing failed when this folder was last checked; all are checked");
+  const auto is_left_out = [&](const std::string& path) {
+    return path.find(request.filter) == std::string::npos || (takes_failed && !has_failed(path));
+  };
+  std::erase_if(selection.paths, is_left_out);
+  std::erase_if(selection.unreferenced, [&](const CheckVerdict& verdict) {
+    return !is_folder_failure(verdict) && is_left_out(verdict.path);
+  });
+}
+
+// ERRORS: Failure(bad_input) if there is nothing to report.
+Selection select(const CheckRequest& request, const LastFailed& last_failed) {
+  Selection selection;
+  selection.paths = list_scenarios(request.files, selection.unlisted);
+  selection.unreferenced = unreferenced_verdicts(request.files, request.golden_folder);
+  narrow(request, last_failed, selection);
+  if (!selection.paths.empty() || !selection.unreferenced.empty()) return selection;
+  if (!selection.unlisted.empty()) throw selection.unlisted.front().failure;
+  throw Failure(ExitCode::bad_input,
+                "hyrax-sim check: --filter: no path contains it (found " + request.filter + ")");
+}
+
+// What keeps scenarios from being found.
+void add_failures(const Selection& selection, Outcomes& outcomes) {
+  for (const UnlistedFolder& folder : selection.unlisted) {
+    print_error(folder.failure.what());
+    outcomes.add(folder.failure.exit_code());
+  }
+}
+
+ExitCode list(const Selection& selection, const CheckRequest& request) {
+  const std::vector<std::string>& paths = selection.paths;
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(Json::Object{{"scenarios", Json::Array(paths.begin(), paths.end())}},
+                               {.depth_indented = 2}));
+  else
+    for (const std::string& path : paths) print_text("{}\n", printable(path));
+  Outcomes outcomes;
+  add_failures(selection, outcomes);
+  return outcomes.exit_code();
+}
+
+// The libraries that are played whole: their folder `scenarios` is an argument.
+std::vector<Library> whole_libraries(const CheckRequest& request) {
+  std::vector<Library> whole;
+  if (!request.filter.empty() || request.takes_last_failed) return whole;
+  for (const std::string& argument : request.files)
+    for (Library& library : libraries_of({argument}, request.golden_folder)) {
+      std::error_code unknown;
+      if (is_folder(argument) && std::filesystem::equivalent(argument, library.scenarios_folder, unknown))
+        whole.push_back(std::move(library));
+    }
+  return whole;
+}
+
+// DIR/NAME.json of each scenario that shows an unnoticed difference.
+void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::string& folder) {
+  if (folder.empty()) return;
+  for (const CoreVerdict* const core : cores)
+    for (const UnnoticedDifference& unnoticed : core->unnoticed) {
+      if (!unnoticed.scenario) continue;
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      const std::string path = folder + "/" + unnoticed.scenario->name + ".json";
+      write_text_file(path, scenario_file_text(*unnoticed.scenario));
+      print_error(path + ": written");
+    }
+}
+
+// Nothing but the core: no scenario is compared with its golden file.
+ExitCode check_core(const CheckRequest& request) {
+  const std::vector<Library> libraries = libraries_of(request.files, request.golden_folder);
+  if (libraries.empty())
+    throw Failure(
+        ExitCode::bad_input,
+        "hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
+            request.files.front() + ")");
+  CoreChecks cores;
+  for (const Library& library : libraries)
+    cores.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
+  Json::Array documents;
+  Outcomes outcomes;
+  for (const CoreVerdict* const core : cores.verdicts()) {
+    documents.push_back(core_json(*core));
+    outcomes.add(core->exit_code);
+    if (request.printing.is_json) continue;
+    const std::string text = core_text(*core);
+    print_text("{}", text.empty() ? "core: the accepted one\n" : text);
+  }
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(Json::Object{{"cores", std::move(documents)}}, {.depth_indented = 2}));
+  write_unnoticed(cores.verdicts(), request.unnoticed_folder);
+  return outcomes.exit_code();
+}
+
+ExitCode check(CheckRequest& request) {
+  const std::vector<std::string> arguments = request.files;
+  const std::string golden_folder = request.golden_folder;
+  set_default_folders(request.files, request.golden_folder);
+  if (!request.unnoticed_folder.empty())
+    OutputGuard({}, request.golden_folder)
+        .admit("hyrax-sim check: --unnoticed", request.unnoticed_folder + "/unnoticed.json");
+  if (request.judges_core_only) return check_core(request);
+  LastFailed last_failed;
+  Selection selection = select(request, last_failed);
+  if (request.lists) return list(selection, request);
+  const std::vector<std::string>& paths = selection.paths;
+  OutputGuard guard(paths, request.golden_folder);
+  if (!request.junit.empty()) guard.admit("hyrax-sim check: --junit", request.junit);
+  if (!request.summary.empty()) {
+    guard.admit("hyrax-sim check: --summary", request.summary, {".md"});
+    for (const std::string& path : picture_paths(request.summary))
+      guard.admit("hyrax-sim check: --summary", path);
+  }
+  const std::int64_t jobs = request.jobs.value_or(processors());
+  std::vector<CheckVerdict> verdicts =
+      check_all(paths,
+                {.golden_folder = request.golden_folder,
+                 .watched_step = request.printing.is_json ? program_step() : nullptr},
+                jobs);
+  std::ranges::move(selection.unreferenced, std::back_inserter(verdicts));
+  last_failed.update(verdicts, guard);
+  CheckReport report(std::move(verdicts), arguments, golden_folder);
+  report.judge_cores(whole_libraries(request));
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(check_json(report), {.depth_indented = 2}));
+  else
+    print_check(report, request.printing);
+  annotate(report, request);
+  Outcomes outcomes;
+  add_failures(selection, outcomes);
+  for (const CoreVerdict* const core : report.cores()) outcomes.add(core->exit_code);
+  outcomes.attempt_after([&] { write_unnoticed(report.cores(), request.unnoticed_folder); });
+  for (const CheckVerdict& verdict : report.verdicts()) {
+    if (!verdict.note.empty()) print_error(verdict.note);
+    outcomes.add(verdict.exit_code);
+  }
+  if (!request.junit.empty())
+    outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(report)); });
+  if (!request.summary.empty())
+    outcomes.attempt_after([&] {
+      write_text_file(request.summary, check_markdown(report, write_pictures(report, request.summary)));
+    });
+  return outcomes.exit_code();
+}
+
+}  // namespace
+
+Command check_command() {
+  return {
+      .name = "check",
+      .summary = "replay scenarios and compare every bit with their golden files",
+      .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+      .is_common = true,
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<CheckRequest>();
+        options.files(request->files,
+                      {"SCENARIO or DIR", "",
+                       "scenario files, or folders of them (default: scenarios). A folder's golden files "
+                       "without a scenario are reported as unreferenced (exit code 1)"},
+                      0, -1);
+        options.text(
+            request->golden_folder,
+            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+        options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
+        options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
+        options.choice(request->annotate,
+                       {"--annotate", "github", "also print a workflow command for each that does not agree"},
+                       {"github"});
+        options.text(request->summary,
+                     {"--summary", "FILE.md",
+                      "also write the report in Markdown; beside it, the worst scenario of each of the first "
+                      "three causes as a picture (FILE-1.svg ...), and of the first as a page (FILE.html)"});
+        options.text(request->filter, {"--filter", "TEXT", "only those whose paths contain TEXT"});
+        options.flag(request->lists, {"--list", "", "print the paths of the scenarios; play nothing"});
+        options.flag(
+            request->takes_last_failed,
+            {"--last-failed", "",
+             "only those that did not agree when they were last checked from this folder; all, if there "
+             "are none. They are recorded in $XDG_CACHE_HOME or ~/.cache"});
+        options.flag(request->judges_core_only,
+                     {"--core", "",
+                      "only compare the core with the accepted one of golden/core, and look for changes that "
+                      "no scenario notices; exit code 1 if there is one"});
+        options.text(request->unnoticed_folder,
+                     {"--unnoticed", "DIR", "write scenarios that show changes that no scenario notices"});
+        options.flag(request->is_quick,
+                     {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+        options.printing(request->printing,
+                         "print every scenario, and all contacts that moved, before the causes");
+        return [request] { return check(*request); };
+      }};
+}
+
+}  // namespace hyrax

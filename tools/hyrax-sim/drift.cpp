@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <string_view>
+
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/outcomes.h"
+#include "tools/app/drift/drift.h"
+#include "tools/app/play/golden_run.h"
+#include "tools/app/runs/scenario_run.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/store/output_guard.h"
+#include "tools/store/trajectory_file.h"
+
+namespace hyrax {
+namespace {
+
+struct DriftRequest {
+  std::vector<std::string> files;
+  ReferenceRequest reference{.name = "gsl", .stepper = "", .tolerance = {}};
+  std::string output;
+  std::string figures;
+  bool stores_rows = false;
+  Printing printing;
+};
+
+// A scenario or trajectory file that was read, or why it was not.
+struct DriftInput {
+  std::string path;
+  bool is_file = false;  // A trajectory file.
+  std::optional<Scenario> scenario;
+  std::optional<Failure> failure;
+};
+
+// Whether the path is a trajectory file's. By name first: a file with damaged first bytes is reported as a
+// bad trajectory. A pipe is not opened: reading its first bytes would consume them, or wait for them.
+bool is_trajectory(const std::string& path) {
+  if (path.ends_with(".h5")) return true;
+  if (!is_regular_file(path)) return false;
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  char begin[kSignature.size()] = {};
+  std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
+  return std::string_view(begin, sizeof begin) == kSignature;
+}
+
+DriftInput read_input(const std::string& path) {
+  DriftInput input{path, is_trajectory(path), {}, {}};
+  try {
+    input.scenario = input.is_file ? TrajectoryFile::open(path).head().scenario : load_scenario(path);
+  } catch (const Failure& failure) {
+    input.failure = failure;
+  }
+  return input;
+}
+
+DriftRun measure(const DriftRequest& request, const DriftInput& input, const DriftOptions& options) {
+  if (request.output.empty())
+    return input.is_file ? load_drift(input.path, options) : measure_drift(*input.scenario, options);
+  if (input.is_file)
+    throw Failure(ExitCode::bad_input, input.path + ": is a trajectory; -o needs a scenario");
+  return *write_run(request.output, *input.scenario,
+                    {.replay = {}, .drift = StoredDrift{options, request.stores_rows}})
+              .drift;
+}
+
+void report(const DriftRequest& request, const std::string& path, const DriftReport& report,
+            Outcomes& outcomes) {
+  if (!request.printing.is_json) return print_drift(report, request.printing);
+  Json::Object entry{{"scenario", path}};
+  for (auto& member : drift_json(report)) entry.push_back(std::move(member));
+  outcomes.add(Json(std::move(entry)));
+}
+
+void measure_one(const DriftRequest& request, const std::optional<GslOptions>& gsl, const DriftInput& input,
+                 Outcomes& outcomes) {
+  if (input.failure) throw *input.failure;
+  DriftReport measured{.run = measure(request, input, {.gsl = gsl, .keeps_rows = !request.figures.empty()}),
+                       .has_rows_stored = request.stores_rows};
+  const DriftRun& run = measured.run;
+  measured.step_ns = step_ns(run.scenario);
+  measured.half_dt = measure_half_dt(run.scenario);
+  measured.contact_chance = contact_chance_of(run.scenario, run.margin);
+  outcomes.add(drift_exit_code(run.summary));
+  report(request, input.path, measured, outcomes);
+  if (request.figures.empty()) return;
+  outcomes.attempt_after([&] {
+    const auto files =
+        draw_drift_figures(request.figures, {run.scenario, run.simulated_s, run.summary, run.arcs,
+                                             run.contacts, run.rows, run.whole, run.whole_rows, run.model});
+    if (!request.printing.is_json)
+      for (const std::string& file : files) print_error("written: " + file);
+  });
+}
+
+void admit_outputs(const DriftRequest& request, const std::vector<std::string>& paths,
+                   const std::vector<DriftInput>& inputs) {
+  OutputGuard guard(paths);
+  if (!request.output.empty()) guard.admit("hyrax-sim drift: -o", request.output, {".h5"});
+  if (request.figures.empty()) return;
+  for (const DriftInput& input : inputs)
+    if (input.scenario)
+      for (const std::string& figure : drift_figure_paths(request.figures, input.scenario->name))
+        guard.admit("hyrax-sim drift: --figures of " + input.path, figure);
+}
+
+ExitCode drift(const DriftRequest& request) {
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  if (request.stores_rows && request.output.empty())
+    throw Failure(ExitCode::bad_input, "hyrax-sim drift: --rows: needs -o FILE.h5");
+  if (!request.output.empty() && paths.size() > 1)
+    throw Failure(ExitCode::bad_input,
+                  fmt::format("hyrax-sim drift: -o: allowed for one scenario only (found {}); for several: "
+                              "hyrax-sim run --drift -o DIR",
+                              paths.size()));
+  const std::optional<GslOptions> gsl = gsl_options(request.reference, "hyrax-sim drift");
+  std::vector<DriftInput> inputs;
+  for (const std::string& path : paths) inputs.push_back(read_input(path));
+  admit_outputs(request, paths, inputs);
+  Outcomes outcomes;
+  for (const DriftInput& input : inputs)
+    outcomes.attempt(input.path, [&] { measure_one(request, gsl, input, outcomes); });
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(outcomes.take_json("runs"), {.depth_indented = 4}));
+  return outcomes.exit_code();
+}
+
+}  // namespace
+
+Command drift_command() {
+  return {
+      .name = "drift",
+      .summary = "measure runs against the exact flight between contacts: errors and energy",
+      .example =
+          "hyrax-sim drift scenarios/flings/first-fling.json\n"
+          "  hyrax-sim drift first-fling.h5 --figures pictures",
+      .is_common = true,
+      .needs_paper_step = true,
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<DriftRequest>();
+        options.files(
+            request->files,
+            {"SCENARIO or RUN.h5", "",
+             "scenario files, folders of them, or trajectories; - for a scenario on standard input"},
+            1, -1);
+        declare_reference(options, request->reference);
+        options.text(request->output, {"-o,--output", "FILE.h5",
+                                       "write the trajectory with the groups /reference and /drift"});
+        options.flag(request->stores_rows, {"--rows", "", "with -o: store the errors of every row as well"});
+        options.text(request->figures, {"--figures", "DIR",
+                                        "draw the distance from the exact fling, energy, its drift, the "
+                                        "errors and restitution (needs gnuplot)"});
+        options.printing(request->printing, "print all arcs and contacts");
+        return [request] { return drift(*request); };
+      }};
+}
+
+}  // namespace hyrax

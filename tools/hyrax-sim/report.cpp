@@ -1,0 +1,65 @@
+#include <memory>
+
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/report/report_page.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+struct ReportArguments {
+  ReportRequest request;
+  Printing printing;
+};
+
+std::string command_of(const ReportRequest& request) {
+  std::vector<std::string> words = {"hyrax-sim", "report"};
+  for (const std::string& file : request.files) words.push_back(as_argument(file));
+  if (!request.against.empty()) words.insert(words.end(), {"--against", request.against});
+  words.insert(words.end(), {"-o", request.output});
+  return shell_command(words);
+}
+
+ExitCode report(const ReportArguments& arguments) {
+  ReportRequest request = arguments.request;
+  if (request.output.empty()) throw Failure(ExitCode::bad_input, "hyrax-sim report: -o FILE.html is missing");
+  std::vector<std::string> inputs = request.files;
+  if (!request.against.empty()) inputs.push_back(request.against);
+  OutputGuard guard(inputs);
+  guard.admit("hyrax-sim report: -o", request.output, {".html"});
+  request.command = command_of(request);
+  write_report(request);
+  if (arguments.printing.is_json)
+    print_text("{}\n", to_text(Json::Object{{"output", request.output}}));
+  else
+    print_text("written: {}\n", request.output);
+  return ExitCode::agreed;
+}
+
+}  // namespace
+
+Command report_command() {
+  return {
+      .name = "report",
+      .summary =
+          "show trajectories, studies or sweeps on a page for the browser; trajectories are replayed there",
+      .example =
+          "hyrax-sim report first-fling.h5 -o first-fling.html\n"
+          "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
+          "  hyrax-sim report speed-error.h5 -o speed-error.html",
+      .is_common = false,
+      .declare = [](Options& options) {
+        const auto arguments = std::make_shared<ReportArguments>();
+        ReportRequest& request = arguments->request;
+        options.files(request.files, {"FILE.h5", "", "trajectory files; or files of studies and sweeps"}, 1,
+                      -1);
+        options.text(request.against,
+                     {"--against", "GOLDEN.h5", "compare with this trajectory, and draw both"});
+        options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
+        options.printing(arguments->printing);
+        return [arguments] { return report(*arguments); };
+      }};
+}
+
+}  // namespace hyrax

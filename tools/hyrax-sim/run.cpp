@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim/replay/core_constants.h"
+#include "sim/replay/core_shape.h"
+#include "sim/trajectory/physics_model.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/outcomes.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/core/paper_model.h"
+#include "tools/app/drift/drift.h"
+#include "tools/app/report/report_page.h"
+#include "tools/app/runs/scenario_run.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/report/page_file.h"
+#include "tools/store/output_guard.h"
+#include "tools/store/trajectory_writer.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunRequest {
+  std::vector<std::string> files;
+  std::string output;
+  std::vector<std::string> overrides;
+  std::string figure;
+  std::string page;
+  std::string golden_folder;
+  ReferenceRequest reference{.name = "closed", .stepper = "", .tolerance = {}};
+  bool measures_drift = false;
+  bool stores_rows = false;
+  bool computes_all = false;
+  Printing printing;
+};
+
+// A scenario that was read, or why it was not.
+struct Candidate {
+  std::string path;
+  std::optional<Scenario> scenario;
+  std::string output;
+  std::optional<Failure> failure;
+};
+
+std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || !text.starts_with('/'))
+      throw Failure(ExitCode::bad_input,
+                    "hyrax-sim run: --set: not POINTER=VALUE (found " + text + "); as in /clock/rate_hz=144");
+    overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return overrides;
+}
+
+Candidate read_candidate(const std::string& path, const std::vector<Override>& overrides) {
+  Candidate candidate;
+  candidate.path = path;
+  try {
+    candidate.scenario = load_scenario(path, overrides);
+  } catch (const Failure& failure) {
+    candidate.failure = failure;
+  }
+  return candidate;
+}
+
+bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
+  return scenarios > 1 || request.output.ends_with('/') || is_folder(request.output);
+}
+
+// CSV on standard output; nothing else is printed there.
+void place_on_stdout(const RunRequest& request, std::vector<Candidate>& candidates) {
+  if (candidates.size() > 1 || request.printing.is_json || request.measures_drift || !request.page.empty())
+    throw Failure(ExitCode::bad_input,
+                  "hyrax-sim run: -o " + request.output +
+                      ": allowed for one scenario, without --json, --drift and --report");
+  candidates.front().output = kStandardOutput;
+}
+
+// Sets the output of each run.
+void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
+  if (request.output == "-" || request.output == "/dev/stdout") return place_on_stdout(request, candidates);
+  for (Candidate& candidate : candidates) {
+    if (!candidate.scenario) continue;
+    const std::string name = candidate.scenario->name + ".h5";
+    if (request.output.empty())
+      candidate.output = name;
+    else
+      candidate.output = writes_into_folder(request, candidates.size())
+                             ? (fs::path(request.output) / name).string()
+                             : request.output;
+    guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
+    if (request.stores_rows && file_name(candidate.output).extension == ".csv")
+      throw Failure(ExitCode::bad_input, "hyrax-sim run: --rows: not possible in a CSV file (found " +
+                                             candidate.output + "); allowed: .h5");
+  }
+}
+
+void make_output_folder(const RunRequest& request, std::size_t scenarios) {
+  if (request.output.empty() || !writes_into_folder(request, scenarios)) return;
+  std::error_code error;
+  fs::create_directories(request.output, error);
+  if (error)
+    throw Failure(ExitCode::cannot_access, request.output + ": cannot be created: " + error.message());
+}
+
+std::optional<StoredDrift> stored_drift(const RunRequest& request) {
+  if (request.measures_drift) require_paper_core("hyrax-sim run: --drift");
+  if (request.measures_drift)
+    return StoredDrift{{.gsl = gsl_options(request.reference, "hyrax-sim run")}, request.stores_rows};
+  if (request.stores_rows || request.reference.is_given())
+    throw Failure(ExitCode::bad_input,
+                  "hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
+  return std::nullopt;
+}
+
+void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
+  DriftReport drift;
+  if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
+  if (run.drift && request.printing.is_verbose())
+    drift.contact_chance = contact_chance_of(run.scenario, run.drift->margin);
+  if (!request.printing.is_json) {
+    if (run.output == kStandardOutput)
+      print_error(run.scenario.name + ": " + run.status());
+    else
+      print_run(run, request.printing);
+    if (run.drift) print_drift(drift, request.printing);
+    return;
+  }
+  Json entry = run_json(run);
+  if (run.drift) entry.get<Json::Object>()->emplace_back("drift", drift_json(drift));
+  outcomes.add(std::move(entry));
+}
+
+void check_page_request(const RunRequest& request, std::size_t scenarios) {
+  if (scenarios > 1)
+    throw Failure(
+        ExitCode::bad_input,
+        fmt::format("hyrax-sim run: --report: allowed for one scenario only (found {})", scenarios));
+  if (file_name(request.output).extension == ".csv")
+    throw Failure(ExitCode::bad_input, "hyrax-sim run: --report: not possible with a CSV file (found " +
+                                           request.output + "); allowed: .h5");
+}
+
+void write_page(const RunRequest& request, const ScenarioRun& run) {
+  std::vector<std::string> command = {"hyrax-sim", "run", as_argument(run.path)};
+  for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
+  command.insert(command.end(), {"--report", request.page});
+  write_report({.files = {run.output},
+                .against = run.comparison ? run.golden_path : "",
+                .output = request.page,
+                .command = shell_command(command)});
+  if (!request.printing.is_json)
+    print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.page);
+}
+
+void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift, const Candidate& candidate,
+             Outcomes& outcomes) {
+  if (candidate.failure) throw *candidate.failure;
+  require_measurable(candidate.path, *candidate.scenario);
+  std::optional<RunPicture> picture;
+  if (!request.figure.empty()) picture.emplace(*candidate.scenario);
+  const ScenarioRun run =
+      run_scenario(candidate.path, *candidate.scenario, candidate.output,
+                   {.golden_folder = request.golden_folder,
+                    .skips_repetition = !request.computes_all,
+                    .compares = request.overrides.empty(),
+                    .drift = drift,
+                    .measures_start = request.printing.is_verbose() && !drift && measured_constants(),
+                    .picture = picture ? &*picture : nullptr});
+  if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
+  if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
+  report(request, run, outcomes);
+  if (!request.page.empty()) outcomes.attempt_after([&] { write_page(request, run); });
+  if (!picture) return;
+  outcomes.attempt_after([&] {
+    picture->draw(request.figure, run);
+    if (!request.printing.is_json && run.output != kStandardOutput)
+      print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.figure);
+  });
+}
+
+ExitCode run(RunRequest request) {
+  const std::vector<Override> overrides = overrides_of(request.overrides);
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  constexpr std::size_t kPrintedInFullMax = 3;
+  if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
+    request.printing.detail = Printing::Detail::verdict;
+  if (!request.figure.empty() && paths.size() > 1)
+    throw Failure(
+        ExitCode::bad_input,
+        fmt::format("hyrax-sim run: --figure: allowed for one scenario only (found {})", paths.size()));
+  if (!request.page.empty()) check_page_request(request, paths.size());
+  std::vector<Candidate> candidates;
+  for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
+  OutputGuard guard(paths, request.golden_folder);
+  place_outputs(request, guard, candidates);
+  if (!request.figure.empty()) guard.admit("hyrax-sim run: --figure", request.figure, {".svg"});
+  if (!request.page.empty()) {
+    guard.admit("hyrax-sim run: --report", request.page, {".html"});
+    require_page();
+  }
+  const std::optional<StoredDrift> drift = stored_drift(request);
+  if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
+    make_output_folder(request, candidates.size());
+  Outcomes outcomes;
+  for (const Candidate& candidate : candidates)
+    outcomes.attempt(candidate.path, [&] { run_one(request, drift, candidate, outcomes); });
+  if (request.printing.is_json)
+    print_text("{}\n", to_text(outcomes.take_json("runs"), {.depth_indented = 3}));
+  return outcomes.exit_code();
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      .name = "run",
+      .summary = "replay scenarios, write their trajectories and compare them with golden files",
+      .example =
+          "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
+          "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 --set /steps=1440 "
+          "--set /expect={} -o at-144-hz.h5",
+      .is_common = true,
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<RunRequest>();
+        options.files(request->files,
+                      {"SCENARIO", "",
+                       "scenario files, or folders of them; - for standard input; of more than three, a line "
+                       "each (all: -v)"},
+                      1, -1);
+        options.text(request->output,
+                     {"-o,--output", "FILE or DIR",
+                      "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: NAME.h5 in the "
+                      "current folder)"});
+        options.texts(request->overrides,
+                      {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
+        options.text(request->figure,
+                     {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
+        options.text(request->page,
+                     {"--report", "FILE.html", "write a page that replays the run in the browser"});
+        options.text(
+            request->golden_folder,
+            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+        options.flag(request->measures_drift,
+                     {"--drift", "", "measure against the reference, as the command `drift` does"});
+        options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
+        declare_reference(options, request->reference);
+        options.flag(request->computes_all, {"--no-skip", "", "compute also the steps that repeat exactly"});
+        options.printing(request->printing,
+                         "print also clamped steps, the period of a repeating state, and how the run depends "
+                         "on its start");
+        return [request] { return run(*request); };
+      }};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "sim/scenario/frame_clock.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/search/broken_rule.h"
+#include "tools/files/atomic_file.h"
+#include "tools/files/child_process.h"
+#include "tools/files/golden_place.h"
+#include "tools/files/json.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/files/temporary_folder.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLimit_s = 10.0;
+constexpr double kProgramLimit_s = 60.0;
+constexpr std::int64_t kTrialsMax = 2'000;
+
+struct ShrinkRequest {
+  std::vector<std::string> files;
+  std::string fails;
+  std::string against;
+  std::string output;
+  std::optional<double> limit_s;
+  bool is_forced = false;
+  Printing printing;
+};
+
+// COMMAND with the path of a scenario's file for each {}, run by the shell. The file has the golden place of
+// the original: copies of its golden file and of the accepted core are where it would look for them.
+class UserCommand {
+ public:
+  UserCommand(std::string command, double limit_s, const std::string& original)
+      : file_(fs::path(original).filename()), command_(std::move(command)), limit_s_(limit_s) {
+    if (command_.find("{}") == std::string::npos)
+      throw Failure(ExitCode::bad_input, "hyrax-sim shrink: --fails: no {} for the scenario's file (found " +
+                                             command_ + "); as in 'hyrax-sim run {} -o out.h5'");
+    copy_golden_files(original);
+  }
+
+  [[nodiscard]] ChildEnd run(const Scenario& scenario) const {
+    const std::string path = shell_command({folder_.write(file_.string(), scenario_file_text(scenario))});
+    std::string line = command_;
+    for (std::size_t at = 0; (at = line.find("{}", at)) != std::string::npos; at += path.size())
+      line.replace(at, 2, path);
+    constexpr std::size_t kOutBytesMax = 1 << 10;
+    return run_child({"/bin/sh", "-c", line}, {}, limit_s_, kOutBytesMax);
+  }
+  [[nodiscard]] std::string text_of(const ChildEnd& end) const { return end_text(end, limit_s_); }
+
+ private:
+  void copy_golden_files(const std::string& original) {
+    const fs::path golden = golden_folder_of(original);
+    const fs::path copy = fs::path(folder_.path()) / "golden";
+    if (const auto place = golden_place(original, ""); !golden.empty() && place) {
+      const fs::path name = fs::path(place->h5_path).lexically_relative(golden);
+      file_ = "scenarios" / fs::path(name).replace_extension(".json");
+      fs::create_directories((copy / name).parent_path());
+      if (has_golden_file(*place)) {
+        fs::copy_file(place->h5_path, copy / name);
+        fs::copy_file(place->txt_path, (copy / name).replace_extension(".txt"));
+      }
+      if (is_folder((golden / "core").string())) fs::copy(golden / "core", copy / "core");
+    }
+    fs::create_directories((folder_.path() / file_).parent_path());
+  }
+
+  TemporaryFolder folder_;
+  fs::path file_;  // In that folder.
+  std::string command_;
+  double limit_s_;
+};
+
+// What is kept while the scenario shrinks, in words, and the smallest scenario.
+struct ShrinkOutcome {
+  std::string kept;
+  Shrunk shrunk;
+};
+
+ShrinkOutcome shrink_by_command(const ShrinkRequest& request, const Scenario& scenario) {
+  const UserCommand command(request.fails, request.limit_s.value_or(kLimit_s), request.files.front());
+  const ChildEnd wanted = command.run(scenario);
+  if (!wanted.is_timed_out && wanted.exit_code == 0)
+    throw Failure(ExitCode::bad_input,
+                  request.files.front() +
+                      ": the command does not fail here: exit code 0 (it was run on a copy "
+                      "of the scenario, and of its golden file if it has one)");
+  constexpr int kCannotExecute = 126;
+  constexpr int kNotFound = 127;
+  if (!wanted.is_timed_out && (wanted.exit_code == kCannotExecute || wanted.exit_code == kNotFound))
+    throw Failure(ExitCode::bad_input, fmt::format("hyrax-sim shrink: --fails: the shell cannot run `{}`: {}",
+                                                   request.fails, wanted.err));
+  const auto fails = [&](const Scenario& simpler) {
+    const ChildEnd end = command.run(simpler);
+    return end.is_timed_out == wanted.is_timed_out && (end.is_timed_out || end.exit_code == wanted.exit_code);
+  };
+  return {"the command's " + command.text_of(wanted), shrink_with_progress(scenario, fails, kTrialsMax)};
+}
+
+ShrinkOutcome shrink_against(const ShrinkRequest& request, const Scenario& scenario) {
+  const OtherProgram other(request.against, "hyrax-sim shrink: --against", std::nullopt,
+                           request.limit_s.value_or(kProgramLimit_s));
+  const auto broken = different_hash(scenario, other);
+  if (!broken)
+    throw Failure(ExitCode::bad_input, request.files.front() +
+                                           ": has the same state hash in both programs (" + request.against +
+                                           "); nothing to shrink");
+  return {broken->other_end.empty() ? "different state hashes" : "the other program's " + broken->other_end,
+          shrink_broken(scenario, *broken, &other)};
+}
+
+void admit_output(const ShrinkRequest& request) {
+  constexpr char kOption[] = "hyrax-sim shrink: -o";
+  OutputGuard guard(request.files);
+  if (file_name(request.output).extension != ".json")
+    throw Failure(ExitCode::bad_input,
+                  fmt::format("{}: unknown suffix (found {}); allowed: .json", kOption, request.output));
+  guard.admit_scenario(kOption, request.output);
+  if (!request.is_forced && is_there(request.output))
+    throw Failure(ExitCode::bad_input, request.output + ": exists; `--force` replaces it");
+}
+
+void write_shrunk(const ShrinkRequest& request, const Scenario& scenario) {
+  AtomicFile file(request.output);
+  file.write(scenario_file_text(scenario));
+  request.is_forced ? file.commit() : file.commit_as_new();
+}
+
+Json size_json(const Scenario& scenario) {
+  return Json::Object{{"steps", step_count(scenario)},
+                      {"events", static_cast<std::int64_t>(scenario.events.size())}};
+}
+
+void print_shrunk(const ShrinkRequest& request, const Scenario& before, const ShrinkOutcome& outcome) {
+  const Scenario& after = outcome.shrunk.scenario;
+  if (request.printing.is_json)
+    return print_text("{}\n", to_text(Json::Object{{"scenario", request.files.front()},
+                                                   {"output", request.output},
+                                                   {"kept", outcome.kept},
+                                                   {"before", size_json(before)},
+                                                   {"after", size_json(after)},
+                                                   {"trials", outcome.shrunk.trials},
+                                                   {"complete", outcome.shrunk.is_complete}},
+                                      {.depth_indented = 2}));
+  print_text("written: {} ({} frames and {} events, from {} and {})\n", request.output, step_count(after),
+             after.events.size(), step_count(before), before.events.size());
+  if (request.printing.is_quiet()) return;
+  print_text("kept: {}\n", outcome.kept);
+  print_text("{} scenarios tried{}\n", outcome.shrunk.trials,
+             outcome.shrunk.is_complete ? "" : ", the limit; a smaller one may exist");
+}
+
+ExitCode run_shrink(const ShrinkRequest& request) {
+  if (request.fails.empty() == request.against.empty())
+    throw Failure(ExitCode::bad_input, "hyrax-sim shrink: --fails, --against: exactly one is needed");
+  if (request.output.empty())
+    throw Failure(ExitCode::bad_input,
+                  "hyrax-sim shrink: -o: is missing; name the file of the smaller scenario");
+  admit_output(request);
+  const Scenario scenario = load_scenario(request.files.front());
+  ShrinkOutcome outcome =
+      request.fails.empty() ? shrink_against(request, scenario) : shrink_by_command(request, scenario);
+  if (!outcome.shrunk.fails_again)
+    throw Failure(
+        ExitCode::bad_input,
+        request.files.front() +
+            ": ended differently when it was tried again; only what fails every time can be shrunk");
+  outcome.shrunk.scenario.description =
+      fmt::format("Shrunk from {}, {} frames; kept: {}.", scenario.name, step_count(scenario), outcome.kept);
+  write_shrunk(request, outcome.shrunk.scenario);
+  print_shrunk(request, scenario, outcome);
+  return ExitCode::agreed;
+}
+
+}  // namespace
+
+Command shrink_command() {
+  return {
+      .name = "shrink",
+      .summary = "find the smallest scenario that still fails",
+      .example =
+          "hyrax-sim shrink scenarios/flings/first-fling.json --fails './check-it {}' -o small.json\n"
+          "  hyrax-sim shrink scenarios/flings/first-fling.json --against ./other-build/hyrax-sim -o "
+          "small.json",
+      .declare = [](Options& options) {
+        const auto request = std::make_shared<ShrinkRequest>();
+        options.files(request->files, {"SCENARIO", "", "the scenario that fails"}, 1, 1);
+        options.text(
+            request->fails,
+            {"--fails", "COMMAND",
+             "run by /bin/sh with the file of a scenario for {}, which has the golden file of SCENARIO: the "
+             "smaller scenario ends it with the same exit code, not 0; a signal counts as 128 + its number"});
+        options.text(request->against,
+                     {"--against", "PROGRAM", "another hyrax-sim: both still give different state hashes"});
+        options.text(request->output, {"-o,--output", "SMALL.json", "the smaller scenario"});
+        options.number(request->limit_s,
+                       {"--time-limit", "SECONDS",
+                        "a COMMAND or PROGRAM that runs longer is killed, which counts as an end of its own "
+                        "(default: 10, "
+                        "of PROGRAM 60)"},
+                       0.001);
+        options.flag(request->is_forced, {"--force", "", "replace an existing SMALL.json"});
+        options.printing(request->printing);
+        return [request] { return run_shrink(*request); };
+      }};
+}
+
+}  // namespace hyrax

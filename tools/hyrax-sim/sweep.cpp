@@ -1,0 +1,225 @@
+// The command sweep: plays all members of a sweep, or one, or joins the parts of one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "sim/replay/core_constants.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/command_line/part.h"
+#include "tools/app/sweep/sweep_run.h"
+#include "tools/files/atomic_file.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_writer.h"
+#include "tools/files/sweep_reader.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+constexpr const char* kName = "hyrax-sim sweep";
+
+struct SweepRequest {
+  std::vector<std::string> files;
+  std::string output;
+  std::string part;
+  std::optional<std::int64_t> parts;
+  std::optional<std::int64_t> threads;
+  std::optional<std::int64_t> member;
+  bool merges = false;
+  bool resumes = false;
+  bool is_forced = false;
+  Printing printing;
+};
+
+[[noreturn]] void refuse_request(const std::string& sentence) {
+  throw Failure(ExitCode::bad_input, std::string(kName) + ": " + sentence);
+}
+
+std::string names_of(const KeepSet& keep) {
+  std::string names;
+  for (std::size_t each = 0; each < kKeepNames.size(); ++each)
+    if (keep.has(static_cast<Keep>(each))) names.append(names.empty() ? "" : ", ").append(kKeepNames[each]);
+  return names;
+}
+
+void report(const SweepRequest& request, const std::string& text, Json::Object document) {
+  print_text("{}\n",
+             request.printing.is_json ? to_text(Json(std::move(document)), {.depth_indented = 1}) : text);
+}
+
+ExitCode write_member(const SweepRequest& request) {
+  if (request.output.empty()) refuse_request("--member: needs -o SCENARIO.json");
+  const std::string& path = request.files.front();
+  const SweepFile file = load_sweep(path);
+  if (*request.member >= file.sweep.members)
+    refuse_request(
+        fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
+  std::vector<std::string> inputs{path};
+  if (!file.base_path.empty()) inputs.push_back(file.base_path);
+  OutputGuard(inputs).admit_scenario(std::string(kName) + ": -o", request.output);
+  if (!request.is_forced && is_there(request.output))
+    throw Failure(ExitCode::bad_input, request.output + ": exists; `--force` replaces it");
+  const Scenario scenario = member_scenario(file.sweep, *request.member);
+  AtomicFile output(request.output);
+  output.write(scenario_file_text(scenario));
+  request.is_forced ? output.commit() : output.commit_as_new();
+  report(request, "written: " + request.output,
+         Json::Object{{"member", *request.member}, {"scenario", request.output}});
+  return ExitCode::agreed;
+}
+
+constexpr const char* kOutputOption = "hyrax-sim sweep: -o";
+
+ExitCode merge(const SweepRequest& request) {
+  if (request.output.empty()) refuse_request("--merge: needs -o FILE.h5");
+  OutputGuard(request.files).admit(kOutputOption, request.output, {".h5"});
+  const MergeOutcome outcome = merge_parts(request.files, request.output);
+  for (const std::string& path : outcome.missing) print_error(path + ": is missing; nothing was written");
+  if (!outcome.missing.empty()) return ExitCode::golden_missing;
+  report(request,
+         fmt::format("merged: {} members of {} parts\nwritten: {}", outcome.head.members,
+                     request.files.size(), request.output),
+         Json::Object{{"members", outcome.head.members},
+                      {"parts", static_cast<std::int64_t>(request.files.size())},
+                      {"output", request.output}});
+  return ExitCode::agreed;
+}
+
+std::string output_of(const SweepRequest& request, const std::optional<ChosenPart>& part) {
+  std::string output = request.output;
+  if (output.empty()) output = std::string(file_name(request.files.front()).stem) + ".h5";
+  return part ? part_path(output, part->part) : output;
+}
+
+// Whether the result is there already, and complete. One of another sweep is replaced, as without --resume.
+bool is_complete(const std::string& path, const EnsembleHead& head) {
+  if (!is_there(path) || is_there(partial_path(path))) return false;
+  try {
+    return EnsembleReader(path).head() == head;
+  } catch (const Failure&) {
+    return false;
+  }
+}
+
+std::string summary_text(const SweepRequest& request, const SweepFile& file, const SweepOutcome& outcome,
+                         const std::string& output) {
+  const StepTally& tally = outcome.tally;
+  std::string text = fmt::format("{}: {} members", request.files.front(), outcome.rows);
+  if (outcome.rows != file.sweep.members) text += fmt::format(" of {}", file.sweep.members);
+  if (outcome.rows_resumed > 0) text += fmt::format(", {} of them done before", outcome.rows_resumed);
+  text += fmt::format("\n  steps          {}", tally.steps);
+  const std::int64_t left_out = tally.steps - tally.computed;
+  if (left_out > 0)
+    text += fmt::format("; {} left out, {:.3g} %: at rest, or repeating exactly", left_out,
+                        100.0 * static_cast<double>(left_out) / static_cast<double>(tally.steps));
+  text += "\n  kept           " + names_of(file.sweep.keep);
+  std::vector<std::string_view> dropped;
+  for (std::size_t each = 0; each < kKeepNames.size(); ++each)
+    if (!file.sweep.keep.has(static_cast<Keep>(each))) dropped.push_back(kKeepNames[each]);
+  if (!dropped.empty()) text += fmt::format("\n  not computed   {}", fmt::join(dropped, ", "));
+  return text + "\nwritten: " + output;
+}
+
+ExitCode compute(const SweepRequest& request) {
+  const std::string& path = request.files.front();
+  const auto part = choose_part(kName, request.part, request.parts);
+  const SweepFile file = load_sweep(path);
+  if (part && !part->source.empty())
+    print_error(
+        fmt::format("{}: part {}/{}, from {}", kName, part->part.index, part->part.count, part->source));
+  SweepJob job;
+  job.head.sweep_text = file.text;
+  job.head.members = file.sweep.members;
+  job.head.physics = core_model();
+  job.head.is_part = part.has_value();
+  if (part) job.head.part = part->part;
+  job.output = output_of(request, part);
+  job.threads = request.threads.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  if (request.resumes) job.existing = Existing::resumed;
+  if (request.is_forced) job.existing = Existing::replaced;
+  std::vector<std::string> inputs{path};
+  if (!file.base_path.empty()) inputs.push_back(file.base_path);
+  OutputGuard guard(inputs);
+  guard.admit(kOutputOption, job.output, {".h5"});
+  guard.admit(kOutputOption, partial_path(job.output));
+  SweepOutcome outcome;
+  outcome.rows = job.head.part.rows(job.head.members);
+  if (request.resumes && is_complete(job.output, job.head))
+    outcome.rows_resumed = outcome.rows;
+  else
+    outcome = compute_sweep(file.sweep, job);
+  Json::Object document{{"sweep", path},
+                        {"members", file.sweep.members},
+                        {"computed", outcome.rows - outcome.rows_resumed},
+                        {"resumed", outcome.rows_resumed},
+                        {"steps", outcome.tally.steps},
+                        {"steps_computed", outcome.tally.computed},
+                        {"output", job.output}};
+  if (part) {
+    document.emplace_back("part", part->part.index);
+    document.emplace_back("parts", part->part.count);
+  }
+  report(request,
+         request.printing.is_quiet() ? "written: " + job.output
+                                     : summary_text(request, file, outcome, job.output),
+         std::move(document));
+  return ExitCode::agreed;
+}
+
+ExitCode sweep(const SweepRequest& request) {
+  if (request.merges) {
+    if (request.member || !request.part.empty() || request.parts || request.resumes || request.threads ||
+        request.is_forced)
+      refuse_request("--merge: not with --member, --part, --parts, --resume, --force or --threads");
+    return merge(request);
+  }
+  if (request.files.size() > 1)
+    refuse_request(fmt::format("only one sweep allowed (found {})", request.files.size()));
+  if (request.member && (!request.part.empty() || request.parts || request.resumes))
+    refuse_request("--member: not with --part, --parts or --resume");
+  if (request.is_forced && request.resumes) refuse_request("--force: not with --resume");
+  return request.member ? write_member(request) : compute(request);
+}
+
+void declare_options(Options& options, SweepRequest& request) {
+  options.files(request.files, {"SWEEP.json", "", "the sweep; with --merge, the parts' result files"}, 1, -1);
+  options.text(request.output,
+               {"-o,--output", "FILE",
+                "the result file (default: the sweep's name + .h5, in the current folder); with "
+                "--member the scenario file"});
+  options.integer(request.threads, {"--threads", "N", "threads (default: one a processor)"}, 1);
+  options.text(request.part,
+               {"--part", "I/N",
+                "play every member i with i mod N = I only, into FILE.part-I-of-N.h5 (default: as a "
+                "Slurm array, an MPI launcher or, with --parts, a Kubernetes indexed job says)"});
+  options.integer(request.parts, {"--parts", "N", "the number of parts; the part is JOB_COMPLETION_INDEX"},
+                  1);
+  options.flag(request.resumes, {"--resume", "", "go on after a process that was stopped (FILE.h5.partial)"});
+  options.integer(request.member, {"--member", "I", "write member I as a scenario, to run it"}, 0);
+  options.flag(request.is_forced,
+               {"--force", "",
+                "start over, if a stopped process left FILE.h5.partial; with --member: replace the file"});
+  options.flag(request.merges, {"--merge", "", "join the parts of a sweep"});
+  options.printing(request.printing);
+}
+
+}  // namespace
+
+Command sweep_command() {
+  return {.name = "sweep",
+          .summary = "play many flings that differ in some numbers, and store selected results of each",
+          .example =
+              "hyrax-sim sweep sweep.json -o sweep.h5\n"
+              "  hyrax-sim sweep sweep.json --member 17 -o member.json\n"
+              "  hyrax-sim sweep --merge sweep.part-*.h5 -o sweep.h5",
+          .declare = [](Options& options) {
+            const auto request = std::make_shared<SweepRequest>();
+            declare_options(options, *request);
+            return [request] { return sweep(*request); };
+          }};
+}
+
+}  // namespace hyrax
