@@ -125,12 +125,12 @@ struct ColumnOf {
   TextColumn text = {};
   Also also = {};
 
-  /// REQUIRES: no codes.
+  /// Of codes the code.
   [[nodiscard]] std::optional<double> number(const Record& record) const {
     return std::visit(
         [&record](const auto& value) -> std::optional<double> {
           if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Code>) {
-            return std::nullopt;
+            return value.of(record);
           } else {
             return std::invoke(value, record);
           }

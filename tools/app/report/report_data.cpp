@@ -53,10 +53,11 @@ Json doubles_json(const std::vector<double>& values) {
 Json rows_json(const Columns& rows) {
   const std::vector<double> steps(rows.step.begin(), rows.step.end());
   const std::vector<double> contacts(rows.contact.begin(), rows.contact.end());
-  return Json::Object{{"step", doubles_json(steps)},          {"t", doubles_json(rows.t_s)},
-                      {"dt", doubles_json(rows.dt_s)},        {"x", doubles_json(rows.x_px)},
-                      {"y", doubles_json(rows.y_px)},         {"vx", doubles_json(rows.vx_px_per_s)},
-                      {"vy", doubles_json(rows.vy_px_per_s)}, {"contact", doubles_json(contacts)}};
+  Json::Object object{{"step", doubles_json(steps)}};
+  for (const RowColumn& column : kRowColumns)
+    object.emplace_back(column.name, doubles_json(rows.*column.also));
+  object.emplace_back("contact", doubles_json(contacts));
+  return object;
 }
 
 // What of a file's rows goes into the page: the rows, or, of a long run of which the file holds every row,

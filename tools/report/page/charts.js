@@ -88,8 +88,8 @@ function driftCharts({ rows, causes, contactErrors: contacts }) {
     return { name, color: tint, points: true, values: spread(rows, contacts.step, values, Number.isFinite), known: { steps: contacts.step, values } };
   };
   return [...charts,
-    { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, range: aroundZero, series: [point('late by', 'vermilion', 'time', 1000)] },
-    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / before', 'purple', 'restitution', 1)] }];
+    { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, range: aroundZero, series: [point('late by', 'vermilion', 'time_error', 1000)] },
+    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / before', 'purple', 'effective_restitution', 1)] }];
 }
 
 const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');

@@ -52,29 +52,27 @@ export class Core {
       isComplete: complete === 1, nonFinite: Number.isNaN(nonFinite) ? null : nonFinite, stateHash: this.#text() };
   }
 
-  #columns(call, names) {
-    return Object.fromEntries(names.map((name, column) => {
-      call(column);
-      return [name, this.#output()];
-    }));
+  #columns(call) {
+    const columns = {};
+    for (let column = 0; call(column); ++column) columns[this.#text()] = this.#output();
+    return columns;
   }
   rows() {
-    return this.#columns(this.calls.row_column, rowFields);
+    return this.#columns(this.calls.row_column);
   }
   contacts() {
-    return this.#columns(this.calls.contact_column,
-      ['step', 'lastStep', 'wall', 't', 'x', 'y', 'vxBefore', 'vyBefore', 'vxAfter', 'vyAfter', 'overshoot']);
+    return this.#columns(this.calls.contact_column);
   }
   errors() {
-    return this.#columns(this.calls.error_column, ['step', 'implementation', 'truncation', 'model', 'energy', 'drift']);
+    return this.#columns(this.calls.error_column);
   }
   /** Of the contacts that end an arc. */
   contactErrors() {
-    return this.#columns(this.calls.contact_error_column, ['step', 'wall', 'time', 'overshoot', 'restitution', 'jump']);
+    return this.#columns(this.calls.contact_error_column);
   }
   /** Energy so far by cause, px of height, at the ends of arcs and at contacts. */
   causes() {
-    return this.#columns(this.calls.cause_column, ['step', 'gravity', 'drag', 'lift', 'bounce', 'sum']);
+    return this.#columns(this.calls.cause_column);
   }
 
   // The playground.

@@ -14,13 +14,13 @@ const errorsOf = list => new Map(Array.from(list?.step ?? [], (step, i) => [`${s
 
 function contactRow({ contacts, contactErrors }, errors, i, seek) {
   const step = make('button', { type: 'button', class: 'link', onclick: () => seek(contacts.step[i]) }, String(contacts.step[i]));
-  const last = contacts.lastStep[i] > contacts.step[i] ? `to ${contacts.lastStep[i]}` : '';
+  const last = contacts.last_step[i] > contacts.step[i] ? `to ${contacts.last_step[i]}` : '';
   const wall = contacts.wall[i];
   const isInX = wall < 4;
-  const before = isInX ? contacts.vxBefore[i] : contacts.vyBefore[i];
-  const after = isInX ? contacts.vxAfter[i] : contacts.vyAfter[i];
+  const before = isInX ? contacts.vx_before[i] : contacts.vy_before[i];
+  const after = isInX ? contacts.vx_after[i] : contacts.vy_after[i];
   const error = errors.get(`${contacts.step[i]} ${wall}`);
-  const measured = error === undefined ? [null, null] : [1000 * contactErrors.time[error], contactErrors.restitution[error]];
+  const measured = error === undefined ? [null, null] : [1000 * contactErrors.time_error[error], contactErrors.effective_restitution[error]];
   return make('tr', {}, make('td', {}, step, ' ', make('span', { class: 'quiet' }, last)),
     make('td', {}, make('span', { class: 'wall', style: `color: var(--${wallColors[wall]})` }), wallNames[wall]),
     ...[contacts.t[i], before, after, contacts.overshoot[i], ...measured].map(value => make('td', { class: 'number' }, rounded(value))));

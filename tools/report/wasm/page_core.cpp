@@ -1,11 +1,11 @@
 // What the page calls: plain functions over one run and one playground. Numbers pass as doubles (steps and
 // ticks are exact), lists in the module's memory. tools/report/page/core.js is the only caller.
-#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sim/reference/drift_columns.h"
 #include "sim/replay/fingerprint.h"
 #include "tools/report/wasm/playground.h"
 #include "tools/report/wasm/scenario_record.h"
@@ -39,26 +39,34 @@ void output_column(const std::vector<Value>& values) {
   page().output.assign(values.begin(), values.end());
 }
 
-template <class Record, class Get>
-void output_each(const std::vector<Record>& records, const Get& get) {
-  page().output.clear();
-  for (const Record& record : records) page().output.push_back(static_cast<double>(get(record)));
-}
-
 double or_nan(const auto& value) { return value ? static_cast<double>(*value) : std::nan(""); }
 
-constexpr std::size_t kEvidenceNumbers = 8;
-
-Row row_in(std::span<const double> n) {
-  return {.step = static_cast<std::int64_t>(n[0]),
-          .t_s = n[1],
-          .dt_s = n[2],
-          .x_px = n[3],
-          .y_px = n[4],
-          .vx_px_per_s = n[5],
-          .vy_px_per_s = n[6],
-          .contact = static_cast<std::uint8_t>(n[7])};
+// Column `index` of the records, with its name as text; false after the last.
+template <class Record>
+bool output_described(const auto& described, const std::vector<Record>& records, std::size_t index) {
+  if (index == std::size(described)) return false;
+  page().text = described[index].name;
+  page().output.clear();
+  for (const Record& record : records) page().output.push_back(or_nan(described[index].number(record)));
+  return true;
 }
+
+// Errors of the run and energy of the matched ODE.
+constexpr ColumnOf<RowErrors> kErrorColumns[] = {{"step", "", "row", &RowErrors::step},
+                                                 kDriftRowColumns[0],
+                                                 kDriftRowColumns[1],
+                                                 kDriftRowColumns[2],
+                                                 kReferenceRowColumns[4],
+                                                 kDriftRowColumns[4]};
+
+using CausePoint = ShownDrift::CausePoint;
+constexpr ColumnOf<CausePoint> kCauseColumns[] = {
+    {"step", "", "row", &CausePoint::step},
+    {"gravity", "px", "", [](const CausePoint& point) { return point.causes.gravity; }},
+    {"drag", "px", "", [](const CausePoint& point) { return point.causes.drag; }},
+    {"lift", "px", "", [](const CausePoint& point) { return point.causes.lift; }},
+    {"bounce", "px", "", [](const CausePoint& point) { return point.causes.bounce; }},
+    {"sum", "px", "", [](const CausePoint& point) { return point.causes.sum(); }}};
 
 }  // namespace
 
@@ -80,9 +88,13 @@ HYRAX_EXPORT(fingerprint) void fingerprint() { page().text = hex(core_fingerprin
 /// The file's rows: step, t, dt, x, y, vx, vy, contact of each.
 HYRAX_EXPORT(expect_rows) void expect_rows(std::int32_t count) {
   const auto numbers = input(count);
-  page().evidence.rows.clear();
-  for (std::size_t at = 0; at + kEvidenceNumbers <= numbers.size(); at += kEvidenceNumbers)
-    page().evidence.rows.append(row_in(numbers.subspan(at, kEvidenceNumbers)));
+  Columns& rows = page().evidence.rows;
+  rows.clear();
+  for (std::size_t at = 0; at + kRowColumns.size() + 2 <= numbers.size();) {
+    rows.step.push_back(static_cast<std::int64_t>(numbers[at++]));
+    for (const RowColumn& column : kRowColumns) (rows.*column.also).push_back(numbers[at++]);
+    rows.contact.push_back(static_cast<std::uint8_t>(numbers[at++]));
+  }
 }
 /// The file's block digests: 16 numbers 0 .. 255 of each.
 HYRAX_EXPORT(expect_blocks) void expect_blocks(std::int32_t count) {
@@ -116,64 +128,32 @@ HYRAX_EXPORT(finish) void finish() {
                    or_nan(summary.non_finite_step)};
 }
 
-/// A column of the rows that are drawn, by the order of the format's table: step, t, dt, x, y, vx, vy,
-/// contact.
-HYRAX_EXPORT(row_column) void row_column(std::int32_t column) {
+/// Column `index` of what is drawn: rows, contacts, errors of rows and of contacts, and causes of energy
+/// drift up to a step, in px of height. Its name is the text; 0 after the last. NaN: no value.
+HYRAX_EXPORT(row_column) std::int32_t row_column(std::size_t index) {
   const Columns& rows = page().run->shown().columns();
-  const std::array doubles = {&rows.t_s,  &rows.dt_s,        &rows.x_px,
-                              &rows.y_px, &rows.vx_px_per_s, &rows.vy_px_per_s};
-  if (column == 0) return output_column(rows.step);
-  if (column == 7) return output_column(rows.contact);
-  output_column(*doubles.at(static_cast<std::size_t>(column - 1)));
+  if (index > kRowColumns.size() + 1) return 0;
+  const bool is_step = index == 0, is_number = index <= kRowColumns.size();
+  page().text = is_step ? "step" : is_number ? kRowColumns[index - 1].name : "contact";
+  if (is_step)
+    output_column(rows.step);
+  else if (is_number)
+    output_column(rows.*kRowColumns[index - 1].also);
+  else
+    output_column(rows.contact);
+  return 1;
 }
-/// step, last_step, wall, t, x, y, vx before, vy before, vx after, vy after, overshoot.
-HYRAX_EXPORT(contact_column) void contact_column(std::int32_t column) {
-  const std::vector<Contact>& contacts = page().run->shown().contacts();
-  constexpr std::array kNumbers = {&Contact::t_s,
-                                   &Contact::x_px,
-                                   &Contact::y_px,
-                                   &Contact::vx_before_px_per_s,
-                                   &Contact::vy_before_px_per_s,
-                                   &Contact::vx_after_px_per_s,
-                                   &Contact::vy_after_px_per_s,
-                                   &Contact::overshoot_px};
-  if (column == 0) return output_each(contacts, [](const Contact& c) { return c.step; });
-  if (column == 1) return output_each(contacts, [](const Contact& c) { return c.last_step; });
-  if (column == 2) return output_each(contacts, [](const Contact& c) { return static_cast<int>(c.wall); });
-  output_each(contacts, [member = kNumbers.at(static_cast<std::size_t>(column - 3))](const Contact& c) {
-    return c.*member;
-  });
+HYRAX_EXPORT(contact_column) std::int32_t contact_column(std::size_t index) {
+  return output_described(kContactColumns, page().run->shown().contacts(), index);
 }
-/// step, implementation, truncation, model error, energy of the matched ODE, energy drift.
-HYRAX_EXPORT(error_column) void error_column(std::int32_t column) {
-  const std::vector<RowErrors>& rows = page().run->drift().rows();
-  constexpr std::array kNumbers = {&RowErrors::implementation_px, &RowErrors::truncation_px,
-                                   &RowErrors::model_px, &RowErrors::energy_px2_per_s2,
-                                   &RowErrors::energy_drift_px2_per_s2};
-  if (column == 0) return output_each(rows, [](const RowErrors& row) { return row.step; });
-  output_each(rows, [member = kNumbers.at(static_cast<std::size_t>(column - 1))](const RowErrors& row) {
-    return row.*member;
-  });
+HYRAX_EXPORT(error_column) std::int32_t error_column(std::size_t index) {
+  return output_described(kErrorColumns, page().run->drift().rows(), index);
 }
-
-/// step, wall, time error in s, overshoot in px, effective restitution, relative jump of energy; NaN: none.
-HYRAX_EXPORT(contact_error_column) void contact_error_column(std::int32_t column) {
-  const std::vector<ImpactErrors>& contacts = page().run->drift().contacts();
-  output_each(contacts, [column](const ImpactErrors& c) {
-    const std::array numbers = {static_cast<double>(c.step),     static_cast<double>(c.wall),
-                                or_nan(c.time_error_s),          c.overshoot_px,
-                                or_nan(c.effective_restitution), c.energy_jump_rel};
-    return numbers.at(static_cast<std::size_t>(column));
-  });
+HYRAX_EXPORT(contact_error_column) std::int32_t contact_error_column(std::size_t index) {
+  return output_described(kImpactColumns, page().run->drift().contacts(), index);
 }
-/// step, and the causes of energy drift up to it: gravity, drag, lift, bounce, their sum, in px of height.
-HYRAX_EXPORT(cause_column) void cause_column(std::int32_t column) {
-  output_each(page().run->drift().causes(), [column](const ShownDrift::CausePoint& point) {
-    const EnergyCauses& c = point.causes;
-    const std::array numbers = {
-        static_cast<double>(point.step), c.gravity, c.drag, c.lift, c.bounce, c.sum()};
-    return numbers.at(static_cast<std::size_t>(column));
-  });
+HYRAX_EXPORT(cause_column) std::int32_t cause_column(std::size_t index) {
+  return output_described(kCauseColumns, page().run->drift().causes(), index);
 }
 
 /// A playground that begins with the state in the input: x, y, vx, vy, window, sprite.
