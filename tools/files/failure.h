@@ -38,4 +38,9 @@ class Failure : public std::runtime_error {
   ExitCode exit_code_;
 };
 
+/// Throws Failure(bad_input).
+[[noreturn]] inline void refuse_input(const std::string& sentences) {
+  throw Failure(ExitCode::bad_input, sentences);
+}
+
 }  // namespace hyrax

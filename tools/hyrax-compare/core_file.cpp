@@ -53,10 +53,9 @@ std::string compile_core(const std::string& header, const std::string& text, con
     command.push_back(argument);
   const ChildEnd end = run_child(command, "", kCompileLimit_s);
   if (end.exit_code != 0 || end.is_timed_out)
-    throw Failure(
-        ExitCode::bad_input,
+    refuse_input(
         header + ": does not compile: " +
-            (end.is_timed_out || end.err.empty() ? end_text(end, kCompileLimit_s) : first_error(end.err)));
+        (end.is_timed_out || end.err.empty() ? end_text(end, kCompileLimit_s) : first_error(end.err)));
   return library;
 }
 

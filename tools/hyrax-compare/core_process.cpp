@@ -97,8 +97,7 @@ std::string in_core_process(const std::vector<std::string>& headers, unsigned li
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw cannot_start();
   if (!watch.is_over)
-    throw Failure(ExitCode::bad_input,
-                  refused_text(headers, watch.core, end_text(status, limit_s, watch.where())));
+    refuse_input(refused_text(headers, watch.core, end_text(status, limit_s, watch.where())));
   std::string text = read_text_file(folder.path() + "/" + name);
   if (WEXITSTATUS(status) != 0) throw Failure(static_cast<ExitCode>(WEXITSTATUS(status)), text);
   return text;

@@ -32,7 +32,7 @@ struct ScenarioVerdict {
 };
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Failure(ExitCode::bad_input, "hyrax-replay check: " + what + "; see `hyrax-replay --help`");
+  refuse_input("hyrax-replay check: " + what + "; see `hyrax-replay --help`");
 }
 
 CheckArguments parsed(const std::vector<std::string>& arguments) {

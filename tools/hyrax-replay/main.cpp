@@ -75,11 +75,9 @@ bool print_information(const std::vector<std::string>& arguments) {
 ExitCode print_hashes(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments)
     if (argument.starts_with('-'))
-      throw Failure(ExitCode::bad_input,
-                    "hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
+      refuse_input("hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
   if (arguments.empty())
-    throw Failure(
-        ExitCode::bad_input,
+    refuse_input(
         "hyrax-replay: SCENARIO is missing; for example `hyrax-replay scenarios/flings/first-fling.json`");
   require_strict_arithmetic();
   ExitCode exit_code = ExitCode::agreed;

@@ -4,7 +4,7 @@
 namespace hyrax {
 
 ExitCode check(const std::vector<std::string>&) {
-  throw Failure(ExitCode::bad_input, "hyrax-replay check: this build has no check; use hyrax-sim check");
+  refuse_input("hyrax-replay check: this build has no check; use hyrax-sim check");
 }
 
 }  // namespace hyrax

@@ -33,11 +33,9 @@ void complete(BlessRequest& request) {
   }
   if (request.accepts_core_only) set_default_folders(request.files, request.options.golden_folder);
   if (request.files.empty())
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim bless: SCENARIO: at least 1 needed (found 0); see `hyrax-sim bless --help`");
+    refuse_input("hyrax-sim bless: SCENARIO: at least 1 needed (found 0); see `hyrax-sim bless --help`");
   if (blesses(request) && request.options.reason.find_first_not_of(" \t\n") == std::string::npos)
-    throw Failure(
-        ExitCode::bad_input,
+    refuse_input(
         "hyrax-sim bless: --reason must say why the golden files change, as in --reason 'wider window'");
   request.options.accepted = *std::ranges::find(kDifferenceClasses, request.accepted,
                                                 [](DifferenceClass value) { return name_of(value); });
@@ -74,14 +72,14 @@ ExitCode bless(BlessRequest& request) {
   }
   if (request.accepts_core_only && report.cores.empty()) {
     if (libraries_of(request.files, request.options.golden_folder).empty())
-      throw Failure(ExitCode::bad_input,
-                    "hyrax-sim bless: --core: needs scenarios below a folder named scenarios, or a folder "
-                    "and --golden (found " +
-                        request.files.front() + ")");
+      refuse_input(
+          "hyrax-sim bless: --core: needs scenarios below a folder named scenarios, or a folder "
+          "and --golden (found " +
+          request.files.front() + ")");
     if (!request.printing.is_json) print_text("core: accepted already\n");
   }
   if (request.printing.is_json)
-    print_text("{}\n", to_text(bless_json(report, groups), {.depth_indented = 2}));
+    print_json(bless_json(report, groups));
   else
     print_done(report, request.is_dry_run);
   for (const std::string& path : report.pruning.left)
@@ -103,53 +101,47 @@ std::vector<std::string> class_names() {
   return names;
 }
 
+void declare(Options& options, BlessRequest& request) {
+  options.files(request.files, {"SCENARIO or DIR", "", "scenario files, or folders of them"}, 0, -1);
+  options.text(request.options.reason,
+               {"--reason", "TEXT", "why they change; recorded in the summary (required)"});
+  options.choice(request.accepted,
+                 {"--accept", "CLASS",
+                  "the widest difference that may be blessed (default: rounding); new scenarios and those "
+                  "whose own text changed need none"},
+                 class_names());
+  options.flag(request.is_dry_run, {"--dry-run", "", "show what would change; write nothing"});
+  options.flag(request.options.updates_hash,
+               {"--update-hash", "",
+                "put the new `expect.state_hash` into the scenario files; nothing else in them changes"});
+  options.flag(request.options.updates_ranges,
+               {"--update-expect", "",
+                "as --update-hash, and new values for counts and ranges of `expect` that do not hold: a "
+                "range keeps its width. Booleans, error bounds and one-sided limits never change"});
+  options.flag(
+      request.accepts_core_only,
+      {"--core", "",
+       "only accept this program's core in golden/core, if the whole library agrees (default: scenarios)"});
+  options.flag(request.prunes, {"--prune", "",
+                                "remove the golden files without a scenario, of the folders given (default: "
+                                "scenarios); with --reason bless as well. Refused where no scenario is left "
+                                "or something cannot be read; files that `bless` did not write stay"});
+  options.text(request.options.golden_folder,
+               {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+  options.printing(request.printing, "print what differs in every scenario, and all contacts that moved");
+}
+
 }  // namespace
 
 Command bless_command() {
-  return {
-      .name = "bless",
-      .summary = "accept current results as the new golden files, with a reason",
-      .example =
-          "hyrax-sim bless scenarios/flings/first-fling.json --reason 'a longer throw'\n"
-          "  hyrax-sim bless scenarios --accept contacts --reason 'drag is weaker' --dry-run\n"
-          "  hyrax-sim bless --prune",
-      .is_common = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<BlessRequest>();
-        options.files(request->files, {"SCENARIO or DIR", "", "scenario files, or folders of them"}, 0, -1);
-        options.text(request->options.reason,
-                     {"--reason", "TEXT", "why they change; recorded in the summary (required)"});
-        options.choice(request->accepted,
-                       {"--accept", "CLASS",
-                        "the widest difference that may be blessed (default: rounding); new scenarios and "
-                        "those whose own text changed need none"},
-                       class_names());
-        options.flag(request->is_dry_run, {"--dry-run", "", "show what would change; write nothing"});
-        options.flag(
-            request->options.updates_hash,
-            {"--update-hash", "",
-             "put the new `expect.state_hash` into the scenario files; nothing else in them changes"});
-        options.flag(
-            request->options.updates_ranges,
-            {"--update-expect", "",
-             "as --update-hash, and new values for counts and ranges of `expect` that do not hold: a "
-             "range keeps its width. Booleans, error bounds and one-sided limits never change"});
-        options.flag(request->accepts_core_only,
-                     {"--core", "",
-                      "only accept this program's core in golden/core, if the whole library agrees (default: "
-                      "scenarios)"});
-        options.flag(request->prunes,
-                     {"--prune", "",
-                      "remove the golden files without a scenario, of the folders given (default: "
-                      "scenarios); with --reason bless as well. Refused where no scenario is left or "
-                      "something cannot be read; files that `bless` did not write stay"});
-        options.text(
-            request->options.golden_folder,
-            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-        options.printing(request->printing,
-                         "print what differs in every scenario, and all contacts that moved");
-        return [request] { return bless(*request); };
-      }};
+  return {.name = "bless",
+          .summary = "accept current results as the new golden files, with a reason",
+          .example =
+              "hyrax-sim bless scenarios/flings/first-fling.json --reason 'a longer throw'\n"
+              "  hyrax-sim bless scenarios --accept contacts --reason 'drag is weaker' --dry-run\n"
+              "  hyrax-sim bless --prune",
+          .is_common = true,
+          .declare = with_request<BlessRequest>(declare, bless)};
 }
 
 }  // namespace hyrax

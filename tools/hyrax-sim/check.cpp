@@ -132,8 +132,7 @@ Selection select(const CheckRequest& request, const LastFailed& last_failed) {
   narrow(request, last_failed, selection);
   if (!selection.paths.empty() || !selection.unreferenced.empty()) return selection;
   if (!selection.unlisted.empty()) throw selection.unlisted.front().failure;
-  throw Failure(ExitCode::bad_input,
-                "hyrax-sim check: --filter: no path contains it (found " + request.filter + ")");
+  refuse_input("hyrax-sim check: --filter: no path contains it (found " + request.filter + ")");
 }
 
 // What keeps scenarios from being found.
@@ -147,8 +146,7 @@ void add_failures(const Selection& selection, Outcomes& outcomes) {
 ExitCode list(const Selection& selection, const CheckRequest& request) {
   const std::vector<std::string>& paths = selection.paths;
   if (request.printing.is_json)
-    print_text("{}\n", to_text(Json::Object{{"scenarios", Json::Array(paths.begin(), paths.end())}},
-                               {.depth_indented = 2}));
+    print_json(Json::Object{{"scenarios", Json::Array(paths.begin(), paths.end())}});
   else
     for (const std::string& path : paths) print_text("{}\n", printable(path));
   Outcomes outcomes;
@@ -187,10 +185,8 @@ void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::st
 ExitCode check_core(const CheckRequest& request) {
   const std::vector<Library> libraries = libraries_of(request.files, request.golden_folder);
   if (libraries.empty())
-    throw Failure(
-        ExitCode::bad_input,
-        "hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
-            request.files.front() + ")");
+    refuse_input("hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
+                 request.files.front() + ")");
   CoreChecks cores;
   for (const Library& library : libraries)
     cores.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
@@ -203,8 +199,7 @@ ExitCode check_core(const CheckRequest& request) {
     const std::string text = core_text(*core);
     print_text("{}", text.empty() ? "core: the accepted one\n" : text);
   }
-  if (request.printing.is_json)
-    print_text("{}\n", to_text(Json::Object{{"cores", std::move(documents)}}, {.depth_indented = 2}));
+  if (request.printing.is_json) print_json(Json::Object{{"cores", std::move(documents)}});
   write_unnoticed(cores.verdicts(), request.unnoticed_folder);
   return outcomes.exit_code();
 }
@@ -239,7 +234,7 @@ ExitCode check(CheckRequest& request) {
   CheckReport report(std::move(verdicts), arguments, golden_folder);
   report.judge_cores(whole_libraries(request));
   if (request.printing.is_json)
-    print_text("{}\n", to_text(check_json(report), {.depth_indented = 2}));
+    print_json(check_json(report));
   else
     print_check(report, request.printing);
   annotate(report, request);
@@ -260,52 +255,48 @@ ExitCode check(CheckRequest& request) {
   return outcomes.exit_code();
 }
 
+void declare(Options& options, CheckRequest& request) {
+  options.files(request.files,
+                {"SCENARIO or DIR", "",
+                 "scenario files, or folders of them (default: scenarios). A folder's golden files without a "
+                 "scenario are reported as unreferenced (exit code 1)"},
+                0, -1);
+  options.text(request.golden_folder,
+               {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+  options.integer(request.jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
+  options.text(request.junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
+  options.choice(request.annotate,
+                 {"--annotate", "github", "also print a workflow command for each that does not agree"},
+                 {"github"});
+  options.text(request.summary,
+               {"--summary", "FILE.md",
+                "also write the report in Markdown; beside it, the worst scenario of each of the first three "
+                "causes as a picture (FILE-1.svg ...), and of the first as a page (FILE.html)"});
+  options.text(request.filter, {"--filter", "TEXT", "only those whose paths contain TEXT"});
+  options.flag(request.lists, {"--list", "", "print the paths of the scenarios; play nothing"});
+  options.flag(request.takes_last_failed,
+               {"--last-failed", "",
+                "only those that did not agree when they were last checked from this folder; all, if there "
+                "are none. They are recorded in $XDG_CACHE_HOME or ~/.cache"});
+  options.flag(request.judges_core_only,
+               {"--core", "",
+                "only compare the core with the accepted one of golden/core, and look for changes that no "
+                "scenario notices; exit code 1 if there is one"});
+  options.text(request.unnoticed_folder,
+               {"--unnoticed", "DIR", "write scenarios that show changes that no scenario notices"});
+  options.flag(request.is_quick,
+               {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+  options.printing(request.printing, "print every scenario, and all contacts that moved, before the causes");
+}
+
 }  // namespace
 
 Command check_command() {
-  return {
-      .name = "check",
-      .summary = "replay scenarios and compare every bit with their golden files",
-      .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
-      .is_common = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<CheckRequest>();
-        options.files(request->files,
-                      {"SCENARIO or DIR", "",
-                       "scenario files, or folders of them (default: scenarios). A folder's golden files "
-                       "without a scenario are reported as unreferenced (exit code 1)"},
-                      0, -1);
-        options.text(
-            request->golden_folder,
-            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-        options.integer(request->jobs, {"--jobs", "N", "scenarios at a time (default: one per core)"}, 1);
-        options.text(request->junit, {"--junit", "FILE", "also write the verdicts as JUnit XML"});
-        options.choice(request->annotate,
-                       {"--annotate", "github", "also print a workflow command for each that does not agree"},
-                       {"github"});
-        options.text(request->summary,
-                     {"--summary", "FILE.md",
-                      "also write the report in Markdown; beside it, the worst scenario of each of the first "
-                      "three causes as a picture (FILE-1.svg ...), and of the first as a page (FILE.html)"});
-        options.text(request->filter, {"--filter", "TEXT", "only those whose paths contain TEXT"});
-        options.flag(request->lists, {"--list", "", "print the paths of the scenarios; play nothing"});
-        options.flag(
-            request->takes_last_failed,
-            {"--last-failed", "",
-             "only those that did not agree when they were last checked from this folder; all, if there "
-             "are none. They are recorded in $XDG_CACHE_HOME or ~/.cache"});
-        options.flag(request->judges_core_only,
-                     {"--core", "",
-                      "only compare the core with the accepted one of golden/core, and look for changes that "
-                      "no scenario notices; exit code 1 if there is one"});
-        options.text(request->unnoticed_folder,
-                     {"--unnoticed", "DIR", "write scenarios that show changes that no scenario notices"});
-        options.flag(request->is_quick,
-                     {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
-        options.printing(request->printing,
-                         "print every scenario, and all contacts that moved, before the causes");
-        return [request] { return check(*request); };
-      }};
+  return {.name = "check",
+          .summary = "replay scenarios and compare every bit with their golden files",
+          .example = "hyrax-sim check\n  hyrax-sim check scenarios/flings --junit check.xml",
+          .is_common = true,
+          .declare = with_request<CheckRequest>(declare, check)};
 }
 
 }  // namespace hyrax

@@ -72,7 +72,7 @@ ExitCode diff(const DiffRequest& request) {
   const TrajectoryDiff difference =
       diff_trajectories(a, b, request.tolerance, request.figure.empty() ? nullptr : &overlay);
   if (request.printing.is_json)
-    print_text("{}\n", to_text(diff_json(difference), {.depth_indented = 2}));
+    print_json(diff_json(difference));
   else
     print_difference(difference, a, b, request);
   if (!request.figure.empty()) {
@@ -82,28 +82,27 @@ ExitCode diff(const DiffRequest& request) {
   return difference.comparison.agrees ? ExitCode::agreed : ExitCode::disagreed;
 }
 
+void declare(Options& options, DiffRequest& request) {
+  options.files(request.files, {"A.h5 B.h5", "", "two trajectory files"}, 2, 2);
+  options.number(request.tolerance.abs, {"--abs", "X", "absolute tolerance (px, px/s or s)"}, 0.0);
+  options.number(request.tolerance.rel, {"--rel", "X", "tolerance relative to the larger value"}, 0.0);
+  options.integer(request.tolerance.ulps, {"--ulps", "N", "tolerance in units in the last place"}, 0);
+  options.text(request.figure,
+               {"--figure", "FILE.svg", "draw both paths, and their distance over time (needs gnuplot)"});
+  options.printing(request.printing, "print all contacts that moved, and the build settings");
+}
+
 }  // namespace
 
 Command diff_command() {
-  return {
-      .name = "diff",
-      .summary = "compare two trajectories: how far apart, which contacts moved, where they first differ",
-      .example =
-          "hyrax-sim diff golden/flings/first-fling.h5 first-fling.h5\n"
-          "  hyrax-sim diff a.h5 b.h5 --abs 1e-9\n"
-          "  hyrax-sim diff a.h5 b.h5 --figure diff.svg",
-      .is_common = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<DiffRequest>();
-        options.files(request->files, {"A.h5 B.h5", "", "two trajectory files"}, 2, 2);
-        options.number(request->tolerance.abs, {"--abs", "X", "absolute tolerance (px, px/s or s)"}, 0.0);
-        options.number(request->tolerance.rel, {"--rel", "X", "tolerance relative to the larger value"}, 0.0);
-        options.integer(request->tolerance.ulps, {"--ulps", "N", "tolerance in units in the last place"}, 0);
-        options.text(request->figure, {"--figure", "FILE.svg",
-                                       "draw both paths, and their distance over time (needs gnuplot)"});
-        options.printing(request->printing, "print all contacts that moved, and the build settings");
-        return [request] { return diff(*request); };
-      }};
+  return {.name = "diff",
+          .summary = "compare two trajectories: how far apart, which contacts moved, where they first differ",
+          .example =
+              "hyrax-sim diff golden/flings/first-fling.h5 first-fling.h5\n"
+              "  hyrax-sim diff a.h5 b.h5 --abs 1e-9\n"
+              "  hyrax-sim diff a.h5 b.h5 --figure diff.svg",
+          .is_common = true,
+          .declare = with_request<DiffRequest>(declare, diff)};
 }
 
 }  // namespace hyrax

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <memory>
 #include <string_view>
 
 #include "tools/app/command_line/options.h"
@@ -59,8 +58,7 @@ DriftInput read_input(const std::string& path) {
 DriftRun measure(const DriftRequest& request, const DriftInput& input, const DriftOptions& options) {
   if (request.output.empty())
     return input.is_file ? load_drift(input.path, options) : measure_drift(*input.scenario, options);
-  if (input.is_file)
-    throw Failure(ExitCode::bad_input, input.path + ": is a trajectory; -o needs a scenario");
+  if (input.is_file) refuse_input(input.path + ": is a trajectory; -o needs a scenario");
   return *write_run(request.output, *input.scenario,
                     {.replay = {}, .drift = StoredDrift{options, request.stores_rows}})
               .drift;
@@ -109,12 +107,12 @@ void admit_outputs(const DriftRequest& request, const std::vector<std::string>& 
 ExitCode drift(const DriftRequest& request) {
   const std::vector<std::string> paths = list_scenarios(request.files);
   if (request.stores_rows && request.output.empty())
-    throw Failure(ExitCode::bad_input, "hyrax-sim drift: --rows: needs -o FILE.h5");
+    refuse_input("hyrax-sim drift: --rows: needs -o FILE.h5");
   if (!request.output.empty() && paths.size() > 1)
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("hyrax-sim drift: -o: allowed for one scenario only (found {}); for several: "
-                              "hyrax-sim run --drift -o DIR",
-                              paths.size()));
+    refuse_input(
+        fmt::format("hyrax-sim drift: -o: allowed for one scenario only (found {}); for several: "
+                    "hyrax-sim run --drift -o DIR",
+                    paths.size()));
   const std::optional<GslOptions> gsl = gsl_options(request.reference, "hyrax-sim drift");
   std::vector<DriftInput> inputs;
   for (const std::string& path : paths) inputs.push_back(read_input(path));
@@ -122,39 +120,36 @@ ExitCode drift(const DriftRequest& request) {
   Outcomes outcomes;
   for (const DriftInput& input : inputs)
     outcomes.attempt(input.path, [&] { measure_one(request, gsl, input, outcomes); });
-  if (request.printing.is_json)
-    print_text("{}\n", to_text(outcomes.take_json("runs"), {.depth_indented = 4}));
+  if (request.printing.is_json) print_json(outcomes.take_json("runs"), 4);
   return outcomes.exit_code();
+}
+
+void declare(Options& options, DriftRequest& request) {
+  options.files(request.files,
+                {"SCENARIO or RUN.h5", "",
+                 "scenario files, folders of them, or trajectories; - for a scenario on standard input"},
+                1, -1);
+  declare_reference(options, request.reference);
+  options.text(request.output,
+               {"-o,--output", "FILE.h5", "write the trajectory with the groups /reference and /drift"});
+  options.flag(request.stores_rows, {"--rows", "", "with -o: store the errors of every row as well"});
+  options.text(request.figures, {"--figures", "DIR",
+                                 "draw the distance from the exact fling, energy, its drift, the errors and "
+                                 "restitution (needs gnuplot)"});
+  options.printing(request.printing, "print all arcs and contacts");
 }
 
 }  // namespace
 
 Command drift_command() {
-  return {
-      .name = "drift",
-      .summary = "measure runs against the exact flight between contacts: errors and energy",
-      .example =
-          "hyrax-sim drift scenarios/flings/first-fling.json\n"
-          "  hyrax-sim drift first-fling.h5 --figures pictures",
-      .is_common = true,
-      .needs_paper_step = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<DriftRequest>();
-        options.files(
-            request->files,
-            {"SCENARIO or RUN.h5", "",
-             "scenario files, folders of them, or trajectories; - for a scenario on standard input"},
-            1, -1);
-        declare_reference(options, request->reference);
-        options.text(request->output, {"-o,--output", "FILE.h5",
-                                       "write the trajectory with the groups /reference and /drift"});
-        options.flag(request->stores_rows, {"--rows", "", "with -o: store the errors of every row as well"});
-        options.text(request->figures, {"--figures", "DIR",
-                                        "draw the distance from the exact fling, energy, its drift, the "
-                                        "errors and restitution (needs gnuplot)"});
-        options.printing(request->printing, "print all arcs and contacts");
-        return [request] { return drift(*request); };
-      }};
+  return {.name = "drift",
+          .summary = "measure runs against the exact flight between contacts: errors and energy",
+          .example =
+              "hyrax-sim drift scenarios/flings/first-fling.json\n"
+              "  hyrax-sim drift first-fling.h5 --figures pictures",
+          .is_common = true,
+          .needs_paper_step = true,
+          .declare = with_request<DriftRequest>(declare, drift)};
 }
 
 }  // namespace hyrax

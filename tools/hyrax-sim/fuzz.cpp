@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 
 #include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
@@ -39,14 +38,13 @@ double parse_time_s(const std::string& text) {
   const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
   const double unit_s = unit.empty() || unit == "s" ? 1.0 : unit == "m" ? 60.0 : unit == "h" ? 3600.0 : 0.0;
   if (error != std::errc() || unit_s == 0.0 || !(value > 0.0) || !std::isfinite(value * unit_s))
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim fuzz: --time: must be a time above 0, as 60s, 5m or 2h (found " + text + ")");
+    refuse_input("hyrax-sim fuzz: --time: must be a time above 0, as 60s, 5m or 2h (found " + text + ")");
   return value * unit_s;
 }
 
 FuzzLimits limits_of(const FuzzRequest& request) {
   if (!request.time.empty() && request.runs)
-    throw Failure(ExitCode::bad_input, "hyrax-sim fuzz: --time and --runs: only one allowed");
+    refuse_input("hyrax-sim fuzz: --time and --runs: only one allowed");
   FuzzLimits limits;
   limits.seed = static_cast<std::uint64_t>(request.seed.value_or(1));
   limits.runs = request.runs;
@@ -120,16 +118,14 @@ Json failure_json(const FuzzFailure& failure, const Written& written) {
 
 void print_json(const FuzzRequest& request, const FuzzLimits& limits, const FuzzOutcome& outcome,
                 Json::Array failures) {
-  print_text(
-      "{}\n",
-      to_text(Json::Object{{"seed", limits.seed},
-                           {"part", Json::Object{{"index", limits.part.index}, {"count", limits.part.count}}},
-                           {"against", request.against.empty() ? Json() : Json(request.against)},
-                           {"runs", outcome.runs},
-                           {"not_compared", outcome.not_compared},
-                           {"elapsed_s", outcome.elapsed_s},
-                           {"failures", std::move(failures)}},
-              {.depth_indented = 3}));
+  print_json(Json::Object{{"seed", limits.seed},
+                          {"part", Json::Object{{"index", limits.part.index}, {"count", limits.part.count}}},
+                          {"against", request.against.empty() ? Json() : Json(request.against)},
+                          {"runs", outcome.runs},
+                          {"not_compared", outcome.not_compared},
+                          {"elapsed_s", outcome.elapsed_s},
+                          {"failures", std::move(failures)}},
+             3);
 }
 
 // Commands that show the failure again.
@@ -203,38 +199,35 @@ ExitCode run_fuzz(const FuzzRequest& request) {
   return outcome.failure ? ExitCode::disagreed : ExitCode::agreed;
 }
 
+void declare(Options& options, FuzzRequest& request) {
+  options.integer(request.seed, {"--seed", "N", "which scenarios are drawn (default: 1)"}, 0);
+  options.text(request.time, {"--time", "TIME", "how long, as 60s, 5m or 2h (default: 60s)"});
+  options.integer(request.runs, {"--runs", "N", "how many scenarios, instead of a time"}, 1);
+  options.text(
+      request.against,
+      {"--against", "PROGRAM",
+       "also compare state hashes with another hyrax-sim, which plays many scenarios in one process (some "
+       "0.2 ms each with TMPDIR in memory, 0.7 ms on a disk; more if its `check --json` prints no hashes)"});
+  options.text(request.part, {"--part", "I/N",
+                              "play only the runs k with k mod N = I, 0 <= I < N (default: as SLURM or Open "
+                              "MPI says in the environment, else all)"});
+  options.integer(request.parts, {"--parts", "N", "the same, with I from JOB_COMPLETION_INDEX"}, 1);
+  options.text(
+      request.folder,
+      {"-o,--output", "DIR",
+       "folder for a failing scenario, shrunk, named fuzz-SEED-RUN.json (default: the current one)"});
+  options.printing(request.printing);
+}
+
 }  // namespace
 
 Command fuzz_command() {
-  return {
-      .name = "fuzz",
-      .summary = "play random scenarios and check what must hold in every run",
-      .example =
-          "hyrax-sim fuzz --time 60s\n"
-          "  hyrax-sim fuzz --runs 100000 --seed 7 --against ./other-build/hyrax-sim -o failures",
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<FuzzRequest>();
-        options.integer(request->seed, {"--seed", "N", "which scenarios are drawn (default: 1)"}, 0);
-        options.text(request->time, {"--time", "TIME", "how long, as 60s, 5m or 2h (default: 60s)"});
-        options.integer(request->runs, {"--runs", "N", "how many scenarios, instead of a time"}, 1);
-        options.text(request->against,
-                     {"--against", "PROGRAM",
-                      "also compare state hashes with another hyrax-sim, which plays many scenarios in one "
-                      "process (some 0.2 ms each with TMPDIR in memory, 0.7 ms on a disk; more if its `check "
-                      "--json` prints no hashes)"});
-        options.text(
-            request->part,
-            {"--part", "I/N",
-             "play only the runs k with k mod N = I, 0 <= I < N (default: as SLURM or Open MPI says in "
-             "the environment, else all)"});
-        options.integer(request->parts, {"--parts", "N", "the same, with I from JOB_COMPLETION_INDEX"}, 1);
-        options.text(request->folder,
-                     {"-o,--output", "DIR",
-                      "folder for a failing scenario, shrunk, named fuzz-SEED-RUN.json (default: the "
-                      "current one)"});
-        options.printing(request->printing);
-        return [request] { return run_fuzz(*request); };
-      }};
+  return {.name = "fuzz",
+          .summary = "play random scenarios and check what must hold in every run",
+          .example =
+              "hyrax-sim fuzz --time 60s\n"
+              "  hyrax-sim fuzz --runs 100000 --seed 7 --against ./other-build/hyrax-sim -o failures",
+          .declare = with_request<FuzzRequest>(declare, run_fuzz)};
 }
 
 }  // namespace hyrax

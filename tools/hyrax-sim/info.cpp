@@ -65,13 +65,15 @@ Json::Object facts() {
 ExitCode info(const Printing& printing) {
   const Json::Object all = facts();
   if (printing.is_json)
-    print_text("{}\n", to_text(all, {.depth_indented = 1}));
+    print_json(all, 1);
   else
     for (const auto& [name, value] : all)
       if (!printing.is_quiet() || name == "self_test")
         print_text("{:<16} {}\n", name, *value.get<std::string>());
   return ExitCode::agreed;
 }
+
+void declare(Options& options, Printing& request) { options.printing(request); }
 
 }  // namespace
 
@@ -80,11 +82,7 @@ Command info_command() {
           .summary = "print build, flags, instruction set, library versions and the result of the self-test",
           .example = "hyrax-sim info",
           .needs_strict_ieee = false,
-          .declare = [](Options& options) {
-            const auto printing = std::make_shared<Printing>();
-            options.printing(*printing);
-            return [printing] { return info(*printing); };
-          }};
+          .declare = with_request<Printing>(declare, info)};
 }
 
 }  // namespace hyrax

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "sim/scenario/scenario.h"
@@ -53,8 +52,7 @@ ExitCode write_new(const NewRequest& request) {
   if (!request.clock.path.empty())
     frames = read_frame_times(request.clock);
   else if (request.clock != FrameTimesRequest{})
-    throw Failure(
-        ExitCode::bad_input,
+    refuse_input(
         "hyrax-sim new: --column, --unit, --application, --process and --swap-chain need --clock-from");
   const std::string path = request.names.front() + ".json";
   const Json document = new_document(request, frames);
@@ -62,15 +60,14 @@ ExitCode write_new(const NewRequest& request) {
   std::vector<std::string> inputs;
   if (frames) inputs.push_back(request.clock.path);
   OutputGuard(inputs).admit_scenario("hyrax-sim new", path);
-  if (!request.is_forced && is_there(path))
-    throw Failure(ExitCode::bad_input, path + ": exists; `--force` replaces it");
+  if (!request.is_forced && is_there(path)) refuse_input(path + ": exists; `--force` replaces it");
   AtomicFile file(path);
   file.write(to_text(document, {.depth_indented = 1}) + "\n");
   request.is_forced ? file.commit() : file.commit_as_new();
   if (request.printing.is_json) {
     Json::Object written{{"scenario", path}, {"steps", steps}};
     if (frames && frames->dropped) written.emplace_back("dropped", *frames->dropped);
-    print_text("{}\n", to_text(written, {.depth_indented = 2}));
+    print_json(written);
     return ExitCode::agreed;
   }
   print_text("written: {} ({} steps)\n", path, steps);
@@ -82,6 +79,24 @@ ExitCode write_new(const NewRequest& request) {
   return ExitCode::agreed;
 }
 
+void declare(Options& options, NewRequest& request) {
+  options.files(request.names, {"NAME", "", "the scenario's name; writes NAME.json in the current folder"}, 1,
+                1);
+  FrameTimesRequest& clock = request.clock;
+  options.text(clock.path,
+               {"--clock-from", "FRAMES.csv", "a CSV file of recorded frame times, as from PresentMon"});
+  options.text(clock.column,
+               {"--column", "NAME",
+                "the column of frame times (default: PresentMon's, MsBetweenPresents or FrameTime)"});
+  options.choice(clock.unit, {"--unit", "s|ms", "the unit of frame times (default for PresentMon's: ms)"},
+                 {"s", "ms"});
+  options.text(clock.application, {"--application", "NAME", "take the frames of this application only"});
+  options.text(clock.process, {"--process", "ID", "take those of this process"});
+  options.text(clock.swap_chain, {"--swap-chain", "ADDRESS", "take those of this swap chain"});
+  options.flag(request.is_forced, {"--force", "", "replace an existing NAME.json"});
+  options.printing(request.printing);
+}
+
 }  // namespace
 
 Command new_command() {
@@ -89,27 +104,7 @@ Command new_command() {
           .summary = "write a scenario file to start from, with every common key",
           .example = "hyrax-sim new my-fling --clock-from presentmon.csv",
           .needs_strict_ieee = false,
-          .declare = [](Options& options) {
-            const auto request = std::make_shared<NewRequest>();
-            options.files(request->names,
-                          {"NAME", "", "the scenario's name; writes NAME.json in the current folder"}, 1, 1);
-            FrameTimesRequest& clock = request->clock;
-            options.text(clock.path, {"--clock-from", "FRAMES.csv",
-                                      "a CSV file of recorded frame times, as from PresentMon"});
-            options.text(clock.column, {"--column", "NAME",
-                                        "the column of frame times (default: PresentMon's, "
-                                        "MsBetweenPresents or FrameTime)"});
-            options.choice(clock.unit,
-                           {"--unit", "s|ms", "the unit of frame times (default for PresentMon's: ms)"},
-                           {"s", "ms"});
-            options.text(clock.application,
-                         {"--application", "NAME", "take the frames of this application only"});
-            options.text(clock.process, {"--process", "ID", "take those of this process"});
-            options.text(clock.swap_chain, {"--swap-chain", "ADDRESS", "take those of this swap chain"});
-            options.flag(request->is_forced, {"--force", "", "replace an existing NAME.json"});
-            options.printing(request->printing);
-            return [request] { return write_new(*request); };
-          }};
+          .declare = with_request<NewRequest>(declare, write_new)};
 }
 
 }  // namespace hyrax

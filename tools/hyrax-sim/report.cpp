@@ -1,5 +1,3 @@
-#include <memory>
-
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/report/report_page.h"
@@ -23,7 +21,7 @@ std::string command_of(const ReportRequest& request) {
 
 ExitCode report(const ReportArguments& arguments) {
   ReportRequest request = arguments.request;
-  if (request.output.empty()) throw Failure(ExitCode::bad_input, "hyrax-sim report: -o FILE.html is missing");
+  if (request.output.empty()) refuse_input("hyrax-sim report: -o FILE.html is missing");
   std::vector<std::string> inputs = request.files;
   if (!request.against.empty()) inputs.push_back(request.against);
   OutputGuard guard(inputs);
@@ -35,6 +33,14 @@ ExitCode report(const ReportArguments& arguments) {
   else
     print_text("written: {}\n", request.output);
   return ExitCode::agreed;
+}
+
+void declare(Options& options, ReportArguments& arguments) {
+  ReportRequest& request = arguments.request;
+  options.files(request.files, {"FILE.h5", "", "trajectory files; or files of studies and sweeps"}, 1, -1);
+  options.text(request.against, {"--against", "GOLDEN.h5", "compare with this trajectory, and draw both"});
+  options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
+  options.printing(arguments.printing);
 }
 
 }  // namespace
@@ -49,17 +55,7 @@ Command report_command() {
           "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
           "  hyrax-sim report speed-error.h5 -o speed-error.html",
       .is_common = false,
-      .declare = [](Options& options) {
-        const auto arguments = std::make_shared<ReportArguments>();
-        ReportRequest& request = arguments->request;
-        options.files(request.files, {"FILE.h5", "", "trajectory files; or files of studies and sweeps"}, 1,
-                      -1);
-        options.text(request.against,
-                     {"--against", "GOLDEN.h5", "compare with this trajectory, and draw both"});
-        options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
-        options.printing(arguments->printing);
-        return [arguments] { return report(*arguments); };
-      }};
+      .declare = with_request<ReportArguments>(declare, report)};
 }
 
 }  // namespace hyrax

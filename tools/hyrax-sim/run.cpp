@@ -52,8 +52,7 @@ std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || !text.starts_with('/'))
-      throw Failure(ExitCode::bad_input,
-                    "hyrax-sim run: --set: not POINTER=VALUE (found " + text + "); as in /clock/rate_hz=144");
+      refuse_input("hyrax-sim run: --set: not POINTER=VALUE (found " + text + "); as in /clock/rate_hz=144");
     overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
   return overrides;
@@ -77,9 +76,8 @@ bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
 // CSV on standard output; nothing else is printed there.
 void place_on_stdout(const RunRequest& request, std::vector<Candidate>& candidates) {
   if (candidates.size() > 1 || request.printing.is_json || request.measures_drift || !request.page.empty())
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim run: -o " + request.output +
-                      ": allowed for one scenario, without --json, --drift and --report");
+    refuse_input("hyrax-sim run: -o " + request.output +
+                 ": allowed for one scenario, without --json, --drift and --report");
   candidates.front().output = kStandardOutput;
 }
 
@@ -97,8 +95,8 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
                              : request.output;
     guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
     if (request.stores_rows && file_name(candidate.output).extension == ".csv")
-      throw Failure(ExitCode::bad_input, "hyrax-sim run: --rows: not possible in a CSV file (found " +
-                                             candidate.output + "); allowed: .h5");
+      refuse_input("hyrax-sim run: --rows: not possible in a CSV file (found " + candidate.output +
+                   "); allowed: .h5");
   }
 }
 
@@ -115,8 +113,7 @@ std::optional<StoredDrift> stored_drift(const RunRequest& request) {
   if (request.measures_drift)
     return StoredDrift{{.gsl = gsl_options(request.reference, "hyrax-sim run")}, request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
+    refuse_input("hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
   return std::nullopt;
 }
 
@@ -140,12 +137,10 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
 
 void check_page_request(const RunRequest& request, std::size_t scenarios) {
   if (scenarios > 1)
-    throw Failure(
-        ExitCode::bad_input,
-        fmt::format("hyrax-sim run: --report: allowed for one scenario only (found {})", scenarios));
+    refuse_input(fmt::format("hyrax-sim run: --report: allowed for one scenario only (found {})", scenarios));
   if (file_name(request.output).extension == ".csv")
-    throw Failure(ExitCode::bad_input, "hyrax-sim run: --report: not possible with a CSV file (found " +
-                                           request.output + "); allowed: .h5");
+    refuse_input("hyrax-sim run: --report: not possible with a CSV file (found " + request.output +
+                 "); allowed: .h5");
 }
 
 void write_page(const RunRequest& request, const ScenarioRun& run) {
@@ -193,8 +188,7 @@ ExitCode run(RunRequest request) {
   if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
     request.printing.detail = Printing::Detail::verdict;
   if (!request.figure.empty() && paths.size() > 1)
-    throw Failure(
-        ExitCode::bad_input,
+    refuse_input(
         fmt::format("hyrax-sim run: --figure: allowed for one scenario only (found {})", paths.size()));
   if (!request.page.empty()) check_page_request(request, paths.size());
   std::vector<Candidate> candidates;
@@ -212,52 +206,47 @@ ExitCode run(RunRequest request) {
   Outcomes outcomes;
   for (const Candidate& candidate : candidates)
     outcomes.attempt(candidate.path, [&] { run_one(request, drift, candidate, outcomes); });
-  if (request.printing.is_json)
-    print_text("{}\n", to_text(outcomes.take_json("runs"), {.depth_indented = 3}));
+  if (request.printing.is_json) print_json(outcomes.take_json("runs"), 3);
   return outcomes.exit_code();
+}
+
+void declare(Options& options, RunRequest& request) {
+  options.files(
+      request.files,
+      {"SCENARIO", "",
+       "scenario files, or folders of them; - for standard input; of more than three, a line each (all: -v)"},
+      1, -1);
+  options.text(request.output, {"-o,--output", "FILE or DIR",
+                                "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: "
+                                "NAME.h5 in the current folder)"});
+  options.texts(request.overrides,
+                {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
+  options.text(request.figure,
+               {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
+  options.text(request.page, {"--report", "FILE.html", "write a page that replays the run in the browser"});
+  options.text(request.golden_folder,
+               {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+  options.flag(request.measures_drift,
+               {"--drift", "", "measure against the reference, as the command `drift` does"});
+  options.flag(request.stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
+  declare_reference(options, request.reference);
+  options.flag(request.computes_all, {"--no-skip", "", "compute also the steps that repeat exactly"});
+  options.printing(
+      request.printing,
+      "print also clamped steps, the period of a repeating state, and how the run depends on its start");
 }
 
 }  // namespace
 
 Command run_command() {
-  return {
-      .name = "run",
-      .summary = "replay scenarios, write their trajectories and compare them with golden files",
-      .example =
-          "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
-          "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 --set /steps=1440 "
-          "--set /expect={} -o at-144-hz.h5",
-      .is_common = true,
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<RunRequest>();
-        options.files(request->files,
-                      {"SCENARIO", "",
-                       "scenario files, or folders of them; - for standard input; of more than three, a line "
-                       "each (all: -v)"},
-                      1, -1);
-        options.text(request->output,
-                     {"-o,--output", "FILE or DIR",
-                      "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: NAME.h5 in the "
-                      "current folder)"});
-        options.texts(request->overrides,
-                      {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
-        options.text(request->figure,
-                     {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
-        options.text(request->page,
-                     {"--report", "FILE.html", "write a page that replays the run in the browser"});
-        options.text(
-            request->golden_folder,
-            {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-        options.flag(request->measures_drift,
-                     {"--drift", "", "measure against the reference, as the command `drift` does"});
-        options.flag(request->stores_rows, {"--rows", "", "with --drift: store the errors of every row"});
-        declare_reference(options, request->reference);
-        options.flag(request->computes_all, {"--no-skip", "", "compute also the steps that repeat exactly"});
-        options.printing(request->printing,
-                         "print also clamped steps, the period of a repeating state, and how the run depends "
-                         "on its start");
-        return [request] { return run(*request); };
-      }};
+  return {.name = "run",
+          .summary = "replay scenarios, write their trajectories and compare them with golden files",
+          .example =
+              "hyrax-sim run scenarios/flings/first-fling.json --figure fling.svg\n"
+              "  hyrax-sim run scenarios/flings/first-fling.json --set /clock/rate_hz=144 --set /steps=1440 "
+              "--set /expect={} -o at-144-hz.h5",
+          .is_common = true,
+          .declare = with_request<RunRequest>(declare, run)};
 }
 
 }  // namespace hyrax

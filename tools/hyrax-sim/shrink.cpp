@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
@@ -43,8 +42,8 @@ class UserCommand {
   UserCommand(std::string command, double limit_s, const std::string& original)
       : file_(fs::path(original).filename()), command_(std::move(command)), limit_s_(limit_s) {
     if (command_.find("{}") == std::string::npos)
-      throw Failure(ExitCode::bad_input, "hyrax-sim shrink: --fails: no {} for the scenario's file (found " +
-                                             command_ + "); as in 'hyrax-sim run {} -o out.h5'");
+      refuse_input("hyrax-sim shrink: --fails: no {} for the scenario's file (found " + command_ +
+                   "); as in 'hyrax-sim run {} -o out.h5'");
     copy_golden_files(original);
   }
 
@@ -91,15 +90,14 @@ ShrinkOutcome shrink_by_command(const ShrinkRequest& request, const Scenario& sc
   const UserCommand command(request.fails, request.limit_s.value_or(kLimit_s), request.files.front());
   const ChildEnd wanted = command.run(scenario);
   if (!wanted.is_timed_out && wanted.exit_code == 0)
-    throw Failure(ExitCode::bad_input,
-                  request.files.front() +
-                      ": the command does not fail here: exit code 0 (it was run on a copy "
-                      "of the scenario, and of its golden file if it has one)");
+    refuse_input(request.files.front() +
+                 ": the command does not fail here: exit code 0 (it was run on a copy "
+                 "of the scenario, and of its golden file if it has one)");
   constexpr int kCannotExecute = 126;
   constexpr int kNotFound = 127;
   if (!wanted.is_timed_out && (wanted.exit_code == kCannotExecute || wanted.exit_code == kNotFound))
-    throw Failure(ExitCode::bad_input, fmt::format("hyrax-sim shrink: --fails: the shell cannot run `{}`: {}",
-                                                   request.fails, wanted.err));
+    refuse_input(
+        fmt::format("hyrax-sim shrink: --fails: the shell cannot run `{}`: {}", request.fails, wanted.err));
   const auto fails = [&](const Scenario& simpler) {
     const ChildEnd end = command.run(simpler);
     return end.is_timed_out == wanted.is_timed_out && (end.is_timed_out || end.exit_code == wanted.exit_code);
@@ -112,9 +110,8 @@ ShrinkOutcome shrink_against(const ShrinkRequest& request, const Scenario& scena
                            request.limit_s.value_or(kProgramLimit_s));
   const auto broken = different_hash(scenario, other);
   if (!broken)
-    throw Failure(ExitCode::bad_input, request.files.front() +
-                                           ": has the same state hash in both programs (" + request.against +
-                                           "); nothing to shrink");
+    refuse_input(request.files.front() + ": has the same state hash in both programs (" + request.against +
+                 "); nothing to shrink");
   return {broken->other_end.empty() ? "different state hashes" : "the other program's " + broken->other_end,
           shrink_broken(scenario, *broken, &other)};
 }
@@ -123,11 +120,10 @@ void admit_output(const ShrinkRequest& request) {
   constexpr char kOption[] = "hyrax-sim shrink: -o";
   OutputGuard guard(request.files);
   if (file_name(request.output).extension != ".json")
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("{}: unknown suffix (found {}); allowed: .json", kOption, request.output));
+    refuse_input(fmt::format("{}: unknown suffix (found {}); allowed: .json", kOption, request.output));
   guard.admit_scenario(kOption, request.output);
   if (!request.is_forced && is_there(request.output))
-    throw Failure(ExitCode::bad_input, request.output + ": exists; `--force` replaces it");
+    refuse_input(request.output + ": exists; `--force` replaces it");
 }
 
 void write_shrunk(const ShrinkRequest& request, const Scenario& scenario) {
@@ -144,14 +140,13 @@ Json size_json(const Scenario& scenario) {
 void print_shrunk(const ShrinkRequest& request, const Scenario& before, const ShrinkOutcome& outcome) {
   const Scenario& after = outcome.shrunk.scenario;
   if (request.printing.is_json)
-    return print_text("{}\n", to_text(Json::Object{{"scenario", request.files.front()},
-                                                   {"output", request.output},
-                                                   {"kept", outcome.kept},
-                                                   {"before", size_json(before)},
-                                                   {"after", size_json(after)},
-                                                   {"trials", outcome.shrunk.trials},
-                                                   {"complete", outcome.shrunk.is_complete}},
-                                      {.depth_indented = 2}));
+    return print_json(Json::Object{{"scenario", request.files.front()},
+                                   {"output", request.output},
+                                   {"kept", outcome.kept},
+                                   {"before", size_json(before)},
+                                   {"after", size_json(after)},
+                                   {"trials", outcome.shrunk.trials},
+                                   {"complete", outcome.shrunk.is_complete}});
   print_text("written: {} ({} frames and {} events, from {} and {})\n", request.output, step_count(after),
              after.events.size(), step_count(before), before.events.size());
   if (request.printing.is_quiet()) return;
@@ -162,19 +157,16 @@ void print_shrunk(const ShrinkRequest& request, const Scenario& before, const Sh
 
 ExitCode run_shrink(const ShrinkRequest& request) {
   if (request.fails.empty() == request.against.empty())
-    throw Failure(ExitCode::bad_input, "hyrax-sim shrink: --fails, --against: exactly one is needed");
+    refuse_input("hyrax-sim shrink: --fails, --against: exactly one is needed");
   if (request.output.empty())
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim shrink: -o: is missing; name the file of the smaller scenario");
+    refuse_input("hyrax-sim shrink: -o: is missing; name the file of the smaller scenario");
   admit_output(request);
   const Scenario scenario = load_scenario(request.files.front());
   ShrinkOutcome outcome =
       request.fails.empty() ? shrink_against(request, scenario) : shrink_by_command(request, scenario);
   if (!outcome.shrunk.fails_again)
-    throw Failure(
-        ExitCode::bad_input,
-        request.files.front() +
-            ": ended differently when it was tried again; only what fails every time can be shrunk");
+    refuse_input(request.files.front() +
+                 ": ended differently when it was tried again; only what fails every time can be shrunk");
   outcome.shrunk.scenario.description =
       fmt::format("Shrunk from {}, {} frames; kept: {}.", scenario.name, step_count(scenario), outcome.kept);
   write_shrunk(request, outcome.shrunk.scenario);
@@ -182,37 +174,35 @@ ExitCode run_shrink(const ShrinkRequest& request) {
   return ExitCode::agreed;
 }
 
+void declare(Options& options, ShrinkRequest& request) {
+  options.files(request.files, {"SCENARIO", "", "the scenario that fails"}, 1, 1);
+  options.text(
+      request.fails,
+      {"--fails", "COMMAND",
+       "run by /bin/sh with the file of a scenario for {}, which has the golden file of SCENARIO: the "
+       "smaller scenario ends it with the same exit code, not 0; a signal counts as 128 + its number"});
+  options.text(request.against,
+               {"--against", "PROGRAM", "another hyrax-sim: both still give different state hashes"});
+  options.text(request.output, {"-o,--output", "SMALL.json", "the smaller scenario"});
+  options.number(request.limit_s,
+                 {"--time-limit", "SECONDS",
+                  "a COMMAND or PROGRAM that runs longer is killed, which counts as an end of its own "
+                  "(default: 10, of PROGRAM 60)"},
+                 0.001);
+  options.flag(request.is_forced, {"--force", "", "replace an existing SMALL.json"});
+  options.printing(request.printing);
+}
+
 }  // namespace
 
 Command shrink_command() {
-  return {
-      .name = "shrink",
-      .summary = "find the smallest scenario that still fails",
-      .example =
-          "hyrax-sim shrink scenarios/flings/first-fling.json --fails './check-it {}' -o small.json\n"
-          "  hyrax-sim shrink scenarios/flings/first-fling.json --against ./other-build/hyrax-sim -o "
-          "small.json",
-      .declare = [](Options& options) {
-        const auto request = std::make_shared<ShrinkRequest>();
-        options.files(request->files, {"SCENARIO", "", "the scenario that fails"}, 1, 1);
-        options.text(
-            request->fails,
-            {"--fails", "COMMAND",
-             "run by /bin/sh with the file of a scenario for {}, which has the golden file of SCENARIO: the "
-             "smaller scenario ends it with the same exit code, not 0; a signal counts as 128 + its number"});
-        options.text(request->against,
-                     {"--against", "PROGRAM", "another hyrax-sim: both still give different state hashes"});
-        options.text(request->output, {"-o,--output", "SMALL.json", "the smaller scenario"});
-        options.number(request->limit_s,
-                       {"--time-limit", "SECONDS",
-                        "a COMMAND or PROGRAM that runs longer is killed, which counts as an end of its own "
-                        "(default: 10, "
-                        "of PROGRAM 60)"},
-                       0.001);
-        options.flag(request->is_forced, {"--force", "", "replace an existing SMALL.json"});
-        options.printing(request->printing);
-        return [request] { return run_shrink(*request); };
-      }};
+  return {.name = "shrink",
+          .summary = "find the smallest scenario that still fails",
+          .example =
+              "hyrax-sim shrink scenarios/flings/first-fling.json --fails './check-it {}' -o small.json\n"
+              "  hyrax-sim shrink scenarios/flings/first-fling.json --against ./other-build/hyrax-sim -o "
+              "small.json",
+          .declare = with_request<ShrinkRequest>(declare, run_shrink)};
 }
 
 }  // namespace hyrax

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <set>
 
@@ -49,7 +48,7 @@ class VerdictsReader {
       for (const char* const key : {"format", "verdicts"})
         if (document_.find(key) == nullptr) refuse(std::string("/") + key, "is missing");
     }
-    if (!faults_.empty()) throw Failure(ExitCode::bad_input, faults_);
+    if (!faults_.empty()) refuse_input(faults_);
     return std::move(expected_);
   }
 
@@ -122,7 +121,7 @@ const Study& find_study(const std::string& name) {
     if (study.name == name) return study;
     names.push_back(study.name);
   }
-  throw Failure(ExitCode::bad_input, "hyrax-sim study: " + unknown_word("study", name, names));
+  refuse_input("hyrax-sim study: " + unknown_word("study", name, names));
 }
 
 std::int64_t steady_clock_ns() {
@@ -145,15 +144,13 @@ double parse_length_px(const std::string& text, const std::string& place) {
   const std::string unit(rest, end);
   if (error != std::errc() || !(unit.empty() || unit == "px" || unit == " px") || !std::isfinite(length_px) ||
       length_px < 0.0)
-    throw Failure(ExitCode::bad_input,
-                  place + ": must be a length of at least 0, as 1px (found '" + text + "')");
+    refuse_input(place + ": must be a length of at least 0, as 1px (found '" + text + "')");
   return length_px;
 }
 
 void refuse_what_it_does_not_take(const Study& study, const StudyArguments& arguments) {
   const auto refuse = [&](const std::string& what) {
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim study " + study.name + ": " + what + "; see `hyrax-sim study --help`");
+    refuse_input("hyrax-sim study " + study.name + ": " + what + "; see `hyrax-sim study --help`");
   };
   if (arguments.files.size() > 1 && !study.takes_scenarios)
     refuse("takes no scenarios (found '" + arguments.files[1] + "')");
@@ -183,8 +180,8 @@ StudyRequest request_of(const Study& study, const StudyArguments& arguments,
     request.scenarios.push_back({path, load_scenario(path)});
     const std::string& name = request.scenarios.back().scenario.name;
     if (!names.insert(name).second)
-      throw Failure(ExitCode::bad_input, path + ": /name: duplicate scenario name (found " + name +
-                                             "); scenarios of one study need different names");
+      refuse_input(path + ": /name: duplicate scenario name (found " + name +
+                   "); scenarios of one study need different names");
   }
   if (!arguments.within.empty())
     request.within_px = parse_length_px(arguments.within, "hyrax-sim study " + study.name + ": --within");
@@ -201,7 +198,7 @@ StudyResult run_study(const Study& study, StudyRequest request) {
   try {
     return study.run(request);
   } catch (const RequestRefused& refused) {
-    throw Failure(ExitCode::bad_input, refused.what());
+    refuse_input(refused.what());
   }
 }
 
@@ -262,7 +259,7 @@ void print_json(const Study& study, const StudyResult& result, const std::vector
                         {"files", Json::Array(paths.begin(), paths.end())},
                         {"broken", Json::Array(broken.begin(), broken.end())}};
   for (const Table& table : result.summary) add_members(document, table);
-  print_text("{}\n", to_text(Json(std::move(document)), {.depth_indented = 3}));
+  print_json(std::move(document), 3);
 }
 
 void print_verdict(const Study& study, const Verdict& verdict, const std::vector<std::string>& paths,
@@ -318,11 +315,7 @@ Command study_command() {
               "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
           .is_common = true,
           .needs_paper_step = true,
-          .declare = [](Options& options) {
-            const auto arguments = std::make_shared<StudyArguments>();
-            declare_arguments(options, *arguments);
-            return [arguments] { return run_study_command(*arguments); };
-          }};
+          .declare = with_request<StudyArguments>(declare_arguments, run_study_command)};
 }
 
 }  // namespace hyrax

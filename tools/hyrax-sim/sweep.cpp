@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <thread>
 
@@ -35,7 +34,7 @@ struct SweepRequest {
 };
 
 [[noreturn]] void refuse_request(const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, std::string(kName) + ": " + sentence);
+  refuse_input(std::string(kName) + ": " + sentence);
 }
 
 std::string names_of(const KeepSet& keep) {
@@ -61,7 +60,7 @@ ExitCode write_member(const SweepRequest& request) {
   if (!file.base_path.empty()) inputs.push_back(file.base_path);
   OutputGuard(inputs).admit_scenario(std::string(kName) + ": -o", request.output);
   if (!request.is_forced && is_there(request.output))
-    throw Failure(ExitCode::bad_input, request.output + ": exists; `--force` replaces it");
+    refuse_input(request.output + ": exists; `--force` replaces it");
   const Scenario scenario = member_scenario(file.sweep, *request.member);
   AtomicFile output(request.output);
   output.write(scenario_file_text(scenario));
@@ -215,11 +214,7 @@ Command sweep_command() {
               "hyrax-sim sweep sweep.json -o sweep.h5\n"
               "  hyrax-sim sweep sweep.json --member 17 -o member.json\n"
               "  hyrax-sim sweep --merge sweep.part-*.h5 -o sweep.h5",
-          .declare = [](Options& options) {
-            const auto request = std::make_shared<SweepRequest>();
-            declare_options(options, *request);
-            return [request] { return sweep(*request); };
-          }};
+          .declare = with_request<SweepRequest>(declare_options, sweep)};
 }
 
 }  // namespace hyrax

@@ -31,10 +31,16 @@ ExitCode validate(const ValidateRequest& request) {
       ++good;
     });
   if (request.printing.is_json)
-    print_text("{}\n", to_text(outcomes.take_json("results"), {.depth_indented = 2}));
+    print_json(outcomes.take_json("results"));
   else if (request.printing.is_quiet())
     print_text("{} of {} good\n", good, paths.size());
   return outcomes.exit_code();
+}
+
+void declare(Options& options, ValidateRequest& request) {
+  options.files(request.files, {"SCENARIO", "", "scenario files, or folders of them; - for standard input"},
+                1, -1);
+  options.printing(request.printing, "print also the name and the number of events");
 }
 
 }  // namespace
@@ -43,14 +49,7 @@ Command validate_command() {
   return {.name = "validate",
           .summary = "check scenario files for errors, without playing them",
           .example = "hyrax-sim validate scenarios",
-          .declare = [](Options& options) {
-            const auto request = std::make_shared<ValidateRequest>();
-            options.files(request->files,
-                          {"SCENARIO", "", "scenario files, or folders of them; - for standard input"}, 1,
-                          -1);
-            options.printing(request->printing, "print also the name and the number of events");
-            return [request] { return validate(*request); };
-          }};
+          .declare = with_request<ValidateRequest>(declare, validate)};
 }
 
 }  // namespace hyrax

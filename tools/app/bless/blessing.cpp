@@ -31,13 +31,11 @@ namespace fs = std::filesystem;
 using BlessStatus = Blessing::Status;
 
 GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
-  if (path == "-")
-    throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
+  if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
   const auto place = golden_place(path, golden_folder);
   if (!place)
-    throw Failure(
-        ExitCode::bad_input,
-        path + ": no folder `scenarios` above it; name the folder of its golden file with --golden DIR");
+    refuse_input(path +
+                 ": no folder `scenarios` above it; name the folder of its golden file with --golden DIR");
   return *place;
 }
 
@@ -189,9 +187,8 @@ std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
     if (!is_first && !blessing.has_failed()) {
       if (fs::equivalent(owner, blessing.path, unknown)) continue;
       attempt(blessing, [&] {
-        throw Failure(ExitCode::bad_input, blessing.path + ": has the same golden file as " + owner + " (" +
-                                               blessing.place.h5_path +
-                                               "); bless them with different --golden DIR");
+        refuse_input(blessing.path + ": has the same golden file as " + owner + " (" +
+                     blessing.place.h5_path + "); bless them with different --golden DIR");
       });
     }
     kept.push_back(std::move(blessing));

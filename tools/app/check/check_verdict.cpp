@@ -69,8 +69,7 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
   verdict.golden_folder = options.golden_folder;
   const auto start = std::chrono::steady_clock::now();
   try {
-    if (path == "-")
-      throw Failure(ExitCode::bad_input, "-: standard input has no golden file; name a scenario file");
+    if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
     judge_into(load_scenario(path), options, verdict);
     verdict.exit_code = exit_code_of(verdict.status);
   } catch (const Failure& failure) {

@@ -40,7 +40,7 @@ class CsvReader {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Failure(ExitCode::bad_input, fmt::format("{}: line {}{}", path_, line_, what));
+    refuse_input(fmt::format("{}: line {}{}", path_, line_, what));
   }
 
  private:
@@ -163,10 +163,9 @@ class Sources {
           options.push_back(std::string(keys_[key].option));
           break;
         }
-    throw Failure(ExitCode::bad_input,
-                  taken_.empty() ? fmt::format("{}: no such frame; found: {}", path, list(others_))
-                                 : fmt::format("{}: frames of several sources: {}; pick one with {}", path,
-                                               list(taken_), fmt::join(options, " or ")));
+    refuse_input(taken_.empty() ? fmt::format("{}: no such frame; found: {}", path, list(others_))
+                                : fmt::format("{}: frames of several sources: {}; pick one with {}", path,
+                                              list(taken_), fmt::join(options, " or ")));
   }
 
  private:
@@ -215,8 +214,7 @@ DroppedColumn dropped_column(const CsvReader& csv, const Record& header) {
 
 FrameTimes read_frame_times(const FrameTimesRequest& request) {
   if (request.unit.empty() && !request.column.empty() && !is_presentmon(request.column))
-    throw Failure(ExitCode::bad_input,
-                  "hyrax-sim new: --unit: is missing; needed with --column " + request.column);
+    refuse_input("hyrax-sim new: --unit: is missing; needed with --column " + request.column);
   const std::string text = read_text_file(request.path);
   CsvReader csv(request.path, text);
   const Record header = csv.next().value_or(Record{});

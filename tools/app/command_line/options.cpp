@@ -14,8 +14,6 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Failure(ExitCode::bad_input, what); }
-
 // The text as a number, whatever the locale; nothing if it is no number, or out of range.
 template <class Number>
 std::optional<Number> parse_number(const std::string& text) {
@@ -52,7 +50,7 @@ std::string with_argument(const OptionText& text) {
 }  // namespace
 
 void refuse_usage(const std::string& command, const std::string& what) {
-  refuse(command + ": " + what + "; see `" + command + " --help`");
+  refuse_input(command + ": " + what + "; see `" + command + " --help`");
 }
 
 bool Options::Option::is_named(std::string_view name) const {
@@ -88,7 +86,7 @@ void Options::number(std::optional<double>& into, const OptionText& text, double
   add(text, Kind::once, [&into, names = text.names, low](const std::string& value) {
     into = parse_number<double>(value);
     if (!into || !std::isfinite(*into) || *into < low)
-      refuse(fmt::format("{}: must be a number of at least {} (found {})", names, low, value));
+      refuse_input(fmt::format("{}: must be a number of at least {} (found {})", names, low, value));
   });
 }
 
@@ -97,7 +95,7 @@ void Options::integer(std::optional<std::int64_t>& into, const OptionText& text,
   add(text, Kind::once, [&into, names = text.names, low, high](const std::string& value) {
     into = parse_number<std::int64_t>(value);
     if (!into || *into < low || *into > high)
-      refuse(fmt::format("{}: must be a whole number {} .. {} (found {})", names, low, high, value));
+      refuse_input(fmt::format("{}: must be a whole number {} .. {} (found {})", names, low, high, value));
   });
 }
 
@@ -107,7 +105,7 @@ void Options::choice(std::string& into, const OptionText& text, const std::vecto
     shown.help += fmt::format(":\n{}", fmt::join(allowed, ", "));
   add(shown, Kind::once, [&into, names = text.names, allowed](const std::string& value) {
     if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
-      refuse(names + ": " + unknown_word("value", value, {allowed.begin(), allowed.end()}));
+      refuse_input(names + ": " + unknown_word("value", value, {allowed.begin(), allowed.end()}));
     into = value;
   });
 }
@@ -134,7 +132,7 @@ std::vector<std::string_view> Options::names() const {
 Options::Option& Options::find(const std::string& name) {
   const auto option =
       std::find_if(options_.begin(), options_.end(), [&](const Option& each) { return each.is_named(name); });
-  if (option == options_.end()) refuse(unknown_word("option", name, names()));
+  if (option == options_.end()) refuse_input(unknown_word("option", name, names()));
   return *option;
 }
 
@@ -170,28 +168,28 @@ Options::Argument Options::read_option(Argument argument, Argument last) {
   Option& option = find(name);
   const bool has_value = name_end < argument->size();
   if (option.kind == Kind::flag) {
-    if (has_value) refuse(name + ": takes no value (found " + *argument + ")");
+    if (has_value) refuse_input(name + ": takes no value (found " + *argument + ")");
     option.set("");
     return argument;
   }
-  if (!has_value && argument == last) refuse(name + ": value is missing: " + option.text.value);
-  if (option.kind == Kind::once && std::exchange(option.is_given, true)) refuse(name + ": given twice");
+  if (!has_value && argument == last) refuse_input(name + ": value is missing: " + option.text.value);
+  if (option.kind == Kind::once && std::exchange(option.is_given, true)) refuse_input(name + ": given twice");
   const std::string value = has_value ? argument->substr(name_end + (is_long ? 1 : 0)) : *++argument;
-  if (value.empty()) refuse(name + ": must not be empty: " + option.text.value);
+  if (value.empty()) refuse_input(name + ": must not be empty: " + option.text.value);
   option.set(value);
   return argument;
 }
 
 void Options::set_files(std::vector<std::string> files) const {
   const auto count = static_cast<std::int64_t>(files.size());
-  if (files_ == nullptr && count > 0) refuse(files.front() + ": this command takes no files");
-  if (count < least_ && !when_missing_.empty()) refuse(when_missing_);
+  if (files_ == nullptr && count > 0) refuse_input(files.front() + ": this command takes no files");
+  if (count < least_ && !when_missing_.empty()) refuse_input(when_missing_);
   if (count < least_)
-    refuse(fmt::format("{}: at least {} needed (found {})", files_text_.names, least_, count));
+    refuse_input(fmt::format("{}: at least {} needed (found {})", files_text_.names, least_, count));
   if (most_ >= 0 && count > most_)
-    refuse(fmt::format("{}: at most {} allowed (found {})", files_text_.names, most_, count));
+    refuse_input(fmt::format("{}: at most {} allowed (found {})", files_text_.names, most_, count));
   if (std::find(files.begin(), files.end(), "") != files.end())
-    refuse(files_text_.names + ": must not be empty");
+    refuse_input(files_text_.names + ": must not be empty");
   if (files_ != nullptr) *files_ = std::move(files);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,5 +98,15 @@ struct Command {
   bool needs_paper_step = false;  ///< Does not apply to a core of another shape.
   std::function<std::function<ExitCode()>(Options&)> declare;
 };
+
+/// A command's member `declare`: binds the options to a request, which `act` gets.
+template <class Request>
+[[nodiscard]] auto with_request(void (*declare)(Options&, Request&), std::function<ExitCode(Request&)> act) {
+  return [=](Options& options) {
+    const auto request = std::make_shared<Request>();
+    declare(options, *request);
+    return [=] { return act(*request); };
+  };
+}
 
 }  // namespace hyrax

@@ -10,8 +10,6 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void refuse_part(const std::string& sentence) { throw Failure(ExitCode::bad_input, sentence); }
-
 std::optional<std::int64_t> parse_count(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -24,13 +22,13 @@ std::optional<std::int64_t> read_variable(const std::string& command, const char
   if (text == nullptr || *text == '\0') return std::nullopt;
   const auto value = parse_count(text);
   if (!value)
-    refuse_part(fmt::format("{}: {}: must be a whole number of at least 0 (found {})", command, name, text));
+    refuse_input(fmt::format("{}: {}: must be a whole number of at least 0 (found {})", command, name, text));
   return value;
 }
 
 ChosenPart checked(const std::string& place, std::int64_t index, std::int64_t count, std::string source) {
   if (count < 1 || index < 0 || index >= count)
-    refuse_part(fmt::format("{}: must be part I of N with 0 <= I < N (found {}/{})", place, index, count));
+    refuse_input(fmt::format("{}: must be part I of N with 0 <= I < N (found {}/{})", place, index, count));
   return {{index, count}, std::move(source)};
 }
 
@@ -41,7 +39,7 @@ ChosenPart parse_part(const std::string& command, const std::string& text) {
   const std::int64_t count =
       slash == std::string::npos ? 0 : parse_count(numbers.substr(slash + 1)).value_or(0);
   if (index < 0 || index >= count)
-    refuse_part(fmt::format("{}: --part: must be I/N with 0 <= I < N (found {})", command, text));
+    refuse_input(fmt::format("{}: --part: must be I/N with 0 <= I < N (found {})", command, text));
   return {{index, count}, ""};
 }
 
@@ -49,7 +47,7 @@ ChosenPart parse_part(const std::string& command, const std::string& text) {
 
 std::optional<ChosenPart> choose_part(const std::string& command, const std::string& part,
                                       std::optional<std::int64_t> parts) {
-  if (!part.empty() && parts) refuse_part(command + ": --part and --parts: only one allowed");
+  if (!part.empty() && parts) refuse_input(command + ": --part and --parts: only one allowed");
   if (!part.empty()) return parse_part(command, part);
   const auto variable = [&](const char* name) { return read_variable(command, name); };
   if (!parts) {
@@ -66,7 +64,7 @@ std::optional<ChosenPart> choose_part(const std::string& command, const std::str
     return std::nullopt;
   }
   const auto index = variable("JOB_COMPLETION_INDEX");
-  if (!index) refuse_part(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");
+  if (!index) refuse_input(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");
   return checked(command + ": JOB_COMPLETION_INDEX", *index, *parts, "JOB_COMPLETION_INDEX and --parts");
 }
 

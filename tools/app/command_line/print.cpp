@@ -22,4 +22,8 @@ std::string printed(const VerdictWord& verdict) {
   return fmt::format("\x1b[{}m{}\x1b[0m", verdict.is_good ? 32 : 31, verdict.word);
 }
 
+void print_json(const Json& document, int depth_indented) {
+  print_text("{}\n", to_text(document, {.depth_indented = depth_indented}));
+}
+
 }  // namespace hyrax

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "tools/files/json.h"
 #include "tools/files/printable.h"
 
 namespace hyrax {
@@ -46,5 +47,8 @@ void print_text(fmt::format_string<decltype(printed(std::declval<const Values&>(
                 const Values&... values) {
   std::fputs(fmt::format(format, printed(values)...).c_str(), stdout);
 }
+
+/// Prints a document and a line end. @param depth_indented as JsonLayout's.
+void print_json(const Json& document, int depth_indented = 2);
 
 }  // namespace hyrax

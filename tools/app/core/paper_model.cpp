@@ -11,12 +11,11 @@ namespace hyrax {
 void require_paper_core(const std::string& what) {
   const std::optional<Constants> constants = measured_constants();
   if (!constants)
-    throw Failure(ExitCode::bad_input,
-                  what + ": needs the paper's step, with any constants (found in the core " +
-                      std::string(core_model()) + ": " + core_shape().difference + ")");
+    refuse_input(what + ": needs the paper's step, with any constants (found in the core " +
+                 std::string(core_model()) + ": " + core_shape().difference + ")");
   if (is_paper_model(core_model())) return;
   if (const std::string why_not = why_not_measurable(*constants); !why_not.empty())
-    throw Failure(ExitCode::bad_input, what + ": the core " + std::string(core_model()) + ": " + why_not);
+    refuse_input(what + ": the core " + std::string(core_model()) + ": " + why_not);
 }
 
 void require_measurable(const std::string& path, const Scenario& scenario) {
@@ -32,8 +31,8 @@ void require_measurable(const std::string& path, const Scenario& scenario) {
 
 void require_own_core(const std::string& path, const std::string& physics) {
   if (is_same_model(physics, core_model())) return;
-  throw Failure(ExitCode::bad_input, path + ": attribute physics: is of another core (found " + physics +
-                                         "); this program's core is " + std::string(core_model()));
+  refuse_input(path + ": attribute physics: is of another core (found " + physics +
+               "); this program's core is " + std::string(core_model()));
 }
 
 }  // namespace hyrax

@@ -79,12 +79,6 @@ void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
   }
 }
 
-RunSummary play_into(const Scenario& scenario, DriftRecorder& recorder) {
-  Replay replay(scenario, recorder.sinks());
-  play_with_progress(replay, replay.steps());
-  return replay.finish();
-}
-
 }  // namespace
 
 struct DriftRecorder::Sinks {
@@ -130,7 +124,7 @@ DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
 
 DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options) {
   DriftRecorder recorder(scenario, options);
-  const RunSummary summary = play_into(scenario, recorder);
+  const RunSummary summary = play_with_progress(scenario, recorder.sinks());
   return recorder.finish(summary.steps, summary.simulated_s);
 }
 
@@ -145,7 +139,7 @@ DriftRun load_drift(const std::string& path, DriftOptions options) {
     read_into(file, recorder.sinks());
     return recorder.finish(head.steps, file.rows(head.steps, 1).t_s.front());
   }
-  const RunSummary summary = play_into(head.scenario, recorder);
+  const RunSummary summary = play_with_progress(head.scenario, recorder.sinks());
   DriftRun run = recorder.finish(summary.steps, summary.simulated_s);
   run.note = fmt::format("replayed from its scenario: the file holds {} of {} rows", file.row_count(),
                          head.steps + 1);
@@ -168,7 +162,7 @@ void declare_reference(Options& options, ReferenceRequest& request) {
 std::optional<GslOptions> gsl_options(const ReferenceRequest& request, const std::string& command) {
   if (request.name != "gsl") {
     if (!request.stepper.empty() || request.tolerance)
-      throw Failure(ExitCode::bad_input, command + ": --stepper and --tolerance need --reference gsl");
+      refuse_input(command + ": --stepper and --tolerance need --reference gsl");
     return std::nullopt;
   }
   GslOptions options;
@@ -178,8 +172,8 @@ std::optional<GslOptions> gsl_options(const ReferenceRequest& request, const std
   }
   options.tolerance = request.tolerance.value_or(options.tolerance);
   if (options.tolerance > kGslToleranceMax)
-    throw Failure(ExitCode::bad_input, fmt::format("{}: --tolerance: must be at most {:g} (found {:g})",
-                                                   command, kGslToleranceMax, options.tolerance));
+    refuse_input(fmt::format("{}: --tolerance: must be at most {:g} (found {:g})", command, kGslToleranceMax,
+                             options.tolerance));
   return options;
 }
 

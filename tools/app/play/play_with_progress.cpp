@@ -9,9 +9,12 @@
 
 namespace hyrax {
 
-void play_with_progress(Replay& replay, std::int64_t end) {
+RunSummary play_with_progress(const Scenario& scenario, std::vector<RowSink*> sinks,
+                              const ReplayOptions& options) {
   using SteadyClock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kShortPiece(50);
+  Replay replay(scenario, std::move(sinks), options);
+  const std::int64_t end = replay.steps();
   Progress progress("steps", end);
   // Steps that repeat take almost no time, so pieces grow until each takes long enough.
   std::int64_t piece = progress.is_shown() ? 1 << 16 : end;
@@ -22,6 +25,7 @@ void play_with_progress(Replay& replay, std::int64_t end) {
     progress.show(step);
     if (SteadyClock::now() - begin < kShortPiece) piece = std::min(end, 2 * piece);
   }
+  return replay.finish();
 }
 
 std::string title_of(const Scenario& scenario, std::int64_t steps, double simulated_s) {

@@ -9,9 +9,9 @@
 
 namespace hyrax {
 
-/// Plays until row `end`, or until the state became non-finite, with progress on a terminal. The result does
-/// not depend on whether progress is shown.
-void play_with_progress(Replay& replay, std::int64_t end);
+/// `replay` of a scenario, with progress on a terminal. The result does not depend on whether that is shown.
+[[nodiscard]] RunSummary play_with_progress(const Scenario& scenario, std::vector<RowSink*> sinks,
+                                            const ReplayOptions& options = {});
 
 /// "first-fling: 600 steps, 10 s at 60 Hz".
 [[nodiscard]] std::string title_of(const Scenario& scenario, std::int64_t steps, double simulated_s);

@@ -190,10 +190,8 @@ ScenarioRun played(const TrajectoryFile& file) {
   options.model = reference_model(file.head().physics, file.head().constants);
   std::optional<DriftRecorder> recorder;
   if (file.head().constants) recorder.emplace(run.scenario, options);
-  Replay replay(run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
-                judged_options(run.scenario));
-  play_with_progress(replay, replay.steps());
-  run.summary = replay.finish();
+  run.summary = play_with_progress(run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
+                                   judged_options(run.scenario));
   if (recorder) run.drift = recorder->finish(run.summary.steps, run.summary.simulated_s);
   run.expectations =
       judge_run(run.scenario, run.summary, run.drift ? std::optional(run.drift->summary) : std::nullopt);

@@ -10,14 +10,13 @@ namespace {
 
 void write_results(const ReportRequest& request) {
   if (!request.against.empty())
-    throw Failure(ExitCode::bad_input, "hyrax-sim report: --against: allowed for trajectories only (found " +
-                                           request.files.front() + ")");
+    refuse_input("hyrax-sim report: --against: allowed for trajectories only (found " +
+                 request.files.front() + ")");
   Json::Array results;
   for (const std::string& path : request.files) {
     if (!holds_results(path))
-      throw Failure(ExitCode::bad_input, path + ": is not a file of a study or a sweep, as " +
-                                             request.files.front() +
-                                             " is; a page shows either trajectories or these");
+      refuse_input(path + ": is not a file of a study or a sweep, as " + request.files.front() +
+                   " is; a page shows either trajectories or these");
     results.push_back(result_of_file(path));
   }
   write_result_page(request.output, request.command, std::move(results));

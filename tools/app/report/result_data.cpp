@@ -36,8 +36,7 @@ Json study_result(const std::string& path) {
     for (const Column& column : report->columns) {
       const auto* const texts = std::get_if<std::vector<std::string>>(&column.values);
       const std::string place = path + ": " + report->name + "/" + column.name;
-      if (texts == nullptr || texts->size() != 1)
-        throw Failure(ExitCode::bad_input, place + ": must be one text");
+      if (texts == nullptr || texts->size() != 1) refuse_input(place + ": must be one text");
       parts.emplace_back(column.name, parse_json(texts->front(), place));
     }
     study.tables.erase(report);

@@ -24,12 +24,6 @@
 namespace hyrax {
 namespace {
 
-RunSummary play_into(const Scenario& scenario, std::vector<RowSink*> sinks, const ReplayOptions& options) {
-  Replay replay(scenario, std::move(sinks), options);
-  play_with_progress(replay, replay.steps());
-  return replay.finish();
-}
-
 void append(std::vector<RowSink*>& sinks, const std::vector<RowSink*>& others) {
   sinks.insert(sinks.end(), others.begin(), others.end());
 }
@@ -78,7 +72,7 @@ WrittenRun write_trajectory(const std::string& output, const Scenario& scenario,
   std::optional<StoredErrors> errors;
   if (options.drift) append(sinks, errors.emplace(writer.file(), scenario, steps, *options.drift).sinks());
   WrittenRun run;
-  run.summary = play_into(scenario, sinks, options.replay);
+  run.summary = play_with_progress(scenario, sinks, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   if (run.summary.steps != steps) return run;
   std::function<bool(hid_t)> write_more;
@@ -96,7 +90,7 @@ WrittenRun write_csv(const std::string& output, const Scenario& scenario, const 
   std::optional<DriftRecorder> drift;
   if (options.drift) append(sinks, drift.emplace(scenario, options.drift->options).sinks());
   WrittenRun run;
-  run.summary = play_into(scenario, sinks, options.replay);
+  run.summary = play_with_progress(scenario, sinks, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   csv.finish();
   if (drift) run.drift = drift->finish(run.summary.steps, run.summary.simulated_s);
@@ -133,7 +127,6 @@ const char* ScenarioRun::status() const {
 
 ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, const std::string& output,
                          const ScenarioRunOptions& options) {
-  const bool checks_bounds = scenario.expect && scenario.expect->in_bounds;
   const bool measures = scenario.expect && bounds_errors(*scenario.expect) && !options.drift;
   DriftSink ignored;
   const Model model = reference_model();
@@ -144,22 +137,19 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   std::optional<MarginMeter> margin;
   if (options.measures_start)
     also.push_back(&margin.emplace(scenario, inputs_of(scenario, step_count(scenario)), model));
+  ReplayOptions replay = judged_options(scenario);
+  replay.skips_repetition = options.skips_repetition;
   ScenarioRun run;
   static_cast<WrittenRun&>(run) =
-      write_run(output, scenario,
-                {.replay = {.skips_repetition = options.skips_repetition, .checks_bounds = checks_bounds},
-                 .drift = options.drift,
-                 .also = also});
+      write_run(output, scenario, {.replay = replay, .drift = options.drift, .also = also});
   run.path = path;
   run.scenario = scenario;
   run.output = output;
   if (margin) run.start = {margin->margin(), contact_chance_of(scenario, margin->margin())};
-  if (measures)
-    run.expectations = judge_run(scenario, run.summary, meter.finish());
-  else if (run.drift)
-    run.expectations = judge_run(scenario, run.summary, run.drift->summary);
-  else
-    run.expectations = judge_run(scenario, run.summary);
+  run.expectations = judge_run(scenario, run.summary,
+                               run.drift  ? std::optional(run.drift->summary)
+                               : measures ? std::optional(meter.finish())
+                                          : std::nullopt);
   const auto place = golden_place(path, options.golden_folder);
   if (path == "-")
     run.not_compared = "standard input";

@@ -88,9 +88,8 @@ OtherProgram::OtherProgram(std::string program, const std::string& option,
   ChildEnd end;
   const std::string hash = query(Query::run, {&scenario, 1}, end).front();
   if (hash.empty())
-    throw Failure(ExitCode::bad_input,
-                  option + ": `" + program_ + " run FILE --json` printed no state hash (" +
-                      end_text(end, given_s) + "): " + end.err.substr(0, end.err.find('\n')));
+    refuse_input(option + ": `" + program_ + " run FILE --json` printed no state hash (" +
+                 end_text(end, given_s) + "): " + end.err.substr(0, end.err.find('\n')));
   uses_check_ = query(Query::check, {&scenario, 1}, end).front() == hash;
 }
 

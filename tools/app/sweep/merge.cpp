@@ -29,9 +29,7 @@ using Parts = std::map<std::int64_t, std::unique_ptr<EnsembleReader>>;
 
 void add_part(const std::string& path, Parts& parts) {
   auto reader = std::make_unique<EnsembleReader>(path);
-  const auto refuse = [&](const std::string& sentence) {
-    throw Failure(ExitCode::bad_input, path + ": " + sentence);
-  };
+  const auto refuse = [&](const std::string& sentence) { refuse_input(path + ": " + sentence); };
   const EnsembleHead& head = reader->head();
   if (!head.is_part) refuse("is no part of a sweep, but a complete one");
   if (!parts.empty()) {

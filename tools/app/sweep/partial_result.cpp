@@ -19,7 +19,7 @@ namespace hyrax {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, path + ": " + sentence);
+  refuse_input(path + ": " + sentence);
 }
 
 // The lock tells a writer that another one is at work; it ends with its process.
