@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/scenario/numbers.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {
@@ -30,5 +31,15 @@ namespace hyrax {
 /// Whether a plain scenario is within the limits of the format: its numbers, the order of its events, and
 /// grab and release in turn.
 [[nodiscard]] bool is_valid(const Scenario& scenario);
+
+/// Significant decimal digits of the shortest text of each number, in sum: 0 has none, 1e9 one.
+[[nodiscard]] std::int64_t digits_of(const Scenario& scenario);
+
+/// The longest a number can be.
+inline constexpr int kDigitsMax = 17;
+
+/// Rounds the number to so many significant decimal digits; 0 digits: to 0. A size or a seed is cut to its
+/// leading digits.
+void round_to(const NumberField& number, int digits);
 
 }  // namespace hyrax

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "sim/scenario/frame_clock.h"
-#include "sim/search/digits.h"
 #include "sim/search/scenario_edit.h"
 
 namespace hyrax {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 
@@ -101,6 +103,23 @@ std::optional<PathPoint> last_finite(const Columns& rows, const SizesInForce& si
 }
 
 }  // namespace
+
+SizesInForce::SizesInForce(const Scenario& scenario, const std::vector<std::int64_t>& frames)
+    : changes_{{0, scenario.window, scenario.sprite}} {
+  World world{.state = {}, .window = scenario.window, .sprite = scenario.sprite};
+  for (std::size_t i = 0; i < scenario.events.size(); ++i) {
+    apply(scenario.events[i].action, world);
+    if (world.window != changes_.back().window || world.sprite != changes_.back().sprite)
+      changes_.push_back({frames[i] + 1, world.window, world.sprite});
+  }
+}
+
+const SizesInForce::Change& SizesInForce::at(std::int64_t step) const {
+  const auto after =
+      std::upper_bound(changes_.begin(), changes_.end(), step,
+                       [](std::int64_t value, const Change& change) { return value < change.first_step; });
+  return *std::prev(after);
+}
 
 Box sprite_box(double x_px, double y_px, const Size& sprite) {
   return {x_px, y_px, x_px + sprite.width_px, y_px + sprite.height_px};

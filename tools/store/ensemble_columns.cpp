@@ -1,7 +1,10 @@
 #include "tools/store/ensemble_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+
+#include "sim/result/table.h"
 
 namespace hyrax {
 namespace {
@@ -21,42 +24,27 @@ EnsembleColumn member_column(const std::string& name, const std::string& unit, c
           }};
 }
 
-template <class Get>
-EnsembleColumn real_column(const std::string& name, const std::string& unit, const std::string& long_name,
-                           Get get) {
-  return member_column(name, unit, long_name, ColumnType::real, 1, get);
-}
+constexpr ColumnOf<MemberResult> kFinal[] = {
+    {"x", "px", "final x", [](const MemberResult& r) { return r.final.x_px; }},
+    {"y", "px", "final y", [](const MemberResult& r) { return r.final.y_px; }},
+    {"vx", "px/s", "final vx", [](const MemberResult& r) { return r.final.vx_px_per_s; }},
+    {"vy", "px/s", "final vy", [](const MemberResult& r) { return r.final.vy_px_per_s; }},
+};
+constexpr ColumnOf<MemberResult> kAtRest[] = {
+    {"at_rest_since", "s", "since when it has settled; NaN: it has not", &MemberResult::at_rest_since_s},
+};
+constexpr ColumnOf<MemberResult> kExtremes[] = {
+    {"x_min", "px", "smallest x of all rows", &MemberResult::x_min_px},
+    {"x_max", "px", "largest x of all rows", &MemberResult::x_max_px},
+    {"y_min", "px", "smallest y of all rows", &MemberResult::y_min_px},
+    {"y_max", "px", "largest y of all rows", &MemberResult::y_max_px},
+    {"speed_max", "px/s", "largest speed of all rows", &MemberResult::speed_max_px_per_s},
+};
 
-using EnsembleColumns = std::vector<EnsembleColumn>;
-
-void add_final(EnsembleColumns& columns) {
-  columns.push_back(real_column("x", "px", "final x", [](const MemberResult& r) { return r.final.x_px; }));
-  columns.push_back(real_column("y", "px", "final y", [](const MemberResult& r) { return r.final.y_px; }));
-  columns.push_back(
-      real_column("vx", "px/s", "final vx", [](const MemberResult& r) { return r.final.vx_px_per_s; }));
-  columns.push_back(
-      real_column("vy", "px/s", "final vy", [](const MemberResult& r) { return r.final.vy_px_per_s; }));
-}
-
-void add_contacts(EnsembleColumns& columns) {
-  columns.push_back(member_column("contacts", "1", "contacts with left, right, top, ground",
-                                  ColumnType::integer, 4, [](const MemberResult& r) {
-                                    return std::array<std::int64_t, 4>{r.contacts.left, r.contacts.right,
-                                                                       r.contacts.top, r.contacts.ground};
-                                  }));
-}
-
-void add_extremes(EnsembleColumns& columns) {
-  columns.push_back(
-      real_column("x_min", "px", "smallest x of all rows", [](const MemberResult& r) { return r.x_min_px; }));
-  columns.push_back(
-      real_column("x_max", "px", "largest x of all rows", [](const MemberResult& r) { return r.x_max_px; }));
-  columns.push_back(
-      real_column("y_min", "px", "smallest y of all rows", [](const MemberResult& r) { return r.y_min_px; }));
-  columns.push_back(
-      real_column("y_max", "px", "largest y of all rows", [](const MemberResult& r) { return r.y_max_px; }));
-  columns.push_back(real_column("speed_max", "px/s", "largest speed of all rows",
-                                [](const MemberResult& r) { return r.speed_max_px_per_s; }));
+void add(std::vector<EnsembleColumn>& columns, std::span<const ColumnOf<MemberResult>> described) {
+  for (const ColumnOf<MemberResult>& each : described)
+    columns.push_back(member_column(each.name, each.unit, each.long_name, ColumnType::real, 1,
+                                    [get = each](const MemberResult& r) { return *get.number(r); }));
 }
 
 // "/start/x_px" is start.x_px.
@@ -74,25 +62,15 @@ std::string unit_of(std::string_view name) {
   return "";
 }
 
-ColumnType type_of(ScenarioNumberKind kind) {
-  switch (kind) {
-    case ScenarioNumberKind::real:
-      return ColumnType::real;
-    case ScenarioNumberKind::integer:
-      return ColumnType::integer;
-    case ScenarioNumberKind::seed:
-      return ColumnType::seed;
-  }
-  return ColumnType::real;
-}
-
 EnsembleColumn input_column(const VariedKey& key, std::size_t index) {
   const std::string name = input_name(key.pointer);
   return {"inputs",
           name,
           unit_of(name),
           key.pointer,
-          type_of(key.kind),
+          key.kind == ScenarioNumberKind::real      ? ColumnType::real
+          : key.kind == ScenarioNumberKind::integer ? ColumnType::integer
+                                                    : ColumnType::seed,
           1,
           [index](const EnsembleRows& rows, std::byte* to) {
             for (std::int64_t row = rows.first_row; row < rows.first_row + rows.count; ++row)
@@ -104,13 +82,16 @@ EnsembleColumn input_column(const VariedKey& key, std::size_t index) {
 }  // namespace
 
 std::vector<EnsembleColumn> columns_of(const Sweep& sweep) {
-  EnsembleColumns columns;
-  if (sweep.keep.has(Keep::final)) add_final(columns);
-  if (sweep.keep.has(Keep::contacts)) add_contacts(columns);
-  if (sweep.keep.has(Keep::at_rest))
-    columns.push_back(real_column("at_rest_since", "s", "since when it has settled; NaN: it has not",
-                                  [](const MemberResult& r) { return r.at_rest_since_s; }));
-  if (sweep.keep.has(Keep::extremes)) add_extremes(columns);
+  std::vector<EnsembleColumn> columns;
+  if (sweep.keep.has(Keep::final)) add(columns, kFinal);
+  if (sweep.keep.has(Keep::contacts))
+    columns.push_back(member_column("contacts", "1", "contacts with left, right, top, ground",
+                                    ColumnType::integer, 4, [](const MemberResult& r) {
+                                      return std::array<std::int64_t, 4>{r.contacts.left, r.contacts.right,
+                                                                         r.contacts.top, r.contacts.ground};
+                                    }));
+  if (sweep.keep.has(Keep::at_rest)) add(columns, kAtRest);
+  if (sweep.keep.has(Keep::extremes)) add(columns, kExtremes);
   if (sweep.keep.has(Keep::state_hash))
     columns.push_back(member_column("state_hash", "", "XXH3-128 of all rows", ColumnType::byte,
                                     sizeof(Digest), [](const MemberResult& r) { return r.state_hash; }));
@@ -120,31 +101,13 @@ std::vector<EnsembleColumn> columns_of(const Sweep& sweep) {
 }
 
 hid_t file_type(ColumnType type) {
-  switch (type) {
-    case ColumnType::real:
-      return H5T_IEEE_F64LE;
-    case ColumnType::integer:
-      return H5T_STD_I64LE;
-    case ColumnType::seed:
-      return H5T_STD_U64LE;
-    case ColumnType::byte:
-      return H5T_STD_U8LE;
-  }
-  return H5I_INVALID_HID;
+  return std::array{H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U64LE, H5T_STD_U8LE}.at(
+      static_cast<std::size_t>(type));
 }
 
 hid_t memory_type(ColumnType type) {
-  switch (type) {
-    case ColumnType::real:
-      return H5T_NATIVE_DOUBLE;
-    case ColumnType::integer:
-      return H5T_NATIVE_INT64;
-    case ColumnType::seed:
-      return H5T_NATIVE_UINT64;
-    case ColumnType::byte:
-      return H5T_NATIVE_UINT8;
-  }
-  return H5I_INVALID_HID;
+  return std::array{H5T_NATIVE_DOUBLE, H5T_NATIVE_INT64, H5T_NATIVE_UINT64, H5T_NATIVE_UINT8}.at(
+      static_cast<std::size_t>(type));
 }
 
 }  // namespace hyrax

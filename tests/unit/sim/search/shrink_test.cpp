@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/replay/replay.h"
-#include "sim/search/digits.h"
 #include "sim/search/random_scenario.h"
+#include "sim/search/scenario_edit.h"
 #include "sim/search/shrink.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
