@@ -10,30 +10,44 @@
 namespace hyrax {
 namespace {
 
-// physics::update as it is, in `kParts` equal parts of a frame.
-template <int kParts>
-class PaperStep final : public Method {
+// A method that plays the motion on from where it is, within bounds.
+class MotionMethod : public Method {
  public:
   void start(const State& motion, const Bounds& bounds) override {
     motion_ = motion;
     bounds_ = bounds;
   }
-  [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    motion_ = core_played(motion_, frames_s, bounds_, kParts);
-    return true;
-  }
-  [[nodiscard]] State motion() const override { return motion_; }
+  [[nodiscard]] State motion() const final { return motion_; }
 
- private:
+ protected:
   State motion_;
   Bounds bounds_;
 };
 
+// physics::update as it is, in `kParts` equal parts of a frame.
+template <int kParts>
+class PaperStep final : public MotionMethod {
+ public:
+  [[nodiscard]] bool play(std::span<const double> frames_s) override {
+    motion_ = core_played(motion_, frames_s, bounds_, kParts);
+    return true;
+  }
+};
+
 // --- One frame of free flight each. `prepare` is called whenever dt changes.
 
+struct FrameFlight {
+  explicit FrameFlight(const FixedLaws& laws) : laws_(laws) {}
+  void prepare(double dt_s) { dt_s_ = dt_s; }
+
+ protected:
+  FixedLaws laws_;
+  double dt_s_ = 0.0;
+};
+
 // The paper's order of operations, its drag by time: alpha^(60 dt). First order.
-struct NormalisedFlight {
-  explicit NormalisedFlight(const FixedLaws& laws) : laws_(laws) {}
+struct NormalisedFlight : FrameFlight {
+  using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
     dt_s_ = dt_s;
     damping_ = std::exp(-laws_.drag_rate_per_s * dt_s);
@@ -47,32 +61,25 @@ struct NormalisedFlight {
   }
 
  private:
-  FixedLaws laws_;
-  double dt_s_ = 0.0;
   double damping_ = 1.0;
 };
 
 // Explicit Euler: position and velocity both by the rates at the frame's beginning. First order.
-struct EulerFlight {
-  explicit EulerFlight(const FixedLaws& laws) : laws_(laws) {}
-  void prepare(double dt_s) { dt_s_ = dt_s; }
+struct EulerFlight : FrameFlight {
+  using FrameFlight::FrameFlight;
   void fly(State& m) const {
     m.x_px += m.vx_px_per_s * dt_s_;
     m.y_px += m.vy_px_per_s * dt_s_;
     m.vx_px_per_s += -laws_.drag_rate_per_s * m.vx_px_per_s * dt_s_;
     m.vy_px_per_s += (laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s) * dt_s_;
   }
-
- private:
-  FixedLaws laws_;
-  double dt_s_ = 0.0;
 };
 
 // Velocity Verlet with linear drag taken implicitly in the second half, and so without iteration. Second
 // order. Source: L. Verlet, Phys. Rev. 159:98, 1967, in the velocity form of W. C. Swope et al., J. Chem.
 // Phys. 76:637, 1982.
-struct VerletFlight {
-  explicit VerletFlight(const FixedLaws& laws) : laws_(laws) {}
+struct VerletFlight : FrameFlight {
+  using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
     half_s_ = 0.5 * dt_s;
     dt_s_ = dt_s;
@@ -89,16 +96,13 @@ struct VerletFlight {
   }
 
  private:
-  FixedLaws laws_;
-  double dt_s_ = 0.0;
   double half_s_ = 0.0;
   double implicit_ = 1.0;
 };
 
 // The classical Runge-Kutta method. Fourth order. Source: W. Kutta, Z. Math. Phys. 46:435-453, 1901.
-struct Rk4Flight {
-  explicit Rk4Flight(const FixedLaws& laws) : laws_(laws) {}
-  void prepare(double dt_s) { dt_s_ = dt_s; }
+struct Rk4Flight : FrameFlight {
+  using FrameFlight::FrameFlight;
   void fly(State& m) const {
     const State k1 = rates(m);
     const State k2 = rates(ahead(m, k1, 0.5 * dt_s_));
@@ -120,13 +124,11 @@ struct Rk4Flight {
     return {m.x_px + dt_s * rate.x_px, m.y_px + dt_s * rate.y_px, m.vx_px_per_s + dt_s * rate.vx_px_per_s,
             m.vy_px_per_s + dt_s * rate.vy_px_per_s};
   }
-  FixedLaws laws_;
-  double dt_s_ = 0.0;
 };
 
 // The closed form of flight.h over one frame: the flow itself.
-struct ExactFlight {
-  explicit ExactFlight(const FixedLaws& laws) : laws_(laws) {}
+struct ExactFlight : FrameFlight {
+  using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
     const double z = -laws_.drag_rate_per_s * dt_s;
     const Phi p = phi(z);
@@ -143,7 +145,6 @@ struct ExactFlight {
   }
 
  private:
-  FixedLaws laws_;
   double damping_ = 1.0;
   double reach_s_ = 0.0;
   double gain_px_per_s_ = 0.0;
@@ -153,11 +154,10 @@ struct ExactFlight {
 // A flight frame by frame, and after each the walls, as the paper's step has them, with one exception: the
 // friction of a sprite on the ground is taken by time.
 template <class Flight>
-class FrameMethod final : public Method {
+class FrameMethod final : public MotionMethod {
  public:
   void start(const State& motion, const Bounds& bounds) override {
-    motion_ = motion;
-    bounds_ = bounds;
+    MotionMethod::start(motion, bounds);
     lies_ = false;
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
@@ -199,22 +199,18 @@ class FrameMethod final : public Method {
     lies_ = lies;
     return true;
   }
-  [[nodiscard]] State motion() const override { return motion_; }
 
  private:
   FixedLaws laws_{reference_model()};
-  State motion_;
-  Bounds bounds_;
   bool lies_ = false;  // The last frame touched the ground.
 };
 
 // The exact flight of each frame, and where it meets a wall, the impacts inside the frame: the closed form is
 // left only in a frame with an impact.
-class ImpactsInFrame final : public Method {
+class ImpactsInFrame final : public MotionMethod {
  public:
   void start(const State& motion, const Bounds& bounds) override {
-    motion_ = motion;
-    bounds_ = bounds;
+    MotionMethod::start(motion, bounds);
     slides_ = false;
     t_s_ = 0.0;
     impacts_.clear();
@@ -250,7 +246,6 @@ class ImpactsInFrame final : public Method {
     t_s_ = t_s;
     return true;
   }
-  [[nodiscard]] State motion() const override { return motion_; }
   [[nodiscard]] const std::vector<ExactImpact>* impacts() const override { return &impacts_; }
 
  private:
@@ -283,8 +278,6 @@ class ImpactsInFrame final : public Method {
   FixedLaws laws_{reference_model()};
   FixedLaws sliding_ = sliding_laws();
   ExactFling fling_{laws_};
-  State motion_;
-  Bounds bounds_;
   bool slides_ = false;
   double t_s_ = 0.0;
   std::vector<ExactImpact> impacts_;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/result/figure.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/script.h"
 #include "sim/study/speed_error/speed_error.h"
@@ -83,5 +84,15 @@ struct NeedsOptions {
 [[nodiscard]] inline bool is_unneeded(Need need) {
   return need == Need::below || need == Need::not_exercised;
 }
+
+/// How far the path of one scenario moves without each part: bars on a logarithmic axis, the tolerance as a
+/// mark.
+[[nodiscard]] Figure needs_figure(const ScenarioNeeds& needs, double within_px);
+
+/// Which scenario exercises and needs which part: a grid of colours.
+[[nodiscard]] Figure coverage_figure(const std::vector<ScenarioNeeds>& scenarios, double within_px);
+
+/// "941 px"; "without bound" if it is infinite.
+[[nodiscard]] std::string length_text(double length_px);
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-#include "sim/study/needs/needs_figure.h"
+#include "sim/study/needs/needs.h"
 
 #include <algorithm>
 #include <array>

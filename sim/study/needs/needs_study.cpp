@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/study/needs/coverage.h"
-#include "sim/study/needs/needs_figure.h"
+#include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
 #include "sim/trace/step_program.h"
 

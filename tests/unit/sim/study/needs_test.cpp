@@ -7,7 +7,6 @@
 
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
-#include "sim/study/needs/needs_figure.h"
 #include "sim/study/study.h"
 #include "sim/trace/core_record.h"
 #include "sim/trace/step_program.h"
