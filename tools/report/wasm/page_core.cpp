@@ -1,13 +1,17 @@
 // What the page calls: plain functions over one run and one playground. Numbers pass as doubles (steps and
 // ticks are exact), lists in the module's memory. tools/report/page/core.js is the only caller.
+#include <cassert>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/reference/drift_columns.h"
 #include "sim/replay/fingerprint.h"
-#include "tools/report/wasm/playground.h"
+#include "tools/hyrax/frame_player.h"
+#include "tools/hyrax/hand.h"
+#include "tools/hyrax/tape.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/report/wasm/shown_run.h"
 
@@ -15,6 +19,72 @@
 
 namespace hyrax {
 namespace {
+
+constexpr std::int64_t kTicksPerSecond = 1'000'000;
+
+// The reader's own fling: a hand on the hyrax, frames of any length, and what a replay of them needs. Points
+// are in px of the window.
+class Playground {
+ public:
+  explicit Playground(const Keyframe& start) : player_(start), tape_(start) {}
+
+  /// REQUIRES: not held.
+  void grab(ScreenPoint hand, std::int64_t ticks) {
+    assert(!hold_);
+    apply(Grab{});
+    const Row& row = now().row;
+    hold_ = Hold{.hand = Hand(kTicksPerSecond, hand, ticks),
+                 .at = hand,
+                 .offset = {row.x_px - hand.x_px, row.y_px - hand.y_px}};
+  }
+  /// REQUIRES: held; ticks do not go backwards.
+  void drag(ScreenPoint hand, std::int64_t ticks) {
+    assert(hold_);
+    if (hand == hold_->at) return;
+    hold_->hand.move(hand, ticks);
+    hold_->at = hand;
+    hold_->has_moved = true;
+  }
+  /// It flies with the hand's velocity. REQUIRES: held.
+  void release(ScreenPoint hand, std::int64_t ticks) {
+    drag(hand, ticks);
+    follow_hand();
+    apply(Release{hold_->hand.velocity(ticks)});
+    hold_.reset();
+  }
+  /// REQUIRES: 0 <= dt_s <= kFrameMax_s.
+  void frame(double dt_s) {
+    follow_hand();
+    player_.advance(dt_s);
+    tape_.add_frame(now().row);
+  }
+
+  [[nodiscard]] const Keyframe& now() const { return player_.now(); }
+  [[nodiscard]] const Tape& tape() const { return tape_; }
+
+ private:
+  struct Hold {
+    Hand hand;
+    ScreenPoint at;
+    Position offset;  ///< Of the sprite's corner from the hand, kept through the drag.
+    bool has_moved = false;
+  };
+
+  void apply(const Action& action) {
+    player_.apply(action);
+    tape_.add_input(action);
+  }
+  // One `place` a frame, however often the hand moved.
+  void follow_hand() {
+    if (!hold_ || !hold_->has_moved) return;
+    hold_->has_moved = false;
+    apply(Place{{hold_->offset.x_px + hold_->at.x_px, hold_->offset.y_px + hold_->at.y_px}});
+  }
+
+  FramePlayer player_;
+  Tape tape_;
+  std::optional<Hold> hold_;
+};
 
 struct Page {
   std::vector<double> input;   // Written by the page.
