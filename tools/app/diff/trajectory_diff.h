@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/compare/energy_difference.h"
 #include "sim/compare/overlay.h"
+#include "sim/compare/run_distance.h"
 #include "sim/compare/trajectory_comparer.h"
 #include "tools/store/trajectory_file.h"
 

@@ -1,5 +1,5 @@
 // How far two runs are apart in energy.
-#include "sim/compare/energy_difference.h"
+#include "sim/compare/run_distance.h"
 
 #include <gtest/gtest.h>
 
