@@ -43,7 +43,7 @@ function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
   const overlay = (name, tint, values) => (other ? [{ name, color: tint, dash: true, values: spread(rows, other.rows.step, values) }] : []);
   const positive = value => value > 0;
-  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], positive) });
+  const errorSeries = (name, tint, key, width = 1.5) => ({ name, color: tint, width, values: spread(rows, errors.step, errors[key], positive) });
   const label = other?.label;
   const charts = [
     { id: 'position', title: 'Position', unit: 'px', decimals: 1, series: [
@@ -60,7 +60,8 @@ function chartsOf(result, sizes) {
   ];
   if (errors?.step.length)
     charts.splice(charts.length - 1, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
-      errorSeries('implementation', 'green', 'implementation'), errorSeries('truncation', 'blue', 'truncation'), errorSeries('model', 'orange', 'model')] },
+      // At 60 Hz the model is the truncation: one line on the other.
+      errorSeries('model', 'orange', 'model', 4), errorSeries('truncation', 'blue', 'truncation'), errorSeries('implementation', 'green', 'implementation')] },
     ...driftCharts(result));
   return [...distanceChart(result), ...charts];
 }
@@ -191,7 +192,7 @@ export class Charts {
         { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${value} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
       ],
-      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
+      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: series.width ?? 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
         dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
         paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
       hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)], draw: chart.id === 'distance' ? [plot => this.#markContacts(plot)] : [] },
