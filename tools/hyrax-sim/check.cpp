@@ -189,7 +189,7 @@ ExitCode check_core(const CheckRequest& request) {
                  request.files.front() + ")");
   CoreChecks cores;
   for (const Library& library : libraries)
-    cores.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
+    cores.of(library.golden_folder).judge_differences(library.scenarios_folder);
   Json::Array documents;
   Outcomes outcomes;
   for (const CoreVerdict* const core : cores.verdicts()) {

@@ -69,7 +69,7 @@ std::optional<CoreAcceptance> plan(const Library& library, const std::set<std::s
     return acceptance;
   }
   CoreCheck differences(library.golden_folder);
-  differences.judge_differences(scenarios_in(library.scenarios_folder));
+  differences.judge_differences(library.scenarios_folder);
   acceptance.differences = differences.verdict();
   return acceptance;
 }

@@ -19,6 +19,8 @@
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/expect/judged_run.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/table_text.h"
 
@@ -177,7 +179,7 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   }
 }
 
-void CoreCheck::judge_differences(const std::vector<Scenario>& library) {
+void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_open = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
   if (!is_open || !steps_->accepted_kernel || !steps_->program) return;
   const StepPair pair(*steps_->accepted, *steps_->program);
@@ -186,10 +188,12 @@ void CoreCheck::judge_differences(const std::vector<Scenario>& library) {
   const WatchedKernel watched(*steps_->accepted_kernel, [&](const StepInput& input) {
     if (!is_all_noticed()) pair.notice(input, noticed);
   });
-  for (const Scenario& scenario : library) {
-    if (is_all_noticed()) break;
-    static_cast<void>(play(scenario, watched));
-  }
+  std::vector<UnlistedFolder> unlisted;
+  for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
+      if (is_all_noticed()) break;
+      static_cast<void>(play(load_scenario(path), watched));
+    } catch (const Failure&) {  // Whoever checks it reports it.
+    }
   if (std::ranges::find(noticed, true) != noticed.end()) verdict_.status = CoreStatus::changed;
   std::size_t searched = 0;
   std::vector<bool> shown(noticed.size());  // By the step that was found last.

@@ -72,7 +72,7 @@ class CoreCheck {
   /// These runs differ because of the core: counts which each changed constant reproduces alone.
   void take_core_runs(const std::vector<const StoredRun*>& fresh);
   /// Plays the whole library by the accepted step, and looks for steps that show what it does not notice.
-  void judge_differences(const std::vector<Scenario>& library);
+  void judge_differences(const std::string& scenarios_folder);
   /// A scenario took these paths of the program's step.
   void take_paths(const std::set<std::int32_t>& paths) {
     verdict_.paths_taken.insert(paths.begin(), paths.end());

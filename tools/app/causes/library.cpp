@@ -4,8 +4,6 @@
 
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
-#include "tools/files/scenario_list.h"
-#include "tools/files/scenario_reader.h"
 
 namespace hyrax {
 
@@ -23,16 +21,6 @@ std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
     libraries.push_back({scenarios, golden_folder_for(path, golden_option), golden_option});
   }
   return libraries;
-}
-
-std::vector<Scenario> scenarios_in(const std::string& folder) {
-  std::vector<Scenario> scenarios;
-  std::vector<UnlistedFolder> unlisted;
-  for (const std::string& path : list_scenarios({folder}, unlisted)) try {
-      scenarios.push_back(load_scenario(path));
-    } catch (const Failure&) {  // Whoever checks it reports it.
-    }
-  return scenarios;
 }
 
 }  // namespace hyrax

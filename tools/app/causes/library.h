@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/scenario.h"
-
 namespace hyrax {
 
 /// A library: a folder of scenarios, and its golden folder.
@@ -19,8 +17,5 @@ struct Library {
 /// `scenarios`; with --golden also a folder that is in none. Scenarios outside of any have no accepted core.
 [[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
                                                 const std::string& golden_option);
-
-/// All scenarios in the folder that can be read.
-[[nodiscard]] std::vector<Scenario> scenarios_in(const std::string& folder);
 
 }  // namespace hyrax

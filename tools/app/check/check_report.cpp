@@ -10,7 +10,6 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/scenario_reader.h"
 
 namespace hyrax {
 namespace {
@@ -169,7 +168,7 @@ CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::st
 void CheckReport::judge_cores(const std::vector<Library>& libraries) {
   for (const Library& library : libraries)
     if (is_folder(library.golden_folder))
-      cores_.of(library.golden_folder).judge_differences(scenarios_in(library.scenarios_folder));
+      cores_.of(library.golden_folder).judge_differences(library.scenarios_folder);
 }
 
 std::int64_t CheckReport::count(Status status) const {

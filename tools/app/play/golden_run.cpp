@@ -115,8 +115,7 @@ bool gives_its_rows(const StoredRun& kept) {
 
 FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel) {
   FreshRecorder recorder(step_count(scenario));
-  WaypointMeter waypoints(step_count(scenario));
-  const RunSummary summary = replay(scenario, {&recorder, &waypoints}, judged_options(scenario, kernel));
+  const RunSummary summary = replay(scenario, recorder, judged_options(scenario, kernel));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};
@@ -133,7 +132,7 @@ FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel) {
   run.final = summary.final;
   run.contacts_total = summary.contacts.total();
   run.inputs = inputs_of(scenario, summary.steps);
-  return {std::move(run), summary, waypoints.take()};
+  return {std::move(run), summary};
 }
 
 }  // namespace hyrax

@@ -8,7 +8,6 @@
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/run_summary.h"
 #include "sim/trajectory/stored_run.h"
-#include "sim/trajectory/waypoints.h"
 
 namespace hyrax {
 
@@ -28,7 +27,6 @@ struct ComparedRun {
 struct FreshRun {
   StoredRun run;
   RunSummary summary;
-  Waypoints waypoints;
 };
 [[nodiscard]] FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel = core_kernel());
 
