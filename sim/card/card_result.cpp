@@ -33,22 +33,22 @@ std::vector<LegendEntry> both_cores(Form form) {
 Table scenario_table(const std::vector<ScenarioChange>& changed) {
   const auto number = [&changed](const std::string& name, const std::string& long_name,
                                  std::int64_t RunChange::*member) {
-    return column_of<std::int64_t>(name, "1", long_name, changed,
-                                   [member](const ScenarioChange& each) { return each.change.*member; });
+    return column_of(name, "1", long_name, changed,
+                     [member](const ScenarioChange& each) { return each.change.*member; });
   };
-  return {
-      "scenarios",
-      "scenarios that differ",
-      {column_of<std::string>("scenario", "", "its file", changed, &ScenarioChange::path),
-       column_of<std::string>("class", "", "class of difference", changed,
-                              [](const ScenarioChange& each) { return name_of(*each.change.difference); }),
-       column_of<double>(
-           "largest", "px", "largest distance of two rows of the same step", changed,
-           [](const ScenarioChange& each) { return each.change.largest ? each.change.largest->px : 0.0; }),
-       column_of<double>("end", "px", "distance of the last rows", changed,
-                         [](const ScenarioChange& each) { return each.change.end_shift_px; }),
-       number("contacts_before", "contacts of the base", &RunChange::contacts_before),
-       number("contacts_after", "contacts of the candidate", &RunChange::contacts_after)}};
+  return {"scenarios",
+          "scenarios that differ",
+          {column_of("scenario", "", "its file", changed, &ScenarioChange::path),
+           column_of("class", "", "class of difference", changed,
+                     [](const ScenarioChange& each) { return name_of(*each.change.difference); }),
+           column_of("largest", "px", "largest distance of two rows of the same step", changed,
+                     [](const ScenarioChange& each) {
+                       return each.change.largest ? each.change.largest->px : 0.0;
+                     }),
+           column_of("end", "px", "distance of the last rows", changed,
+                     [](const ScenarioChange& each) { return each.change.end_shift_px; }),
+           number("contacts_before", "contacts of the base", &RunChange::contacts_before),
+           number("contacts_after", "contacts of the candidate", &RunChange::contacts_after)}};
 }
 
 Table invariant_table(const HardCaseLine& hard) {
@@ -64,31 +64,31 @@ Table invariant_table(const HardCaseLine& hard) {
   }
   return {"invariants",
           "invariants of hard cases and random runs that differ",
-          {column_of<std::string>("invariant", "", "case and invariant", changes, &Change::name),
-           column_of<std::string>("kind", "", "general, or the listing's own", changes, &Change::kind),
-           column_of<std::string>("change", "", "what changed", changes, &Change::change)}};
+          {column_of("invariant", "", "case and invariant", changes, &Change::name),
+           column_of("kind", "", "general, or the listing's own", changes, &Change::kind),
+           column_of("change", "", "what changed", changes, &Change::change)}};
 }
 
 Table claim_table(const std::vector<ChangedClaim>& claims) {
   return {"claims",
           "claims of the paper with another verdict",
-          {column_of<std::string>("claim", "", "section and name", claims, &ChangedClaim::id),
-           column_of<std::string>("before", "", "verdict on the base", claims,
-                                  [](const ChangedClaim& claim) { return claim.verdict.before; }),
-           column_of<std::string>("after", "", "verdict on the candidate", claims,
-                                  [](const ChangedClaim& claim) { return claim.verdict.after; }),
-           column_of<double>("measured_before", "", "measured on the base", claims,
-                             [](const ChangedClaim& claim) { return claim.number.before; }),
-           column_of<double>("measured_after", "", "measured on the candidate", claims,
-                             [](const ChangedClaim& claim) { return claim.number.after; }),
-           column_of<std::string>("unit", "", "of what is measured", claims, &ChangedClaim::unit)}};
+          {column_of("claim", "", "section and name", claims, &ChangedClaim::id),
+           column_of("before", "", "verdict on the base", claims,
+                     [](const ChangedClaim& claim) { return claim.verdict.before; }),
+           column_of("after", "", "verdict on the candidate", claims,
+                     [](const ChangedClaim& claim) { return claim.verdict.after; }),
+           column_of("measured_before", "", "measured on the base", claims,
+                     [](const ChangedClaim& claim) { return claim.number.before; }),
+           column_of("measured_after", "", "measured on the candidate", claims,
+                     [](const ChangedClaim& claim) { return claim.number.after; }),
+           column_of("unit", "", "of what is measured", claims, &ChangedClaim::unit)}};
 }
 
 Table recording_table(const std::vector<MovedRecording>& moved) {
   return {"recordings",
           "recordings that end elsewhere",
-          {column_of<std::string>("recording", "", "its file", moved, &MovedRecording::path),
-           column_of<double>("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
+          {column_of("recording", "", "its file", moved, &MovedRecording::path),
+           column_of("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
 }
 
 // The share of a sample up to each of its values. REQUIRES: ascending order.

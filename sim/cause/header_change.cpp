@@ -240,7 +240,7 @@ std::string change_text(const HeaderChange& change) {
 
 Table changes_table(const std::vector<HeaderChange>& changes) {
   const auto number = [&](const std::string& name, HeaderConstant HeaderChange::*constant) {
-    return column_of<double>(name, "", "of a constant", changes, [constant](const HeaderChange& change) {
+    return column_of(name, "", "of a constant", changes, [constant](const HeaderChange& change) {
       return change.kind == HeaderChangeKind::constant ? (change.*constant).value
                                                        : std::numeric_limits<double>::quiet_NaN();
     });
@@ -248,13 +248,12 @@ Table changes_table(const std::vector<HeaderChange>& changes) {
   const auto kind = [](const HeaderChange& change) {
     return kHeaderChangeNames[static_cast<std::size_t>(change.kind)];
   };
-  return {
-      "changes",
-      "what changed in the header",
-      {column_of<std::string>("kind", "", "constant, or a statement", changes, kind),
-       column_of<std::string>("detail", "", "what changed", changes, &HeaderChange::detail),
-       column_of<std::int64_t>("line", "", "of what was removed, in the base", changes, &HeaderChange::line),
-       number("from", &HeaderChange::from), number("to", &HeaderChange::to)}};
+  return {"changes",
+          "what changed in the header",
+          {column_of("kind", "", "constant, or a statement", changes, kind),
+           column_of("detail", "", "what changed", changes, &HeaderChange::detail),
+           column_of("line", "", "of what was removed, in the base", changes, &HeaderChange::line),
+           number("from", &HeaderChange::from), number("to", &HeaderChange::to)}};
 }
 
 std::string changes_sentence(const std::vector<HeaderChange>& changes) {

@@ -226,23 +226,23 @@ std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, st
 
 Table member_table(const std::vector<MemberNumbers>& numbers) {
   const auto texts = [&](const char* name, const char* what, auto get) {
-    return column_of<std::string>(name, "", what, numbers, get);
+    return column_of(name, "", what, numbers, get);
   };
   const auto quantiles = [&](const char* name, double part) {
-    return column_of<double>(
+    return column_of(
         name, "", "quantile of the sample", numbers,
         [part](const MemberNumbers& each) { return each.quantile(part); }, 6);
   };
-  return {.name = "members",
-          .long_name = "range of each number over the members",
-          .columns = {
-              texts("number", "its name", &MemberNumbers::name), texts("unit", "", &MemberNumbers::unit),
-              column_of<double>("smallest", "", "", numbers, &MemberNumbers::smallest, 6),
-              quantiles("p10", 0.1), quantiles("median", 0.5), quantiles("p90", 0.9),
-              column_of<double>("mean", "", "", numbers, &MemberNumbers::mean, 6),
-              column_of<double>("largest", "", "", numbers, &MemberNumbers::largest, 6),
-              column_of<std::int64_t>("missing", "", "members without it", numbers, &MemberNumbers::missing),
-              texts("meaning", "", &MemberNumbers::long_name)}};
+  return {
+      .name = "members",
+      .long_name = "range of each number over the members",
+      .columns = {texts("number", "its name", &MemberNumbers::name), texts("unit", "", &MemberNumbers::unit),
+                  column_of("smallest", "", "", numbers, &MemberNumbers::smallest, 6), quantiles("p10", 0.1),
+                  quantiles("median", 0.5), quantiles("p90", 0.9),
+                  column_of("mean", "", "", numbers, &MemberNumbers::mean, 6),
+                  column_of("largest", "", "", numbers, &MemberNumbers::largest, 6),
+                  column_of("missing", "", "members without it", numbers, &MemberNumbers::missing),
+                  texts("meaning", "", &MemberNumbers::long_name)}};
 }
 
 }  // namespace hyrax

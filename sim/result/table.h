@@ -84,11 +84,18 @@ struct Table {            // NOLINT(misc-no-recursion)
   return table.columns.empty() ? 0 : length(table.columns.front());
 }
 
+/// What a column has of values that are given so.
+template <class Given, class Plain = std::remove_cvref_t<Given>>
+using ColumnValue = std::conditional_t<
+    std::is_integral_v<Plain> && !std::is_same_v<Plain, bool>, std::int64_t,
+    std::conditional_t<std::is_convertible_v<Plain, std::string_view>, std::string, Plain>>;
+
 /// A column with a value of each record: `get` is a function of the record, or a pointer to its member.
-/// Value is double, std::int64_t, bool, std::string or Table.
-template <class Value, class Records, class Get>
+/// It gives a number, a bool, a text or a Table.
+template <class Records, class Get>
 [[nodiscard]] Column column_of(const std::string& name, const std::string& unit, const std::string& long_name,
                                const Records& records, const Get& get, int digits = 4) {
+  using Value = ColumnValue<decltype(std::invoke(get, *std::begin(records)))>;
   std::vector<Value> values;
   values.reserve(std::size(records));
   for (const auto& record : records) values.push_back(Value(std::invoke(get, record)));

@@ -9,8 +9,8 @@ void write_card_page(const std::string& path, const std::string& command, const 
   const CardText lines = card_lines(card);
   Table table{"card",
               compared_text(card),
-              {column_of<std::string>("line", "", "what is measured", lines, &CardLine::name),
-               column_of<std::string>("measured", "", "with its interval", lines, &CardLine::text)}};
+              {column_of("line", "", "what is measured", lines, &CardLine::name),
+               column_of("measured", "", "with its interval", lines, &CardLine::text)}};
   ShownResult result{
       .title = title.candidate + " against " + title.base,
       .subtitle = compared_text(card),

@@ -47,29 +47,28 @@ std::vector<KeptAtRate> by_rate(const std::vector<KeptEnergy>& kept) {
 
 template <class Record>
 Column method_column(const std::vector<Record>& records) {
-  return column_of<std::string>("method", "", "method", records,
-                                [](const Record& each) { return kBounceMethods[index_of(each.method)]; });
+  return column_of("method", "", "method", records,
+                   [](const Record& each) { return kBounceMethods[index_of(each.method)]; });
 }
 template <class Record>
 Column rate_column(const std::vector<Record>& records) {
-  return column_of<double>("rate", "Hz", "display rate; 0: without frames", records, &Record::rate_hz);
+  return column_of("rate", "Hz", "display rate; 0: without frames", records, &Record::rate_hz);
 }
 
 Table throw_table(const std::vector<KeptEnergy>& kept) {
   return {"throws",
           "energy of bounces without loss, in parts of that at the start",
           {method_column(kept), rate_column(kept),
-           column_of<std::int64_t>("throw", "1", "number of the throw", kept, &KeptEnergy::number),
-           column_of<double>("speed", "px/s", "speed at the start", kept, &KeptEnergy::speed_px_per_s),
-           column_of<double>("minute", "1", "after a minute", kept, &KeptEnergy::minute),
-           column_of<double>("ten_minutes", "1", "after ten minutes", kept, &KeptEnergy::ten_minutes)}};
+           column_of("throw", "1", "number of the throw", kept, &KeptEnergy::number),
+           column_of("speed", "px/s", "speed at the start", kept, &KeptEnergy::speed_px_per_s),
+           column_of("minute", "1", "after a minute", kept, &KeptEnergy::minute),
+           column_of("ten_minutes", "1", "after ten minutes", kept, &KeptEnergy::ten_minutes)}};
 }
 
 Table rate_table(const std::vector<KeptAtRate>& rates) {
   const auto part = [&](const std::string& name, const std::string& what, Band KeptAtRate::*band,
                         double Band::*value) {
-    return column_of<double>(name, "1", what, rates,
-                             [=](const KeptAtRate& each) { return each.*band.*value; });
+    return column_of(name, "1", what, rates, [=](const KeptAtRate& each) { return each.*band.*value; });
   };
   return {
       "rates",
@@ -81,32 +80,30 @@ Table rate_table(const std::vector<KeptAtRate>& rates) {
        part("ten_minutes", "after ten minutes, median", &KeptAtRate::ten_minutes, &Band::median),
        part("ten_minutes_low", "after ten minutes, 10 %", &KeptAtRate::ten_minutes, &Band::low),
        part("ten_minutes_high", "after ten minutes, 90 %", &KeptAtRate::ten_minutes, &Band::high),
-       column_of<std::int64_t>("about_kept", "1", "throws with half to twice their energy after ten minutes",
-                               rates, [](const KeptAtRate& each) { return each.about_kept.count; }),
-       column_of<std::int64_t>("throws", "1", "played", rates,
-                               [](const KeptAtRate& each) { return each.about_kept.of; }),
-       column_of<std::int64_t>("seed", "1", "of the throws", rates,
-                               [](const KeptAtRate&) { return static_cast<std::int64_t>(kFlingSeed); })}};
+       column_of("about_kept", "1", "throws with half to twice their energy after ten minutes", rates,
+                 [](const KeptAtRate& each) { return each.about_kept.count; }),
+       column_of("throws", "1", "played", rates, [](const KeptAtRate& each) { return each.about_kept.of; }),
+       column_of("seed", "1", "of the throws", rates,
+                 [](const KeptAtRate&) { return static_cast<std::int64_t>(kFlingSeed); })}};
 }
 
 Table shown_rates(const std::vector<KeptAtRate>& rates) {
   const auto band = [&](const std::string& name, Band KeptAtRate::*of) {
-    return column_of<std::string>(name, "", "", rates, [of](const KeptAtRate& each) {
+    return column_of(name, "", "", rates, [of](const KeptAtRate& each) {
       const Band& shown = each.*of;
       return fmt::format("{:.3f} ({:.3f} .. {:.3f})", shown.median, shown.low, shown.high);
     });
   };
   return {"rates",
           "",
-          {column_of<std::string>(
-               "method", "", "", rates,
-               [](const KeptAtRate& each) { return kBounceMethodTexts[index_of(each.method)]; }),
-           column_of<std::string>("rate,_Hz", "", "", rates,
-                                  [](const KeptAtRate& each) {
-                                    return each.rate_hz == 0.0 ? "-" : fmt::format("{:g}", each.rate_hz);
-                                  }),
+          {column_of("method", "", "", rates,
+                     [](const KeptAtRate& each) { return kBounceMethodTexts[index_of(each.method)]; }),
+           column_of("rate,_Hz", "", "", rates,
+                     [](const KeptAtRate& each) {
+                       return each.rate_hz == 0.0 ? "-" : fmt::format("{:g}", each.rate_hz);
+                     }),
            band("after_a_minute", &KeptAtRate::minute), band("after_ten_minutes", &KeptAtRate::ten_minutes),
-           column_of<std::string>("half_to_twice", "", "", rates, [](const KeptAtRate& each) {
+           column_of("half_to_twice", "", "", rates, [](const KeptAtRate& each) {
              return fmt::format("{} of {}", each.about_kept.count, each.about_kept.of);
            })}};
 }

@@ -18,86 +18,80 @@ std::string_view clock_name(DisplayClock clock) {
 
 template <class Record>
 Column method_column(const std::vector<Record>& records) {
-  return column_of<std::string>("method", "", "method", records,
-                                [](const Record& record) { return kFrameRateMethods[record.method]; });
+  return column_of("method", "", "method", records,
+                   [](const Record& record) { return kFrameRateMethods[record.method]; });
 }
 template <class Record>
 Column clock_column(const std::vector<Record>& records) {
-  return column_of<std::string>("clock", "", "the display's clock", records,
-                                [](const Record& record) { return clock_name(record.clock); });
+  return column_of("clock", "", "the display's clock", records,
+                   [](const Record& record) { return clock_name(record.clock); });
 }
 template <class Record>
 Column rate_column(const std::vector<Record>& records) {
-  return column_of<double>("rate", "Hz", "display rate", records, &Record::rate_hz);
+  return column_of("rate", "Hz", "display rate", records, &Record::rate_hz);
 }
 Table landing_table(const std::vector<Landing>& landings) {
-  return {"landings",
-          "where and when flings settle, and after which distance",
-          {method_column(landings), clock_column(landings), rate_column(landings),
-           column_of<std::int64_t>("fling", "1", "number of the fling; 0 is the one that is drawn", landings,
-                                   &Landing::fling),
-           column_of<double>("x", "px", "where it settles", landings, &Landing::x_px),
-           column_of<double>("time", "s", "since when it has been within half a pixel of that place",
-                             landings, &Landing::time_s),
-           column_of<double>("path", "px",
-                             "length of the path, of the drawn fling and near 60 Hz by the paper's step",
-                             landings, &Landing::path_px),
-           column_of<double>("across", "px", "horizontal part of the path", landings, &Landing::across_px)}};
+  return {
+      "landings",
+      "where and when flings settle, and after which distance",
+      {method_column(landings), clock_column(landings), rate_column(landings),
+       column_of("fling", "1", "number of the fling; 0 is the one that is drawn", landings, &Landing::fling),
+       column_of("x", "px", "where it settles", landings, &Landing::x_px),
+       column_of("time", "s", "since when it has been within half a pixel of that place", landings,
+                 &Landing::time_s),
+       column_of("path", "px", "length of the path, of the drawn fling and near 60 Hz by the paper's step",
+                 landings, &Landing::path_px),
+       column_of("across", "px", "horizontal part of the path", landings, &Landing::across_px)}};
 }
 
 Table path_table(const std::vector<FanPoint>& paths) {
-  return {
-      "paths",
-      "the drawn fling at some rates",
-      {method_column(paths), rate_column(paths), column_of<double>("t", "s", "time", paths, &FanPoint::t_s),
-       column_of<double>("x", "px", "position", paths, &FanPoint::x_px),
-       column_of<double>("y", "px", "position", paths, &FanPoint::y_px)}};
+  return {"paths",
+          "the drawn fling at some rates",
+          {method_column(paths), rate_column(paths), column_of("t", "s", "time", paths, &FanPoint::t_s),
+           column_of("x", "px", "position", paths, &FanPoint::x_px),
+           column_of("y", "px", "position", paths, &FanPoint::y_px)}};
 }
 
 Table score_table(const std::string& name, const std::vector<Independence>& scores) {
-  return {
-      name,
-      "frame-rate independence",
-      {method_column(scores), clock_column(scores),
-       column_of<double>("spread", "px", "spread of the places where a fling settles over all rates, mean",
-                         scores, &Independence::spread_px),
-       column_of<double>("way", "px", "horizontal path of a fling at 60 Hz, mean", scores,
-                         &Independence::way_px),
-       column_of<double>("score", "1", "100 (1 - spread / way), at least 0", scores, &Independence::score),
-       column_of<double>("spread_median", "px", "spread of a fling, median", scores,
-                         [](const Independence& score) { return score.spreads_px.median; }),
-       column_of<double>("spread_low", "px", "spread of a fling, 10 %", scores,
-                         [](const Independence& score) { return score.spreads_px.low; }),
-       column_of<double>("spread_high", "px", "spread of a fling, 90 %", scores,
-                         [](const Independence& score) { return score.spreads_px.high; }),
-       column_of<std::int64_t>("flings", "1", "played", scores,
-                               [](const Independence& score) { return score.spreads_px.samples; }),
-       column_of<std::int64_t>("seed", "1", "of the flings", scores,
-                               [](const Independence&) { return static_cast<std::int64_t>(kFlingSeed); }),
-       column_of<std::int64_t>("other_contacts", "1",
-                               "flings that meet a side wall or the top another number of times at some rate",
-                               scores,
-                               [](const Independence& score) { return score.other_contacts.count; })}};
+  return {name,
+          "frame-rate independence",
+          {method_column(scores), clock_column(scores),
+           column_of("spread", "px", "spread of the places where a fling settles over all rates, mean",
+                     scores, &Independence::spread_px),
+           column_of("way", "px", "horizontal path of a fling at 60 Hz, mean", scores, &Independence::way_px),
+           column_of("score", "1", "100 (1 - spread / way), at least 0", scores, &Independence::score),
+           column_of("spread_median", "px", "spread of a fling, median", scores,
+                     [](const Independence& score) { return score.spreads_px.median; }),
+           column_of("spread_low", "px", "spread of a fling, 10 %", scores,
+                     [](const Independence& score) { return score.spreads_px.low; }),
+           column_of("spread_high", "px", "spread of a fling, 90 %", scores,
+                     [](const Independence& score) { return score.spreads_px.high; }),
+           column_of("flings", "1", "played", scores,
+                     [](const Independence& score) { return score.spreads_px.samples; }),
+           column_of("seed", "1", "of the flings", scores,
+                     [](const Independence&) { return static_cast<std::int64_t>(kFlingSeed); }),
+           column_of("other_contacts", "1",
+                     "flings that meet a side wall or the top another number of times at some rate", scores,
+                     [](const Independence& score) { return score.other_contacts.count; })}};
 }
 
 Table shift_table(const std::vector<DisplayShift>& shifts) {
   using S = const DisplayShift&;
   const auto shift = [&](const std::string& name, const std::string& what, double Band::*part) {
-    return column_of<double>(name, "px", what, shifts, [part](S s) { return s.shift_px.*part; });
+    return column_of(name, "px", what, shifts, [part](S s) { return s.shift_px.*part; });
   };
   return {"shifts",
           "distance from where the same fling settles at 60 Hz",
           {method_column(shifts), clock_column(shifts), rate_column(shifts),
            shift("shift_median", "median", &Band::median), shift("shift_low", "10 %", &Band::low),
            shift("shift_high", "90 %", &Band::high),
-           column_of<std::int64_t>("flings", "1", "played", shifts, [](S s) { return s.other_contacts.of; }),
-           column_of<std::int64_t>("other_contacts", "1",
-                                   "flings that meet a side wall or the top another number of times", shifts,
-                                   [](S s) { return s.other_contacts.count; }),
-           column_of<double>("other_contacts_share_low", "1", "95 % interval of their share", shifts,
-                             [](S s) { return s.other_contacts.low(); }),
-           column_of<double>("other_contacts_share_high", "1", "95 % interval of their share", shifts,
-                             [](S s) { return s.other_contacts.high(); })}};
+           column_of("flings", "1", "played", shifts, [](S s) { return s.other_contacts.of; }),
+           column_of("other_contacts", "1", "flings that meet a side wall or the top another number of times",
+                     shifts, [](S s) { return s.other_contacts.count; }),
+           column_of("other_contacts_share_low", "1", "95 % interval of their share", shifts,
+                     [](S s) { return s.other_contacts.low(); }),
+           column_of("other_contacts_share_high", "1", "95 % interval of their share", shifts,
+                     [](S s) { return s.other_contacts.high(); })}};
 }
 
 // As printed: by the paper's step and by time, every frame the same.
@@ -109,13 +103,12 @@ Table shown_shifts(const FrameRateStudy& study) {
   using S = const DisplayShift&;
   for (std::size_t method = 0; method < steady.size(); ++method) {
     const std::string name = method == 0 ? "paper" : "by_time";
-    table.columns.push_back(
-        column_of<std::string>(name + "_settles_off,_px", "", "", steady[method], [](S s) {
-          return fmt::format("{:.0f} ({:.0f} .. {:.0f})", s.shift_px.median, s.shift_px.low, s.shift_px.high);
-        }));
-    table.columns.push_back(column_of<std::string>(
-        name + "_other_contacts_in", "", "", steady[method],
-        [](S s) { return fmt::format("{} of {}", s.other_contacts.count, s.other_contacts.of); }));
+    table.columns.push_back(column_of(name + "_settles_off,_px", "", "", steady[method], [](S s) {
+      return fmt::format("{:.0f} ({:.0f} .. {:.0f})", s.shift_px.median, s.shift_px.low, s.shift_px.high);
+    }));
+    table.columns.push_back(column_of(name + "_other_contacts_in", "", "", steady[method], [](S s) {
+      return fmt::format("{} of {}", s.other_contacts.count, s.other_contacts.of);
+    }));
   }
   return table;
 }
@@ -124,13 +117,13 @@ Table shown_scores(const std::vector<Independence>& scores) {
   return {"scores",
           "",
           {method_column(scores), clock_column(scores),
-           column_of<std::string>("spread,_px", "", "", scores,
-                                  [](const Independence& score) {
-                                    return fmt::format("{:.0f} ({:.0f} .. {:.0f})", score.spreads_px.median,
-                                                       score.spreads_px.low, score.spreads_px.high);
-                                  }),
-           column_of<double>("path", "px", "", scores, &Independence::way_px),
-           column_of<double>("score", "1", "", scores, &Independence::score)}};
+           column_of("spread,_px", "", "", scores,
+                     [](const Independence& score) {
+                       return fmt::format("{:.0f} ({:.0f} .. {:.0f})", score.spreads_px.median,
+                                          score.spreads_px.low, score.spreads_px.high);
+                     }),
+           column_of("path", "px", "", scores, &Independence::way_px),
+           column_of("score", "1", "", scores, &Independence::score)}};
 }
 
 // "every frame the same: drag and friction by time spread less in 118 of 121 flings (93 .. 99 %)".
@@ -157,10 +150,9 @@ Verdict verdict_of(const FrameRateStudy& study) {
   Table landings{"displays", "", {rate_column(paper)}};
   for (const auto& [name, records] : {std::pair{"paper", &paper}, std::pair{"by_time", &by_time}}) {
     const std::string prefix = std::string(name) + "_";
-    landings.columns.push_back(
-        column_of<double>(prefix + "settles_at", "px", "", *records, &Landing::x_px, 5));
-    landings.columns.push_back(column_of<double>(prefix + "after", "s", "", *records, &Landing::time_s, 3));
-    landings.columns.push_back(column_of<double>(prefix + "path", "px", "", *records, &Landing::path_px));
+    landings.columns.push_back(column_of(prefix + "settles_at", "px", "", *records, &Landing::x_px, 5));
+    landings.columns.push_back(column_of(prefix + "after", "s", "", *records, &Landing::time_s, 3));
+    landings.columns.push_back(column_of(prefix + "path", "px", "", *records, &Landing::path_px));
   }
   Verdict verdict{
       {"frame-rate: one fling on every display, by the paper's step and with drag and friction by time",

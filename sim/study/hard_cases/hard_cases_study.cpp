@@ -43,68 +43,65 @@ std::vector<PlayedCase> play(std::vector<HardCase> cases, const StudyRequest& re
 
 // The columns of a judgement that do not depend on where it is printed.
 Column invariant_column(const std::vector<Judgement>& judgements) {
-  return column_of<std::string>("invariant", "", "what must hold", judgements,
-                                [](const Judgement& judgement) { return judgement.text().name; });
+  return column_of("invariant", "", "what must hold", judgements,
+                   [](const Judgement& judgement) { return judgement.text().name; });
 }
 Column verdict_column(const std::vector<Judgement>& judgements) {
-  return column_of<std::string>(
-      "verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)", judgements,
-      [](const Judgement& judgement) { return name_of(judgement.verdict); });
+  return column_of("verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)",
+                   judgements, [](const Judgement& judgement) { return name_of(judgement.verdict); });
 }
 Column slack_column(const std::vector<Judgement>& judgements) {
-  return column_of<double>("margin", "", "smallest margin to the bound, below 0 if broken", judgements,
-                           [](const Judgement& judgement) { return judgement.measure().slack; });
+  return column_of("margin", "", "smallest margin to the bound, below 0 if broken", judgements,
+                   [](const Judgement& judgement) { return judgement.measure().slack; });
 }
 Column worst_step_column(const std::vector<Judgement>& judgements) {
-  return column_of<std::int64_t>("worst_step", "1", "row number of the smallest margin", judgements,
-                                 [](const Judgement& judgement) { return judgement.measure().worst_step; });
+  return column_of("worst_step", "1", "row number of the smallest margin", judgements,
+                   [](const Judgement& judgement) { return judgement.measure().worst_step; });
 }
 
 Table verdict_table(const std::vector<Judgement>& judgements) {
-  return {
-      "verdicts",
-      "every case against every invariant that was checked in it",
-      {column_of<std::string>("case", "", "case", judgements,
-                              [](const Judgement& judgement) { return judgement.played->hard_case.name; }),
-       invariant_column(judgements), verdict_column(judgements), slack_column(judgements),
-       column_of<std::string>("margin_unit", "", "unit of the margin", judgements,
-                              [](const Judgement& judgement) { return judgement.text().unit; }),
-       worst_step_column(judgements)}};
+  return {"verdicts",
+          "every case against every invariant that was checked in it",
+          {column_of("case", "", "case", judgements,
+                     [](const Judgement& judgement) { return judgement.played->hard_case.name; }),
+           invariant_column(judgements), verdict_column(judgements), slack_column(judgements),
+           column_of("margin_unit", "", "unit of the margin", judgements,
+                     [](const Judgement& judgement) { return judgement.text().unit; }),
+           worst_step_column(judgements)}};
 }
 
 using PlayedRef = const PlayedCase&;
 
 Column case_column(const std::vector<PlayedCase>& cases) {
-  return column_of<std::string>("case", "", "case", cases,
-                                [](PlayedRef played) { return played.hard_case.name; });
+  return column_of("case", "", "case", cases, [](PlayedRef played) { return played.hard_case.name; });
 }
 Column origin_column(const std::vector<PlayedCase>& cases) {
-  return column_of<std::string>("made_from", "", "scenario it is, or was made from", cases,
-                                [](PlayedRef played) { return played.hard_case.made_from; });
+  return column_of("made_from", "", "scenario it is, or was made from", cases,
+                   [](PlayedRef played) { return played.hard_case.made_from; });
 }
 Column step_column(const std::vector<PlayedCase>& cases) {
-  return column_of<std::int64_t>("steps", "1", "steps played and checked", cases,
-                                 [](PlayedRef played) { return played.result.steps; });
+  return column_of("steps", "1", "steps played and checked", cases,
+                   [](PlayedRef played) { return played.result.steps; });
 }
 Column knife_edge_column(const std::vector<PlayedCase>& cases) {
-  return column_of<std::int64_t>("knife_edges", "1", "decisions about a wall within rounding", cases,
-                                 [](PlayedRef played) { return played.result.knife_edges; });
+  return column_of("knife_edges", "1", "decisions about a wall within rounding", cases,
+                   [](PlayedRef played) { return played.result.knife_edges; });
 }
 
 Table case_table(const std::vector<PlayedCase>& cases) {
-  return {"cases",
-          "the cases",
-          {case_column(cases), origin_column(cases),
-           column_of<std::string>("why", "", "why it is hard", cases,
-                                  [](PlayedRef played) { return played.hard_case.why; }),
-           step_column(cases), knife_edge_column(cases)}};
+  return {
+      "cases",
+      "the cases",
+      {case_column(cases), origin_column(cases),
+       column_of("why", "", "why it is hard", cases, [](PlayedRef played) { return played.hard_case.why; }),
+       step_column(cases), knife_edge_column(cases)}};
 }
 
 Table summary_of(const std::vector<PlayedCase>& cases) {
   return {"cases",
           "",
           {case_column(cases), origin_column(cases), step_column(cases), knife_edge_column(cases),
-           column_of<Table>("invariants", "", "", cases, [](PlayedRef played) {
+           column_of("invariants", "", "", cases, [](PlayedRef played) {
              const std::vector<Judgement> judgements = judgements_of({&played, 1});
              return Table{"invariants",
                           "",
@@ -120,20 +117,19 @@ Table invariant_table(const std::vector<Judgement>& judgements) {
     if (InvariantCount each = count(judgements, static_cast<Invariant>(index)); each.cases > 0)
       counts.emplace_back(&kInvariantTexts[index], std::move(each));
   using C = const std::pair<const InvariantText*, InvariantCount>&;
-  return {"invariants",
-          "",
-          {column_of<std::string>("invariant", "", "", counts, [](C each) { return each.first->name; }),
-           column_of<std::int64_t>("cases", "1", "", counts, [](C each) { return each.second.cases; }),
-           column_of<std::int64_t>("held", "1", "", counts, [](C each) { return each.second.held; }),
-           column_of<std::int64_t>("expected_failures", "1", "", counts,
-                                   [](C each) { return each.second.expected_failures; }),
-           column_of<std::int64_t>("broken", "1", "", counts, [](C each) { return each.second.broken; }),
-           column_of<double>(
-               "least_slack", "1", "", counts, [](C each) { return each.second.slack; }, 3),
-           column_of<std::string>("unit", "", "", counts,
-                                  [](C each) { return each.first->unit == "1" ? "" : each.first->unit; }),
-           column_of<std::string>("in_case", "", "", counts,
-                                  [](C each) { return each.second.least_slack_case; })}};
+  return {
+      "invariants",
+      "",
+      {column_of("invariant", "", "", counts, [](C each) { return each.first->name; }),
+       column_of("cases", "1", "", counts, [](C each) { return each.second.cases; }),
+       column_of("held", "1", "", counts, [](C each) { return each.second.held; }),
+       column_of("expected_failures", "1", "", counts, [](C each) { return each.second.expected_failures; }),
+       column_of("broken", "1", "", counts, [](C each) { return each.second.broken; }),
+       column_of(
+           "least_slack", "1", "", counts, [](C each) { return each.second.slack; }, 3),
+       column_of("unit", "", "", counts,
+                 [](C each) { return each.first->unit == "1" ? "" : each.first->unit; }),
+       column_of("in_case", "", "", counts, [](C each) { return each.second.least_slack_case; })}};
 }
 
 // What the listing itself breaks in any scenario (is_broken_by_listing) is known without the case's saying

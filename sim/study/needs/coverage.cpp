@@ -46,19 +46,18 @@ std::set<std::int32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios) 
 }
 
 Table coverage_table(const std::vector<ScenarioNeeds>& scenarios) {
-  Table table{
-      "coverage",
-      "which scenario exercises what: 2 needed, 1 below the tolerance, 0 not exercised",
-      {column_of<std::string>("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario)}};
+  Table table{"coverage",
+              "which scenario exercises what: 2 needed, 1 below the tolerance, 0 not exercised",
+              {column_of("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario)}};
   for (std::size_t index = 0; index < coverage_columns().size(); ++index) {
     std::string name = coverage_columns()[index];
     std::replace(name.begin(), name.end(), ' ', '_');
-    table.columns.push_back(column_of<std::int64_t>(
-        name, "1", coverage_columns()[index] + ": 2 needed, 1 below the tolerance, 0 not exercised",
-        scenarios, [index](const ScenarioNeeds& needs) {
-          const Need need = coverage_of(needs)[index];
-          return need == Need::not_exercised ? 0 : need == Need::below ? 1 : 2;
-        }));
+    table.columns.push_back(
+        column_of(name, "1", coverage_columns()[index] + ": 2 needed, 1 below the tolerance, 0 not exercised",
+                  scenarios, [index](const ScenarioNeeds& needs) {
+                    const Need need = coverage_of(needs)[index];
+                    return need == Need::not_exercised ? 0 : need == Need::below ? 1 : 2;
+                  }));
   }
   return table;
 }

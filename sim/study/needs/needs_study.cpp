@@ -20,7 +20,7 @@ constexpr std::size_t kPartsPrintedMax = 30;
 using Needs = const ScenarioNeeds&;
 
 Column scenario_column(const std::vector<ScenarioNeeds>& scenarios) {
-  return column_of<std::string>("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario);
+  return column_of("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario);
 }
 
 std::int64_t path_count_taken(Needs needs) { return std::ssize(needs.paths_taken); }
@@ -35,30 +35,29 @@ Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
     for (const PartNeed& part : needs.parts) rows.push_back({&needs, &part});
   using R = const PartOfScene&;
   const auto saved_column = [&rows](const char* name, const char* what, double MedianEstimate::*end) {
-    return column_of<double>(name, "ns", what, rows, [end](R r) { return r.part->saved_ns_per_step.*end; });
+    return column_of(name, "ns", what, rows, [end](R r) { return r.part->saved_ns_per_step.*end; });
   };
-  return {
-      "parts",
-      "every part of model and scene left out in turn",
-      {column_of<std::string>("scenario", "", "what is played", rows, [](R r) { return r.needs->scenario; }),
-       column_of<std::string>("part", "", "what is left out", rows, [](R r) { return r.part->part; }),
-       column_of<std::string>("verdict", "",
-                              "needed, alone or with others left out; below the tolerance; or not exercised",
-                              rows, [](R r) { return name_of(r.part->need); }),
-       column_of<double>("path_difference", "px", "largest distance at equal times", rows,
-                         [](R r) { return r.part->difference.path_px; }),
-       column_of<std::int64_t>("first_step", "1", "first row that differs; -1: none", rows,
-                               [](R r) { return r.part->difference.first_step; }),
-       column_of<std::int64_t>("contacts_moved", "1", "contacts that moved, appeared or vanished", rows,
-                               [](R r) { return r.part->difference.contacts_moved; }),
-       column_of<double>("end_shift", "px", "distance at the end", rows,
-                         [](R r) { return r.part->difference.end_px; }),
-       saved_column("saved", "time saved per step, median; missing where the path changes",
-                    &MedianEstimate::median),
-       saved_column("saved_low", "95 % interval of the median, low end", &MedianEstimate::low),
-       saved_column("saved_high", "95 % interval of the median, high end", &MedianEstimate::high),
-       column_of<double>("step", "ns", "time of a step with all parts, median", rows,
-                         [](R r) { return r.needs->step_ns.median; })}};
+  return {"parts",
+          "every part of model and scene left out in turn",
+          {column_of("scenario", "", "what is played", rows, [](R r) { return r.needs->scenario; }),
+           column_of("part", "", "what is left out", rows, [](R r) { return r.part->part; }),
+           column_of("verdict", "",
+                     "needed, alone or with others left out; below the tolerance; or not exercised", rows,
+                     [](R r) { return name_of(r.part->need); }),
+           column_of("path_difference", "px", "largest distance at equal times", rows,
+                     [](R r) { return r.part->difference.path_px; }),
+           column_of("first_step", "1", "first row that differs; -1: none", rows,
+                     [](R r) { return r.part->difference.first_step; }),
+           column_of("contacts_moved", "1", "contacts that moved, appeared or vanished", rows,
+                     [](R r) { return r.part->difference.contacts_moved; }),
+           column_of("end_shift", "px", "distance at the end", rows,
+                     [](R r) { return r.part->difference.end_px; }),
+           saved_column("saved", "time saved per step, median; missing where the path changes",
+                        &MedianEstimate::median),
+           saved_column("saved_low", "95 % interval of the median, low end", &MedianEstimate::low),
+           saved_column("saved_high", "95 % interval of the median, high end", &MedianEstimate::high),
+           column_of("step", "ns", "time of a step with all parts, median", rows,
+                     [](R r) { return r.needs->step_ns.median; })}};
 }
 
 std::int64_t unneeded_count(const ScenarioNeeds& needs) {
@@ -67,17 +66,16 @@ std::int64_t unneeded_count(const ScenarioNeeds& needs) {
 }
 
 Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
-  return {"control",
-          "everything that is not needed left out at once",
-          {scenario_column(scenarios),
-           column_of<std::int64_t>("steps", "1", "frames played", scenarios, &ScenarioNeeds::steps),
-           column_of<std::int64_t>("left_out", "1", "parts left out", scenarios, unneeded_count),
-           column_of<double>("path_difference", "px", "largest distance at equal times", scenarios,
-                             [](Needs needs) { return needs.without_all_unneeded.path_px; }),
-           column_of<double>("tolerance", "px", "largest distance allowed", scenarios,
-                             [within_px](Needs) { return within_px; }),
-           column_of<std::int64_t>("paths_taken", "1", "paths of the core's step taken", scenarios,
-                                   path_count_taken)}};
+  return {
+      "control",
+      "everything that is not needed left out at once",
+      {scenario_column(scenarios), column_of("steps", "1", "frames played", scenarios, &ScenarioNeeds::steps),
+       column_of("left_out", "1", "parts left out", scenarios, unneeded_count),
+       column_of("path_difference", "px", "largest distance at equal times", scenarios,
+                 [](Needs needs) { return needs.without_all_unneeded.path_px; }),
+       column_of("tolerance", "px", "largest distance allowed", scenarios,
+                 [within_px](Needs) { return within_px; }),
+       column_of("paths_taken", "1", "paths of the core's step taken", scenarios, path_count_taken)}};
 }
 
 // The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
@@ -99,36 +97,35 @@ Table cheapest_table(const std::vector<ScenarioNeeds>& scenarios) {
   return {"cheapest",
           "the cheapest method and rate within the tolerance of the exact motion",
           {scenario_column(searched),
-           column_of<std::string>("method", "", "the cheapest", searched,
-                                  [](Needs needs) {
-                                    const WorkPoint* const point = cheapest_of(needs);
-                                    return point != nullptr ? needs.methods->methods[point->method].name
-                                                            : "none";
-                                  }),
-           column_of<double>("rate", "Hz", "its frames per second", searched,
-                             [&](Needs needs) { return rate(cheapest_of(needs)); }),
-           column_of<double>("cost", "ns/s", "its median cost", searched,
-                             [&](Needs needs) { return cost(cheapest_of(needs)); }),
-           column_of<double>("paper_rate", "Hz", "of the paper's step; missing: at no rate", searched,
-                             [&](Needs needs) { return rate(cheapest_of(needs, true)); }),
-           column_of<double>("paper_cost", "ns/s", "its median cost", searched,
-                             [&](Needs needs) { return cost(cheapest_of(needs, true)); })}};
+           column_of("method", "", "the cheapest", searched,
+                     [](Needs needs) {
+                       const WorkPoint* const point = cheapest_of(needs);
+                       return point != nullptr ? needs.methods->methods[point->method].name : "none";
+                     }),
+           column_of("rate", "Hz", "its frames per second", searched,
+                     [&](Needs needs) { return rate(cheapest_of(needs)); }),
+           column_of("cost", "ns/s", "its median cost", searched,
+                     [&](Needs needs) { return cost(cheapest_of(needs)); }),
+           column_of("paper_rate", "Hz", "of the paper's step; missing: at no rate", searched,
+                     [&](Needs needs) { return rate(cheapest_of(needs, true)); }),
+           column_of("paper_cost", "ns/s", "its median cost", searched,
+                     [&](Needs needs) { return cost(cheapest_of(needs, true)); })}};
 }
 
 // The JSON member `parts` of a scenario.
 Table parts_summary(const ScenarioNeeds& needs) {
   using P = const PartNeed&;
-  return {"parts",
-          "",
-          {column_of<std::string>("part", "", "", needs.parts, &PartNeed::part),
-           column_of<std::string>("verdict", "", "", needs.parts, [](P part) { return name_of(part.need); }),
-           column_of<double>("path", "px", "", needs.parts, [](P part) { return part.difference.path_px; }),
-           column_of<std::int64_t>("contacts_moved", "1", "", needs.parts,
-                                   [](P part) { return part.difference.contacts_moved; }),
-           column_of<double>("end", "px", "", needs.parts, [](P part) { return part.difference.end_px; }),
-           column_of<double>("saved", "ns/step", "", needs.parts,
-                             [](P part) { return part.saved_ns_per_step.median; }),
-           column_of<bool>("saves", "", "", needs.parts, &PartNeed::saves)}};
+  return {
+      "parts",
+      "",
+      {column_of("part", "", "", needs.parts, &PartNeed::part),
+       column_of("verdict", "", "", needs.parts, [](P part) { return name_of(part.need); }),
+       column_of("path", "px", "", needs.parts, [](P part) { return part.difference.path_px; }),
+       column_of("contacts_moved", "1", "", needs.parts,
+                 [](P part) { return part.difference.contacts_moved; }),
+       column_of("end", "px", "", needs.parts, [](P part) { return part.difference.end_px; }),
+       column_of("saved", "ns/step", "", needs.parts, [](P part) { return part.saved_ns_per_step.median; }),
+       column_of("saves", "", "", needs.parts, &PartNeed::saves)}};
 }
 
 // The JSON member `cheapest` of a scenario.
@@ -160,14 +157,13 @@ std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, doubl
            JsonShape::members},
           {"scenes",
            "",
-           {scenario_column(scenarios),
-            column_of<std::int64_t>("steps", "1", "", scenarios, &ScenarioNeeds::steps),
-            column_of<double>("step", "ns", "", scenarios, [](Needs needs) { return needs.step_ns.median; }),
-            column_of<Table>("parts", "", "", scenarios, parts_summary),
-            column_of<std::int64_t>("paths_taken", "1", "", scenarios, path_count_taken),
-            column_of<double>("without_all_unneeded", "px", "", scenarios,
-                              [](Needs needs) { return needs.without_all_unneeded.path_px; }),
-            column_of<Table>("cheapest", "", "", scenarios, cheapest_summary)}},
+           {scenario_column(scenarios), column_of("steps", "1", "", scenarios, &ScenarioNeeds::steps),
+            column_of("step", "ns", "", scenarios, [](Needs needs) { return needs.step_ns.median; }),
+            column_of("parts", "", "", scenarios, parts_summary),
+            column_of("paths_taken", "1", "", scenarios, path_count_taken),
+            column_of("without_all_unneeded", "px", "", scenarios,
+                      [](Needs needs) { return needs.without_all_unneeded.path_px; }),
+            column_of("cheapest", "", "", scenarios, cheapest_summary)}},
           {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
 }
 
@@ -177,7 +173,7 @@ Table printed_parts(const ScenarioNeeds& needs) {
       needs.parts.begin(),
       needs.parts.begin() + std::min(std::ssize(needs.parts), std::ptrdiff_t{kPartsPrintedMax}));
   const auto column = [&](const char* name, const char* unit, const auto& value) {
-    return column_of<double>(
+    return column_of(
         name, unit, "", parts,
         [&](const PartNeed& part) {
           return part.need == Need::not_exercised ? kNotGiven : value(part.difference);
@@ -187,18 +183,17 @@ Table printed_parts(const ScenarioNeeds& needs) {
   using D = const PathDifference&;
   return {"parts",
           "",
-          {column_of<std::string>("left_out", "", "", parts, &PartNeed::part),
+          {column_of("left_out", "", "", parts, &PartNeed::part),
            column("path_moves", "px", [](D difference) { return difference.path_px; }),
            column("contacts_moved", "1", [](D difference) { return double(difference.contacts_moved); }),
            column("end_moves", "px", [](D difference) { return difference.end_px; }),
-           column_of<double>(
+           column_of(
                "saves", "ns", "", parts,
                [](const PartNeed& part) {
                  return part.saves() ? std::round(100.0 * part.saved_ns_per_step.median) / 100.0 : kNotGiven;
                },
                3),
-           column_of<std::string>("verdict", "", "", parts,
-                                  [](const PartNeed& part) { return name_of(part.need); })}};
+           column_of("verdict", "", "", parts, [](const PartNeed& part) { return name_of(part.need); })}};
 }
 
 std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {

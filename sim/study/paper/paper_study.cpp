@@ -42,20 +42,17 @@ Table claim_table(const std::vector<Claim>& claims) {
   return {
       "claims",
       "the paper's sentences against the core",
-      {column_of<std::string>("claim", "", "name of the claim", claims, &Claim::id),
-       column_of<std::string>("section", "", "section of the paper", claims, &Claim::section),
-       column_of<std::string>("sentence", "", "sentence of the paper, shortened", claims, &Claim::sentence),
-       column_of<std::string>("measured", "", "what was measured", claims, &Claim::measured),
-       column_of<std::string>("expected", "", "the number, in its unit, if the sentence holds", claims,
-                              &Claim::expected),
-       column_of<double>("number", "", "the measured value; of many the median", claims, &Claim::number),
-       column_of<double>("number_low", "", "low end of the range of many values", claims, range_end(0)),
-       column_of<double>("number_high", "", "high end of the range of many values", claims, range_end(1)),
-       column_of<std::string>("number_unit", "", "unit of the number", claims, &Claim::unit),
-       column_of<std::string>("verdict", "", "holds, holds when, does not hold, or not measured", claims,
-                              verdict),
-       column_of<std::string>("remark", "", "when it holds, or what the number means", claims,
-                              &Claim::remark)}};
+      {column_of("claim", "", "name of the claim", claims, &Claim::id),
+       column_of("section", "", "section of the paper", claims, &Claim::section),
+       column_of("sentence", "", "sentence of the paper, shortened", claims, &Claim::sentence),
+       column_of("measured", "", "what was measured", claims, &Claim::measured),
+       column_of("expected", "", "the number, in its unit, if the sentence holds", claims, &Claim::expected),
+       column_of("number", "", "the measured value; of many the median", claims, &Claim::number),
+       column_of("number_low", "", "low end of the range of many values", claims, range_end(0)),
+       column_of("number_high", "", "high end of the range of many values", claims, range_end(1)),
+       column_of("number_unit", "", "unit of the number", claims, &Claim::unit),
+       column_of("verdict", "", "holds, holds when, does not hold, or not measured", claims, verdict),
+       column_of("remark", "", "when it holds, or what the number means", claims, &Claim::remark)}};
 }
 
 // The array of the JSON document.
@@ -123,11 +120,11 @@ Verdict verdict_of(const std::vector<Claim>& claims) {
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
   return {{std::move(sentence), Table{"claims",
                                       "",
-                                      {column_of<std::string>("claim", "", "", claims, &Claim::id),
-                                       column_of<std::string>("verdict", "", "", claims, verdict),
-                                       column_of<std::string>("expected", "", "", claims, &Claim::expected),
-                                       column_of<std::string>("measured", "", "", claims, number),
-                                       column_of<std::string>("remark", "", "", claims, &Claim::remark)}}},
+                                      {column_of("claim", "", "", claims, &Claim::id),
+                                       column_of("verdict", "", "", claims, verdict),
+                                       column_of("expected", "", "", claims, &Claim::expected),
+                                       column_of("measured", "", "", claims, number),
+                                       column_of("remark", "", "", claims, &Claim::remark)}}},
           {}};
 }
 

@@ -36,65 +36,61 @@ RestResults measure(bool is_quick) {
 
 Table map_table(const std::vector<RateEnds>& map) {
   const auto flings = [&](FinalState state, const std::string& what) {
-    return column_of<std::int64_t>(std::string(kFinalStateNames[static_cast<std::size_t>(state)]), "1",
-                                   "flings that " + what, map,
-                                   [state](const RateEnds& ends) { return ends.count(state); });
+    return column_of(std::string(kFinalStateNames[static_cast<std::size_t>(state)]), "1",
+                     "flings that " + what, map, [state](const RateEnds& ends) { return ends.count(state); });
   };
   const auto time = [&](const std::string& name, const std::string& what, double Band::*part) {
-    return column_of<double>(name, "s", what, map, [part](const RateEnds& ends) {
+    return column_of(name, "s", what, map, [part](const RateEnds& ends) {
       return ends.settles_s ? *ends.settles_s.*part : kNotGiven;
     });
   };
-  return {
-      "final_states",
-      "how random flings end, by display rate",
-      {column_of<double>("rate", "Hz", "display rate", map, &RateEnds::rate_hz),
-       column_of<double>("gain", "px/s", "speed that one step of gravity adds, after drag", map,
-                         &RateEnds::gain_px_per_s),
-       flings(FinalState::zero_speed, "end at zero speed: vy exactly 0"),
-       flings(FinalState::two_cycle, "end in the two-cycle: vy 0 in every other row"),
-       flings(FinalState::residual_speed, "end at the residual speed: vy constant"),
-       flings(FinalState::moving, "still move"),
-       column_of<std::int64_t>("unforeseen", "1", "flings in a final state that the boundaries do not allow",
-                               map, &RateEnds::unforeseen),
-       time("time_low", "time to settle, 10 %", &Band::low),
-       time("time_median", "time to settle, median", &Band::median),
-       time("time_high", "time to settle, 90 %", &Band::high),
-       column_of<std::int64_t>("seed", "1", "of the flings", map,
-                               [](const RateEnds&) { return static_cast<std::int64_t>(kFlingSeed); })}};
+  return {"final_states",
+          "how random flings end, by display rate",
+          {column_of("rate", "Hz", "display rate", map, &RateEnds::rate_hz),
+           column_of("gain", "px/s", "speed that one step of gravity adds, after drag", map,
+                     &RateEnds::gain_px_per_s),
+           flings(FinalState::zero_speed, "end at zero speed: vy exactly 0"),
+           flings(FinalState::two_cycle, "end in the two-cycle: vy 0 in every other row"),
+           flings(FinalState::residual_speed, "end at the residual speed: vy constant"),
+           flings(FinalState::moving, "still move"),
+           column_of("unforeseen", "1", "flings in a final state that the boundaries do not allow", map,
+                     &RateEnds::unforeseen),
+           time("time_low", "time to settle, 10 %", &Band::low),
+           time("time_median", "time to settle, median", &Band::median),
+           time("time_high", "time to settle, 90 %", &Band::high),
+           column_of("seed", "1", "of the flings", map,
+                     [](const RateEnds&) { return static_cast<std::int64_t>(kFlingSeed); })}};
 }
 
 Column analytic_column(const std::vector<RestBoundary>& boundaries) {
-  return column_of<double>("analytic", "Hz", "derived from the constants", boundaries,
-                           &RestBoundary::analytic_hz, 9);
+  return column_of("analytic", "Hz", "derived from the constants", boundaries, &RestBoundary::analytic_hz, 9);
 }
 Column measured_column(const std::vector<RestBoundary>& boundaries) {
   const auto measured_hz = [](const RestBoundary& boundary) {
     return boundary.measured_hz.value_or(std::numeric_limits<double>::quiet_NaN());
   };
-  return column_of<double>("measured", "Hz", "found on the core by bisection", boundaries, measured_hz, 9);
+  return column_of("measured", "Hz", "found on the core by bisection", boundaries, measured_hz, 9);
 }
 Table boundary_table(const std::vector<RestBoundary>& boundaries) {
   return {"boundaries",
           "display rates at which the possible final states change",
-          {column_of<std::string>("boundary", "", "what changes", boundaries, &RestBoundary::name),
+          {column_of("boundary", "", "what changes", boundaries, &RestBoundary::name),
            analytic_column(boundaries), measured_column(boundaries)}};
 }
 
 Table bounce_table(const std::vector<DropBounce>& bounces) {
   return {"bounces",
           "effective restitution of the first bounce of a drop",
-          {column_of<double>("rate", "Hz", "display rate", bounces, &DropBounce::rate_hz),
-           column_of<double>("phase", "1", "part of the contact's step below the floor", bounces,
-                             &DropBounce::phase),
-           column_of<double>("restitution", "1", "speed after the contact over the speed of the exact impact",
-                             bounces, &DropBounce::restitution)}};
+          {column_of("rate", "Hz", "display rate", bounces, &DropBounce::rate_hz),
+           column_of("phase", "1", "part of the contact's step below the floor", bounces, &DropBounce::phase),
+           column_of("restitution", "1", "speed after the contact over the speed of the exact impact",
+                     bounces, &DropBounce::restitution)}};
 }
 
 // The members of the JSON document.
 std::vector<Table> summary_of(const RestResults& results) {
   Table boundaries = boundary_table(results.boundaries);
-  boundaries.columns.push_back(column_of<bool>("agrees", "", "", results.boundaries, &RestBoundary::agrees));
+  boundaries.columns.push_back(column_of("agrees", "", "", results.boundaries, &RestBoundary::agrees));
   Table rates = map_table(results.map);
   rates.name = "rates";
   std::erase_if(rates.columns, [](const Column& column) {
@@ -107,9 +103,8 @@ std::vector<Table> summary_of(const RestResults& results) {
 Table shown_boundaries(const std::vector<RestBoundary>& boundaries) {
   return {"boundaries",
           "",
-          {column_of<std::string>("boundary", "", "", boundaries, &RestBoundary::text),
-           analytic_column(boundaries), measured_column(boundaries),
-           column_of<std::string>("", "", "", boundaries, [](const RestBoundary& boundary) {
+          {column_of("boundary", "", "", boundaries, &RestBoundary::text), analytic_column(boundaries),
+           measured_column(boundaries), column_of("", "", "", boundaries, [](const RestBoundary& boundary) {
              return boundary.agrees() ? "agrees" : "differs";
            })}};
 }
@@ -119,15 +114,15 @@ Table shown_displays(const std::vector<RateEnds>& map) {
   std::copy_if(map.begin(), map.end(), std::back_inserter(shown), [](const RateEnds& ends) {
     return std::find(kDisplays_hz.begin(), kDisplays_hz.end(), ends.rate_hz) != kDisplays_hz.end();
   });
-  Table table{"displays", "", {column_of<double>("display", "Hz", "", shown, &RateEnds::rate_hz)}};
+  Table table{"displays", "", {column_of("display", "Hz", "", shown, &RateEnds::rate_hz)}};
   for (const FinalState state : {FinalState::zero_speed, FinalState::two_cycle, FinalState::residual_speed})
-    table.columns.push_back(column_of<std::string>(
-        std::string(text_of(state)) + ",_%", "", "", shown, [state](const RateEnds& ends) {
+    table.columns.push_back(
+        column_of(std::string(text_of(state)) + ",_%", "", "", shown, [state](const RateEnds& ends) {
           const Share share = ends.share(state);
           return fmt::format("{:.0f} ({:.0f} .. {:.0f})", ends.percent(state), 100.0 * share.low(),
                              100.0 * share.high());
         }));
-  table.columns.push_back(column_of<std::string>("settles_after,_s", "", "", shown, [](const RateEnds& ends) {
+  table.columns.push_back(column_of("settles_after,_s", "", "", shown, [](const RateEnds& ends) {
     if (!ends.settles_s) return std::string("-");
     return fmt::format("{:.2f} ({:.2f} .. {:.2f})", ends.settles_s->median, ends.settles_s->low,
                        ends.settles_s->high);

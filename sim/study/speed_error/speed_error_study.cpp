@@ -75,17 +75,13 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
   using L = const Line&;
   return {
       .columns = {
-          column_of<std::string>("method", "", "", lines, [&](L l) { return study.methods[l.method].label; }),
-          column_of<std::string>("order", "", "", lines,
-                                 [&](L l) { return order_text(study, problem, l.method); }),
-          column_of<double>("error_at_60_Hz", "px", "", lines,
-                            [](L l) { return l.at_60->errors.position_px; }),
-          column_of<std::string>("cost_at_60_Hz,_ns/s", "", "", lines,
-                                 [](L l) { return cost_text(l.at_60->cost); }),
-          column_of<std::string>("set-up,_ns", "", "", lines,
-                                 [&](L l) { return set_up_text(study, problem, l.method); }),
-          column_of<double>("least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }),
-          column_of<double>("at", "Hz", "", lines, [](L l) { return l.best->rate_hz; })}};
+          column_of("method", "", "", lines, [&](L l) { return study.methods[l.method].label; }),
+          column_of("order", "", "", lines, [&](L l) { return order_text(study, problem, l.method); }),
+          column_of("error_at_60_Hz", "px", "", lines, [](L l) { return l.at_60->errors.position_px; }),
+          column_of("cost_at_60_Hz,_ns/s", "", "", lines, [](L l) { return cost_text(l.at_60->cost); }),
+          column_of("set-up,_ns", "", "", lines, [&](L l) { return set_up_text(study, problem, l.method); }),
+          column_of("least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }),
+          column_of("at", "Hz", "", lines, [](L l) { return l.best->rate_hz; })}};
 }
 
 // A line each of GSL's steppers, at the loosest tolerance that ends near enough; nothing where they do not
@@ -110,14 +106,11 @@ std::optional<Table> gsl_text(const SpeedError& study, std::size_t problem) {
   using L = const Line&;
   return Table{
       .columns = {
-          column_of<std::string>("stepper", "", "", lines,
-                                 [&](L l) { return study.methods[l.method].label; }),
-          column_of<double>("end_only", "px", "", lines, [](L l) { return l.end_only->errors.end_px; }),
-          column_of<double>("60_rows", "px", "", lines, [](L l) { return l.rows->errors.position_px; }),
-          column_of<std::string>("cost,_end_only,_ns/s", "", "", lines,
-                                 [](L l) { return cost_text(l.end_only->cost); }),
-          column_of<std::string>("cost,_60_rows,_ns/s", "", "", lines,
-                                 [](L l) { return cost_text(l.rows->cost); })}};
+          column_of("stepper", "", "", lines, [&](L l) { return study.methods[l.method].label; }),
+          column_of("end_only", "px", "", lines, [](L l) { return l.end_only->errors.end_px; }),
+          column_of("60_rows", "px", "", lines, [](L l) { return l.rows->errors.position_px; }),
+          column_of("cost,_end_only,_ns/s", "", "", lines, [](L l) { return cost_text(l.end_only->cost); }),
+          column_of("cost,_60_rows,_ns/s", "", "", lines, [](L l) { return cost_text(l.rows->cost); })}};
 }
 
 // The cheapest, and how many others the noise hides behind it.
@@ -142,28 +135,26 @@ Table cheapest_text(const SpeedError& study, std::size_t problem) {
   const auto paper = [&](A a) {
     return a.paper_point ? fmt::format("{:.0f} Hz", study.points[*a.paper_point].rate_hz) : "at no rate";
   };
-  return {.columns = {column_of<double>("for_an_error_below", "px", "", answers, &CheapestBelow::error_px),
-                      column_of<std::string>("the_cheapest_is", "", "", answers,
-                                             [&](A a) { return cheapest_name(study, a); }),
-                      column_of<double>("at", "ns/s", "", answers, cost(&CheapestBelow::point), 3),
-                      column_of<std::string>("the_paper's_step_needs", "", "", answers, paper),
-                      column_of<double>("at", "ns/s", "", answers, cost(&CheapestBelow::paper_point), 3)}};
+  return {
+      .columns = {column_of("for_an_error_below", "px", "", answers, &CheapestBelow::error_px),
+                  column_of("the_cheapest_is", "", "", answers, [&](A a) { return cheapest_name(study, a); }),
+                  column_of("at", "ns/s", "", answers, cost(&CheapestBelow::point), 3),
+                  column_of("the_paper's_step_needs", "", "", answers, paper),
+                  column_of("at", "ns/s", "", answers, cost(&CheapestBelow::paper_point), 3)}};
 }
 
 // A line each method at 60 Hz, over flings like the problem.
 Table bands_text(const std::vector<MethodBands>& bands, const SpeedError& study) {
   using B = const MethodBands&;
-  return {
-      .columns = {
-          column_of<std::string>("method", "", "", bands, [&](B b) { return study.methods[b.method].label; }),
-          column_of<std::string>("largest_distance,_px", "", "", bands,
-                                 [](B b) { return band_text(b.position_px); }),
-          column_of<std::string>("at_the_end,_px", "", "", bands, [](B b) { return band_text(b.end_px); }),
-          column_of<std::string>("ends_nearer_in", "", "", bands,
-                                 [](B b) { return fmt::format("{} of {}", b.nearer.count, b.nearer.of); }),
-          column_of<std::string>("other_contacts_in", "", "", bands, [](B b) {
-            return fmt::format("{} of {}", b.other_contacts.count, b.other_contacts.of);
-          })}};
+  return {.columns = {
+              column_of("method", "", "", bands, [&](B b) { return study.methods[b.method].label; }),
+              column_of("largest_distance,_px", "", "", bands, [](B b) { return band_text(b.position_px); }),
+              column_of("at_the_end,_px", "", "", bands, [](B b) { return band_text(b.end_px); }),
+              column_of("ends_nearer_in", "", "", bands,
+                        [](B b) { return fmt::format("{} of {}", b.nearer.count, b.nearer.of); }),
+              column_of("other_contacts_in", "", "", bands, [](B b) {
+                return fmt::format("{} of {}", b.other_contacts.count, b.other_contacts.of);
+              })}};
 }
 
 // The bands of a problem: what is played, the table, and what they say of the exact flight step.

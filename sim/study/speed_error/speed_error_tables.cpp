@@ -30,19 +30,19 @@ using PointIndex = std::optional<std::size_t>;
 template <class Record>
 Column cost_column(const std::string& name, const std::string& unit, const std::string& long_name,
                    const std::vector<Record>& records, double MedianEstimate::*part) {
-  return column_of<double>(name, unit, long_name, records,
-                           [part](const Record& record) { return record.cost.time_ns.*part; });
+  return column_of(name, unit, long_name, records,
+                   [part](const Record& record) { return record.cost.time_ns.*part; });
 }
 
 template <class Record>
 Column problem_column(const SpeedError& study, const std::vector<Record>& records) {
-  return column_of<std::string>("problem", "", "what is played", records,
-                                [&](const Record& record) { return study.problems[record.problem].name; });
+  return column_of("problem", "", "what is played", records,
+                   [&](const Record& record) { return study.problems[record.problem].name; });
 }
 template <class Record>
 Column method_column(const SpeedError& study, const std::vector<Record>& records) {
-  return column_of<std::string>("method", "", "name of the method", records,
-                                [&](const Record& record) { return study.methods[record.method].name; });
+  return column_of("method", "", "name of the method", records,
+                   [&](const Record& record) { return study.methods[record.method].name; });
 }
 
 // As files have it: 0 does not converge, -1 exact, -2 adaptive.
@@ -62,36 +62,34 @@ Table points_table(const SpeedError& study) {
       "points",
       "each method at each rate or tolerance",
       {problem_column(study, points), method_column(study, points),
-       column_of<double>("rate", "Hz", "frames per second", points, &WorkPoint::rate_hz),
-       column_of<double>("dt", "s", "one frame", points, [](P p) { return 1.0 / p.rate_hz; }),
-       column_of<double>("tolerance", "1", "of an adaptive method; none of one that goes by frames", points,
-                         [&](P p) {
-                           const auto* const adaptive =
-                               std::get_if<Adaptive>(&study.methods[p.method].accuracy);
-                           return adaptive != nullptr ? adaptive->tolerance : kNotGiven;
-                         }),
-       column_of<std::int64_t>("failed", "1", "1: the method gave up", points,
-                               [](P p) { return std::int64_t{p.errors.is_failed}; }),
-       column_of<double>("position_error", "px", "largest distance from the exact fling", points,
-                         error(&MethodErrors::position_px)),
-       column_of<double>("velocity_error", "px/s", "largest difference of velocity", points,
-                         error(&MethodErrors::velocity_px_per_s)),
-       column_of<double>("energy_error", "1",
-                         "largest difference of energy / largest kinetic energy of the exact fling", points,
-                         error(&MethodErrors::energy_rel)),
-       column_of<double>("end_error", "px", "distance of the last positions", points,
-                         error(&MethodErrors::end_px)),
-       column_of<double>("contact_time_error", "s", "largest, of the first three impacts", points,
-                         error(&MethodErrors::contact_time_s)),
+       column_of("rate", "Hz", "frames per second", points, &WorkPoint::rate_hz),
+       column_of("dt", "s", "one frame", points, [](P p) { return 1.0 / p.rate_hz; }),
+       column_of("tolerance", "1", "of an adaptive method; none of one that goes by frames", points,
+                 [&](P p) {
+                   const auto* const adaptive = std::get_if<Adaptive>(&study.methods[p.method].accuracy);
+                   return adaptive != nullptr ? adaptive->tolerance : kNotGiven;
+                 }),
+       column_of("failed", "1", "1: the method gave up", points,
+                 [](P p) { return std::int64_t{p.errors.is_failed}; }),
+       column_of("position_error", "px", "largest distance from the exact fling", points,
+                 error(&MethodErrors::position_px)),
+       column_of("velocity_error", "px/s", "largest difference of velocity", points,
+                 error(&MethodErrors::velocity_px_per_s)),
+       column_of("energy_error", "1",
+                 "largest difference of energy / largest kinetic energy of the exact fling", points,
+                 error(&MethodErrors::energy_rel)),
+       column_of("end_error", "px", "distance of the last positions", points, error(&MethodErrors::end_px)),
+       column_of("contact_time_error", "s", "largest, of the first three impacts", points,
+                 error(&MethodErrors::contact_time_s)),
        cost_column("cost", "ns/s", "time per simulated second without set-up, median", points,
                    &MedianEstimate::median),
        cost_column("cost_low", "ns/s", "95 % interval of the median, low end", points, &MedianEstimate::low),
        cost_column("cost_high", "ns/s", "95 % interval of the median, high end", points,
                    &MedianEstimate::high),
-       column_of<std::int64_t>("ranked", "1", "1: gives 60 rows a second, and is not the truth itself",
-                               points, [&](P p) { return std::int64_t{is_ranked(study, p)}; }),
-       column_of<std::int64_t>("pareto", "1", "1: none as accurate is cheaper beyond the noise", points,
-                               [](P p) { return std::int64_t{p.is_pareto}; })}};
+       column_of("ranked", "1", "1: gives 60 rows a second, and is not the truth itself", points,
+                 [&](P p) { return std::int64_t{is_ranked(study, p)}; }),
+       column_of("pareto", "1", "1: none as accurate is cheaper beyond the noise", points,
+                 [](P p) { return std::int64_t{p.is_pareto}; })}};
 }
 
 Table set_up_table(const SpeedError& study) {
@@ -109,28 +107,27 @@ Table set_up_table(const SpeedError& study) {
 Table bands_table(const SpeedError& study) {
   const auto& bands = study.bands;
   using B = const MethodBands&;
-  Table table{
-      "bands",
-      "each method over many flings like the problem, their starts drawn from the seed",
-      {problem_column(study, bands), method_column(study, bands),
-       column_of<double>("rate", "Hz", "frames per second", bands, &MethodBands::rate_hz),
-       column_of<std::int64_t>("flings", "1", "played", bands, [](B b) { return b.position_px.samples; }),
-       column_of<std::int64_t>("seed", "1", "of their starts", bands,
-                               [](B) { return static_cast<std::int64_t>(kBandSeed); })}};
+  Table table{"bands",
+              "each method over many flings like the problem, their starts drawn from the seed",
+              {problem_column(study, bands), method_column(study, bands),
+               column_of("rate", "Hz", "frames per second", bands, &MethodBands::rate_hz),
+               column_of("flings", "1", "played", bands, [](B b) { return b.position_px.samples; }),
+               column_of("seed", "1", "of their starts", bands,
+                         [](B) { return static_cast<std::int64_t>(kBandSeed); })}};
   const auto add_band = [&](const std::string& name, const std::string& what, Band MethodBands::*band) {
     for (const auto& [suffix, text, part] :
          {std::tuple{"_median", "median", &Band::median}, std::tuple{"_low", "10 %", &Band::low},
           std::tuple{"_high", "90 %", &Band::high}})
-      table.columns.push_back(column_of<double>(name + suffix, "px", what + ", " + text, bands,
-                                                [band, part = part](B b) { return b.*band.*part; }));
+      table.columns.push_back(column_of(name + suffix, "px", what + ", " + text, bands,
+                                        [band, part = part](B b) { return b.*band.*part; }));
   };
   const auto add_share = [&](const std::string& name, const std::string& what, Share MethodBands::*share) {
-    table.columns.push_back(column_of<std::int64_t>(name, "1", "flings that " + what, bands,
-                                                    [share](B b) { return (b.*share).count; }));
-    table.columns.push_back(column_of<double>(name + "_share_low", "1", "95 % interval of their share", bands,
-                                              [share](B b) { return (b.*share).low(); }));
-    table.columns.push_back(column_of<double>(name + "_share_high", "1", "95 % interval of their share",
-                                              bands, [share](B b) { return (b.*share).high(); }));
+    table.columns.push_back(
+        column_of(name, "1", "flings that " + what, bands, [share](B b) { return (b.*share).count; }));
+    table.columns.push_back(column_of(name + "_share_low", "1", "95 % interval of their share", bands,
+                                      [share](B b) { return (b.*share).low(); }));
+    table.columns.push_back(column_of(name + "_share_high", "1", "95 % interval of their share", bands,
+                                      [share](B b) { return (b.*share).high(); }));
   };
   add_band("position_error", "largest distance from the exact fling", &MethodBands::position_px);
   add_band("end_error", "distance of the last positions", &MethodBands::end_px);
@@ -145,20 +142,19 @@ Table orders_table(const SpeedError& study) {
   return {"orders",
           "fitted order of convergence",
           {problem_column(study, orders), method_column(study, orders),
-           column_of<double>("order", "1", "slope of log error against log dt", orders,
-                             [](const OrderFit& fit) { return fit.fit.order; }),
-           column_of<double>("standard_error", "1", "of the slope", orders,
-                             [](const OrderFit& fit) { return fit.fit.standard_error; }),
-           column_of<double>("least", "1", "order between neighbouring rates, smallest", orders,
-                             [](const OrderFit& fit) { return fit.fit.least; }),
-           column_of<double>("most", "1", "order between neighbouring rates, largest", orders,
-                             [](const OrderFit& fit) { return fit.fit.most; }),
-           column_of<double>("from", "Hz", "lowest rate that it is fitted to", orders, &OrderFit::low_hz),
-           column_of<double>("to", "Hz", "highest rate that it is fitted to", orders, &OrderFit::high_hz),
-           column_of<std::int64_t>(
-               "analytic_order", "1", "in free flight; 0 does not converge, -1 exact", orders,
-               [&](const OrderFit& fit) { return order_code(study.methods[fit.method].accuracy); }),
-           column_of<std::int64_t>("points", "1", "rates that it is fitted to", orders, &OrderFit::points)}};
+           column_of("order", "1", "slope of log error against log dt", orders,
+                     [](const OrderFit& fit) { return fit.fit.order; }),
+           column_of("standard_error", "1", "of the slope", orders,
+                     [](const OrderFit& fit) { return fit.fit.standard_error; }),
+           column_of("least", "1", "order between neighbouring rates, smallest", orders,
+                     [](const OrderFit& fit) { return fit.fit.least; }),
+           column_of("most", "1", "order between neighbouring rates, largest", orders,
+                     [](const OrderFit& fit) { return fit.fit.most; }),
+           column_of("from", "Hz", "lowest rate that it is fitted to", orders, &OrderFit::low_hz),
+           column_of("to", "Hz", "highest rate that it is fitted to", orders, &OrderFit::high_hz),
+           column_of("analytic_order", "1", "in free flight; 0 does not converge, -1 exact", orders,
+                     [&](const OrderFit& fit) { return order_code(study.methods[fit.method].accuracy); }),
+           column_of("points", "1", "rates that it is fitted to", orders, &OrderFit::points)}};
 }
 
 Table cheapest_table(const SpeedError& study) {
@@ -179,39 +175,36 @@ Table cheapest_table(const SpeedError& study) {
   return {"cheapest",
           "the cheapest method below an error, and what the paper's step costs for it",
           {problem_column(study, cheapest),
-           column_of<double>("error", "px", "to stay below", cheapest, &CheapestBelow::error_px),
-           column_of<std::string>("method", "", "the cheapest", cheapest, method),
-           column_of<double>("rate", "Hz", "its frames per second", cheapest, rate(&CheapestBelow::point)),
-           column_of<double>("cost", "ns/s", "its median cost", cheapest, cost(&CheapestBelow::point)),
-           column_of<std::string>("as_cheap", "", "others than which it is not cheaper beyond the noise",
-                                  cheapest,
-                                  [&](const CheapestBelow& answer) {
-                                    std::string names;
-                                    for (const std::size_t point : answer.as_cheap)
-                                      names += (names.empty() ? "" : "; ") + point_text(study, point);
-                                    return names;
-                                  }),
-           column_of<double>("paper_rate", "Hz", "of the paper's step; none: at no rate", cheapest,
-                             rate(&CheapestBelow::paper_point)),
-           column_of<double>("paper_cost", "ns/s", "its median cost", cheapest,
-                             cost(&CheapestBelow::paper_point))}};
+           column_of("error", "px", "to stay below", cheapest, &CheapestBelow::error_px),
+           column_of("method", "", "the cheapest", cheapest, method),
+           column_of("rate", "Hz", "its frames per second", cheapest, rate(&CheapestBelow::point)),
+           column_of("cost", "ns/s", "its median cost", cheapest, cost(&CheapestBelow::point)),
+           column_of("as_cheap", "", "others than which it is not cheaper beyond the noise", cheapest,
+                     [&](const CheapestBelow& answer) {
+                       std::string names;
+                       for (const std::size_t point : answer.as_cheap)
+                         names += (names.empty() ? "" : "; ") + point_text(study, point);
+                       return names;
+                     }),
+           column_of("paper_rate", "Hz", "of the paper's step; none: at no rate", cheapest,
+                     rate(&CheapestBelow::paper_point)),
+           column_of("paper_cost", "ns/s", "its median cost", cheapest, cost(&CheapestBelow::paper_point))}};
 }
 
 Table paper_table(const SpeedError& study) {
   const auto& paper = study.paper;
-  return {"paper",
-          "the paper's step in free flight (" + study.problems.front().name + ") against three laws",
-          {column_of<double>("rate", "Hz", "frames per second", paper, &PaperErrors::rate_hz),
-           column_of<double>("implementation", "px", "from its own closed form", paper,
-                             &PaperErrors::implementation_px),
-           column_of<double>("truncation", "px", "from the ODE with the drag rate of this frame", paper,
-                             &PaperErrors::truncation_px),
-           column_of<double>("model", "px", "from the ODE with the drag rate of 60 Hz", paper,
-                             &PaperErrors::model_px),
-           column_of<double>("truncation_speed", "px/s", "velocity, from the ODE of this frame", paper,
-                             &PaperErrors::truncation_px_per_s),
-           column_of<double>("truncation_speed_expected", "px/s", "the same by its closed form", paper,
-                             &PaperErrors::truncation_expected_px_per_s)}};
+  return {
+      "paper",
+      "the paper's step in free flight (" + study.problems.front().name + ") against three laws",
+      {column_of("rate", "Hz", "frames per second", paper, &PaperErrors::rate_hz),
+       column_of("implementation", "px", "from its own closed form", paper, &PaperErrors::implementation_px),
+       column_of("truncation", "px", "from the ODE with the drag rate of this frame", paper,
+                 &PaperErrors::truncation_px),
+       column_of("model", "px", "from the ODE with the drag rate of 60 Hz", paper, &PaperErrors::model_px),
+       column_of("truncation_speed", "px/s", "velocity, from the ODE of this frame", paper,
+                 &PaperErrors::truncation_px_per_s),
+       column_of("truncation_speed_expected", "px/s", "the same by its closed form", paper,
+                 &PaperErrors::truncation_expected_px_per_s)}};
 }
 
 Table clock_table(const SpeedError& study, const std::string& machine) {
@@ -243,21 +236,21 @@ std::vector<Table> speed_error_summary(const SpeedError& study, const std::strin
     return [&study, index](const CheapestBelow& answer) {
       std::vector<WorkPoint> points;
       if (answer.*index) points.push_back(study.points[*(answer.*index)]);
-      return Table{.columns = {method_column(study, points),
-                               column_of<double>("rate", "Hz", "", points, &WorkPoint::rate_hz),
-                               column_of<double>("position_error", "px", "", points,
-                                                 [](const WorkPoint& p) { return p.errors.position_px; }),
-                               column_of<double>("cost", "ns/s", "", points,
-                                                 [](const WorkPoint& p) { return p.cost.time_ns.median; })},
-                   .shape = JsonShape::one};
+      return Table{
+          .columns = {method_column(study, points), column_of("rate", "Hz", "", points, &WorkPoint::rate_hz),
+                      column_of("position_error", "px", "", points,
+                                [](const WorkPoint& p) { return p.errors.position_px; }),
+                      column_of("cost", "ns/s", "", points,
+                                [](const WorkPoint& p) { return p.cost.time_ns.median; })},
+          .shape = JsonShape::one};
     };
   };
   const auto& answers = study.cheapest;
   Table cheapest{.name = "cheapest",
                  .columns = {problem_column(study, answers),
-                             column_of<double>("error_below", "px", "", answers, &CheapestBelow::error_px),
-                             column_of<Table>("cheapest", "", "", answers, point(&CheapestBelow::point)),
-                             column_of<Table>("paper", "", "", answers, point(&CheapestBelow::paper_point))}};
+                             column_of("error_below", "px", "", answers, &CheapestBelow::error_px),
+                             column_of("cheapest", "", "", answers, point(&CheapestBelow::point)),
+                             column_of("paper", "", "", answers, point(&CheapestBelow::paper_point))}};
   Table paper = paper_table(study);
   paper.columns.resize(4);  // Without velocities.
   return {std::move(clock), orders_table(study), std::move(cheapest),

@@ -271,8 +271,8 @@ std::string core_text(const CoreVerdict& verdict) {
 
 Json core_json(const CoreVerdict& verdict) {
   Table changes = changes_table(header_changes_of(verdict));
-  changes.columns.push_back(column_of<double>(
-      "scenarios", "", "that it reproduces alone", verdict.changes, [](const CoreChange& change) {
+  changes.columns.push_back(
+      column_of("scenarios", "", "that it reproduces alone", verdict.changes, [](const CoreChange& change) {
         return change.scenarios ? static_cast<double>(*change.scenarios) : kNotGiven;
       }));
   Json::Array unnoticed;
