@@ -19,7 +19,7 @@ std::string command_of(const ReportRequest& request) {
   return shell_command(words);
 }
 
-ExitCode report(const ReportArguments& arguments) {
+ExitCode write_page(const ReportArguments& arguments) {
   ReportRequest request = arguments.request;
   if (request.output.empty()) refuse_input("hyrax-sim report: -o FILE.html is missing");
   std::vector<std::string> inputs = request.files;
@@ -55,7 +55,7 @@ Command report_command() {
           "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
           "  hyrax-sim report speed-error.h5 -o speed-error.html",
       .is_common = false,
-      .declare = with_request<ReportArguments>(declare, report)};
+      .declare = with_request<ReportArguments>(declare, write_page)};
 }
 
 }  // namespace hyrax
