@@ -46,19 +46,19 @@ std::vector<KeptAtRate> by_rate(const std::vector<KeptEnergy>& kept) {
 }
 
 template <class Record>
-Column method_column(const std::vector<Record>& records) {
+Column bounce_method_column(const std::vector<Record>& records) {
   return column_of("method", "", "method", records,
                    [](const Record& each) { return kBounceMethods[index_of(each.method)]; });
 }
 template <class Record>
-Column rate_column(const std::vector<Record>& records) {
+Column bounce_rate_column(const std::vector<Record>& records) {
   return column_of("rate", "Hz", "display rate; 0: without frames", records, &Record::rate_hz);
 }
 
 Table throw_table(const std::vector<KeptEnergy>& kept) {
   return {"throws",
           "energy of bounces without loss, in parts of that at the start",
-          {method_column(kept), rate_column(kept),
+          {bounce_method_column(kept), bounce_rate_column(kept),
            column_of("throw", "1", "number of the throw", kept, &KeptEnergy::number),
            column_of("speed", "px/s", "speed at the start", kept, &KeptEnergy::speed_px_per_s),
            column_of("minute", "1", "after a minute", kept, &KeptEnergy::minute),
@@ -73,7 +73,7 @@ Table rate_table(const std::vector<KeptAtRate>& rates) {
   return {
       "rates",
       "the same over all throws",
-      {method_column(rates), rate_column(rates),
+      {bounce_method_column(rates), bounce_rate_column(rates),
        part("minute", "after a minute, median", &KeptAtRate::minute, &Band::median),
        part("minute_low", "after a minute, 10 %", &KeptAtRate::minute, &Band::low),
        part("minute_high", "after a minute, 90 %", &KeptAtRate::minute, &Band::high),

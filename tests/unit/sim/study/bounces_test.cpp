@@ -60,7 +60,7 @@ TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
   KeptEnergy astray = exact;
   astray.ten_minutes = 1.0 - 1e-8;
   EXPECT_EQ(bounces_result({paper, euler, astray}).verdict.broken.size(), 1u);
-  astray.ten_minutes = NAN;
+  astray.ten_minutes = std::nan("");
   EXPECT_EQ(bounces_result({paper, euler, astray}).verdict.broken.size(), 1u);
 }
 
