@@ -10,7 +10,7 @@ import h5py
 
 from check_program import CheckTest, nudge
 from process import run, succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, few_threads, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, few_threads, fling, main
 
 
 class Verdict(CheckTest):
@@ -168,9 +168,12 @@ class Verdict(CheckTest):
     def test_without_memory_it_says_so(self):
         if self.is_sanitized():
             self.skipTest("a sanitizer takes memory of its own")
-        for limit_kb in (14000, 17000, 20000, 23000):
+        shutil.copytree(SOURCE / "scenarios/clocks", self.folder / "scenarios/clocks")
+        self.bless("scenarios/clocks")  # Long enough that several workers need memory at once.
+        for limit_kb in (14000, 17000, *range(19500, 21501, 250), 23000):
             outcome = run("sh", "-c", f'ulimit -v {limit_kb}; exec "$@"', "sh", PROGRAM, "check", "--jobs", "4", cwd=self.folder)
             self.assertIn(outcome.exit_code, (AGREED, 70, 127), outcome)  # 127: it could not be loaded.
+            self.assertNotIn("internal error", outcome.out + outcome.err)
             if outcome.exit_code == 70:
                 self.assertIn("out of memory", outcome.out + outcome.err)
 

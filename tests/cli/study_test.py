@@ -45,6 +45,11 @@ class Files(StudyTest):
         self.assertEqual(self.names("new/folder"), ["needs.csv", "needs.h5"])
         self.assertIn("written: new/folder/needs.h5, new/folder/needs.csv", self.outcome.out)
 
+    def test_in_a_checkout_version_control_ignores_them(self):
+        ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()
+        for suffix in (".csv", ".h5", ".svg", ".html"):
+            self.assertIn("/*" + suffix, ignored)
+
     def test_the_file_says_what_it_is_and_where_it_is_from(self):
         with h5py.File(self.folder / "new/folder/needs.h5") as file:
             self.assertEqual(file.attrs["format"], "hyrax-study/1")

@@ -178,11 +178,11 @@ class Interrupted(SweepTest):
         flings = [{"step": step, "fling": {"vx_px_per_s": 1, "vy_px_per_s": -3.5}} for step in range(1, 290)]
         vary = {f"/events/{each}/fling/vx_px_per_s": {"uniform": [-500, 500]} for each in range(12)}
         said = self.partial(document(base=base(events=flings), members=6000, vary=vary, keep=ALL))
-        self.assertRegex(said, r"^out.h5.partial: \d+ of 6000 members are done, [\d.]+ [KM]iB; the same command with "
-                               r"`--resume` continues\n$")
         self.sweep("sweep.json", "--resume", "-o", "out.h5")
         self.sweep("sweep.json", "-o", "whole.h5")
         self.assertEqual((self.folder / "out.h5").read_bytes(), (self.folder / "whole.h5").read_bytes())
+        self.assertRegex(said, r"^out.h5.partial: \d+ of 6000 members are done, [\d.]+ [KM]iB; the same command with "
+                               r"`--resume` continues\n$")
 
     def test_what_is_left_is_neither_discarded_nor_another_file_unsaid(self):
         self.computed(document())
