@@ -122,9 +122,10 @@ class Causes(unittest.TestCase):
         self.assertIn("this program does not repeat itself: played twice, the scenario gives different bits", details)
         # Two plays may be the same by chance: then the core, never the golden file.
         self.assertLessEqual(set(group["operation"] for group in document_of(NOT_REPEATABLE)["groups"]), {"unknown", "core"})
-        printed = run_altered(NOT_REPEATABLE, "check", *SCENARIOS).out
-        self.assertIn("does not repeat itself", printed)
-        self.assertNotIn("to accept it", printed)
+        for options, says in (((), "does not repeat itself"), (("--verbose",), ": disagreed\n")):
+            printed = run_altered(NOT_REPEATABLE, "check", *options, *SCENARIOS).out
+            self.assertIn(says, printed)
+            self.assertNotIn("to accept it", printed)
 
     def test_each_cause_is_one_group(self):
         for core in all_cores():
