@@ -51,7 +51,7 @@ foreach(
   source IN
   ITEMS motion/paper_constants.h motion/state.h motion/step.h
         replay/contact_log.h replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h
-        replay/stuck_speed.h
+        replay/stuck_speed.h result/table.h
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
         trajectory/state_hash.h
