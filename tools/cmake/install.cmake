@@ -47,9 +47,8 @@ add_custom_command(
 add_custom_target(hyrax_program ALL DEPENDS ${hyrax_program_object})
 add_dependencies(hyrax_program hyrax_trace_host)
 install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
-foreach(
-  source IN
-  ITEMS motion/paper_constants.h motion/state.h motion/step.h
+set(own_core_sources
+        motion/paper_constants.h motion/state.h motion/step.h
         replay/contact_log.h replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h
         replay/stuck_speed.h result/table.h
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
@@ -58,6 +57,13 @@ foreach(
         replay/core_shape.h trace/core_record.h trace/listing_step.h trace/operation.h trace/traced_step.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
         trace/host/number.h trace/host/number_functions.h
         trace/host/programs/check_core.cpp trace/host/programs/record_step.cpp)
+foreach(source IN LISTS own_core_sources)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/sim/${source} included REGEX "^#include \"sim/")
+  list(TRANSFORM included REPLACE "^#include \"sim/(.*)\".*$" "\\1")
+  list(REMOVE_ITEM included ${own_core_sources} physics/physics.h) # Instead of the core there is the user's own.
+  if(included)
+    message(FATAL_ERROR "sim/${source} is installed, but not what it includes: ${included}")
+  endif()
   cmake_path(GET source PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/sim/${source} DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/sim/${folder})
 endforeach()
