@@ -11,17 +11,15 @@ namespace hyrax {
 namespace {
 
 // A method that plays the motion on from where it is, within bounds.
-class MotionMethod : public Method {
- public:
+struct MotionMethod : Method {
   void start(const State& motion, const Bounds& bounds) override {
-    motion_ = motion;
-    bounds_ = bounds;
+    at = motion;
+    within = bounds;
   }
-  [[nodiscard]] State motion() const final { return motion_; }
+  [[nodiscard]] State motion() const final { return at; }
 
- protected:
-  State motion_;
-  Bounds bounds_;
+  State at;
+  Bounds within;
 };
 
 // physics::update as it is, in `kParts` equal parts of a frame.
@@ -29,7 +27,7 @@ template <int kParts>
 class PaperStep final : public MotionMethod {
  public:
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    motion_ = core_played(motion_, frames_s, bounds_, kParts);
+    at = core_played(at, frames_s, within, kParts);
     return true;
   }
 };
@@ -37,27 +35,26 @@ class PaperStep final : public MotionMethod {
 // --- One frame of free flight each. `prepare` is called whenever dt changes.
 
 struct FrameFlight {
-  explicit FrameFlight(const FixedLaws& laws) : laws_(laws) {}
-  void prepare(double dt_s) { dt_s_ = dt_s; }
+  explicit FrameFlight(const FixedLaws& fixed) : laws(fixed) {}
+  void prepare(double dt_s) { frame_s = dt_s; }
 
- protected:
-  FixedLaws laws_;
-  double dt_s_ = 0.0;
+  FixedLaws laws;
+  double frame_s = 0.0;
 };
 
 // The paper's order of operations, its drag by time: alpha^(60 dt). First order.
 struct NormalisedFlight : FrameFlight {
   using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
-    dt_s_ = dt_s;
-    damping_ = std::exp(-laws_.drag_rate_per_s * dt_s);
+    frame_s = dt_s;
+    damping_ = std::exp(-laws.drag_rate_per_s * dt_s);
   }
   void fly(State& m) const {
-    m.vy_px_per_s += laws_.gravity_px_per_s2 * dt_s_;
+    m.vy_px_per_s += laws.gravity_px_per_s2 * frame_s;
     m.vx_px_per_s *= damping_;
     m.vy_px_per_s *= damping_;
-    m.x_px += m.vx_px_per_s * dt_s_;
-    m.y_px += m.vy_px_per_s * dt_s_;
+    m.x_px += m.vx_px_per_s * frame_s;
+    m.y_px += m.vy_px_per_s * frame_s;
   }
 
  private:
@@ -68,10 +65,10 @@ struct NormalisedFlight : FrameFlight {
 struct EulerFlight : FrameFlight {
   using FrameFlight::FrameFlight;
   void fly(State& m) const {
-    m.x_px += m.vx_px_per_s * dt_s_;
-    m.y_px += m.vy_px_per_s * dt_s_;
-    m.vx_px_per_s += -laws_.drag_rate_per_s * m.vx_px_per_s * dt_s_;
-    m.vy_px_per_s += (laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s) * dt_s_;
+    m.x_px += m.vx_px_per_s * frame_s;
+    m.y_px += m.vy_px_per_s * frame_s;
+    m.vx_px_per_s += -laws.drag_rate_per_s * m.vx_px_per_s * frame_s;
+    m.vy_px_per_s += (laws.gravity_px_per_s2 - laws.drag_rate_per_s * m.vy_px_per_s) * frame_s;
   }
 };
 
@@ -82,17 +79,17 @@ struct VerletFlight : FrameFlight {
   using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
     half_s_ = 0.5 * dt_s;
-    dt_s_ = dt_s;
-    implicit_ = 1.0 / (1.0 + laws_.drag_rate_per_s * half_s_);
+    frame_s = dt_s;
+    implicit_ = 1.0 / (1.0 + laws.drag_rate_per_s * half_s_);
   }
   void fly(State& m) const {
-    const double half_vx = m.vx_px_per_s - half_s_ * laws_.drag_rate_per_s * m.vx_px_per_s;
+    const double half_vx = m.vx_px_per_s - half_s_ * laws.drag_rate_per_s * m.vx_px_per_s;
     const double half_vy =
-        m.vy_px_per_s + half_s_ * (laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s);
-    m.x_px += dt_s_ * half_vx;
-    m.y_px += dt_s_ * half_vy;
+        m.vy_px_per_s + half_s_ * (laws.gravity_px_per_s2 - laws.drag_rate_per_s * m.vy_px_per_s);
+    m.x_px += frame_s * half_vx;
+    m.y_px += frame_s * half_vy;
     m.vx_px_per_s = half_vx * implicit_;
-    m.vy_px_per_s = (half_vy + half_s_ * laws_.gravity_px_per_s2) * implicit_;
+    m.vy_px_per_s = (half_vy + half_s_ * laws.gravity_px_per_s2) * implicit_;
   }
 
  private:
@@ -105,20 +102,20 @@ struct Rk4Flight : FrameFlight {
   using FrameFlight::FrameFlight;
   void fly(State& m) const {
     const State k1 = rates(m);
-    const State k2 = rates(ahead(m, k1, 0.5 * dt_s_));
-    const State k3 = rates(ahead(m, k2, 0.5 * dt_s_));
-    const State k4 = rates(ahead(m, k3, dt_s_));
+    const State k2 = rates(ahead(m, k1, 0.5 * frame_s));
+    const State k3 = rates(ahead(m, k2, 0.5 * frame_s));
+    const State k4 = rates(ahead(m, k3, frame_s));
     const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * (b + c) + d) / 6.0; };
     const State slope{mean(k1.x_px, k2.x_px, k3.x_px, k4.x_px), mean(k1.y_px, k2.y_px, k3.y_px, k4.y_px),
                       mean(k1.vx_px_per_s, k2.vx_px_per_s, k3.vx_px_per_s, k4.vx_px_per_s),
                       mean(k1.vy_px_per_s, k2.vy_px_per_s, k3.vy_px_per_s, k4.vy_px_per_s)};
-    m = ahead(m, slope, dt_s_);
+    m = ahead(m, slope, frame_s);
   }
 
  private:
   [[nodiscard]] State rates(const State& m) const {
-    return {m.vx_px_per_s, m.vy_px_per_s, -laws_.drag_rate_per_s * m.vx_px_per_s,
-            laws_.gravity_px_per_s2 - laws_.drag_rate_per_s * m.vy_px_per_s};
+    return {m.vx_px_per_s, m.vy_px_per_s, -laws.drag_rate_per_s * m.vx_px_per_s,
+            laws.gravity_px_per_s2 - laws.drag_rate_per_s * m.vy_px_per_s};
   }
   [[nodiscard]] static State ahead(const State& m, const State& rate, double dt_s) {
     return {m.x_px + dt_s * rate.x_px, m.y_px + dt_s * rate.y_px, m.vx_px_per_s + dt_s * rate.vx_px_per_s,
@@ -130,12 +127,12 @@ struct Rk4Flight : FrameFlight {
 struct ExactFlight : FrameFlight {
   using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
-    const double z = -laws_.drag_rate_per_s * dt_s;
+    const double z = -laws.drag_rate_per_s * dt_s;
     const Phi p = phi(z);
     damping_ = 1.0 + z * p.one;
     reach_s_ = dt_s * p.one;
-    gain_px_per_s_ = laws_.gravity_px_per_s2 * dt_s * p.one;
-    fall_px_ = laws_.gravity_px_per_s2 * dt_s * dt_s * p.two;
+    gain_px_per_s_ = laws.gravity_px_per_s2 * dt_s * p.one;
+    fall_px_ = laws.gravity_px_per_s2 * dt_s * dt_s * p.two;
   }
   void fly(State& m) const {
     m.x_px += m.vx_px_per_s * reach_s_;
@@ -161,13 +158,13 @@ class FrameMethod final : public MotionMethod {
     lies_ = false;
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    State m = motion_;
+    State m = at;
     Flight flight(laws_);
     double prepared_s = -1.0;
     double lying_friction = 1.0;
     bool lies = lies_;
-    const double right_px = bounds_.right_px;
-    const double bottom_px = bounds_.bottom_px;
+    const double right_px = within.right_px;
+    const double bottom_px = within.bottom_px;
     for (const double frame_s : frames_s) {
       if (frame_s != prepared_s) {
         flight.prepare(frame_s);
@@ -195,7 +192,7 @@ class FrameMethod final : public MotionMethod {
         lies = true;
       }
     }
-    motion_ = m;
+    at = m;
     lies_ = lies;
     return true;
   }
@@ -218,8 +215,8 @@ class ImpactsInFrame final : public MotionMethod {
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
     ExactFlight flight(laws_);
     ExactFlight slide(sliding_);
-    const Bounds bounds = bounds_;
-    State m = motion_;
+    const Bounds bounds = within;
+    State m = at;
     bool slides = slides_;
     double t_s = t_s_;
     double prepared_s = -1.0;
@@ -242,7 +239,7 @@ class ImpactsInFrame final : public MotionMethod {
       }
       t_s += frame_s;
     }
-    motion_ = m;
+    at = m;
     t_s_ = t_s;
     return true;
   }
@@ -265,13 +262,13 @@ class ImpactsInFrame final : public MotionMethod {
     return from.vy_px_per_s >= 0.0 || to.vy_px_per_s < 0.0 || from.y_px + from.vy_px_per_s * frame_s >= 0.0;
   }
   [[nodiscard]] [[gnu::noinline]] State with_impacts(State from, double t_s, double frame_s) {
-    fling_.start(from, bounds_, slides_, frame_s);
+    fling_.start(from, within, slides_, frame_s);
     State to = fling_.at(frame_s);
     slides_ = fling_.slides();
     for (const ExactImpact& impact : fling_.impacts()) impacts_.push_back({t_s + impact.t_s, impact.wall});
     // Past a wall by rounding alone: the next frame begins with that impact.
-    to.x_px = std::clamp(to.x_px, 0.0, bounds_.right_px);
-    to.y_px = std::clamp(to.y_px, 0.0, bounds_.bottom_px);
+    to.x_px = std::clamp(to.x_px, 0.0, within.right_px);
+    to.y_px = std::clamp(to.y_px, 0.0, within.bottom_px);
     return to;
   }
 
