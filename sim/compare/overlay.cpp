@@ -73,8 +73,10 @@ Figure Overlay::figure(const Texts& texts) const {
   }
   const auto mark = [&](const std::string& name, const std::optional<Pair>& at, Marker marker) {
     Series points{.name = name, .look = {.form = Form::points, .marker = marker, .marker_size = 1.2}};
-    if (at) points.x = {at->a.x_px, at->b.x_px}, points.y = {at->a.y_px, at->b.y_px};
-    if (at) scene.push_back(std::move(points));
+    if (!at) return;
+    points.x = {at->a.x_px, at->b.x_px};
+    points.y = {at->a.y_px, at->b.y_px};
+    scene.push_back(std::move(points));
   };
   mark("start", start_, Marker::ring);
   mark("first difference", first_difference_, Marker::square);
@@ -84,10 +86,8 @@ Figure Overlay::figure(const Texts& texts) const {
   Plot over_time{.x = {.label = "time, s"},
                  .y = distance_axis(distance.y),
                  .when_empty = start_ ? "the same place at every time" : "no row is finite in both"};
-  if (first_difference_)
-    over_time.series = {std::move(distance)};
-  else
-    over_time.series = {{.name = distance.name, .look = distance.look}};
+  if (!first_difference_) distance.x = distance.y = {};
+  over_time.series = {std::move(distance)};
   Plot paths{.x = {.label = "x, px"},
              .y = {.label = "y, px, downwards", .is_reversed = true},
              .series = std::move(scene),

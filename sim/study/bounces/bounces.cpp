@@ -7,6 +7,7 @@
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/core_constants.h"
 #include "sim/study/methods/many_flings.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -56,11 +57,7 @@ std::vector<KeptEnergy> kept_energies(const std::vector<double>& rates_hz, std::
         const State minute = stepped_for(laws, order, start, rate_hz, kMinute_s);
         return std::pair(minute, stepped_for(laws, order, minute, rate_hz, kTenMinutes_s - kMinute_s));
       });
-  ExactFling exact(FixedLaws({.gravity_px_per_s2 = laws.gravity_px_per_s2,
-                              .air_drag = 1.0,
-                              .restitution = 1.0,
-                              .ground_friction = 1.0,
-                              .rest_threshold_px_per_s = 0.0}));
+  ExactFling exact{FixedLaws(model_of(laws))};
   add(BounceMethod::exact, 0.0, [&](const State& start) {
     exact.start(start, kFlingBounds);
     const State minute = exact.at(kMinute_s);

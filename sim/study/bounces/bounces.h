@@ -23,8 +23,6 @@ enum class BounceMethod : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> kBounceMethods = {"paper", "explicit-euler",
                                                                    "exact-impacts"};
-inline constexpr std::array<std::string_view, 3> kBounceMethodTexts = {"the paper's step", "explicit Euler",
-                                                                       "exact impacts"};
 
 /// Of one throw: its energy after a minute and after ten, in parts of that at its start [-].
 struct KeptEnergy {

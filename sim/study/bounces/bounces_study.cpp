@@ -14,6 +14,8 @@
 namespace hyrax {
 namespace {
 
+constexpr std::array<std::string_view, 3> kBounceMethodTexts = {"the paper's step", "explicit Euler",
+                                                                "exact impacts"};
 constexpr double kRounding = 1e-9;  // Of the energy, by exact impacts.
 
 // All throws by one method at one rate.

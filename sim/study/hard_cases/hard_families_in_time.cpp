@@ -143,8 +143,8 @@ std::vector<HardCase> any_jitter_family(const Scenario& base) {
     scenario.clock = {FixedRate{zero_speed_hz()}, Jitter{Jitter::Kind::uniform, fraction, 2026}};
     scenario.length = 5'000;
     scenario.events.clear();
-    family.add("resonant-" + text_of(fraction), "each frame decides anew whether the floor stops the sprite",
-               scenario);
+    family.add("resonant-" + text_of(fraction),
+               "whether the floor stops the sprite changes from frame to frame", scenario);
   }
   return family.take();
 }

@@ -12,6 +12,7 @@
 #include "sim/replay/core_constants.h"
 #include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -23,11 +24,7 @@ std::optional<Model> model_of_core() {
   const Constants core = core_constants();
   const bool is_solved = core.gravity_px_per_s2 > 0.0 && core.air_drag >= 0.5 && core.air_drag <= 1.0;
   if (!is_solved) return std::nullopt;
-  return Model{.gravity_px_per_s2 = core.gravity_px_per_s2,
-               .air_drag = core.air_drag,
-               .restitution = core.restitution,
-               .ground_friction = core.ground_friction,
-               .rest_threshold_px_per_s = core.rest_threshold_px_per_s};
+  return model_of(core);
 }
 constexpr char kNotSolved[] = "the exact motion is solved for gravity above 0 and a drag factor of 0.5 to 1";
 

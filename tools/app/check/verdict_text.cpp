@@ -96,8 +96,8 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
   bool updates_ranges = false;
   std::vector<std::string> others;
   bool blesses_all = true;  // Nothing among `paths` would make bless refuse.
-  bool is_acceptable =
-      true;  // A run that is not finite or not repeated is no result, nor are `paths` with it.
+  // A run that is not finite, or gives other bits when it is repeated, is no result to bless.
+  bool is_acceptable = true;
   for (const CheckVerdict* const verdict : verdicts) {
     for (const Expectation& broken : verdict->broken)
       updates_ranges |= is_updatable(broken) && !is_hash(broken);

@@ -57,11 +57,11 @@ TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
       euler{BounceMethod::explicit_euler, 60.0, 0, 500.0, 1.5, 1.7},
       exact{BounceMethod::exact, 0.0, 0, 500.0, 1.0, 1.0 + 1e-10};
   EXPECT_TRUE(bounces_result({paper, euler, exact}).verdict.broken.empty());
-  KeptEnergy astray = exact;
-  astray.ten_minutes = 1.0 - 1e-8;
-  EXPECT_EQ(bounces_result({paper, euler, astray}).verdict.broken.size(), 1u);
-  astray.ten_minutes = std::nan("");
-  EXPECT_EQ(bounces_result({paper, euler, astray}).verdict.broken.size(), 1u);
+  KeptEnergy changed = exact;
+  changed.ten_minutes = 1.0 - 1e-8;
+  EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u);
+  changed.ten_minutes = std::nan("");
+  EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u);
 }
 
 TEST(BouncesResult, CountsThrowsOfAMethodAtARate) {
