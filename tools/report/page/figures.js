@@ -5,7 +5,7 @@ import { rounded } from './numbers.js';
 
 const svgSpace = 'http://www.w3.org/2000/svg';
 const tone = name => `var(--${name.replaceAll('_', '-')})`;
-const dashes = { solid: null, short_dashes: '4 3', long_dashes: '9 4' };
+const dashes = { solid: null, short_dashes: 'var(--short-dashes)', long_dashes: 'var(--long-dashes)' };
 const finite = value => typeof value === 'number' && Number.isFinite(value);
 
 // Points of a series that can be drawn on these axes; `zero_at` holds what is at most that large.
