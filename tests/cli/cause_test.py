@@ -13,6 +13,7 @@ import xml.etree.ElementTree
 import h5py
 import numpy
 
+import program
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
 
@@ -73,6 +74,23 @@ class Causes(CauseTest):
         self.assertEqual(group["operation"], "unknown")
         self.assertIn("no accepted core in golden/core; to accept this program's: ", group["detail"])
         self.assertEqual(document["cores"][0]["status"], "none")
+
+    def test_the_command_that_accepts_a_core_is_of_the_library_that_was_checked(self):
+        shutil.copytree(self.folder / "scenarios", self.folder / "throws")
+        self.bless("throws", "--golden", "accepted")
+        for arguments in ((), ("scenarios/a",), ("throws", "--golden", "accepted"), ("--core", "throws", "--golden", "accepted")):
+            folder = self.folder / ("accepted" if "throws" in arguments else "golden") / "core"
+            kept = (folder / "step.txt").read_bytes()
+            for damage in (shutil.rmtree, lambda folder: (folder / "accepted.txt").unlink()):
+                damage(folder)
+                command = re.search("^core: .* this program's(?: core)?: (.*)", self.run_check(*arguments), re.MULTILINE)[1].split()
+                self.assertEqual(command[0], "hyrax-sim")
+                self.expect(AGREED, *command[1:])
+                self.assertEqual((folder / "step.txt").read_bytes(), kept)
+
+    def run_check(self, *arguments):
+        """What `check` prints, whatever its verdict."""
+        return run(program.PROGRAM, "check", *arguments, cwd=self.folder).out
 
     def test_a_damaged_accepted_core_is_a_disagreement(self):
         for name in ("physics.h", "step.txt", "accepted.txt"):

@@ -10,7 +10,6 @@
 
 #include "compile_command.h"
 #include "sim/card/core_in_use.h"
-#include "tools/app/command_line/shell_command.h"
 #include "tools/files/child_process.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
@@ -112,8 +111,7 @@ CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder&
   if (!accepted)
     throw Failure(ExitCode::golden_missing,
                   fmt::format("{}: no accepted core; name a base, or accept this program's core: {}",
-                              accepted_core_folder(golden_folder),
-                              program_command({"bless", "--core", "--reason", "TEXT"})));
+                              accepted_core_folder(golden_folder), accept_core_command({}, "")));
   CoreFile shipped = shipped_core();
   if (accepted->header == shipped.core.header && accepted->step == shipped.core.step) return shipped;
   std::string library =

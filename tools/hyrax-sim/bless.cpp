@@ -53,7 +53,7 @@ ExitCode bless(BlessRequest& request) {
     report.cores =
         plan_core_acceptances(blesses(request) ? request.files : paths, report.blessings, request.options);
   const bool is_refused = !refusal_sentence(report).empty();
-  CoreChecks cores;
+  CoreChecks cores(request.files, request.options.golden_folder);
   const std::vector<DifferenceGroup> groups = request.printing.is_quiet() && !request.printing.is_json
                                                   ? std::vector<DifferenceGroup>{}
                                                   : groups_of(report, cores);

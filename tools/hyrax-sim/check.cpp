@@ -182,12 +182,11 @@ void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::st
 }
 
 // Nothing but the core: no scenario is compared with its golden file.
-ExitCode check_core(const CheckRequest& request) {
+ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
   const std::vector<Library> libraries = libraries_of(request.files, request.golden_folder);
   if (libraries.empty())
     refuse_input("hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
                  request.files.front() + ")");
-  CoreChecks cores;
   for (const Library& library : libraries)
     cores.of(library.golden_folder).judge_differences(library.scenarios_folder);
   Json::Array documents;
@@ -211,7 +210,7 @@ ExitCode check(CheckRequest& request) {
   if (!request.unnoticed_folder.empty())
     OutputGuard({}, request.golden_folder)
         .admit("hyrax-sim check: --unnoticed", request.unnoticed_folder + "/unnoticed.json");
-  if (request.judges_core_only) return check_core(request);
+  if (request.judges_core_only) return check_core(request, CoreChecks(arguments, golden_folder));
   LastFailed last_failed;
   Selection selection = select(request, last_failed);
   if (request.lists) return list(selection, request);

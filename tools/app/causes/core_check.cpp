@@ -17,7 +17,6 @@
 #include "sim/trace/step_difference.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/command_line/shell_command.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -34,8 +33,6 @@ constexpr std::size_t kSearchedMax = 8;  // Of many differences the first are se
 constexpr double kConsequence_s = 5.0;
 constexpr std::int64_t kConsequenceSteps = 100'000;
 constexpr std::int64_t kShrinkTrials = 500;
-
-std::string bless_core_command() { return program_command({"bless", "--core", "--reason", "TEXT"}); }
 
 // IEEE-754 does not fix the bits of other functions.
 bool depends_on_library(const Expression& expression) {
@@ -91,7 +88,8 @@ struct CoreCheck::Steps {
 CoreCheck::~CoreCheck() = default;
 CoreCheck::CoreCheck(CoreCheck&&) noexcept = default;
 
-CoreCheck::CoreCheck(const std::string& golden_folder) : steps_(std::make_unique<Steps>()) {
+CoreCheck::CoreCheck(const std::string& golden_folder, const std::string& accept_command)
+    : steps_(std::make_unique<Steps>()) {
   verdict_.golden_folder = golden_folder;
   const AcceptedCore program = program_core();
   if (!program.step.empty()) steps_->program = read_step(program.step);
@@ -102,11 +100,13 @@ CoreCheck::CoreCheck(const std::string& golden_folder) : steps_(std::make_unique
   } catch (const Failure& failure) {
     verdict_.why = failure.what();
     verdict_.exit_code = failure.exit_code();
+    if (verdict_.exit_code == ExitCode::disagreed)
+      verdict_.why += ", or accept this program's core: " + accept_command;
     return;
   }
   if (!accepted_) {
     verdict_.why = fmt::format("no accepted core in {}; to accept this program's: {}",
-                               accepted_core_folder(golden_folder), bless_core_command());
+                               accepted_core_folder(golden_folder), accept_command);
     return;
   }
   compare();

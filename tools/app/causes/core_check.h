@@ -56,8 +56,9 @@ struct CoreVerdict {
 
 class CoreCheck {
  public:
-  /// Reads and compares; what is damaged becomes part of the verdict.
-  explicit CoreCheck(const std::string& golden_folder);
+  /// Reads and compares; what is damaged or missing becomes part of the verdict, with the command that
+  /// accepts this program's core.
+  CoreCheck(const std::string& golden_folder, const std::string& accept_command);
   ~CoreCheck();
   CoreCheck(CoreCheck&&) noexcept;
 
@@ -92,8 +93,12 @@ class CoreCheck {
 /// The checks of several golden folders, each made when first asked for.
 class CoreChecks {
  public:
+  /// @param scenarios,golden_option as of accept_core_command.
+  CoreChecks(const std::vector<std::string>& scenarios, const std::string& golden_option)
+      : accept_command_(accept_core_command(scenarios, golden_option)) {}
+
   [[nodiscard]] CoreCheck& of(const std::string& golden_folder) {
-    return checks_.try_emplace(golden_folder, golden_folder).first->second;
+    return checks_.try_emplace(golden_folder, golden_folder, accept_command_).first->second;
   }
   /// In order of the folders' names.
   [[nodiscard]] std::vector<const CoreVerdict*> verdicts() const {
@@ -103,6 +108,7 @@ class CoreChecks {
   }
 
  private:
+  std::string accept_command_;
   std::map<std::string, CoreCheck> checks_;
 };
 

@@ -143,6 +143,7 @@ void print_every(const CheckReport& report) {
 CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
                          std::string golden_folder)
     : verdicts_(std::move(verdicts)),
+      cores_(arguments, golden_folder),
       arguments_(std::move(arguments)),
       golden_folder_(std::move(golden_folder)) {
   std::vector<DifferingScenario> differing;

@@ -83,9 +83,7 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 [[noreturn]] void refuse_core(const std::string& path, const std::string& fault) {
-  throw Failure(ExitCode::disagreed,
-                fmt::format("{}: {}; take the folder from version control, or accept this program's core: {}",
-                            path, fault, program_command({"bless", "--core", "--reason", "TEXT"})));
+  throw Failure(ExitCode::disagreed, path + ": " + fault + "; take the folder from version control");
 }
 
 }  // namespace
@@ -112,6 +110,14 @@ std::shared_ptr<const StepProgram> program_step() {
 }
 
 std::string accepted_core_folder(const std::string& golden_folder) { return golden_folder + "/core"; }
+
+std::string accept_core_command(const std::vector<std::string>& scenarios, const std::string& golden_option) {
+  std::vector<std::string> words = {"bless"};
+  for (const std::string& path : scenarios) words.push_back(as_argument(path));
+  if (!golden_option.empty()) words.insert(words.end(), {"--golden", as_argument(golden_option)});
+  words.insert(words.end(), {"--core", "--reason", "TEXT"});
+  return program_command(words);
+}
 
 std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder) {
   const CoreFiles files = files_in(golden_folder);

@@ -40,9 +40,15 @@ struct AcceptedCore {
 /// FOLDER/core.
 [[nodiscard]] std::string accepted_core_folder(const std::string& golden_folder);
 
+/// The command that accepts this program's core in the library of these scenarios.
+/// @param scenarios files and folders as given; none: the folder `scenarios`.
+/// @param golden_option as given; empty if it was not.
+[[nodiscard]] std::string accept_core_command(const std::vector<std::string>& scenarios,
+                                              const std::string& golden_option);
+
 /// Nothing if FOLDER/core does not exist or is empty.
-/// ERRORS: Failure(disagreed) "FILE: ...; REMEDY" where it is damaged, half written or edited by hand;
-/// Failure(cannot_access) where a file cannot be read.
+/// ERRORS: Failure(disagreed) "FILE: ...; take the folder from version control" where it is damaged, half
+/// written or edited by hand; Failure(cannot_access) where a file cannot be read.
 [[nodiscard]] std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder);
 
 /// Replaces it. A killed program leaves the old one, or one that read_accepted_core calls half written.
