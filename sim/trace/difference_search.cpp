@@ -149,7 +149,7 @@ class Search {
       if (!which) return false;
       const double before = number(*which);
       if (!solve(comparison, *which)) {
-        number(*which) = before;
+        number(*which) = nearest(comparison, *which, before);
         continue;
       }
       if (!step_aside(comparison, *which, outcome.holds)) number(*which) = before;
@@ -175,14 +175,36 @@ class Search {
     return std::nullopt;
   }
 
+  // How far a number is changed to see what that does.
+  static double probe(StepNumber which, double value) {
+    return is_size(which) ? 16.0 : std::max(std::fabs(value) * 0x1p-6, which == StepNumber::dt ? 1e-3 : 1.0);
+  }
+
+  // Where one number alone does not bring the sides together, as outside of a circle: the value with which
+  // they are nearest, by a parabola through three. The value itself where that is no nearer.
+  double nearest(const StepComparison& comparison, StepNumber which, double value) {
+    const double change = probe(which, value);
+    std::array<double, 3> gaps{};
+    for (std::size_t place = 0; place < 3; ++place) {
+      number(which) = value + (static_cast<double>(place) - 1.0) * change;
+      evaluate();
+      gaps[place] = gap(comparison);
+    }
+    const double vertex =
+        limited(which, value - change * (gaps[2] - gaps[0]) / (2.0 * (gaps[2] - 2.0 * gaps[1] + gaps[0])));
+    if (!std::isfinite(vertex)) return value;
+    number(which) = vertex;
+    evaluate();
+    return std::fabs(gap(comparison)) < std::fabs(gaps[1]) ? vertex : value;
+  }
+
   // Brings both sides of the comparison together, by one number: the secant method. Values are evaluated at
   // the end. Returns whether they came near.
   bool solve(const StepComparison& comparison, StepNumber which) {
     double first = number(which);
     evaluate();
     double first_gap = gap(comparison);
-    double change =
-        is_size(which) ? 16.0 : std::max(std::fabs(first) * 0x1p-6, which == StepNumber::dt ? 1e-3 : 1.0);
+    const double change = probe(which, first);
     double second = limited(which, first + change);
     if (second == first) second = limited(which, first - change);
     for (int turn = 0; turn < kTurnsMax && first_gap != 0.0 && !is_done(); ++turn) {

@@ -12,7 +12,7 @@ constexpr double kSideMax_px = 1'000'000.0;
 constexpr double kMotionMax = 1e12;  // Of coordinates in px and of speeds in px/s.
 constexpr double kFrameMax_s = 1e9;
 
-constexpr std::array kLongFrames_s = {0.01, 0.05, 0.1, 0.11, 0.125, 0.2, 0.25, 0.35, 0.5, 1.0, 0.0};
+constexpr std::array kLongFrames_s = {0.01, 0.05, 0.1, 0.11, 0.125, 0.2, 0.25, 0.35, 0.5, 1.0, 0.0, -0.0};
 
 double& of(StepNumbers& numbers, StepNumber number) { return numbers[static_cast<std::size_t>(number)]; }
 

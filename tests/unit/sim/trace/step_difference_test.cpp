@@ -107,6 +107,10 @@ const std::vector<Change>& changes() {
       {"144 Hz", slower_where([](B, F f) { return f.dt > 1.0 / 144.5 && f.dt < 1.0 / 143.5; })},
       {"farther than the window", slower_where([](B b, F f) { return b.vx * f.dt > right(f); })},
       {"far outside", slower_where([](B b, F) { return b.x > 1e5; })},
+      {"a circle of 1 px", slower_where([](B b, F) {
+         return (b.x - Real(960.0)) * (b.x - Real(960.0)) + (b.y - Real(540.0)) * (b.y - Real(540.0)) < 1.0;
+       })},
+      {"a negative zero", slower_where([](B b, F) { return Real(1.0) / b.vy == -HUGE_VAL; })},
       {"exactly on the left wall", at_walls([](B b, F) { return b.x == 0.0; },
                                             [](Body& b) { b.vx = -b.vx * Real(0.6); })},
       {"exactly on the right wall", at_walls([](B b, F f) { return b.x == right(f); },
