@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,6 +13,7 @@ constexpr std::int64_t kBlock = 48;  // Steps between two looks at the lanes.
 constexpr std::int64_t kLongRun =
     32768;  // From so many frames on blocks are longer, and any short period shows.
 constexpr std::int64_t kLongBlock = 4096;
+static_assert(kLongBlock <= kBlockStepsMax);
 
 // Members that wait for a lane, and the lanes that play. Work has
 //   frames(index): frames to play, > 0

@@ -32,7 +32,6 @@ enum class Feature : std::uint8_t {
   any_rate,      ///< Other rates than those of displays.
   long_run,      ///< Once in eight such runs up to 2,000 frames, so that states repeat; else up to 80.
 };
-inline constexpr std::size_t kFeatureCount = 16;
 
 class Features {
  public:

@@ -204,7 +204,7 @@ ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view i
 }
 
 std::string end_text(const ChildEnd& end, double limit_s) {
-  if (end.is_timed_out) return fmt::format("no end within {} s", limit_s);
+  if (end.is_timed_out) return fmt::format("no end within {:.3g} s", limit_s);
   if (end.exit_code > 128) return fmt::format("signal {} (exit code {})", end.exit_code - 128, end.exit_code);
   return fmt::format("exit code {}", end.exit_code);
 }

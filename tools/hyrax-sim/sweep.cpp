@@ -1,13 +1,12 @@
 // The command sweep: plays all members of a sweep, or one, or joins the parts of one.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
-#include <thread>
 
 #include "sim/replay/core_constants.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/part.h"
+#include "tools/app/command_line/workers.h"
 #include "tools/app/sweep/sweep_run.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/path.h"
@@ -136,7 +135,7 @@ ExitCode compute(const SweepRequest& request) {
   job.head.is_part = part.has_value();
   if (part) job.head.part = part->part;
   job.output = output_of(request, part);
-  job.threads = request.threads.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  job.threads = request.threads.value_or(processors());
   if (request.resumes) job.existing = Existing::resumed;
   if (request.is_forced) job.existing = Existing::replaced;
   std::vector<std::string> inputs{path};

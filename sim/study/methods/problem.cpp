@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/reference/model.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -92,8 +93,8 @@ std::vector<Problem> study_problems() {
       open_sky("long-arc", "one second in the air", {200.0, 400.0, 900.0, -900.0}, 1.0),
       open_sky("short-arc", "a fifth of a second in the air", {200.0, 400.0, 900.0, -900.0}, 0.2),
       open_sky("fast-arc", "one second at 10,000 px/s", {200.0, 6000.0, 8000.0, -6000.0}, 1.0),
-      open_sky("terminal-speed", "one second at terminal speed", {200.0, 200.0, 0.0, 1200.0 / 0.0600300},
-               1.0),
+      open_sky("terminal-speed", "one second at terminal speed",
+               {200.0, 200.0, 0.0, Model{}.gravity_px_per_s2 / 0.0600300}, 1.0),
       on_desktop("fling", "a fling that bounces until it settles", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
       on_desktop("corner-fling", "a fast fling into a corner", {300.0, 500.0, 2400.0, -700.0}, 8.0)};
   Problem jittered = problems[4];

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include <sys/resource.h>
 
 namespace hyrax {
 
@@ -15,9 +17,13 @@ namespace hyrax {
   return std::max<std::int64_t>(1, std::thread::hardware_concurrency());
 }
 
-/// As many threads as requested, or fewer if the system allows no more.
-[[nodiscard]] inline std::vector<std::jthread> start_workers(std::int64_t count,
-                                                             const std::function<void()>& work) {
+/// As many threads as requested, or fewer if the system allows no more. What a thread takes of a limited
+/// address space, its stack and its heap, is not given back when it ends: below 128 MiB there is none.
+[[nodiscard]] std::vector<std::jthread> start_workers(std::int64_t count, const auto& work) {
+  constexpr rlim_t kBytesPerWorker = 128 << 20;
+  rlimit space{};
+  if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
+    count = std::min(count, static_cast<std::int64_t>(space.rlim_cur / kBytesPerWorker));
   std::vector<std::jthread> workers;
   try {
     for (std::int64_t worker = 0; worker < count; ++worker) workers.emplace_back(work);

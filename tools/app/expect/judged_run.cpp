@@ -57,8 +57,9 @@ Json expectation_json(const Expectation& expectation) {
 
 std::string expectation_text(const Expectation& expectation) {
   const Json measured = *expectation_json(expectation).find("measured");
-  return expectation.rule + ": wanted " + expectation.wanted + ", measured " +
-         (measured.is_null() ? "none" : to_text(measured));
+  std::string text = measured.is_null() ? "none" : to_text(measured);
+  std::erase(text, '"');  // Of a hash, or "NaN".
+  return expectation.rule + ": wanted " + expectation.wanted + ", measured " + text;
 }
 
 std::string broken_sentence(const std::vector<Expectation>& broken) {

@@ -9,12 +9,11 @@
 #include <exception>
 #include <map>
 #include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/workers.h"
 #include "tools/files/path.h"
 
 namespace hyrax {
@@ -50,11 +49,7 @@ class ChunkPool {
     sigset_t before{};
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before);  // Only the caller takes signals.
-    try {
-      for (std::int64_t thread = 1; thread < threads; ++thread)
-        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
-    } catch (const std::system_error&) {  // Fewer threads do as well.
-    }
+    threads_ = start_workers(threads - 1, [this](const std::stop_token& stop) { work(stop); });
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   ChunkPool(const ChunkPool&) = delete;
