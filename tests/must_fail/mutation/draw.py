@@ -3,22 +3,27 @@
 import math
 
 from mutators import mutants_of
+from slips import names_in, slips_of
 
-FOLDERS = ("sim/compare", "sim/replay", "sim/reference", "sim/study", "tools/files", "tools/store", "tools/app",
-           "tools/hyrax-sim")
+FOLDERS = ("sim/card", "sim/cause", "sim/compare", "sim/ensemble", "sim/reference", "sim/replay", "sim/result", "sim/scenario",
+           "sim/search", "sim/study", "sim/trace", "sim/trajectory", "tools/app", "tools/files", "tools/hyrax",
+           "tools/hyrax-compare", "tools/hyrax-replay", "tools/hyrax-sim", "tools/report", "tools/store")
 
 
 def mutants_by_folder(build):
-    """{folder: [Mutant]} of all sources that the build compiles.
+    """{(folder, whether of a person): [Mutant]} of all sources that the build compiles.
 
     Other flags are left out, and constants that move by one ulp: in these folders no verdict depends on it.
     """
+    paths = sorted(path for path in build.objects if path.startswith(("sim/", "tools/")))
+    texts = {path: (build.source / path).read_text(encoding="utf-8") for path in paths}
+    names = names_in(texts.values())
     found = {}
     for folder in FOLDERS:
-        paths = sorted(path for path in build.objects if path.startswith(f"{folder}/"))
-        texts = {path: (build.source / path).read_text(encoding="utf-8") for path in paths}
-        found[folder] = [mutant for path in paths for mutant in mutants_of(path, texts[path])
-                         if not mutant.flags and not _is_by_one_ulp(mutant, texts[path])]
+        own = [path for path in paths if path.startswith(f"{folder}/")]
+        found[folder, False] = [mutant for path in own for mutant in mutants_of(path, texts[path])
+                                if not mutant.flags and not _is_by_one_ulp(mutant, texts[path])]
+        found[folder, True] = [mutant for path in own for mutant in slips_of(path, texts[path], names)]
     return found
 
 
@@ -31,7 +36,7 @@ def _is_by_one_ulp(mutant, text):
 
 
 def drawn(by_folder, count, generator):
-    """So many mutants, equally many of each folder where it has enough, in random order."""
+    """So many mutants, equally many of each key where it has enough, in random order."""
     left = {folder: generator.sample(mutants, len(mutants)) for folder, mutants in by_folder.items()}
     chosen = []
     while len(chosen) < count and any(left.values()):

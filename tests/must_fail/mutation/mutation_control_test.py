@@ -17,6 +17,7 @@ from mutators import Mutant, mutants_of, numbers_near
 from process import run
 from program import SOURCE
 from reasons import Reason, faults_of
+from slips import names_in, slips_of
 from subjects import SUBJECTS
 from workshop import CannotBuild, Workshop
 
@@ -191,6 +192,17 @@ class Mutators(unittest.TestCase):
     def test_a_duplicate_line_is_numbered(self):
         self.assertEqual(self.names("void f() {\n  a();\n  a();\n}\n", "dropped"),
                          ["f: without a();", "f: without a(); [2]"])
+
+    def test_slips_of_a_person(self):
+        header = ("enum class Wall { left, right = 4 };  // Sides.\nconstexpr std::size_t kBlock = 8;\n"
+                  "struct Size {\n  double wide = 0.0;\n  double high = 0.0;\n  int other = 0;\n};\n")
+        text = "void f(int a, int b) {\n  g(a, h(size.wide, b), kBlock);\n  if (is(Wall::right)) k(a);\n}\n"
+        found = [(slip.kind, slip.replacement) for slip in slips_of("a.h", text, names_in([header]))]
+        self.assertEqual(found, [("swapped arguments", "h(size.wide, b), a"),
+                                 ("swapped arguments", "kBlock, h(size.wide, b)"),
+                                 ("swapped arguments", "b, size.wide"), ("wrong member", "high"),
+                                 ("named size", "(kBlock - 1)"), ("named size", "(kBlock + 1)"),
+                                 ("neighbouring enumerator", "left")])
 
 
 if __name__ == "__main__":

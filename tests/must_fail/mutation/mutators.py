@@ -44,7 +44,7 @@ def _one_line(text):
     return " ".join(re.sub(r"//[^\n]*", "", text).split())
 
 
-class _Mutators:
+class Mutators:
     """All mutants of one file, kind by kind, in the order of the text."""
 
     def __init__(self, path, text, functions):
@@ -68,9 +68,9 @@ class _Mutators:
             self._statements(block)
         if any(token.text == "double" for token in self.source.tokens):
             self.found.append(Mutant(self.path, "fused", "multiply-adds fused", flags=_FLAGS_FUSED))
-        return self._numbered()
+        return self.numbered()
 
-    def _add(self, kind, index, begin, end, replacement, name=None):
+    def add(self, kind, index, begin, end, replacement, name=None):
         function = self.source.function_of(index)
         place = function.name if function else "declarations"
         if name is None:
@@ -81,35 +81,35 @@ class _Mutators:
         line = self.source.text.count("\n", 0, begin) + 1
         self.found.append(Mutant(self.path, kind, f"{place}: {name}", begin, end, replacement, line=line))
 
-    def _replace(self, kind, index, replacement):
+    def replace(self, kind, index, replacement):
         token = self.source.tokens[index]
-        self._add(kind, index, token.begin, token.end, replacement)
+        self.add(kind, index, token.begin, token.end, replacement)
 
     def _number(self, index, token):
         if token.kind == "number":
             for replacement in numbers_near(token.text):
-                self._replace("constant", index, replacement)
+                self.replace("constant", index, replacement)
         elif token.text in ("true", "false"):
-            self._replace("constant", index, "false" if token.text == "true" else "true")
+            self.replace("constant", index, "false" if token.text == "true" else "true")
 
     def _operator(self, index, token):
         if token.kind != "operator":
             return
         text = self.source.text
         if token.text in _STEPS:
-            self._replace("operator", index, _STEPS[token.text])
+            self.replace("operator", index, _STEPS[token.text])
         elif self.source.is_between_blanks(index):
             if token.text in _OPERATORS:
-                self._replace("operator", index, _OPERATORS[token.text])
+                self.replace("operator", index, _OPERATORS[token.text])
             for replacement in _COMPARISONS.get(token.text, []):
-                self._replace("comparison", index, replacement)
+                self.replace("comparison", index, replacement)
         elif token.text in "-!" and not text[token.end].isspace():
-            self._replace("operator", index, "")
+            self.replace("operator", index, "")
 
     def _type(self, index, token):
         tokens = self.source.tokens
         if token.text == "double" and (tokens[index - 1].text != "<" or tokens[index - 2].text == "static_cast"):
-            self._replace("float for double", index, "float")
+            self.replace("float for double", index, "float")
 
     def _coordinate(self, index, token):
         tokens = self.source.tokens
@@ -122,7 +122,7 @@ class _Mutators:
             if token.text in pair:
                 other = pair[1 - pair.index(token.text)]
                 if any(known.text == other for known in tokens):
-                    self._replace("confused", index, other)
+                    self.replace("confused", index, other)
 
     def _statements(self, block):
         for number, statement in enumerate(block):
@@ -130,7 +130,7 @@ class _Mutators:
                 continue
             if statement.kind in ("plain", "compound") or self._text(statement).startswith(_LEAVES):
                 begin, end = self._ends(statement)
-                self._add("dropped", statement.begin, begin, end, ";", f"without {self._text(statement)}")
+                self.add("dropped", statement.begin, begin, end, ";", f"without {self._text(statement)}")
             if number > 0:
                 self._swap(block[number - 1], statement)
 
@@ -140,7 +140,7 @@ class _Mutators:
         (begin, middle), (next_begin, end) = self._ends(first), self._ends(second)
         text = self.source.text
         swapped = text[next_begin:end] + text[middle:next_begin] + text[begin:middle]
-        self._add("swapped", first.begin, begin, end, swapped,
+        self.add("swapped", first.begin, begin, end, swapped,
                   f"{self._text(second)} before {self._text(first)}")
 
     def _needs(self, statement, declaration):
@@ -165,7 +165,7 @@ class _Mutators:
         text = _one_line(self.source.text[begin:end])
         return text if statement.kind != "compound" else re.sub(r" \{ .*", " {...}", text)
 
-    def _numbered(self):
+    def numbered(self):
         """The mutants, with a number where their names are the same."""
         named, seen = [], {}
         for mutant in self.found:
@@ -195,4 +195,4 @@ def numbers_near(literal):
 
 def mutants_of(path, text, functions=()):
     """Every mutant of a file, or of some of its functions."""
-    return _Mutators(path, text, functions).all()
+    return Mutators(path, text, functions).all()

@@ -70,7 +70,7 @@ class SourceText:
     def __init__(self, text):
         self.text = text
         self.tokens = _tokens(text)
-        self._partner = self._pair_brackets()
+        self.partner = self._pair_brackets()
         self.functions = []
         self._find_functions(0, len(self.tokens))
         self.blocks = []
@@ -115,14 +115,14 @@ class SourceText:
             elif self._is(index, "{"):
                 texts = _without_template([token.text for token in self.tokens[header:index]])
                 if texts and texts[0] in ("namespace", "class", "struct"):
-                    self._find_functions(index + 1, self._partner[index])
+                    self._find_functions(index + 1, self.partner[index])
                 elif self.tokens[index - 1].kind == "word" and texts[-1] not in ("const", "noexcept", "override"):
-                    index = self._partner[index] + 1  # A member initialiser, or an enumeration.
+                    index = self.partner[index] + 1  # A member initialiser, or an enumeration.
                     continue
                 elif "(" in texts:
                     name = texts[texts.index("(") - 1]
-                    self.functions.append(Function(name, header, index, self._partner[index]))
-                index = self._partner[index]
+                    self.functions.append(Function(name, header, index, self.partner[index]))
+                index = self.partner[index]
                 header = index + 1
             elif self._is(index, "public", "private", "protected") and self._is(index + 1, ":"):
                 index += 1
@@ -132,7 +132,7 @@ class SourceText:
     def _block(self, opening):
         statements = []
         index = opening + 1
-        while index < self._partner[opening]:
+        while index < self.partner[opening]:
             end = self._statement(index)
             statements.append(Statement(self._kind(index, end), index, end))
             index = end
@@ -142,18 +142,18 @@ class SourceText:
         """One past a statement's last token; collects the blocks inside."""
         if self._is(index, "{"):
             self._block(index)
-            return self._partner[index] + 1
+            return self.partner[index] + 1
         if self._is(index, "if", "while", "for", "switch"):
             while not self._is(index, "("):
                 index += 1
-            index = self._body(self._partner[index] + 1)
+            index = self._body(self.partner[index] + 1)
             if self._is(index, "else"):
                 index = self._body(index + 1)
             return index
         if self._is(index, "try"):
             index = self._statement(index + 1)
             while self._is(index, "catch"):
-                index = self._statement(self._partner[index + 1] + 1)
+                index = self._statement(self.partner[index + 1] + 1)
             return index
         if self._is(index, "case", "default"):
             while not self._is(index, ":"):
@@ -162,7 +162,7 @@ class SourceText:
         while self.tokens[index].text != ";":
             if self._is(index, "{") and self._is_lambda(index):
                 self._block(index)
-            index = self._partner[index] if self._is(index, *_CLOSES) else index
+            index = self.partner[index] if self._is(index, *_CLOSES) else index
             index += 1
         return index + 1
 
@@ -174,7 +174,7 @@ class SourceText:
         return end
 
     def _is_lambda(self, index):
-        return self._is(index - 1, ")") and self._is(self._partner[index - 1] - 1, "]")
+        return self._is(index - 1, ")") and self._is(self.partner[index - 1] - 1, "]")
 
     def _kind(self, begin, end):
         first, second = self.tokens[begin], self.tokens[min(begin + 1, end - 1)]

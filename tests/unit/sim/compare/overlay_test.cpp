@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/unit/sim/result/described.h"
+
 namespace hyrax {
 namespace {
 
@@ -18,41 +20,14 @@ std::vector<Plot> plots_of(const Overlay& overlay) {
   return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b", {10.0, 20.0}}).body);
 }
 
-TEST(Overlay, HasBothPathsAndTheirDistanceOverTime) {
+TEST(Overlay, IsThePictureApproved) {
   Overlay overlay;
-  overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
-  overlay.add(row_at(1, 5.0, 6.0), row_at(1, 8.0, 10.0));
-  const std::vector<Plot> plots = plots_of(overlay);
-  ASSERT_EQ(plots.size(), 2u);
-  EXPECT_EQ(plots[0].series[1].x, (std::vector{1.0, 5.0}));
-  EXPECT_EQ(plots[0].series[2].y, (std::vector{2.0, 10.0}));
-  EXPECT_TRUE(plots[0].y.is_reversed);
-  EXPECT_TRUE(plots[0].has_equal_scales);
-  EXPECT_EQ(plots[1].series[0].x, (std::vector{0.0, 0.5}));
-  EXPECT_EQ(plots[1].series[0].y, (std::vector{0.0, 5.0}));
-  EXPECT_FALSE(plots[1].y.is_logarithmic);
-}
-
-TEST(Overlay, MarksWallsStartFirstDifferenceAndEnd) {
-  Overlay overlay;
-  for (std::int64_t step = 0; step < 4; ++step)
-    overlay.add(row_at(step, static_cast<double>(step), 2.0),
-                row_at(step, static_cast<double>(step), step < 2 ? 2.0 : 3.0));
-  const Figure figure = overlay.figure({"title", "subtitle", "a", "b", {10.0, 20.0}});
-  const std::vector<Series> scene = plots_of(overlay)[0].series;
-  const std::vector<std::string> names = {"walls, for the corner", "a",  "b", "start",
-                                          "first difference",      "end"};
-  ASSERT_EQ(scene.size(), names.size());
-  ASSERT_EQ(figure.legend.size(), names.size());
-  for (std::size_t index = 0; index < names.size(); ++index) {
-    EXPECT_EQ(scene[index].name, names[index]);
-    EXPECT_EQ(figure.legend[index].text, names[index]);
+  for (std::int64_t step = 0; step < 5; ++step) {
+    const double x_px = 1.0 + static_cast<double>(step * step);
+    overlay.add(row_at(step, x_px, 2.0), row_at(step, step < 2 ? x_px : x_px + 3.0, step < 3 ? 2.0 : 6.0));
   }
-  EXPECT_EQ(scene[0].x, (std::vector{0.0, 10.0, 10.0, 0.0, 0.0}));
-  EXPECT_EQ(scene[0].y, (std::vector{0.0, 0.0, 20.0, 20.0, 0.0}));
-  EXPECT_EQ(scene[3].x, (std::vector{0.0, 0.0}));
-  EXPECT_EQ(scene[4].y, (std::vector{2.0, 3.0}));
-  EXPECT_EQ(scene[5].x, (std::vector{3.0, 3.0}));
+  expect_approved("tests/unit/sim/compare/overlay.txt",
+                  described(overlay.figure({"the title", "the subtitle", "a.h5", "b.h5", {30.0, 20.0}})));
 }
 
 TEST(Overlay, HasNoAxisOfDistancesThatAreAllZero) {

@@ -22,29 +22,6 @@ TEST(FrameRate, OneDisplayAloneIsIndependentOfItself) {
   for (const Independence& score : study_frame_rate({60.0}, 2).scores) EXPECT_EQ(score.score, 100.0);
 }
 
-TEST(FrameRate, ScoresAreBetweenZeroAndAHundred) {
-  for (const Independence& score : study_frame_rate({24.0, 60.0, 1000.0}, 3).scores) {
-    EXPECT_GE(score.score, 0.0);
-    EXPECT_LE(score.score, 100.0);
-    EXPECT_GT(score.way_px, 0.0);
-  }
-}
-
-TEST(FrameRate, FiguresSayHowManyRatesTheyShowAndEndWithThem) {
-  const std::vector<Figure> figures = frame_rate_figures(study_frame_rate({24.0, 60.0, 240.0}, 1));
-  ASSERT_EQ(figures.size(), 4u);
-  for (const Figure& figure : figures) {
-    const Plot& plot = std::get<std::vector<Plot>>(figure.body).front();
-    if (figure.suffix.starts_with("-fan")) {
-      EXPECT_EQ(plot.series.size(), 3u);
-      EXPECT_TRUE(figure.subtitle.ends_with(", at 3 display rates")) << figure.subtitle;
-    } else {
-      EXPECT_TRUE(plot.x.low > 20.0 && plot.x.low < 24.0) << plot.x.low;
-      EXPECT_TRUE(plot.x.high > 240.0 && plot.x.high < 300.0) << plot.x.high;
-    }
-  }
-}
-
 TEST(FrameRate, APathEndsWhereItLands) {
   const FrameRateStudy study = study_frame_rate({60.0}, 1);
   ASSERT_FALSE(study.paths.empty());

@@ -172,16 +172,6 @@ TEST(HardCase, ThePositionStandsStillAtEveryRate) {
   EXPECT_EQ(zero_speed, 7);
 }
 
-TEST(HardCasesStudy, TablesHaveARowForEveryCheckAndEveryCase) {
-  const StudyResult result = studied({named("corners")});
-  EXPECT_EQ(row_count(result.tables[1]), 13u);
-  const Table& counts = std::get<Table>(result.verdict.text[1]);
-  std::int64_t checks = 0;
-  for (const std::int64_t cases : values<std::int64_t>(counts, "cases")) checks += cases;
-  EXPECT_EQ(row_count(result.tables[0]), static_cast<std::size_t>(checks));
-  EXPECT_EQ(row_count(result.summary[0]), 13u);
-}
-
 TEST(HardCasesStudy, AnExpectationThatDoesNotHoldIsBroken) {
   Scenario scenario = fling_at(60.0, 200);
   scenario.expect.emplace().final_x_px = Interval{-2.0, -1.0};

@@ -156,19 +156,6 @@ StudyResult studied(const std::vector<std::string>& names,
   throw std::logic_error("no study needs");
 }
 
-TEST(NeedsStudy, AFewScenesHaveATableAndAFigureEach) {
-  const StudyResult result = studied({"flings/first-fling", "hard/sprite-larger-than-window"});
-  const std::size_t parts = row_count(result.tables[0]) / 2;
-  EXPECT_EQ(parts, kPartCount);
-  EXPECT_EQ(row_count(result.tables[1]), 2u);
-  EXPECT_EQ(row_count(result.tables[2]), 2u);
-  EXPECT_EQ(row_count(result.tables[3]), 1u) << "the cheapest method, if there is an exact motion";
-  EXPECT_EQ(row_count(std::get<Table>(result.verdict.text[1])), parts);
-  ASSERT_EQ(result.figures.size(), 2u);
-  EXPECT_EQ(result.figures[0].suffix, "-first-fling1");
-  EXPECT_TRUE(result.verdict.broken.empty());
-}
-
 TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   const StudyResult result = studied(std::vector<std::string>(5, "flings/first-fling"));
   EXPECT_EQ(row_count(result.tables[3]), 0u);

@@ -183,25 +183,6 @@ const Study& the_study() {
 
 StudyRequest quick_request() { return {.is_quick = true, .machine = "some machine", .now_ns = steady_ns}; }
 
-TEST(SpeedErrorStudy, HasTablesFiguresAndAVerdictThatHolds) {
-  const StudyResult result = the_study().run(quick_request());
-  ASSERT_EQ(result.tables.size(), 7u);
-  EXPECT_EQ(result.tables[0].name, "points");
-  EXPECT_EQ(row_count(result.tables[0]), 2u * (8u * 5u + 1u) + 10u * 3u * 2u);
-  ASSERT_EQ(result.figures.size(), 3u);
-  EXPECT_EQ(result.figures[0].suffix, "") << "the whole fling";
-  EXPECT_NE(result.figures[0].title.find("until it settles"), std::string::npos);
-  EXPECT_EQ(result.figures[1].suffix, "-long-arc");
-  EXPECT_EQ(result.figures[2].suffix, "-fling-starts");
-  EXPECT_EQ(result.verdict.broken, std::vector<std::string>{});
-  const Column& codes = *std::find_if(result.summary[1].columns.begin(), result.summary[1].columns.end(),
-                                      [](const Column& column) { return column.name == "analytic_order"; });
-  EXPECT_EQ(codes.name, "analytic_order");
-  const auto& values = std::get<std::vector<std::int64_t>>(codes.values);
-  EXPECT_EQ((std::vector(values.begin(), values.begin() + 6)), (std::vector<std::int64_t>{0, 0, 1, 1, 2, 4}));
-  EXPECT_EQ(std::count(values.begin(), values.end(), -1), 1) << "exact flight, in the fling";
-}
-
 TEST(SpeedErrorStudy, AScenarioWithANameThatIsTakenIsRefused) {
   StudyRequest request = quick_request();
   NamedScenario given{"mine.json", {}};

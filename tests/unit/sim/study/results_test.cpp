@@ -1,0 +1,49 @@
+// Everything that each study gives, as data: tables, figures, verdict and summary, against the approved text.
+#include "tests/unit/sim/result/described.h"
+
+#include "sim/study/study.h"
+#include "sim/trace/core_record.h"
+#include "sim/trace/step_program.h"
+#include "sim/trace/step_text.h"
+#include "tests/unit/sim/replay/some_flings.h"
+
+namespace hyrax {
+namespace {
+
+NamedScenario named(const std::string& name, Scenario scenario) {
+  scenario.name = name;
+  return {name + ".json", std::move(scenario)};
+}
+
+// Steady enough to measure by, and no two medians and ends of intervals need be equal.
+std::int64_t nearly_steady_ns() {
+  static std::int64_t now_ns = 0, calls = 0;
+  return now_ns += 100'000 + 400 * (++calls % 7);
+}
+
+StudyResult quick(const Study& study) {
+  StudyRequest request{.is_quick = true,
+                       .core_step = make_step_program(read_step(core_record().step).value()),
+                       .machine = "some machine",
+                       .now_ns = nearly_steady_ns};
+  if (study.takes_scenarios)
+    request.scenarios = {named("calm", fling_at(60.0, 300)), named("eventful", fling_at(144.0, 500))};
+  if (request.scenarios.size() > 1)
+    request.scenarios[1].scenario.events = {{std::int64_t{40}, Hitch{0.1}}, {2.5, Fling{{-700.0, -300.0}}}};
+  return study.run(request);
+}
+
+TEST(Results, OfEveryStudyAreThoseApproved) {
+  for (const Study& study : studies()) {
+    const StudyResult result = quick(study);
+    std::string text;
+    for (const Table& table : result.tables) text += described(table);
+    for (const Figure& figure : result.figures) text += described(figure);
+    text += described(result.verdict) + "summary\n";
+    for (const Table& table : result.summary) text += described(table, "  ");
+    expect_approved("tests/unit/sim/study/approved/" + study.name + ".txt", text);
+  }
+}
+
+}  // namespace
+}  // namespace hyrax
