@@ -6,14 +6,7 @@ hyrax_room(hyrax_fmt)
 target_include_directories(
   hyrax_fmt SYSTEM PUBLIC $<TARGET_PROPERTY:fmt::fmt-header-only,INTERFACE_INCLUDE_DIRECTORIES>)
 
-# hyrax_text(TARGET): a room that formats, draws, reports or explains. It is compiled by -Og, in two thirds of the time
-# of -O3: little of it runs for every step.
 file(CONFIGURE OUTPUT text_headers.cpp CONTENT "// The precompiled headers of text.\n")
 add_library(hyrax_text_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/text_headers.cpp)
-function(hyrax_text target)
-  hyrax_room(${target} ${ARGN})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
-  target_link_libraries(${target} PRIVATE hyrax_fmt)
-endfunction()
 hyrax_text(hyrax_text_headers)
 target_precompile_headers(hyrax_text_headers PRIVATE ${hyrax_standard_headers} <map> <fmt/format.h>)
