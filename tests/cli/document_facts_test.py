@@ -1,0 +1,169 @@
+#!/usr/bin/python3
+"""Numbers, options and totals that a document states are those of the source that decides them."""
+
+import json
+import re
+import sys
+import unittest
+
+from documentation_test import DOCUMENTS
+from process import run
+from program import PROGRAM, SOURCE
+
+sys.path.insert(0, str(SOURCE / "tests/platforms"))
+from rows import BUILDS  # noqa: E402 pylint: disable=wrong-import-position
+
+FORMAT, FILES, CORE, DRIFT = "scenarios/README.md", "golden/README.md", "sim/physics/README.md", "sim/reference/README.md"
+HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "sim/motion/state.h"
+HASH, ROUNDING, REST = "sim/trajectory/state_hash.h", "sim/compare/run_distance.cpp", "sim/trajectory/run_summary.h"
+
+# Document and its words, with `{}` for each number; source, and the names that have these numbers there.
+STATED = (
+    *(("README.md", "\n| {} | " + words, "tools/files/failure.h", name) for words, name in (
+        ("done;", "agreed"), ("results differ", "disagreed"), ("bad usage or bad input", "bad_input"),
+        ("cannot read or write", "cannot_access"), ("a golden file is missing", "golden_missing"),
+        ("arithmetic is not strict", "not_strict_ieee"), ("internal error", "program_fault"))),
+    *((CORE, "| `" + name + "` | {}", HEADER, name)
+      for name in ("GRAVITY", "AIR_DRAG", "RESTITUTION", "GROUND_FRICTION", "REST_THRESHOLD")),
+    (CORE, "Gravity: `vy += {} dt`", HEADER, "GRAVITY"),
+    (CORE, "Drag: `vx *= {}`, `vy *= {}`", HEADER, "AIR_DRAG, AIR_DRAG"),
+    (CORE, "x is set to the bound and `vx = -{} vx`", HEADER, "RESTITUTION"),
+    (CORE, "y is set to 0 and `vy = -{} vy`", HEADER, "RESTITUTION"),
+    (CORE, "`vy = -{} vy`, `vx *= {}`; and if |vy| < {}", HEADER, "RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"),
+    (DRIFT, "G = {} px/s², a = {} (paper", HEADER, "GRAVITY, AIR_DRAG"),
+    (DRIFT, "leaves |vy| below {} px/s", HEADER, "REST_THRESHOLD"),
+    (FORMAT, "`window` | yes | `width_px`, `height_px`: integers, 0 .. {} |", SCENARIO, "kWindowSideMax_px"),
+    (FORMAT, "`sprite` | yes | `width_px`, `height_px`: integers, {} .. {};", SCENARIO, "kSpriteSideMin_px, kSpriteSideMax_px"),
+    (FORMAT, "Finite, magnitude at most {};", SCENARIO, "kCoordinateMax_px"),
+    (FORMAT, "Finite, magnitude at most {};", SCENARIO, "kSpeedMax_px_per_s"),
+    (FORMAT, "number of frames, 0 .. {} |", SCENARIO, "kStepsMax"),
+    (FORMAT, "1 to {} characters", SCENARIO, "kNameLengthMax"),
+    (FORMAT, "`rate_hz` | > 0, at most {}; dt = 1 / rate_hz, at most {} s", SCENARIO, "kRateMax_hz, kFrameMax_s"),
+    (FORMAT, "`dt_s` (number) | 0 .. {} s", SCENARIO, "kFrameMax_s"),
+    (FORMAT, "each 0 .. {} s. `steps`", SCENARIO, "kFrameMax_s"),
+    (FORMAT, "a result above {} s\nbecomes {} s", SCENARIO, "kFrameMax_s, kFrameMax_s"),
+    (FORMAT, "another dt: `dt_s`, 0 .. {}. A", SCENARIO, "kFrameMax_s"),
+    (FORMAT, "at_s - {} dt", "sim/scenario/schedule.cpp", "kTolerance"),
+    (FORMAT, "a time beyond frame {} is an error", "sim/scenario/schedule.h", "kWalkedFrameMax"),
+    (FORMAT, "more than {} px from the anchor becomes", REST, "kStill_px"),
+    (FORMAT, "is at least {} s later", REST, "kLeastRest_s"),
+    ("sim/ensemble/README.md", "`members` | 1 .. {},", "sim/scenario/sweep.h", "kMembersMax"),
+    (FILES, "positions differ by at most {} px, velocities by {} px/s + {} of their size, t and dt by {} s", ROUNDING,
+     "kRounding_px, kRounding_px_per_s, kRoundingOfSpeed, kRounding_s"),
+    (FILES, "Golden files of more than {} rows", "sim/trajectory/stored_run.h", "kStoredRowsMax"),
+    (FILES, "for each block of {} rows", HASH, "kBlockRows"),
+    (FILES, "A row is {} bytes", HASH, "kPackedRowBytes"),
+    (FILES, "Each block of {} rows (row 0 first", HASH, "kBlockRows"),
+    (FILES, "at most {} are stored |", "sim/trajectory/contact.h", "kContactsRecordedMax"),
+    (FILES, "{} left, {} right, {} top, {} ground, {} vy set to 0", STATE, "left, right, top, ground, kRestBit"),
+    (FILES, "`/contacts/wall` | uint8 [M] | {}, {}, {} or {} |", STATE, "left, right, top, ground"),
+    (FILES, "it has more than {} paths", "sim/trace/traced_step.h", "kStepPathsMax"),
+    (DRIFT, "At most {} arcs and contacts are stored", "tools/app/drift/drift.h", "kArcsListedMax"),
+    (DRIFT, "in x and in y: {} starts", "sim/search/contact_chance.h", "starts"),
+    (DRIFT, "played for up to {} steps", "sim/search/contact_chance.cpp", "kStepsCompared"),
+    ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
+    ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
+    ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
+    ("CHANGELOG.md", "\n## {}", "CMakeLists.txt", "project(hyrax-sim VERSION"),
+)
+NUMBER = r"(-?\d[\d,']*(?:\.\d+)?(?:e[+-]?\d+)?)"
+
+
+def text_of(path):
+    """A file of the project."""
+    return (SOURCE / path).read_text(encoding="utf-8")
+
+
+def value(text):
+    """The number, whatever marks its thousands."""
+    return float(re.sub("[,']", "", text))
+
+
+def stated(path, words):
+    """The numbers of the first place with these words; none if there is no such place."""
+    found = re.search(NUMBER.join(map(re.escape, words.split("{}"))), text_of(path))
+    return [value(text) for text in found.groups()] if found else []
+
+
+def decided(path, names):
+    """The number that each name has."""
+    found = [re.search(re.escape(name) + r"(?: = | )" + NUMBER, text_of(path)) for name in names.split(", ")]
+    return [value(each[1]) if each else None for each in found]
+
+
+class Facts(unittest.TestCase):
+    """What a reader relies on."""
+
+    def test_what_is_stated_is_what_the_source_has(self):
+        for document, words, source, names in STATED:
+            with self.subTest(document=document, words=words):
+                self.assertEqual(stated(document, words), decided(source, names), source)
+
+    def test_rates_at_which_rest_changes_follow_from_the_constants(self):
+        gravity, drag, restitution, threshold = decided(HEADER, "GRAVITY, AIR_DRAG, RESTITUTION, REST_THRESHOLD")
+        kept = drag * restitution
+        gains = [round(threshold / restitution * factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
+        rates = [round(drag * gravity * restitution / threshold / factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
+        self.assertEqual(stated("README.md", "Below {} Hz a sprite on the floor"), rates[:1])
+        self.assertEqual(stated("sim/study/README.md", "| < {} px/s | above {} Hz | zero speed |"), [gains[0], rates[0]])
+        self.assertEqual(stated("sim/study/README.md", "| {} .. {} px/s | {} .. {} Hz | two-cycle:"), [*gains[:2], rates[1], rates[0]])
+        self.assertEqual(stated("sim/study/README.md", "| {} .. {} px/s | {} .. {} Hz | two-cycle or"),
+                         [gains[1], round(gains[2], 1), rates[2], rates[1]])
+        self.assertEqual(stated("sim/study/README.md", "| > {} px/s | below {} Hz | residual speed"), [round(gains[2], 1), rates[2]])
+
+    def test_inputs_have_the_codes_of_their_list(self):
+        listed = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]
+        codes = {name: int(code) for name, code in re.findall(r"([a-z-]+) (\d)", listed)}
+        names = re.findall(r'"([a-z-]+)"', re.search(r"kNames = \{(.*?)\}", text_of("tools/store/input_record.cpp"), re.DOTALL)[1])
+        self.assertEqual(codes, {name: code for code, name in enumerate(names)})
+
+    def test_every_total_is_that_of_its_table(self):
+        text = text_of("tests/README.md")
+        rows = [[int(cell) for cell in re.findall(r"\d+", cells)] for cells in re.findall(r"^\| `sim/\S+` ((?:\| \d+ )+)\|$", text, re.MULTILINE)]
+        total = re.search(r"^\| all ((?:\| \d+ )+)\|$", text, re.MULTILINE)[1]
+        self.assertGreater(len(rows), 5)
+        self.assertEqual([sum(column) for column in zip(*rows)], [int(cell) for cell in re.findall(r"\d+", total)])
+        self.assertEqual([row[0] for row in rows], [sum(row[1:]) for row in rows])
+        cores = re.search(r"each of the (\d+) \[altered cores\].*?\n\n((?:\|.*\n)+)", text, re.DOTALL)
+        self.assertEqual(sum(int(count) for count in re.findall(r"\| (\d+) \|", cores[2])), int(cores[1]))
+
+    def test_every_count_of_scenarios_is_that_of_the_folder(self):
+        scenarios = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
+        counts = {int(each) for each in re.findall(r"of (\d{3}) (?:agree|differ)", text_of("tests/README.md"))}
+        self.assertEqual(counts, {scenarios, scenarios - 1})
+
+    def test_platforms_are_those_of_the_matrix(self):
+        rows = re.findall(r"^\| ([^|]*) \| ([^|]*) \| ([^|]*) \| [^|]* \| \d+ of \d+ agree", text_of("tests/README.md"), re.MULTILINE)
+        flags = {builder: set(re.findall(r"`([^`]*)`", cell)) for name, builder, cell in rows if name == "x86-64"}
+        by = {each: {row.flags for row in BUILDS if row.name == f"{each} {row.flags}"} for each in ("g++", "clang++", "clang++-22")}
+        self.assertEqual(flags, {"g++ 12": by["g++"], "clang 14, clang 22": by["clang++"]})
+        self.assertEqual(by["clang++"], by["clang++-22"])
+        named = " ".join(name for name, _, _ in rows)
+        for row in BUILDS:
+            if row.runner:
+                self.assertIn(row.name.split()[0].strip(","), named)
+
+    def test_columns_of_rows_have_their_units(self):
+        columns = re.findall(r'\{"(\w+)", "([\w/]+)", "[^"]*", &Row::', text_of("sim/trajectory/columns.h"))
+        names, units = re.search(r"`/trajectory/(t`.*?) \| float64 \[N\] \| `units` (.*?)\.", text_of(FILES)).groups()
+        self.assertEqual(list(zip(re.findall(r"\w+", names), units.split(", "), strict=True)), columns)
+
+    def test_displays_are_those_of_the_scenarios(self):
+        scenarios = [json.loads(path.read_text(encoding="utf-8")) for path in (SOURCE / "scenarios/displays").glob("*.json")]
+        sizes = [tuple(each["window"].values()) for each in scenarios if each["window"]["width_px"] > 200]
+        rates = [each["clock"]["rate_hz"] for each in scenarios if "rate_hz" in each["clock"]]
+        self.assertEqual(stated(FORMAT, "real displays from {} x {} to {} x {} px at {} to {} Hz"),
+                         [*min(sizes), *max(sizes), min(rates), max(rates)])
+
+    def test_every_option_in_a_document_is_one_of_the_programs(self):
+        commands = re.findall(r"^  ([a-z]+) {2,}", run(PROGRAM, "--help", "--all").out or run(PROGRAM, "--help").out, re.MULTILINE)
+        known = set(re.findall(r"--[a-z][a-z-]+", "".join(run(PROGRAM, command, "--help").out for command in commands)))
+        self.assertGreater(len(known), 40)
+        for document in DOCUMENTS:
+            for line in re.findall(r"hyrax-sim [a-z]+[^`\n|;]*", document.read_text(encoding="utf-8")):
+                with self.subTest(document=str(document.relative_to(SOURCE)), line=line):
+                    self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
+
+
+if __name__ == "__main__":
+    unittest.main()
