@@ -1,6 +1,7 @@
 #include "tools/report/wasm/scenario_record.h"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "sim/scenario/numbers.h"
@@ -8,198 +9,144 @@
 namespace hyrax {
 namespace {
 
-constexpr std::size_t kActionNumbers = 4;  // Of each action; unused ones are 0.
+// The two directions of a record: a number is appended to it, or replaced by the next one of it.
+struct Appending {
+  std::vector<double> record = {};
 
-// A resize has numbers for both sizes, -1 for those of one that stays.
-constexpr Size kStays{-1, -1};
-
-Action with_both_sizes(Action action) {
-  if (auto* const resize = std::get_if<Resize>(&action))
-    *resize = {resize->window.value_or(kStays), resize->sprite.value_or(kStays)};
-  return action;
-}
-
-// Reads numbers one after another; after the end it gives zeros and is no longer good.
-class RecordReader {
- public:
-  explicit RecordReader(std::span<const double> record) : rest_(record) {}
-
-  double number() {
-    if (rest_.empty()) is_good_ = false;
-    if (!is_good_) return 0.0;
-    const double value = rest_.front();
-    rest_ = rest_.subspan(1);
-    return value;
-  }
-  template <class Integer>
-  Integer integer() {
-    return static_cast<Integer>(number());
-  }
-  /// A count of items that are still to come, each of at least one number.
-  std::size_t count() {
-    const double value = number();
-    if (value >= 0.0 && value <= static_cast<double>(rest_.size())) return static_cast<std::size_t>(value);
-    is_good_ = false;
-    return 0;
-  }
-  Size size() {
-    const auto width_px = integer<std::int32_t>();
-    return {width_px, integer<std::int32_t>()};
-  }
-  void fail() { is_good_ = false; }
-  [[nodiscard]] bool is_read() const { return is_good_ && rest_.empty(); }
-
- private:
-  std::span<const double> rest_;
-  bool is_good_ = true;
+  double operator()(double value) { return record.emplace_back(value); }
+  [[nodiscard]] double items_max() const { return std::numeric_limits<double>::infinity(); }
+  void fail() {}
 };
 
-std::optional<Size> unless_it_stays(const std::optional<Size>& size) {
-  return size && size->width_px >= 0 ? size : std::nullopt;
-}
+struct Reading {
+  std::span<const double> rest;
+  bool is_good = true;
 
-Action read_action(RecordReader& reader) {
-  const double kind = reader.number();
-  std::array<double, kActionNumbers> numbers{};
-  for (double& number : numbers) number = reader.number();
-  if (!(kind >= 0.0 && kind < static_cast<double>(kActionNames.size()))) {
-    reader.fail();
-    return Stop{};
+  /// Zeros after the end, or after anything else that no record holds.
+  double operator()(double) {
+    is_good = is_good && !rest.empty();
+    if (!is_good) return 0.0;
+    const double value = rest.front();
+    rest = rest.subspan(1);
+    return value;
   }
-  Action action = with_both_sizes(make_action(static_cast<std::size_t>(kind)));
-  std::size_t next = 0;
-  visit_numbers(action, [&](std::string_view, const NumberField& field) { field.set(numbers[next++]); });
+  /// Each item of a list has at least one number.
+  [[nodiscard]] double items_max() const { return static_cast<double>(rest.size()); }
+  void fail() { is_good = false; }
+};
+
+// A resize has numbers for both sizes, -1 for those of one that stays.
+void give_both_sizes(Action& action) {
+  constexpr Size kStays{-1, -1};
   if (auto* const resize = std::get_if<Resize>(&action))
-    *resize = {unless_it_stays(resize->window), unless_it_stays(resize->sprite)};
-  return action;
+    *resize = {resize->window.value_or(kStays), resize->sprite.value_or(kStays)};
+}
+void take_unchanged_sizes(Action& action) {
+  if (auto* const resize = std::get_if<Resize>(&action))
+    for (std::optional<Size>* const size : {&resize->window, &resize->sprite})
+      if ((*size)->width_px < 0) size->reset();
 }
 
-constexpr double kHalf = 4294967296.0;
+// The layout: every part of a scenario in its place, whatever the direction.
+template <class Direction>
+class Layout {
+ public:
+  explicit Layout(Direction& direction) : direction_(direction) {}
 
-void add_clock(std::vector<double>& record, const Clock& clock) {
-  record.push_back(static_cast<double>(clock.base.index()));
-  if (const auto* rate = std::get_if<FixedRate>(&clock.base)) record.push_back(rate->rate_hz);
-  if (const auto* step = std::get_if<FixedStep>(&clock.base)) record.push_back(step->dt_s);
-  if (const auto* trace = std::get_if<RecordedSteps>(&clock.base)) {
-    record.push_back(static_cast<double>(trace->dt_s.size()));
-    record.insert(record.end(), trace->dt_s.begin(), trace->dt_s.end());
+  void part(Scenario& scenario) {
+    part(scenario.window);
+    part(scenario.sprite);
+    for (double* const number : {&scenario.start.x_px, &scenario.start.y_px,
+                                 &scenario.start_velocity.vx_px_per_s, &scenario.start_velocity.vy_px_per_s})
+      part(*number);
+    part(scenario.record_every);
+    one_of(scenario.length);
+    one_of(scenario.clock.base);
+    part(scenario.clock.jitter);
+    list(scenario.events);
   }
-  record.push_back(clock.jitter ? 1.0 : 0.0);
-  if (!clock.jitter) return;
-  const std::uint64_t seed = clock.jitter->seed;
-  for (const double number : {static_cast<double>(clock.jitter->kind), clock.jitter->amount,
-                              static_cast<double>(seed >> 32), static_cast<double>(seed & 0xFFFFFFFFu)})
-    record.push_back(number);
-}
 
-Clock read_clock(RecordReader& reader) {
-  Clock clock;
-  switch (reader.integer<int>()) {
-    case 0:
-      clock.base = FixedRate{reader.number()};
-      break;
-    case 1:
-      clock.base = FixedStep{reader.number()};
-      break;
-    case 2: {
-      RecordedSteps trace;
-      trace.dt_s.resize(reader.count());
-      for (double& dt_s : trace.dt_s) dt_s = reader.number();
-      clock.base = std::move(trace);
-      break;
-    }
-    default:
-      reader.fail();
+ private:
+  template <class Number>
+  void part(Number& number) {
+    number = static_cast<Number>(direction_(static_cast<double>(number)));
   }
-  if (reader.integer<int>() == 0) return clock;
-  Jitter& jitter = clock.jitter.emplace();
-  jitter.kind = static_cast<Jitter::Kind>(reader.integer<int>());
-  jitter.amount = reader.number();
-  const double high = reader.number();
-  const double low = reader.number();
-  if (!(high >= 0.0 && high < kHalf && low >= 0.0 && low < kHalf)) {
-    reader.fail();
-    return clock;
+  void part(std::monostate&) { direction_(0.0); }
+  void part(Size& size) {
+    part(size.width_px);
+    part(size.height_px);
   }
-  jitter.seed = static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(low);
-  return clock;
-}
+  void part(FixedRate& rate) { part(rate.rate_hz); }
+  void part(FixedStep& step) { part(step.dt_s); }
+  void part(RecordedSteps& trace) { list(trace.dt_s); }
 
-void add_length(std::vector<double>& record, const Scenario& scenario) {
-  record.push_back(static_cast<double>(scenario.length.index()));
-  if (const auto* steps = std::get_if<std::int64_t>(&scenario.length))
-    record.push_back(static_cast<double>(*steps));
-  else if (const auto* duration_s = std::get_if<double>(&scenario.length))
-    record.push_back(*duration_s);
-  else
-    record.push_back(0.0);
-}
+  void part(std::optional<Jitter>& jitter) {
+    if (direction_(jitter ? 1.0 : 0.0) == 0.0) return;
+    if (!jitter) jitter.emplace();
+    part(jitter->kind);
+    part(jitter->amount);
+    constexpr double kHalf = 4294967296.0;
+    const double high = direction_(static_cast<double>(jitter->seed >> 32));
+    const double low = direction_(static_cast<double>(jitter->seed & 0xFFFFFFFFu));
+    if (!(high >= 0.0 && high < kHalf && low >= 0.0 && low < kHalf)) return direction_.fail();
+    jitter->seed = static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(low);
+  }
 
-void read_length(RecordReader& reader, Scenario& scenario) {
-  const auto kind = reader.integer<int>();
-  const double length = reader.number();
-  if (kind == 1) scenario.length = static_cast<std::int64_t>(length);
-  if (kind == 2) scenario.length = length;
-}
+  void part(Event& event) {
+    one_of(event.when);
+    kind(event.action);
+    give_both_sizes(event.action);
+    std::array<double, 4> numbers{};  // Of every action; unused ones are 0.
+    std::size_t next = 0;
+    visit_numbers(event.action, [&](auto, const NumberField& field) { numbers[next++] = field.value(); });
+    for (double& number : numbers) part(number);
+    next = 0;
+    visit_numbers(event.action, [&](auto, const NumberField& field) { field.set(numbers[next++]); });
+    take_unchanged_sizes(event.action);
+  }
 
-void add_event(std::vector<double>& record, const Event& event) {
-  const auto* step = std::get_if<std::int64_t>(&event.when);
-  record.push_back(step != nullptr ? 0.0 : 1.0);
-  record.push_back(step != nullptr ? static_cast<double>(*step) : std::get<double>(event.when));
-  record.push_back(static_cast<double>(event.action.index()));
-  const std::size_t end = record.size() + kActionNumbers;
-  Action action = with_both_sizes(event.action);
-  visit_numbers(action, [&](std::string_view, const NumberField& field) { record.push_back(field.value()); });
-  record.resize(end, 0.0);
-}
+  template <class Item>
+  void list(std::vector<Item>& items) {
+    const double count = direction_(static_cast<double>(items.size()));
+    if (!(count >= 0.0 && count <= direction_.items_max())) return direction_.fail();
+    items.resize(static_cast<std::size_t>(count));
+    for (Item& item : items) part(item);
+  }
 
-Event read_event(RecordReader& reader) {
-  Event event;
-  const bool is_step = reader.number() == 0.0;
-  const double when = reader.number();
-  if (is_step)
-    event.when = static_cast<std::int64_t>(when);
-  else
-    event.when = when;
-  event.action = read_action(reader);
-  return event;
-}
+  template <class... Kinds>
+  void kind(std::variant<Kinds...>& value) {
+    const double given = direction_(static_cast<double>(value.index()));
+    double index = 0.0;
+    const auto is_it = [&]<class Kind>(Kind kind) {
+      if (index++ != given) return false;
+      if (!std::holds_alternative<Kind>(value)) value = std::move(kind);
+      return true;
+    };
+    if (!(is_it(Kinds{}) || ...)) direction_.fail();
+  }
+  template <class Variant>
+  void one_of(Variant& value) {
+    kind(value);
+    std::visit([&](auto& held) { part(held); }, value);
+  }
+
+  Direction& direction_;
+};
 
 }  // namespace
 
 std::vector<double> record_of(const Scenario& scenario) {
-  std::vector<double> record = {double(scenario.window.width_px),
-                                double(scenario.window.height_px),
-                                double(scenario.sprite.width_px),
-                                double(scenario.sprite.height_px),
-                                scenario.start.x_px,
-                                scenario.start.y_px,
-                                scenario.start_velocity.vx_px_per_s,
-                                scenario.start_velocity.vy_px_per_s,
-                                static_cast<double>(scenario.record_every)};
-  add_length(record, scenario);
-  add_clock(record, scenario.clock);
-  record.push_back(static_cast<double>(scenario.events.size()));
-  for (const Event& event : scenario.events) add_event(record, event);
-  return record;
+  Appending appending;
+  Scenario unchanged = scenario;
+  Layout(appending).part(unchanged);
+  return std::move(appending.record);
 }
 
 std::optional<Scenario> scenario_of(std::span<const double> record) {
-  RecordReader reader(record);
+  Reading reading{record};
   Scenario scenario;
-  scenario.window = reader.size();
-  scenario.sprite = reader.size();
-  scenario.start.x_px = reader.number();
-  scenario.start.y_px = reader.number();
-  scenario.start_velocity.vx_px_per_s = reader.number();
-  scenario.start_velocity.vy_px_per_s = reader.number();
-  scenario.record_every = reader.integer<std::int64_t>();
-  read_length(reader, scenario);
-  scenario.clock = read_clock(reader);
-  const std::size_t events = reader.count();
-  for (std::size_t event = 0; event < events; ++event) scenario.events.push_back(read_event(reader));
-  if (!reader.is_read()) return std::nullopt;
-  return scenario;
+  Layout(reading).part(scenario);
+  return reading.is_good && reading.rest.empty() ? std::optional(scenario) : std::nullopt;
 }
 
 }  // namespace hyrax
