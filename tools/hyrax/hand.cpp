@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace hyrax {
 namespace {
@@ -39,6 +40,18 @@ Velocity Hand::velocity(std::int64_t ticks) const {
   const ScreenPoint end = samples_.back().at;
   return {speed_px_per_s(std::int64_t{end.x_px} - begin.x_px, ticks_per_s_, span_ticks),
           speed_px_per_s(std::int64_t{end.y_px} - begin.y_px, ticks_per_s_, span_ticks)};
+}
+
+bool Hold::move(ScreenPoint to, std::int64_t ticks) {
+  if (to == at_) return false;
+  hand_.move(to, ticks);
+  at_ = to;
+  return has_moved_ = true;
+}
+
+std::optional<Position> Hold::follow(ScreenPoint origin) {
+  if (!std::exchange(has_moved_, false)) return std::nullopt;
+  return Position{offset_.x_px + (at_.x_px - origin.x_px), offset_.y_px + (at_.y_px - origin.y_px)};
 }
 
 }  // namespace hyrax

@@ -1,8 +1,9 @@
-// The hand that drags the hyrax.
+// The hand that drags the hyrax, and the drag.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "sim/motion/state.h"
 #include "tools/hyrax/desk.h"
@@ -33,6 +34,29 @@ class Hand {
   std::int64_t ticks_per_s_;
   std::int64_t grabbed_ticks_;
   std::deque<Sample> samples_;  // The oldest is the first one that still counts.
+};
+
+/// A drag of the hyrax, which keeps its place in the hand. Corners are relative to an origin on the screen,
+/// which may change while it is held.
+class Hold {
+ public:
+  /// @param corner of the sprite. REQUIRES: as Hand.
+  Hold(std::int64_t ticks_per_s, ScreenPoint hand, std::int64_t ticks, Position corner, ScreenPoint origin)
+      : hand_(ticks_per_s, hand, ticks),
+        at_(hand),
+        offset_{corner.x_px + (origin.x_px - hand.x_px), corner.y_px + (origin.y_px - hand.y_px)} {}
+
+  /// Whether the hand was elsewhere before. REQUIRES: ticks do not go backwards.
+  bool move(ScreenPoint to, std::int64_t ticks);
+  /// Where the corner follows the hand to; nothing if the hand has not moved since the last call.
+  [[nodiscard]] std::optional<Position> follow(ScreenPoint origin);
+  [[nodiscard]] Velocity velocity(std::int64_t ticks) const { return hand_.velocity(ticks); }
+
+ private:
+  Hand hand_;
+  ScreenPoint at_;
+  Position offset_;  // Of the sprite's corner from the hand.
+  bool has_moved_ = false;
 };
 
 }  // namespace hyrax

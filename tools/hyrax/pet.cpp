@@ -30,26 +30,19 @@ void Pet::grab(ScreenPoint hand, std::int64_t ticks) {
   assert(!is_held());
   wake(ticks);
   apply(Grab{});
-  hold_ = {.hand = Hand(ticks_per_s_, hand, ticks),
-           .at = hand,
-           .offset = {position().x_px + (desk_.origin.x_px - hand.x_px),
-                      position().y_px + (desk_.origin.y_px - hand.y_px)}};
+  hold_.emplace(ticks_per_s_, hand, ticks, position(), desk_.origin);
 }
 
 void Pet::drag(ScreenPoint hand, std::int64_t ticks) {
   assert(is_held());
-  if (hand == hold_->at) return;
-  wake(ticks);
-  hold_->hand.move(hand, ticks);
-  hold_->at = hand;
-  hold_->has_moved = true;
+  if (hold_->move(hand, ticks)) wake(ticks);
 }
 
 void Pet::let_go(ScreenPoint hand, std::int64_t ticks, const Desk& desk) {
   drag(hand, ticks);
   follow_hand();
   move_to(desk, ticks);
-  release(hold_->hand.velocity(ticks), ticks);
+  release(hold_->velocity(ticks), ticks);
 }
 
 void Pet::drop(std::int64_t ticks) {
@@ -119,10 +112,8 @@ void Pet::apply(const Action& action) {
 }
 
 void Pet::follow_hand() {
-  if (!hold_ || !hold_->has_moved) return;
-  hold_->has_moved = false;
-  apply(Place{{hold_->offset.x_px + (hold_->at.x_px - desk_.origin.x_px),
-               hold_->offset.y_px + (hold_->at.y_px - desk_.origin.y_px)}});
+  if (!hold_) return;
+  if (const auto corner = hold_->follow(desk_.origin)) apply(Place{*corner});
 }
 
 // The first frame of flight begins here, not at the last frame.

@@ -86,13 +86,6 @@ class Pet {
   [[nodiscard]] const Session& session() const { return session_; }
 
  private:
-  struct Hold {
-    Hand hand;
-    ScreenPoint at;
-    Position offset;  ///< Of the sprite's corner from the hand, kept through the drag.
-    bool has_moved = false;
-  };
-
   [[nodiscard]] Position position() const;
   void wake(std::int64_t ticks);
   void apply(const Action& action);

@@ -32,24 +32,18 @@ class Playground {
   void grab(ScreenPoint hand, std::int64_t ticks) {
     assert(!hold_);
     apply(Grab{});
-    const Row& row = now().row;
-    hold_ = Hold{.hand = Hand(kTicksPerSecond, hand, ticks),
-                 .at = hand,
-                 .offset = {row.x_px - hand.x_px, row.y_px - hand.y_px}};
+    hold_.emplace(kTicksPerSecond, hand, ticks, Position{now().row.x_px, now().row.y_px}, kOrigin);
   }
   /// REQUIRES: held; ticks do not go backwards.
   void drag(ScreenPoint hand, std::int64_t ticks) {
     assert(hold_);
-    if (hand == hold_->at) return;
-    hold_->hand.move(hand, ticks);
-    hold_->at = hand;
-    hold_->has_moved = true;
+    hold_->move(hand, ticks);
   }
   /// It flies with the hand's velocity. REQUIRES: held.
   void release(ScreenPoint hand, std::int64_t ticks) {
     drag(hand, ticks);
     follow_hand();
-    apply(Release{hold_->hand.velocity(ticks)});
+    apply(Release{hold_->velocity(ticks)});
     hold_.reset();
   }
   /// REQUIRES: 0 <= dt_s <= kFrameMax_s.
@@ -63,12 +57,7 @@ class Playground {
   [[nodiscard]] const Tape& tape() const { return tape_; }
 
  private:
-  struct Hold {
-    Hand hand;
-    ScreenPoint at;
-    Position offset;  ///< Of the sprite's corner from the hand, kept through the drag.
-    bool has_moved = false;
-  };
+  static constexpr ScreenPoint kOrigin{};  // The window's corner.
 
   void apply(const Action& action) {
     player_.apply(action);
@@ -76,9 +65,8 @@ class Playground {
   }
   // One `place` a frame, however often the hand moved.
   void follow_hand() {
-    if (!hold_ || !hold_->has_moved) return;
-    hold_->has_moved = false;
-    apply(Place{{hold_->offset.x_px + hold_->at.x_px, hold_->offset.y_px + hold_->at.y_px}});
+    if (!hold_) return;
+    if (const auto corner = hold_->follow(kOrigin)) apply(Place{*corner});
   }
 
   FramePlayer player_;
