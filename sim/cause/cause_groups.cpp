@@ -113,7 +113,7 @@ class CauseFinder {
 
   [[nodiscard]] std::string not_judged(bool names_accepted) const {
     if (base_.accepted == nullptr) return base_.why_not_played;
-    return names_accepted ? "" : "its golden file was blessed with another core than the accepted one";
+    return names_accepted ? "" : "blessed with another core than the accepted one";
   }
 
   [[nodiscard]] static Cause scenario_cause(const DifferingRun& run, const Kernel& core, bool is_judged) {

@@ -17,6 +17,7 @@ namespace hyrax {
 struct HeaderConstant {
   std::string name;
   double value = 0.0;
+  bool operator==(const HeaderConstant&) const = default;
 };
 
 /// In order of the header.

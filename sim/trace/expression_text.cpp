@@ -15,7 +15,7 @@ enum class Binding { sum, product, sign, whole };
 
 class Printer {
  public:
-  explicit Printer(const TracedStep& step) : step_(step) {}
+  Printer(const TracedStep& step, const NumberNames& names) : step_(step), names_(names) {}
 
   std::string text(std::int32_t index, Binding outside) {
     const Expression& e = at(index);
@@ -53,7 +53,8 @@ class Printer {
            (first == Operator::negate && at(e.operands[1]).op != Operator::negate);
   }
 
-  static std::string number(double value) {
+  [[nodiscard]] std::string number(double value) const {
+    if (const auto name = names_.find(value); name != names_.end()) return name->second;
     char digits[64];
     return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
   }
@@ -89,6 +90,7 @@ class Printer {
   }
 
   const TracedStep& step_;
+  const NumberNames& names_;
   int nodes_ = 0;
 };
 
@@ -100,14 +102,14 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-std::string expression_text(const TracedStep& step, std::int32_t expression) {
-  return shortened(Printer(step).text(expression, Binding::sum));
+std::string expression_text(const TracedStep& step, std::int32_t expression, const NumberNames& names) {
+  return shortened(Printer(step, names).text(expression, Binding::sum));
 }
 
-std::string comparison_text(const TracedStep& step, std::int32_t comparison) {
+std::string comparison_text(const TracedStep& step, std::int32_t comparison, const NumberNames& names) {
   const StepComparison& c = step.comparisons[static_cast<std::size_t>(comparison)];
-  const std::string left = expression_text(step, c.left);
-  const std::string right = expression_text(step, c.right);
+  const std::string left = expression_text(step, c.left, names);
+  const std::string right = expression_text(step, c.right, names);
   const Expression& first = step.expressions[static_cast<std::size_t>(c.left)];
   const bool starts_constant =
       first.op == Operator::constant ||

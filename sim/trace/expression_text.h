@@ -2,16 +2,22 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "sim/trace/traced_step.h"
 
 namespace hyrax {
 
-/// As "vx * 0.999 + dt * 1250"; a long one shortened in the middle.
-[[nodiscard]] std::string expression_text(const TracedStep& step, std::int32_t expression);
+/// What is written for a number: the name that a header gives it.
+using NumberNames = std::map<double, std::string>;
 
-/// As "vx * 0.999 > 9000".
-[[nodiscard]] std::string comparison_text(const TracedStep& step, std::int32_t comparison);
+/// As "vx * AIR_DRAG + dt * 1250"; a long one shortened in the middle.
+[[nodiscard]] std::string expression_text(const TracedStep& step, std::int32_t expression,
+                                          const NumberNames& names = {});
+
+/// As "vx * AIR_DRAG > 9000".
+[[nodiscard]] std::string comparison_text(const TracedStep& step, std::int32_t comparison,
+                                          const NumberNames& names = {});
 
 }  // namespace hyrax

@@ -12,7 +12,6 @@
 
 #include "sim/trace/decision_tree.h"
 #include "sim/trace/difference_search.h"
-#include "sim/trace/expression_text.h"
 #include "sim/trace/step_grammar.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
@@ -122,8 +121,9 @@ bool differs(const TracedBody& a, const TracedBody& b) {
 
 class StepPair::Data {
  public:
-  Data(const TracedStep& accepted, const TracedStep& current)
-      : programs_{make_step_program(accepted), make_step_program(current)},
+  Data(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
+      : names_(names),
+        programs_{make_step_program(accepted), make_step_program(current)},
         are_setters_equal_(without_update(accepted) == without_update(current)) {
     SharedNumbers shared;
     sides_ = {make_side(accepted, shared), make_side(current, shared)};
@@ -199,7 +199,7 @@ class StepPair::Data {
         is_on_path.push_back(
             std::any_of(path.outcomes.begin(), path.outcomes.end(),
                         [&](const StepOutcome& outcome) { return outcome.comparison == number; }));
-      add(owner, {.text = comparison_text(side.step, number), .is_comparison = true, .index = number},
+      add(owner, {.text = comparison_text(side.step, number, names_), .is_comparison = true, .index = number},
           std::move(is_on_path));
     }
   }
@@ -215,7 +215,8 @@ class StepPair::Data {
         continue;
       std::vector<bool> is_on_path;
       for (const std::vector<bool>& evaluated : side.evaluated) is_on_path.push_back(evaluated[index]);
-      add(owner, {.text = expression_text(side.step, number), .index = number}, std::move(is_on_path));
+      add(owner, {.text = expression_text(side.step, number, names_), .index = number},
+          std::move(is_on_path));
     }
   }
 
@@ -250,7 +251,8 @@ class StepPair::Data {
           if (agree(outcomes, other)) compare(p, q);
     }
     for (auto& [expression, is_on_path] : found)
-      add(0, {.text = expression_text(a.step, expression), .index = expression}, std::move(is_on_path));
+      add(0, {.text = expression_text(a.step, expression, names_), .index = expression},
+          std::move(is_on_path));
   }
 
   // By path of a side: whether it evaluates a difference that was found.
@@ -277,6 +279,7 @@ class StepPair::Data {
     });
   }
 
+  NumberNames names_;
   std::array<std::shared_ptr<const StepProgram>, 2> programs_;
   bool are_setters_equal_ = false;
   std::array<Side, 2> sides_;
@@ -284,8 +287,8 @@ class StepPair::Data {
   std::vector<std::vector<bool>> is_on_path_;  // By difference, by path of the step that has it.
 };
 
-StepPair::StepPair(const TracedStep& accepted, const TracedStep& current)
-    : data_(std::make_unique<Data>(accepted, current)) {}
+StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
+    : data_(std::make_unique<Data>(accepted, current, names)) {}
 StepPair::~StepPair() = default;
 StepPair::StepPair(StepPair&&) noexcept = default;
 

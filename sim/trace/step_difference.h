@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/trace/expression_text.h"
 #include "sim/trace/step_player.h"
 #include "sim/trace/traced_step.h"
 
@@ -15,7 +16,7 @@ namespace hyrax {
 /// A condition or expression that only one of two complete steps has while both have its operands.
 struct StepDifference {
   bool is_in_accepted = false;  ///< Else in the current step.
-  std::string text;             ///< As "vx * 0.999 > 9000", "dt * 1250"; long ones shortened in the middle.
+  std::string text;  ///< As "vx * AIR_DRAG > 9000", "dt * 1250"; long ones shortened in the middle.
   bool is_comparison = false;
   std::int32_t index = -1;  ///< In comparisons or expressions of the step that has it.
 };
@@ -33,8 +34,9 @@ struct DifferenceSearch {
 class StepPair {
  public:
   /// Of steps that are not playable (step_player.h) nothing is noticed or found.
+  /// @param names of numbers, in the texts of differences.
   /// REQUIRES: steps as canonical() or read_step() return them.
-  StepPair(const TracedStep& accepted, const TracedStep& current);
+  StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names = {});
   ~StepPair();
   StepPair(StepPair&&) noexcept;
 

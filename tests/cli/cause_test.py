@@ -88,6 +88,21 @@ class Causes(CauseTest):
                 self.expect(AGREED, *command[1:])
                 self.assertEqual((folder / "step.txt").read_bytes(), kept)
 
+    def test_the_cores_of_several_folders_are_told_apart(self):
+        for name in ("scenarios", "golden"):
+            shutil.copytree(self.folder / name, self.folder / "other" / name)
+        self.altered("gravity_stronger", "scenarios", "--reason", "x", "--accept", "contacts", command=("bless",), exit_code=AGREED)
+        document = self.altered("gravity_stronger", "--json", "scenarios", "other/scenarios").json
+        self.assertEqual([(core["golden"], core["status"]) for core in document["cores"]],
+                         [("golden", "accepted"), ("other/golden", "changed")])
+        group, = document["groups"]
+        self.assertEqual((group["detail"], len(group["scenarios"])), ("GRAVITY 1200 -> 1250", 3))
+        for arguments in ((), ("--core",)):
+            outcome = self.altered("gravity_stronger", "scenarios", "other/scenarios", *arguments,
+                                   exit_code=AGREED if arguments else DISAGREED)
+            self.assertIn("core of other/golden: changed\n", outcome.out)
+        self.assertIn("core of golden: the accepted one\n", outcome.out)
+
     def run_check(self, *arguments):
         """What `check` prints, whatever its verdict."""
         return run(program.PROGRAM, "check", *arguments, cwd=self.folder).out

@@ -11,7 +11,7 @@ import re
 import tempfile
 import unittest
 
-from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE
+from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, main
 from process import succeed
 from traced import SHIPPED, traced
@@ -98,6 +98,30 @@ class Answer:
             arguments = ("run", path, "--json", "-o", folder + "/")
             outcome = succeed(PROGRAM, *arguments, cwd=SOURCE) if is_accepted else self.core.run(*arguments)
             return outcome.json["runs"][0]["state_hash"]
+
+
+class Unnoticed(unittest.TestCase):
+    """What the text says of a change that no scenario notices."""
+
+    def test_it_has_the_headers_constants_the_consequence_a_scenario_and_commands(self):
+        core = traced(at_ground("narrow", "m_vx > 500.0 && m_vx < 501.0").apply(SHIPPED))
+        outcome = core.run("check", "--core")
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertRegex(outcome.out, r"^core: changed\n  line \d+ +added: if \(m_vx > 500.0 && m_vx < 501.0\) m_vx \*= 0.9;\n")
+        differences = re.findall(r"^  no scenario notices `(.*)`(.*)$", outcome.out, re.MULTILINE)
+        self.assertEqual({text for text, _ in differences},
+                         {f"{speed} {band}" for band in ("> 500", "< 501", "* 0.9") for speed in (
+                             "vx * AIR_DRAG * GROUND_FRICTION", "-(vx * AIR_DRAG * RESTITUTION * GROUND_FRICTION)")
+                          if band != "* 0.9"} | {"vx * AIR_DRAG * GROUND_FRICTION * 0.9",
+                                                 "vx * AIR_DRAG * RESTITUTION * GROUND_FRICTION * 0.9"})
+        for _, says in differences:
+            self.assertRegex(says, r"^(, which changes results: after 5(\.\d+)? s \S+ px apart in this one| either; unnoticed-\w{8} shows it)$")
+        write, accept = (re.search(f"  to {what} +hyrax-sim (.*)", outcome.out)[1] for what in ("write them", "accept it"))
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            written = core.run(*write.split()[:-1], folder)
+            self.assertEqual(written.exit_code, DISAGREED, written)
+            self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {path[:-5] for path in os.listdir(folder)})
+        self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
 
 
 class CoreEdits(unittest.TestCase):

@@ -111,7 +111,7 @@ CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder&
   if (!accepted)
     throw Failure(ExitCode::golden_missing,
                   fmt::format("{}: no accepted core; name a base, or accept this program's core: {}",
-                              accepted_core_folder(golden_folder), accept_core_command({}, "")));
+                              accepted_core_folder(golden_folder), core_commands({}, "").accept));
   CoreFile shipped = shipped_core();
   if (accepted->header == shipped.core.header && accepted->step == shipped.core.step) return shipped;
   std::string library =

@@ -195,8 +195,10 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
     documents.push_back(core_json(*core));
     outcomes.add(core->exit_code);
     if (request.printing.is_json) continue;
-    const std::string text = core_text(*core);
-    print_text("{}", text.empty() ? "core: the accepted one\n" : text);
+    const bool is_alone = libraries.size() == 1;
+    if (core->status == CoreStatus::accepted)
+      print_text("core{}: the accepted one\n", is_alone ? "" : " of " + printable(core->golden_folder));
+    print_text("{}", core_text(*core, is_alone));
   }
   if (request.printing.is_json) print_json(Json::Object{{"cores", std::move(documents)}});
   write_unnoticed(cores.verdicts(), request.unnoticed_folder);

@@ -68,7 +68,7 @@ std::optional<CoreAcceptance> plan(const Library& library, const std::set<std::s
                                      check.disagreeing.size(), check.checked, check.disagreeing.front());
     return acceptance;
   }
-  CoreCheck differences(library.golden_folder, "");
+  CoreCheck differences(library.golden_folder, {});
   differences.judge_differences(library.scenarios_folder);
   acceptance.differences = differences.verdict();
   return acceptance;

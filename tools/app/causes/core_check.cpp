@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <span>
+#include <set>
 
 #include "sim/cause/constant_change.h"
 #include "sim/cause/run_match.h"
-#include "sim/cause/watched_kernel.h"
-#include "sim/compare/run_distance.h"
 #include "sim/replay/core_constants.h"
 #include "sim/replay/traced_kernel.h"
 #include "sim/result/figure.h"
-#include "sim/search/shrink.h"
 #include "sim/trace/step_difference.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/expect/judged_run.h"
+#include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
@@ -25,14 +21,6 @@
 
 namespace hyrax {
 namespace {
-
-// The search for a step that shows a difference: the same on every machine.
-constexpr std::uint64_t kSearchSeed = 1;
-constexpr std::int64_t kSearchSteps = 300'000;
-constexpr std::size_t kSearchedMax = 8;  // Of many differences the first are searched for.
-constexpr double kConsequence_s = 5.0;
-constexpr std::int64_t kConsequenceSteps = 100'000;
-constexpr std::int64_t kShrinkTrials = 500;
 
 // IEEE-754 does not fix the bits of other functions.
 bool depends_on_library(const Expression& expression) {
@@ -42,33 +30,18 @@ bool depends_on_library(const Expression& expression) {
   return expression.op == Operator::call && std::ranges::find(kExact, expression.name) == kExact.end();
 }
 
-// One step from `input`.
-Scenario scenario_of(const StepInput& input) {
-  const auto& [state, window, sprite, is_held] = input.world;
-  const double rate_hz = std::round(1.0 / input.dt_s);
-  Scenario scenario = scenario_from(state, window, sprite, rate_hz, 1);
-  scenario.name = "unnoticed";
-  if (!(input.dt_s > 0.0 && rate_hz >= 1.0 && 1.0 / rate_hz == input.dt_s))
-    scenario.clock.base = FixedStep{input.dt_s};
-  return scenario;
-}
-
-// The same for the same scenario, so that files of different ones do not replace each other.
-std::string name_of(const Scenario& scenario) {
-  const std::string text = scenario_file_text(scenario);
-  ByteHash hash;
-  hash.add(std::as_bytes(std::span(text.data(), text.size())));
-  return "unnoticed-" + hex(hash.value()).substr(0, 8);
-}
-
-std::string consequence_of(Scenario scenario, double dt_s, const Kernel& accepted, const Kernel& program) {
-  const double steps = dt_s > 0.0 ? std::ceil(kConsequence_s / dt_s) : 1.0;
-  scenario.length = static_cast<std::int64_t>(std::min(steps, static_cast<double>(kConsequenceSteps)));
-  const RunSummary before = play(scenario, accepted);
-  const RunSummary after = play(scenario, program);
-  const double apart_px = distance_px(state_of(before.final), state_of(after.final));
-  if (after.non_finite_step) return fmt::format("not finite from step {}", *after.non_finite_step);
-  return fmt::format("after {:.3g} s {:.3g} px apart", after.final.t_s, apart_px);
+// What both headers call a number: those that only one of them has stay numbers, and so do 0 and 1, which are
+// in every step.
+NumberNames shared_names(const std::string& accepted, const std::string& program) {
+  NumberNames names;
+  std::set<double> ambiguous = {0.0, 1.0};
+  const std::vector<HeaderConstant> others = header_constants(accepted);
+  for (const HeaderConstant& constant : header_constants(program))
+    if (std::ranges::find(others, constant) == others.end() ||
+        !names.try_emplace(constant.value, constant.name).second)
+      ambiguous.insert(constant.value);
+  for (const double value : ambiguous) names.erase(value);
+  return names;
 }
 
 std::vector<HeaderChange> header_changes_of(const CoreVerdict& verdict) {
@@ -88,9 +61,10 @@ struct CoreCheck::Steps {
 CoreCheck::~CoreCheck() = default;
 CoreCheck::CoreCheck(CoreCheck&&) noexcept = default;
 
-CoreCheck::CoreCheck(const std::string& golden_folder, const std::string& accept_command)
+CoreCheck::CoreCheck(const std::string& golden_folder, CoreCommands commands)
     : steps_(std::make_unique<Steps>()) {
   verdict_.golden_folder = golden_folder;
+  verdict_.commands = std::move(commands);
   const AcceptedCore program = program_core();
   if (!program.step.empty()) steps_->program = read_step(program.step);
   if (steps_->program)
@@ -101,12 +75,12 @@ CoreCheck::CoreCheck(const std::string& golden_folder, const std::string& accept
     verdict_.why = failure.what();
     verdict_.exit_code = failure.exit_code();
     if (verdict_.exit_code == ExitCode::disagreed)
-      verdict_.why += ", or accept this program's core: " + accept_command;
+      verdict_.why += ", or accept this program's core: " + verdict_.commands.accept;
     return;
   }
   if (!accepted_) {
     verdict_.why = fmt::format("no accepted core in {}; to accept this program's: {}",
-                               accepted_core_folder(golden_folder), accept_command);
+                               accepted_core_folder(golden_folder), verdict_.commands.accept);
     return;
   }
   compare();
@@ -161,6 +135,7 @@ bool CoreCheck::covers(const std::string& core_name) const {
 }
 
 void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
+  verdict_.commands.accept.clear();  // Refused while a scenario differs.
   if (fresh.empty()) return;
   verdict_.status = CoreStatus::changed;
   verdict_.why.clear();
@@ -182,47 +157,21 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
 void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_open = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
   if (!is_open || !steps_->accepted_kernel || !steps_->program) return;
-  const StepPair pair(*steps_->accepted, *steps_->program);
+  const StepPair pair(*steps_->accepted, *steps_->program,
+                      shared_names(accepted_->header, program_core().header));
+  const CorePair cores{pair, *steps_->accepted_kernel, core_kernel()};
   std::vector<bool> noticed(pair.differences().size());
-  const auto is_all_noticed = [&] { return std::ranges::find(noticed, false) == noticed.end(); };
-  const WatchedKernel watched(*steps_->accepted_kernel, [&](const StepInput& input) {
-    if (!is_all_noticed()) pair.notice(input, noticed);
-  });
   std::vector<UnlistedFolder> unlisted;
   for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
-      if (is_all_noticed()) break;
-      static_cast<void>(play(load_scenario(path), watched));
+      if (std::ranges::find(noticed, false) == noticed.end()) break;
+      notice(cores, load_scenario(path), noticed);
     } catch (const Failure&) {  // Whoever checks it reports it.
     }
-  if (std::ranges::find(noticed, true) != noticed.end()) verdict_.status = CoreStatus::changed;
-  std::size_t searched = 0;
-  std::vector<bool> shown(noticed.size());  // By the step that was found last.
-  for (std::size_t index = 0; index < noticed.size(); ++index) {
-    if (noticed[index]) continue;
-    if (shown[index]) {
-      UnnoticedDifference again = verdict_.unnoticed.back();
-      again.text = pair.differences()[index].text;
-      verdict_.unnoticed.push_back(std::move(again));
-      continue;
-    }
-    const std::int64_t steps = ++searched > kSearchedMax ? 0 : kSearchSteps;
-    const DifferenceSearch search = pair.search(index, kSearchSeed, steps);
-    UnnoticedDifference& unnoticed = verdict_.unnoticed.emplace_back();
-    unnoticed.text = pair.differences()[index].text;
-    unnoticed.steps_tried = search.steps_tried;
-    shown.assign(noticed.size(), false);
-    if (!search.found) continue;
-    pair.notice(*search.found, shown);
-    const Kernel& accepted = *steps_->accepted_kernel;
-    const auto differs = [&](const Scenario& scenario) {
-      return play(scenario, accepted).state_hash != play(scenario, core_kernel()).state_hash;
-    };
-    unnoticed.scenario = shrink(scenario_of(*search.found), differs, {.trials_max = kShrinkTrials}).scenario;
-    unnoticed.consequence = consequence_of(*unnoticed.scenario, search.found->dt_s, accepted, core_kernel());
-    unnoticed.scenario->name = name_of(*unnoticed.scenario);
-    verdict_.status = CoreStatus::changed;
-    verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
-  }
+  verdict_.unnoticed = search_unnoticed(cores, noticed);
+  const bool is_shown = std::ranges::any_of(
+      verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
+  if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
+  if (is_shown || std::ranges::find(noticed, true) != noticed.end()) verdict_.status = CoreStatus::changed;
   if (verdict_.status == CoreStatus::changed)
     verdict_.why.clear();
   else if (!verdict_.unnoticed.empty())
@@ -231,41 +180,36 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
     verdict_.why = "the constructor or a setter is another one, and no scenario shows it";
 }
 
-std::string core_text(const CoreVerdict& verdict) {
-  switch (verdict.status) {
-    case CoreStatus::accepted:
-      return "";
-    case CoreStatus::none:
-      return fmt::format("core: {}\n", verdict.why);
-    case CoreStatus::proved_equal:
-      return "core: changed in text only: proved equal to the accepted core, the same operations on every "
-             "path\n";
-    case CoreStatus::changed:
-    case CoreStatus::not_proved:
-      break;
-  }
-  std::string text;
-  if (verdict.status == CoreStatus::not_proved)
-    text += fmt::format("core: not proved equal to the accepted one: {}\n", verdict.why);
-  else
-    text += "core: changed\n";
+std::string core_text(const CoreVerdict& verdict, bool is_alone) {
+  if (verdict.status == CoreStatus::accepted) return "";
+  std::string text = is_alone ? "core: " : fmt::format("core of {}: ", printable(verdict.golden_folder));
+  if (verdict.status == CoreStatus::none) return text + verdict.why + "\n";
+  if (verdict.status == CoreStatus::proved_equal)
+    return text +
+           "changed in text only: proved equal to the accepted core, the same operations on every path\n";
+  text += verdict.status == CoreStatus::changed
+              ? "changed\n"
+              : fmt::format("not proved equal to the accepted one: {}\n", verdict.why);
   for (const auto& [change, scenarios] : verdict.changes)
     text += fmt::format("  {}{}\n", change_text(change),
                         scenarios ? fmt::format("; alone reproduces {}", *scenarios) : "");
-  std::string last;  // The scenario that was printed last.
+  std::set<std::string> printed;  // Scenarios, by their names.
   for (const UnnoticedDifference& unnoticed : verdict.unnoticed) {
-    if (unnoticed.scenario && unnoticed.scenario->name == last) {
-      text += fmt::format("  no scenario notices `{}` either; the same one shows it\n", unnoticed.text);
-      continue;
-    }
-    last = unnoticed.scenario ? unnoticed.scenario->name : "";
     if (!unnoticed.scenario)
       text += fmt::format("  no scenario notices `{}`; {} steps tried, none of other bits\n", unnoticed.text,
                           unnoticed.steps_tried);
-    else
+    else if (printed.insert(unnoticed.scenario->name).second)
       text += fmt::format("  no scenario notices `{}`, which changes results: {} in this one\n    {}\n",
                           unnoticed.text, unnoticed.consequence, to_text(to_json(*unnoticed.scenario), {}));
+    else
+      text += fmt::format("  no scenario notices `{}` either; {} shows it\n", unnoticed.text,
+                          unnoticed.scenario->name);
   }
+  if (printed.empty()) return text;
+  const auto& [accept, write_unnoticed] = verdict.commands;
+  if (!write_unnoticed.empty())
+    text += fmt::format("  to write {}   {}\n", printed.size() == 1 ? "it  " : "them", write_unnoticed);
+  if (!accept.empty()) text += fmt::format("  to accept it    {}\n", accept);
   return text;
 }
 

@@ -13,7 +13,7 @@
 
 #include "sim/cause/cause_groups.h"
 #include "sim/cause/header_change.h"
-#include "sim/scenario/scenario.h"
+#include "tools/app/causes/unnoticed.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
@@ -35,14 +35,6 @@ struct CoreChange {
   std::optional<std::int64_t> scenarios;  ///< How many differing scenarios a constant reproduces alone.
 };
 
-/// A difference of two steps that no scenario of the library shows.
-struct UnnoticedDifference {
-  std::string text;
-  std::optional<Scenario> scenario;  ///< Shows it, where the search found a step.
-  std::string consequence;           ///< As "after 5 s 12.3 px apart".
-  std::int64_t steps_tried = 0;
-};
-
 struct CoreVerdict {
   std::string golden_folder;
   CoreStatus status = CoreStatus::none;
@@ -51,14 +43,15 @@ struct CoreVerdict {
   std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
   std::set<std::int32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
   std::vector<UnnoticedDifference> unnoticed;
+  CoreCommands commands;
   ExitCode exit_code = ExitCode::agreed;
 };
 
 class CoreCheck {
  public:
-  /// Reads and compares; what is damaged or missing becomes part of the verdict, with the command that
-  /// accepts this program's core.
-  CoreCheck(const std::string& golden_folder, const std::string& accept_command);
+  /// Reads and compares; what is damaged or missing becomes part of the verdict.
+  /// @param commands that the verdict suggests; empty ones are left out.
+  CoreCheck(const std::string& golden_folder, CoreCommands commands);
   ~CoreCheck();
   CoreCheck(CoreCheck&&) noexcept;
 
@@ -70,7 +63,7 @@ class CoreCheck {
   /// Whether a golden file of that core can be judged by the accepted one.
   [[nodiscard]] bool covers(const std::string& core_name) const;
 
-  /// These runs differ because of the core: counts which each changed constant reproduces alone.
+  /// Scenarios differ, these runs because of the core: counts which each changed constant reproduces alone.
   void take_core_runs(const std::vector<const StoredRun*>& fresh);
   /// Plays the whole library by the accepted step, and looks for steps that show what it does not notice.
   void judge_differences(const std::string& scenarios_folder);
@@ -93,12 +86,12 @@ class CoreCheck {
 /// The checks of several golden folders, each made when first asked for.
 class CoreChecks {
  public:
-  /// @param scenarios,golden_option as of accept_core_command.
+  /// @param scenarios,golden_option as of core_commands.
   CoreChecks(const std::vector<std::string>& scenarios, const std::string& golden_option)
-      : accept_command_(accept_core_command(scenarios, golden_option)) {}
+      : commands_(core_commands(scenarios, golden_option)) {}
 
   [[nodiscard]] CoreCheck& of(const std::string& golden_folder) {
-    return checks_.try_emplace(golden_folder, golden_folder, accept_command_).first->second;
+    return checks_.try_emplace(golden_folder, golden_folder, commands_).first->second;
   }
   /// In order of the folders' names.
   [[nodiscard]] std::vector<const CoreVerdict*> verdicts() const {
@@ -108,12 +101,13 @@ class CoreChecks {
   }
 
  private:
-  std::string accept_command_;
+  CoreCommands commands_;
   std::map<std::string, CoreCheck> checks_;
 };
 
 /// The verdict as text: complete lines; empty where the core is the accepted one.
-[[nodiscard]] std::string core_text(const CoreVerdict& verdict);
+/// @param is_alone else the verdict names its golden folder.
+[[nodiscard]] std::string core_text(const CoreVerdict& verdict, bool is_alone = true);
 /// {"golden", "status", "why", "paths", "paths_taken", "changes", "unnoticed"}, an entry of "cores".
 [[nodiscard]] Json core_json(const CoreVerdict& verdict);
 

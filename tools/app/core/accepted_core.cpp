@@ -111,12 +111,16 @@ std::shared_ptr<const StepProgram> program_step() {
 
 std::string accepted_core_folder(const std::string& golden_folder) { return golden_folder + "/core"; }
 
-std::string accept_core_command(const std::vector<std::string>& scenarios, const std::string& golden_option) {
-  std::vector<std::string> words = {"bless"};
-  for (const std::string& path : scenarios) words.push_back(as_argument(path));
-  if (!golden_option.empty()) words.insert(words.end(), {"--golden", as_argument(golden_option)});
-  words.insert(words.end(), {"--core", "--reason", "TEXT"});
-  return program_command(words);
+CoreCommands core_commands(const std::vector<std::string>& scenarios, const std::string& golden_option) {
+  const auto command = [&](const char* name, std::initializer_list<const char*> options) {
+    std::vector<std::string> words = {name};
+    for (const std::string& path : scenarios) words.push_back(as_argument(path));
+    if (!golden_option.empty()) words.insert(words.end(), {"--golden", as_argument(golden_option)});
+    words.insert(words.end(), options.begin(), options.end());
+    return program_command(words);
+  };
+  return {command("bless", {"--core", "--reason", "TEXT"}),
+          command("check", {"--core", "--unnoticed", "unnoticed"})};
 }
 
 std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder) {

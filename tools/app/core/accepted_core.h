@@ -40,11 +40,15 @@ struct AcceptedCore {
 /// FOLDER/core.
 [[nodiscard]] std::string accepted_core_folder(const std::string& golden_folder);
 
-/// The command that accepts this program's core in the library of these scenarios.
+/// What to do about the core of a library.
+struct CoreCommands {
+  std::string accept;           ///< Accepts this program's.
+  std::string write_unnoticed;  ///< Writes scenarios that show what no scenario of the library does.
+};
 /// @param scenarios files and folders as given; none: the folder `scenarios`.
 /// @param golden_option as given; empty if it was not.
-[[nodiscard]] std::string accept_core_command(const std::vector<std::string>& scenarios,
-                                              const std::string& golden_option);
+[[nodiscard]] CoreCommands core_commands(const std::vector<std::string>& scenarios,
+                                         const std::string& golden_option);
 
 /// Nothing if FOLDER/core does not exist or is empty.
 /// ERRORS: Failure(disagreed) "FILE: ...; take the folder from version control" where it is damaged, half

@@ -80,7 +80,7 @@ TEST(Cause, IsUnknownWithoutAnAcceptedCore) {
   program.has_accepted_core = true;
   program.names_accepted_core = false;
   EXPECT_EQ(program.cause_of(golden, fresh).detail,
-            "its golden file was blessed with another core than the accepted one");
+            "blessed with another core than the accepted one");
 }
 
 // The golden file's program had another clock, or other inputs.

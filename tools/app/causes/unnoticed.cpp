@@ -1,0 +1,107 @@
+#include "tools/app/causes/unnoticed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "sim/cause/watched_kernel.h"
+#include "sim/compare/run_distance.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/search/shrink.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/files/scenario_writer.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::uint64_t kSearchSeed = 1;
+constexpr std::int64_t kSearchSteps = 300'000;
+constexpr std::size_t kSearchedMax = 8;  // Of many differences the first are searched for.
+constexpr double kConsequence_s = 5.0;
+constexpr std::int64_t kConsequenceSteps = 100'000;
+constexpr std::int64_t kShrinkTrials = 500;
+
+// The frames that were found.
+Scenario scenario_of(const DifferenceSearch& search) {
+  const auto& [state, window, sprite, is_held] = search.found->world;
+  const double dt_s = search.found->dt_s;
+  const double rate_hz = std::round(1.0 / dt_s);
+  Scenario scenario = scenario_from(state, window, sprite, rate_hz, search.frames);
+  if (!(dt_s > 0.0 && rate_hz >= 1.0 && 1.0 / rate_hz == dt_s)) scenario.clock.base = FixedStep{dt_s};
+  return scenario;
+}
+
+// The same for the same scenario, so that files of different ones do not replace each other.
+std::string name_of(Scenario scenario) {
+  scenario.name = "unnoticed";
+  const std::string text = scenario_file_text(scenario);
+  ByteHash hash;
+  hash.add(std::as_bytes(std::span(text.data(), text.size())));
+  return "unnoticed-" + hex(hash.value()).substr(0, 8);
+}
+
+std::string consequence_of(const CorePair& cores, Scenario scenario) {
+  const double dt_s = base_dt_s(scenario.clock);
+  const double steps = dt_s > 0.0 ? std::ceil(kConsequence_s / dt_s) : 1.0;
+  scenario.length = static_cast<std::int64_t>(std::min(steps, static_cast<double>(kConsequenceSteps)));
+  const RunSummary before = play(scenario, cores.accepted);
+  const RunSummary after = play(scenario, cores.program);
+  const double apart_px = distance_px(state_of(before.final), state_of(after.final));
+  if (after.non_finite_step) return fmt::format("not finite from step {}", *after.non_finite_step);
+  return fmt::format("after {:.3g} s {:.3g} px apart", after.final.t_s, apart_px);
+}
+
+bool differs(const CorePair& cores, const Scenario& scenario) {
+  return play(scenario, cores.accepted).state_hash != play(scenario, cores.program).state_hash;
+}
+
+// By difference: whether the scenario shows it.
+std::vector<bool> shown_by(const CorePair& cores, const Scenario& scenario) {
+  std::vector<bool> shown(cores.steps.differences().size());
+  notice(cores, scenario, shown);
+  return shown;
+}
+
+}  // namespace
+
+void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed) {
+  const WatchedKernel watched(cores.accepted, [&](const StepInput& input) {
+    if (std::ranges::find(noticed, false) != noticed.end()) cores.steps.notice(input, noticed);
+  });
+  static_cast<void>(play(scenario, watched));
+}
+
+std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const std::vector<bool>& noticed) {
+  std::vector<UnnoticedDifference> unnoticed;
+  std::vector<std::optional<std::size_t>> shown(noticed.size());  // By which of `unnoticed`.
+  std::size_t searched = 0;
+  for (std::size_t index = 0; index < noticed.size(); ++index) {
+    if (noticed[index]) continue;
+    UnnoticedDifference difference = shown[index] ? unnoticed[*shown[index]] : UnnoticedDifference();
+    difference.text = cores.steps.differences()[index].text;
+    if (!shown[index]) {
+      const DifferenceSearch search =
+          cores.steps.search(index, kSearchSeed, ++searched > kSearchedMax ? 0 : kSearchSteps);
+      difference.steps_tried = search.steps_tried;
+      if (search.found) {
+        // What further members hold is not in a row: there a difference is all that is known.
+        const auto shows = [&](const Scenario& scenario) {
+          return differs(cores, scenario) && (search.frames > 1 || shown_by(cores, scenario)[index]);
+        };
+        Scenario scenario = shrink(scenario_of(search), shows, {.trials_max = kShrinkTrials}).scenario;
+        const std::vector<bool> others = shown_by(cores, scenario);
+        for (std::size_t other = index + 1; other < others.size(); ++other)
+          if (others[other] && !shown[other]) shown[other] = unnoticed.size();
+        difference.consequence = consequence_of(cores, scenario);
+        scenario.name = name_of(scenario);
+        difference.scenario = std::move(scenario);
+      }
+    }
+    unnoticed.push_back(std::move(difference));
+  }
+  return unnoticed;
+}
+
+}  // namespace hyrax
