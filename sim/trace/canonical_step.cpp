@@ -1,52 +1,17 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <compare>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "sim/trace/step_grammar.h"
+#include "sim/trace/decision_tree.h"
 #include "sim/trace/step_text.h"
 
 namespace hyrax {
 namespace {
 
 constexpr double kLargestSingle = static_cast<double>(std::numeric_limits<float>::max());
-
-// Total order of expressions whose operands are numbered. Constants by their bits, which for numbers >= 0 is
-// their order.
-std::strong_ordering order_of(const Expression& a, const Expression& b) {
-  if (const auto order = a.op <=> b.op; std::is_neq(order)) return order;
-  if (const auto order = a.kind <=> b.kind; std::is_neq(order)) return order;
-  if (const auto order = a.name <=> b.name; std::is_neq(order)) return order;
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  if (const auto order = bits(a.value) <=> bits(b.value); std::is_neq(order)) return order;
-  return a.operands <=> b.operands;
-}
-
-struct ByStructure {
-  bool operator()(const Expression& a, const Expression& b) const { return std::is_lt(order_of(a, b)); }
-};
-
-void order_operands(Expression& expression) {
-  if (is_commutative(expression.op) && expression.operands[1] < expression.operands[0])
-    std::swap(expression.operands[0], expression.operands[1]);
-}
-
-// Where two comparisons are the same one.
-using ComparisonKey = std::array<std::int32_t, 3>;  // Left, right, relation.
-
-ComparisonKey key_of(const StepComparison& comparison) {
-  ComparisonKey key = {comparison.left, comparison.right, static_cast<std::int32_t>(comparison.relation)};
-  if (comparison.relation == Relation::equal && key[1] < key[0]) std::swap(key[0], key[1]);
-  return key;
-}
-
-StepComparison comparison_of(const ComparisonKey& key) {
-  return {static_cast<Relation>(key[2]), key[0], key[1]};
-}
 
 // Expressions, each once, in the order in which they are first needed.
 class ExpressionTable {
@@ -113,7 +78,7 @@ class ExpressionTable {
   }
 
   std::vector<Expression> expressions_;
-  std::map<Expression, std::int32_t, ByStructure> indices_;
+  std::map<Expression, std::int32_t> indices_;
 };
 
 // The step with each expression and comparison once, signs moved out; not yet numbered.
@@ -125,13 +90,13 @@ TracedStep unique_step(const TracedStep& step) {
   const auto plain = [&](std::int32_t raw) { return table.plain(terms[static_cast<std::size_t>(raw)]); };
 
   TracedStep unique{.members = step.members};
-  std::map<ComparisonKey, std::int32_t> indices;
+  std::map<StepComparison, std::int32_t> indices;
   std::vector<std::int32_t> comparisons;
   for (const StepComparison& raw : step.comparisons) {
-    const ComparisonKey key = key_of({raw.relation, plain(raw.left), plain(raw.right)});
+    const StepComparison comparison = with_sides({raw.relation, 0, 1}, {plain(raw.left), plain(raw.right)});
     const auto [place, is_new] =
-        indices.try_emplace(key, static_cast<std::int32_t>(unique.comparisons.size()));
-    if (is_new) unique.comparisons.push_back(comparison_of(key));
+        indices.try_emplace(comparison, static_cast<std::int32_t>(unique.comparisons.size()));
+    if (is_new) unique.comparisons.push_back(comparison);
     comparisons.push_back(place->second);
   }
   for (std::size_t function = 0; function < kCoreFunctions; ++function)
@@ -166,10 +131,7 @@ struct Needed {
         expressions[static_cast<std::size_t>(step.comparisons[index].left)] = true;
         expressions[static_cast<std::size_t>(step.comparisons[index].right)] = true;
       }
-    for (std::size_t index = expressions.size(); index-- > 0;)
-      if (expressions[index])
-        for (const std::int32_t operand : step.expressions[index].operands)
-          if (operand >= 0) expressions[static_cast<std::size_t>(operand)] = true;
+    add_operands(step, expressions);
   }
   std::vector<bool> expressions;
   std::vector<bool> comparisons;
@@ -192,15 +154,9 @@ std::vector<std::int32_t> number_expressions(const TracedStep& unique, const std
   std::vector<std::int32_t> numbers(count, -1);
   for (const std::vector<std::size_t>& level : levels) {
     std::vector<std::pair<Expression, std::size_t>> ordered;
-    for (const std::size_t index : level) {
-      Expression expression = unique.expressions[index];
-      for (std::int32_t& operand : expression.operands)
-        if (operand >= 0) operand = numbers[static_cast<std::size_t>(operand)];
-      order_operands(expression);
-      ordered.emplace_back(std::move(expression), index);
-    }
-    std::sort(ordered.begin(), ordered.end(),
-              [](const auto& a, const auto& b) { return std::is_lt(order_of(a.first, b.first)); });
+    for (const std::size_t index : level)
+      ordered.emplace_back(with_operands(unique.expressions[index], numbers), index);
+    std::sort(ordered.begin(), ordered.end());
     for (auto& [expression, index] : ordered) {
       numbers[index] = static_cast<std::int32_t>(numbered.expressions.size());
       numbered.expressions.push_back(std::move(expression));
@@ -212,17 +168,13 @@ std::vector<std::int32_t> number_expressions(const TracedStep& unique, const std
 std::vector<std::int32_t> number_comparisons(const TracedStep& unique, const std::vector<bool>& is_needed,
                                              const std::vector<std::int32_t>& expressions,
                                              TracedStep& numbered) {
-  std::map<ComparisonKey, std::size_t> ordered;
-  for (std::size_t index = 0; index < unique.comparisons.size(); ++index) {
-    const StepComparison& raw = unique.comparisons[index];
-    if (is_needed[index])
-      ordered[key_of({raw.relation, expressions[static_cast<std::size_t>(raw.left)],
-                      expressions[static_cast<std::size_t>(raw.right)]})] = index;
-  }
+  std::map<StepComparison, std::size_t> ordered;
+  for (std::size_t index = 0; index < unique.comparisons.size(); ++index)
+    if (is_needed[index]) ordered[with_sides(unique.comparisons[index], expressions)] = index;
   std::vector<std::int32_t> numbers(unique.comparisons.size(), -1);
-  for (const auto& [key, index] : ordered) {
+  for (const auto& [comparison, index] : ordered) {
     numbers[index] = static_cast<std::int32_t>(numbered.comparisons.size());
-    numbered.comparisons.push_back(comparison_of(key));
+    numbered.comparisons.push_back(comparison);
   }
   return numbers;
 }

@@ -74,6 +74,13 @@ std::optional<std::vector<DecisionNode>> make_decision_tree(const std::vector<St
   return nodes;
 }
 
+void add_operands(const TracedStep& step, std::vector<bool>& expressions) {
+  for (std::size_t index = expressions.size(); index-- > 0;)
+    if (expressions[index])
+      for (const std::int32_t operand : step.expressions[index].operands)
+        if (operand >= 0) expressions[static_cast<std::size_t>(operand)] = true;
+}
+
 std::vector<bool> evaluated_by(const TracedStep& step, const StepPath& path) {
   std::vector<bool> evaluated(step.expressions.size());
   for (const std::int32_t member : path.members) evaluated[static_cast<std::size_t>(member)] = true;
@@ -82,10 +89,7 @@ std::vector<bool> evaluated_by(const TracedStep& step, const StepPath& path) {
     evaluated[static_cast<std::size_t>(comparison.left)] =
         evaluated[static_cast<std::size_t>(comparison.right)] = true;
   }
-  for (std::size_t index = evaluated.size(); index-- > 0;)
-    if (evaluated[index])
-      for (const std::int32_t operand : step.expressions[index].operands)
-        if (operand >= 0) evaluated[static_cast<std::size_t>(operand)] = true;
+  add_operands(step, evaluated);
   return evaluated;
 }
 

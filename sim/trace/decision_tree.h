@@ -22,6 +22,9 @@ struct DecisionNode {
 /// REQUIRES: outcomes of a path by their comparison, each comparison once.
 [[nodiscard]] std::optional<std::vector<DecisionNode>> make_decision_tree(const std::vector<StepPath>& paths);
 
+/// Marks, with each expression that is marked, those that it is made of.
+void add_operands(const TracedStep& step, std::vector<bool>& expressions);
+
 /// By expression: whether the path evaluates it.
 [[nodiscard]] std::vector<bool> evaluated_by(const TracedStep& step, const StepPath& path);
 

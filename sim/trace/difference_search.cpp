@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "sim/trace/operations.h"
 #include "sim/trace/step_draw.h"
 
 namespace hyrax {
@@ -90,9 +91,8 @@ class Search {
     const bool has_further = step_.members.size() > 4 || target_.other->step().members.size() > 4;
     bool is_evaluated = false;
     for (std::int64_t frame = 1; frame <= (has_further ? kFlingFrames : 1); ++frame) {
-      for (TracedBody* const body : {&owner, &other})
-        body->update(input.dt_s, input.world.window.width_px, input.world.window.height_px,
-                     input.world.sprite.width_px, input.world.sprite.height_px);
+      owner.update(input);
+      other.update(input);
       ++result_.steps_tried;
       is_evaluated |= target_.is_on_path[static_cast<std::size_t>(owner.path())];
       const State a = {owner.x(), owner.y(), owner.vx(), owner.vy()};
@@ -124,11 +124,7 @@ class Search {
     return value(comparison.left) - value(comparison.right);
   }
   [[nodiscard]] bool holds(const StepComparison& comparison) const {
-    const double left = value(comparison.left);
-    const double right = value(comparison.right);
-    return comparison.relation == Relation::less            ? left < right
-           : comparison.relation == Relation::less_or_equal ? left <= right
-                                                            : left == right;
+    return hyrax::holds(comparison.relation, value(comparison.left), value(comparison.right));
   }
   [[nodiscard]] const StepComparison& comparison_of(const StepOutcome& outcome) const {
     return step_.comparisons[static_cast<std::size_t>(outcome.comparison)];

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "sim/trace/step_difference.h"
-#include "sim/trace/step_grammar.h"
 #include "sim/trace/step_text.h"
 
 namespace hyrax {
@@ -142,15 +141,10 @@ std::pair<std::int64_t, std::int64_t> misfit(const TracedStep& listing, const Tr
   const auto place_of = [&](std::int32_t index) {
     return index < 0 ? index : places[static_cast<std::size_t>(index)];
   };
-  for (Expression expression : listing.expressions) {
-    bool has_operands = true;
-    for (std::int32_t& operand : expression.operands) {
-      has_operands &= operand < 0 || place_of(operand) >= 0;
-      operand = place_of(operand);
-    }
-    if (is_commutative(expression.op) && expression.operands[1] < expression.operands[0])
-      std::swap(expression.operands[0], expression.operands[1]);
-    const auto found = std::ranges::find(step.expressions, expression);
+  for (const Expression& expression : listing.expressions) {
+    const bool has_operands = std::ranges::all_of(
+        expression.operands, [&](std::int32_t operand) { return operand < 0 || place_of(operand) >= 0; });
+    const auto found = std::ranges::find(step.expressions, with_operands(expression, places));
     const bool is_common = has_operands && found != step.expressions.end();
     places.push_back(is_common ? static_cast<std::int32_t>(found - step.expressions.begin()) : -1);
     if (!is_common && expression.op > Operator::constant) ++count;

@@ -12,4 +12,10 @@ namespace hyrax {
 using OperationFunction = double (*)(double, double, double);
 [[nodiscard]] OperationFunction operation_of(const Expression& expression);
 
+[[nodiscard]] inline bool holds(Relation relation, double left, double right) {
+  return relation == Relation::less            ? left < right
+         : relation == Relation::less_or_equal ? left <= right
+                                               : left == right;
+}
+
 }  // namespace hyrax

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "sim/trace/decision_tree.h"
 #include "sim/trace/difference_search.h"
-#include "sim/trace/step_grammar.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 
@@ -39,14 +36,8 @@ class SharedNumbers {
   std::vector<std::int32_t> expressions_of(const TracedStep& step) {
     std::vector<std::int32_t> numbers;
     for (const Expression& expression : step.expressions) {
-      std::array<std::int32_t, 3> operands = expression.operands;
-      for (std::int32_t& operand : operands)
-        if (operand >= 0) operand = numbers[static_cast<std::size_t>(operand)];
-      if (is_commutative(expression.op) && operands[1] < operands[0]) std::swap(operands[0], operands[1]);
-      const auto key = std::tuple(expression.op, expression.kind, expression.name,
-                                  std::bit_cast<std::uint64_t>(expression.value), operands);
-      numbers.push_back(
-          expressions_.try_emplace(key, static_cast<std::int32_t>(expressions_.size())).first->second);
+      const auto number = static_cast<std::int32_t>(expressions_.size());
+      numbers.push_back(expressions_.try_emplace(with_operands(expression, numbers), number).first->second);
     }
     return numbers;
   }
@@ -55,22 +46,15 @@ class SharedNumbers {
                                            const std::vector<std::int32_t>& expressions) {
     std::vector<std::int32_t> numbers;
     for (const StepComparison& comparison : step.comparisons) {
-      std::int32_t left = expressions[static_cast<std::size_t>(comparison.left)];
-      std::int32_t right = expressions[static_cast<std::size_t>(comparison.right)];
-      if (comparison.relation == Relation::equal && right < left) std::swap(left, right);
-      numbers.push_back(comparisons_
-                            .try_emplace(std::tuple(comparison.relation, left, right),
-                                         static_cast<std::int32_t>(comparisons_.size()))
-                            .first->second);
+      const auto number = static_cast<std::int32_t>(comparisons_.size());
+      numbers.push_back(comparisons_.try_emplace(with_sides(comparison, expressions), number).first->second);
     }
     return numbers;
   }
 
  private:
-  std::map<std::tuple<Operator, NumberKind, std::string, std::uint64_t, std::array<std::int32_t, 3>>,
-           std::int32_t>
-      expressions_;
-  std::map<std::tuple<Relation, std::int32_t, std::int32_t>, std::int32_t> comparisons_;
+  std::map<Expression, std::int32_t> expressions_;
+  std::map<StepComparison, std::int32_t> comparisons_;
 };
 
 // One of the two steps, with its numbers among both.
@@ -145,10 +129,8 @@ class StepPair::Data {
     if (!is_playable()) return false;
     TracedBody a(*programs_[0], input.world.state);
     TracedBody b(*programs_[1], input.world.state);
-    const Size& window = input.world.window;
-    const Size& sprite = input.world.sprite;
-    a.update(input.dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
-    b.update(input.dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+    a.update(input);
+    b.update(input);
     if (!differs(a, b)) return false;
     for (std::size_t index = 0; index < differences_.size(); ++index) {
       const std::int32_t path = differences_[index].is_in_accepted ? a.path() : b.path();

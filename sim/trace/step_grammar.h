@@ -22,7 +22,6 @@ constexpr std::string_view sign_of(Relation relation) {
   return kRelationSigns[static_cast<std::size_t>(relation)];
 }
 constexpr bool is_binary(Operator op) { return op >= Operator::add && op <= Operator::remainder; }
-constexpr bool is_commutative(Operator op) { return op == Operator::add || op == Operator::multiply; }
 constexpr bool is_conversion(Operator op) { return op >= Operator::to_real && op <= Operator::to_whole; }
 /// '\0' of what is not binary.
 constexpr char sign_of(Operator op) {

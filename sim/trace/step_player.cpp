@@ -20,6 +20,11 @@ void TracedBody::update(double dt_s, int window_width_px, int window_height_px, 
   if (touches(contact_, Wall::ground) && vy() == 0.0) contact_ |= kRestBit;
 }
 
+void TracedBody::update(const StepInput& input) {
+  const auto& [state, window, sprite, is_held] = input.world;
+  update(input.dt_s, window.width_px, window.height_px, sprite.width_px, sprite.height_px);
+}
+
 std::span<double> TracedBody::members() { return std::span(members_).first(program_->step().members.size()); }
 
 void TracedBody::setPos(double x_px, double y_px) {

@@ -36,6 +36,7 @@ class TracedBody {
 
   void update(double dt_s, int window_width_px, int window_height_px, int sprite_width_px,
               int sprite_height_px);
+  void update(const StepInput& input);  ///< As its frame does; its state is not taken.
   void setPos(double x_px, double y_px);
   void setVelocity(double vx_px_per_s, double vy_px_per_s);
   void resetVelocity();

@@ -30,20 +30,6 @@ std::int32_t member_of(std::string_view name, std::size_t members) {
   return -1;
 }
 
-bool holds(const StepComparison& comparison, const double* values) {
-  const double left = values[comparison.left];
-  const double right = values[comparison.right];
-  switch (comparison.relation) {
-    case Relation::less:
-      return left < right;
-    case Relation::less_or_equal:
-      return left <= right;
-    case Relation::equal:
-      return left == right;
-  }
-  return false;
-}
-
 void execute(std::span<const StepInstruction> instructions, double* values) {
   for (const StepInstruction& instruction : instructions) {
     const double a = values[instruction.operands[0]];
@@ -238,15 +224,16 @@ std::int32_t StepProgram::run(CoreFunction function, std::span<double> members,
         members[member] = values[path.members[member]];
       return node.decision.path;
     }
-    now = static_cast<std::size_t>(holds(node.comparison, values) ? node.decision.if_true
-                                                                  : node.decision.if_false);
+    now = static_cast<std::size_t>(
+        holds(node.comparison.relation, values[node.comparison.left], values[node.comparison.right])
+            ? node.decision.if_true
+            : node.decision.if_false);
   }
 }
 
 std::int32_t StepProgram::path_taken(const StepInput& input) const {
   TracedBody body(*this, input.world.state);
-  body.update(input.dt_s, input.world.window.width_px, input.world.window.height_px,
-              input.world.sprite.width_px, input.world.sprite.height_px);
+  body.update(input);
   return body.path();
 }
 

@@ -7,10 +7,13 @@
 
 #include <array>
 #include <bit>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "sim/trace/operation.h"
@@ -25,12 +28,32 @@ struct Expression {
   std::array<std::int32_t, 3> operands = {-1, -1, -1};  ///< Indices of expressions; -1: none.
   double value = 0.0;                                   ///< Of a constant.
   std::string name = {};                                ///< Of an argument or a function.
-  /// Constants by their bits: 0.0 is not -0.0.
-  bool operator==(const Expression& other) const {
-    return op == other.op && kind == other.kind && operands == other.operands && name == other.name &&
-           std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(other.value);
+  /// Constants by their bits, which for numbers >= 0 is their order: 0.0 is not -0.0.
+  std::strong_ordering operator<=>(const Expression& other) const {
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    if (const auto order = std::tie(op, kind, name) <=> std::tie(other.op, other.kind, other.name);
+        std::is_neq(order))
+      return order;
+    return std::tuple(bits(value), operands) <=> std::tuple(bits(other.value), other.operands);
   }
+  bool operator==(const Expression& other) const { return std::is_eq(*this <=> other); }
 };
+
+constexpr bool is_commutative(Operator op) { return op == Operator::add || op == Operator::multiply; }
+
+inline void order_operands(Expression& expression) {
+  if (is_commutative(expression.op) && expression.operands[1] < expression.operands[0])
+    std::swap(expression.operands[0], expression.operands[1]);
+}
+
+/// The expression over other numbers of its operands, those of a sum or a product in their order.
+[[nodiscard]] inline Expression with_operands(Expression expression,
+                                              const std::vector<std::int32_t>& numbers) {
+  for (std::int32_t& operand : expression.operands)
+    if (operand >= 0) operand = numbers[static_cast<std::size_t>(operand)];
+  order_operands(expression);
+  return expression;
+}
 
 /// left < right, left <= right or left == right. `a > b` is `b < a`; `a != b` is `a == b` of the other
 /// outcome. Both sides are of one kind.
@@ -39,7 +62,20 @@ struct StepComparison {
   std::int32_t left = -1;  ///< Indices of expressions.
   std::int32_t right = -1;
   bool operator==(const StepComparison&) const = default;
+  std::strong_ordering operator<=>(const StepComparison& other) const {
+    return std::tie(left, right, relation) <=> std::tie(other.left, other.right, other.relation);
+  }
 };
+
+/// The comparison of expressions of other numbers, those of an equality in their order.
+[[nodiscard]] inline StepComparison with_sides(StepComparison comparison,
+                                               const std::vector<std::int32_t>& numbers) {
+  comparison.left = numbers[static_cast<std::size_t>(comparison.left)];
+  comparison.right = numbers[static_cast<std::size_t>(comparison.right)];
+  if (comparison.relation == Relation::equal && comparison.right < comparison.left)
+    std::swap(comparison.left, comparison.right);
+  return comparison;
+}
 
 /// What one comparison was found to be on a path.
 struct StepOutcome {
