@@ -36,6 +36,10 @@ class Parts(SweepTest):
             self.assertEqual((self.folder / f"merged-{parts}.h5").read_bytes(),
                              (self.folder / "sweep.h5").read_bytes())
 
+    def test_many_members_are_merged_in_pieces(self):
+        whole = self.computed(document(base=base(steps=1), members=2**18 + 5, keep=["final"]))
+        assert_same_bits(self, self.merged(3), whole, "3 parts")
+
     def test_missing_parts_are_named(self):
         self.write("sweep.json", document())
         for part in (0, 2):

@@ -46,6 +46,12 @@ TEST(WaypointsOfBlocks, AreFoundInBlocksThatRepeat) {
   expect_same_waypoints(fling_at(100'000.0, 1'500'000), 1'500'000);  // 15 s, settled after 7.
 }
 
+TEST(WaypointsOfBlocks, AreFoundWhereASecondEndsWithABlock) {
+  for (const double rate_hz : {2048.0, 4095.0, 4096.0, 4097.0, 8192.0})
+    expect_same_waypoints(fling_at(rate_hz, static_cast<std::int64_t>(12 * rate_hz)),
+                          static_cast<std::int64_t>(12 * rate_hz));
+}
+
 TEST(WaypointsOfBlocks, TheApexMayComeLate) {
   Scenario scenario = fling_at(60.0, 20'000, {{std::int64_t{15'000}, Place{{700.0, -5.0}}}});
   expect_same_waypoints(scenario, 20'000);

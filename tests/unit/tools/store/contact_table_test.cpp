@@ -60,7 +60,8 @@ TEST_F(Contacts, AreKeptFewOrMany) {
 }
 
 TEST_F(Contacts, MayEndAfterTheyWereWritten) {
-  const std::vector<Contact> contacts = write(2 * kBatch + 10, {0, kBatch - 1, kBatch, 2 * kBatch + 9});
+  const std::vector<Contact> contacts =
+      write(2 * kBatch + 10, {0, kBatch - 1, kBatch, 2 * kBatch - 1, 2 * kBatch, 2 * kBatch + 9});
   EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts));
 }
 

@@ -32,6 +32,29 @@ TEST_F(StoredRunFile, HoldsRowsContactsAndInputsBitForBit) {
   EXPECT_EQ(file.head().scenario.name, scenario.name);
 }
 
+TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
+  constexpr auto kBatch = static_cast<std::int64_t>(RowTable::kBatch);
+  std::vector<std::int64_t> ends;  // Of the batches.
+  for (const std::int64_t rows :
+       {std::int64_t{1}, kBatch, kBatch - 1, std::int64_t{2}, kBatch + 1, std::int64_t{3}})
+    ends.push_back(rows + (ends.empty() ? 0 : ends.back()));
+  const std::int64_t steps = ends.back() - 1;
+  const Scenario scenario = fling_at(60.0, steps);
+  TrajectoryWriter writer(path_, scenario, steps);
+  Columns batch;
+  for (std::int64_t step = 0, at = 0; step <= steps; ++step) {
+    batch.append({.step = step, .x_px = static_cast<double>(step)});
+    if (step + 1 != ends[static_cast<std::size_t>(at)]) continue;
+    writer.rows(std::exchange(batch, {}));
+    ++at;
+  }
+  writer.finish({scenario, steps, "hyrax-physics/1", std::string(32, '0')}, {}, 0);
+  std::int64_t in_place = 0;
+  for (const Row& row : rows_of(TrajectoryFile(path_)))
+    in_place += static_cast<double>(row.step) == row.x_px && row.step == in_place;
+  EXPECT_EQ(in_place, steps + 1);
+}
+
 TEST_F(StoredRunFile, HoldsInputsOfEveryKind) {
   Scenario scenario = eventful_fling();
   write_run(path_, scenario);
