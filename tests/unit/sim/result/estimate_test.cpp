@@ -31,16 +31,19 @@ TEST(MedianEstimate, HasItsBootstrapInterval) {
 
 // The same by drawing 20,000 resamples.
 TEST(MedianEstimate, IsWhatResamplingGives) {
-  std::vector<double> values, medians;
-  for (std::uint64_t k = 0; k < 21; ++k) values.push_back(split_mix64_unit(1, k));
-  std::uint64_t draw = 0;
-  for (int resample = 0; resample < 20'000; ++resample) {
-    std::vector<double> drawn;
-    for (int value = 0; value < 21; ++value) drawn.push_back(values[split_mix64(2, draw++) % 21]);
-    medians.push_back(quantile(drawn, 0.5));
+  for (const std::uint64_t count : {21u, 25u}) {
+    std::vector<double> values, medians;
+    for (std::uint64_t k = 0; k < count; ++k) values.push_back(split_mix64_unit(1, k));
+    std::uint64_t draw = 0;
+    for (int resample = 0; resample < 20'000; ++resample) {
+      std::vector<double> drawn;
+      for (std::uint64_t value = 0; value < count; ++value)
+        drawn.push_back(values[split_mix64(2, draw++) % count]);
+      medians.push_back(quantile(drawn, 0.5));
+    }
+    EXPECT_EQ(median_of(values).low, quantile(medians, 0.025)) << count;
+    EXPECT_EQ(median_of(values).high, quantile(medians, 0.975)) << count;
   }
-  EXPECT_EQ(median_of(values).low, quantile(medians, 0.025));
-  EXPECT_EQ(median_of(values).high, quantile(medians, 0.975));
 }
 
 TEST(Band, IsTheMedianAndTheMiddleEightOfTen) {

@@ -43,10 +43,12 @@ TEST(Sweep, DrawsWholeNumbersWithBothEnds) {
 }
 
 TEST(Sweep, WholeDrawsNeverRoundBeyondTheirEnd) {
-  const double high = 0x1p53;
-  const Sweep sweep = sweep_of({{"/steps", ScenarioNumberKind::integer, UniformDraw{high - 1.0, high}}}, 100);
-  for (std::int64_t member = 0; member < sweep.members; ++member)
-    EXPECT_LE(std::get<std::int64_t>(value_of(sweep, 0, member)), std::int64_t{1} << 53);
+  for (const double low : {0x1p52, 0x1p53 - 1.0}) {
+    const UniformDraw range{low, low + 1.0};
+    const Sweep sweep = sweep_of({{"/steps", ScenarioNumberKind::integer, range}}, 100);
+    for (std::int64_t member = 0; member < sweep.members; ++member)
+      EXPECT_LE(std::get<std::int64_t>(value_of(sweep, 0, member)), static_cast<std::int64_t>(range.high));
+  }
 }
 
 TEST(Sweep, GridsEndAtBothEnds) {
@@ -54,6 +56,7 @@ TEST(Sweep, GridsEndAtBothEnds) {
   EXPECT_EQ(value_of(grid, 0), 0.1);
   EXPECT_EQ(value_of(grid, 1), 0.1 + ((0.7 - 0.1) * 1.0) / 3.0);
   EXPECT_EQ(value_of(grid, 3), 0.7);
+  EXPECT_EQ(value_of(GridAxis{-0.3, 0.1, 2}, 1), 0.1) << "the formula gives the number above";
   EXPECT_EQ(value_of(GridAxis{5.0, 9.0, 1}, 0), 5.0);
 }
 
