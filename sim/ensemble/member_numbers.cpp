@@ -1,12 +1,9 @@
 #include "sim/ensemble/member_numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "sim/result/estimate.h"
@@ -14,9 +11,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::int64_t kPointsMax = 1'000;
-constexpr std::size_t kResultsAgainstInputsMax = 3;
-constexpr std::size_t kInputsShownMax = 8;
 constexpr int kBins = 40;
 
 bool is_prime(std::int64_t number) {
@@ -62,31 +56,11 @@ Plot histogram(const MemberNumbers& numbers) {
           .when_empty = "no member has this number"};
 }
 
-Plot against(const MemberNumbers& input, const MemberNumbers& result, std::int64_t stride) {
-  Series series{.name = result.name(),
-                .look = {.form = Form::points, .tone = Tone::blue, .marker_size = 0.35}};
-  for (std::size_t at = 0; at < input.sample().size(); at += static_cast<std::size_t>(stride)) {
-    if (!std::isfinite(result.sample()[at])) continue;
-    series.x.push_back(input.sample()[at]);
-    series.y.push_back(result.sample()[at]);
-  }
-  return {.x = {.label = input.label()},
-          .y = {.label = result.label()},
-          .series = {std::move(series)},
-          .when_empty = "no member has this number"};
-}
-
 std::vector<const MemberNumbers*> results_of(const std::vector<MemberNumbers>& numbers) {
   std::vector<const MemberNumbers*> list;
   for (const MemberNumbers& each : numbers)
-    if (each.role() == MemberRole::result && std::isfinite(each.smallest())) list.push_back(&each);
-  return list;
-}
-
-std::vector<const MemberNumbers*> inputs_of(const std::vector<MemberNumbers>& numbers) {
-  std::vector<const MemberNumbers*> list;
-  for (const MemberNumbers& each : numbers)
-    if (each.role() != MemberRole::result) list.push_back(&each);
+    if (each.role() == MemberRole::result && std::isfinite(each.smallest()) && !each.is_constant())
+      list.push_back(&each);
   return list;
 }
 
@@ -95,64 +69,6 @@ std::vector<double> known_of(const std::vector<double>& values) {
   std::copy_if(values.begin(), values.end(), std::back_inserter(known),
                [](double value) { return std::isfinite(value); });
   return known;
-}
-
-std::string short_text(double value) {
-  constexpr int kDigits = 4;
-  std::array<char, 32> text{};
-  return {
-      text.data(),
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits).ptr};
-}
-
-// A result's median in each field of two grids, in five colours of as many fields each.
-Figure map_figure(const MemberNumbers& across, const MemberNumbers& up, const MemberNumbers& result) {
-  constexpr std::array kTones = {Tone::blue, Tone::sky_blue, Tone::green, Tone::orange, Tone::vermilion};
-  std::map<std::pair<double, double>, std::vector<double>> fields;
-  for (std::size_t at = 0; at < result.sample().size(); ++at)
-    if (std::isfinite(result.sample()[at]))
-      fields[{across.sample()[at], up.sample()[at]}].push_back(result.sample()[at]);
-  std::vector<double> medians;
-  medians.reserve(fields.size());
-  for (const auto& [place, values] : fields) medians.push_back(quantile(values, 0.5));
-  Plot plot{
-      .x = {.label = across.label()}, .y = {.label = up.label()}, .when_empty = "no member has this number"};
-  Figure figure{.suffix = "-map-" + result.name(),
-                .title = result.name() + " over two grids",
-                .subtitle = "Median of the members of a field; each colour has a fifth of the fields"};
-  double low = quantile(medians, 0.0);
-  for (std::size_t each = 0; each < kTones.size(); ++each) {
-    const double high = quantile(medians, static_cast<double>(each + 1) / kTones.size());
-    Series series{.name = short_text(low) + " .. " + short_text(high),
-                  .look = {.form = Form::points, .tone = kTones[each], .marker = Marker::square}};
-    std::size_t field = 0;
-    for (const auto& [place, values] : fields) {
-      const double median = medians[field++];
-      if (median > high || (median <= low && each > 0)) continue;
-      series.x.push_back(place.first);
-      series.y.push_back(place.second);
-    }
-    if (!series.x.empty()) {
-      figure.legend.push_back({series.name, series.look});
-      plot.series.push_back(std::move(series));
-    }
-    low = high;
-  }
-  figure.body = std::vector{std::move(plot)};
-  return figure;
-}
-
-std::vector<Figure> map_figures(const std::vector<const MemberNumbers*>& inputs,
-                                const std::vector<const MemberNumbers*>& results) {
-  std::vector<const MemberNumbers*> grids;
-  std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(grids),
-               [](const MemberNumbers* each) { return each->role() == MemberRole::grid; });
-  std::vector<Figure> figures;
-  if (grids.size() != 2) return figures;
-  for (std::size_t at = 0; at < std::min(results.size(), kResultsAgainstInputsMax); ++at)
-    if (!known_of(results[at]->sample()).empty())
-      figures.push_back(map_figure(*grids[0], *grids[1], *results[at]));
-  return figures;
 }
 
 }  // namespace
@@ -186,6 +102,11 @@ double MemberNumbers::smallest() const { return known_ == 0 ? kNotGiven : smalle
 double MemberNumbers::largest() const { return known_ == 0 ? kNotGiven : largest_; }
 double MemberNumbers::mean() const { return known_ == 0 ? kNotGiven : mean_; }
 
+bool MemberNumbers::is_constant() const {
+  constexpr double kRounding = 1e-9;
+  return !(largest_ - smallest_ > kRounding);
+}
+
 double MemberNumbers::quantile(double part) const {
   const std::vector<double> known = known_of(sample_);
   return known.empty() ? kNotGiven : hyrax::quantile(known, part);
@@ -193,7 +114,6 @@ double MemberNumbers::quantile(double part) const {
 
 std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, std::int64_t members) {
   const auto results = results_of(numbers);
-  const auto inputs = inputs_of(numbers);
   std::vector<Figure> figures;
   constexpr std::size_t kPlotsOfARow = 3;
   for (std::size_t first = 0; first < results.size(); first += kPlotsOfARow) {
@@ -207,20 +127,6 @@ std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, st
                        .note_tone = Tone::quiet,
                        .body = std::move(plots)});
   }
-  const auto samples = static_cast<std::int64_t>(results.empty() ? 0 : results.front()->sample().size());
-  const std::int64_t stride = sample_stride(samples, kPointsMax);
-  for (std::size_t at = 0; at < std::min(inputs.size(), kInputsShownMax) && !results.empty(); ++at) {
-    std::vector<Plot> plots;
-    for (std::size_t result = 0; result < std::min(results.size(), kResultsAgainstInputsMax); ++result)
-      plots.push_back(against(*inputs[at], *results[result], stride));
-    figures.push_back({.suffix = "-input-" + std::to_string(at + 1),
-                       .title = "Against " + inputs[at]->name(),
-                       .subtitle = "A point is a member",
-                       .note = sampled_note(members, stride * sample_stride(members, kSamplesMax)),
-                       .note_tone = Tone::quiet,
-                       .body = std::move(plots)});
-  }
-  for (Figure& map : map_figures(inputs, results)) figures.push_back(std::move(map));
   return figures;
 }
 

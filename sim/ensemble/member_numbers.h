@@ -1,4 +1,5 @@
-// What the members of a sweep have in common: range and mean of each number, a sample of it, and pictures.
+// What the members of a sweep have in common: range and mean of each number, a sample of it, and its
+// distribution.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +46,8 @@ class MemberNumbers {
   [[nodiscard]] double smallest() const;
   [[nodiscard]] double largest() const;
   [[nodiscard]] double mean() const;
+  /// Whether it is the same in all members that have it, but for rounding: 1e-9.
+  [[nodiscard]] bool is_constant() const;
   /// Of the sample's values, linear between neighbours.
   [[nodiscard]] double quantile(double part) const;
   /// Every K-th member's number, from member 0.
@@ -65,8 +68,7 @@ class MemberNumbers {
   std::vector<double> sample_;
 };
 
-/// How each result is distributed, each result against each input, and where two inputs are grids each result
-/// as a map over both: figures of the samples.
+/// How each result that is no constant is distributed: figures of the samples.
 [[nodiscard]] std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers,
                                                  std::int64_t members);
 

@@ -2,8 +2,8 @@
 // input and prints the list of their results, each list as JSON in one line.
 //
 // A task is {file, hash, bypass_csp, scheme, size, actions}; an action is ["evaluate", expression], ["click", selector],
-// ["press", key], ["mouse", [[x, y]...]] (a drag along points given as fractions of the replay canvas),
-// ["drag", selector, [[x, y]...]] (the same in another element), ["download", selector, path], ["wait", expression],
+// ["press", key], ["mouse", selector, [[x, y]...]] (a drag along points given as fractions of the element),
+// ["touch", selector, [[x, y]...]] (the same with a finger), ["download", selector, path], ["wait", expression],
 // ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -16,21 +16,26 @@ const { chromium } = require('playwright-core');
 const axeSource = await readFile(require.resolve('axe-core/axe.min.js'), 'utf8');
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium' });
 
-async function drag(page, selector, points) {
+// By hand, with 20 ms from point to point however busy the machine is.
+async function drag(page, device, selector, points) {
   const box = await page.locator(selector).first().boundingBox();
-  const place = ([x, y]) => [box.x + x * box.width, box.y + y * box.height];
-  await page.mouse.move(...place(points[0]));
-  await page.mouse.down();
-  for (const point of points.slice(1)) {
-    await page.mouse.move(...place(point), { steps: 3 });
-    await page.waitForTimeout(16);
-  }
-  await page.mouse.up();
+  const input = await page.context().newCDPSession(page);
+  const begin = Date.now() / 1000;
+  const types = device === 'touch' ? ['touchStart', 'touchMove', 'touchEnd'] : ['mousePressed', 'mouseMoved', 'mouseReleased'];
+  const send = (type, [partX, partY], index) => {
+    const [x, y] = [box.x + partX * box.width, box.y + partY * box.height];
+    const timestamp = begin + 0.02 * index;
+    if (device === 'touch') return input.send('Input.dispatchTouchEvent', { type, timestamp, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
+    return input.send('Input.dispatchMouseEvent', { type, timestamp, x, y, button: 'left', buttons: 1, clickCount: 1 });
+  };
+  await send(types[0], points[0], 0);
+  for (let i = 1; i < points.length; ++i) await send(types[1], points[i], i);
+  await send(types[2], points.at(-1), points.length);
 }
 
 // Not waitForFunction, which evaluates text, as the page's policy forbids.
 async function waitFor(page, expression) {
-  const end = Date.now() + 20_000;
+  const end = Date.now() + 90_000;
   while (!(await page.evaluate(expression))) {
     if (Date.now() > end) throw new Error(`never true: ${expression}`);
     await page.waitForTimeout(20);
@@ -55,12 +60,12 @@ async function focused(page, count) {
 
 const actions = {
   axe: faults,
-  drag,
+  mouse: (page, selector, points) => drag(page, 'mouse', selector, points),
+  touch: (page, selector, points) => drag(page, 'touch', selector, points),
   tab: focused,
   evaluate: (page, expression) => page.evaluate(expression),
   click: (page, selector) => page.click(selector),
   press: (page, key) => page.keyboard.press(key),
-  mouse: (page, points) => drag(page, '#replay', points),
   wait: waitFor,
   download: async (page, selector, path) => {
     const [file] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
@@ -72,7 +77,7 @@ const actions = {
 async function perform(task) {
   const seen = { errors: [], requests: [], values: [] };
   const [width, height] = task.size ?? [1280, 900];
-  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width, height }, colorScheme: task.scheme ?? 'light' });
+  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width, height }, colorScheme: task.scheme ?? 'light', hasTouch: true });
   const page = await context.newPage();
   page.on('pageerror', error => seen.errors.push(String(error)));
   page.on('console', message => message.type() === 'error' && seen.errors.push(message.text()));

@@ -50,7 +50,16 @@ def run_altered(core, *arguments):
 
 def number(name):
     """The value of a readout, as JavaScript."""
-    return f"Number(document.querySelector('[data-name={name}]').textContent.replace('−', '-'))"
+    return f"Number(document.querySelector('[data-name={name}]').textContent.replace('−', '-').replaceAll(',', ''))"
+
+
+# A display of 60 Hz that never waits, and the playground on it.
+FAST = ["evaluate", "window.frameTime = performance.now(), window.requestAnimationFrame = f => setTimeout(() => f(frameTime += 1000 / 60))"]
+PLAYGROUND = [FAST, ["click", "#mode-fling"]]
+THROW = [[0.5, 0.95], [0.45, 0.7], [0.4, 0.5], [0.5, 0.4], [0.7, 0.35]]
+LANDED = f"{number('y')} > 951.5 && Math.abs({number('vy')}) < 30"
+AT_REST = "!('live' in document.documentElement.dataset)"
+FLIGHTS = "[...document.querySelectorAll('#flights li')].map(each => each.textContent)"
 
 
 class ReportTest(browser.BrowserTest):
@@ -232,18 +241,104 @@ class ReportTest(browser.BrowserTest):
 
     def test_what_is_flung_by_mouse_replays_to_the_same_hash(self):
         self.played("fling", program.fling())
-        down = str(self.folder / "flung.json")
+        flown = ["wait", f"window.released ??= {number('row')}, {number('row')} > window.released + 20"]
+        for hand in ("mouse", "touch"):
+            down = {name: self.folder / f"{name}.json" for name in ("flung", "again")}
+            (page,) = self.open({**self.report("fling"), "actions": [
+                *PLAYGROUND, ["wait", LANDED], [hand, "#replay", THROW], flown,
+                ["download", "#download-scenario", str(down["flung"])],
+                ["press", "a"], ["wait", f"{number('row')} > 20 && {number('t')} < 3"], ["download", "#download-scenario", str(down["again"])]]})
+            self.assertEqual(page["errors"], [])
+            flung, again = (json.loads(path.read_text(encoding="utf-8")) for path in down.values())
+            kinds = {kind for event in flung["events"] for kind in event if kind != "step"}
+            self.assertEqual(kinds, {"grab", "place", "release"})
+            release, = (event["release"] for event in flung["events"] if "release" in event)
+            self.assertGreater(math.hypot(*release.values()), 200)
+            self.assertEqual({name: again["start"][name] for name in release}, release)
+            for name, document in (("flung", flung), ("again", again)):
+                self.assertEqual(self.hash_of(f"{name}.json", f"{name}.h5"), document["expect"]["state_hash"], hand)
+
+    def test_verdict_and_charts_are_those_of_what_is_flung(self):
+        self.played("fling", program.fling())
+        down, rows = self.folder / "flung.json", self.folder / "rows.csv"
         (page,) = self.open({**self.report("fling"), "actions": [
-            ["click", "#mode-fling"],
-            ["wait", f"{number('y')} > 951.5 && Math.abs({number('vy')}) < 30"],
-            ["mouse", [[0.5, 0.95], [0.45, 0.7], [0.4, 0.5], [0.5, 0.4], [0.7, 0.35]]],
-            ["wait", f"window.released ??= {number('row')}, {number('row')} > window.released + 20"],
-            ["download", "#download-scenario", down]]})
-        self.assertEqual(page["errors"], [])
-        document = json.loads(pathlib.Path(down).read_text(encoding="utf-8"))
-        kinds = {kind for event in document["events"] for kind in event if kind != "step"}
-        self.assertEqual(kinds, {"grab", "place", "release"})
-        self.assertEqual(self.hash_of("flung.json", "flung.h5"), document["expect"]["state_hash"])
+            *PLAYGROUND, ["wait", LANDED], ["mouse", "#replay", THROW], ["wait", AT_REST],
+            ["download", "#download-scenario", str(down)], ["download", "#chart-position button", str(rows)],
+            ["evaluate", "document.getElementById('verdict').innerText"], ["evaluate", "document.querySelectorAll('#contacts tbody tr').length"]]})
+        verdict, contacts = page["values"][-2:]
+        run, = self.expect(AGREED, "run", down, "-o", "flung.h5", "--json").json["runs"]
+        total = sum(run["contacts"].values())
+        self.assertGreater(total, 1)
+        self.assertEqual(contacts, total)
+        self.assertIn(f"Contacts\n{total}\n", verdict.replace("\n\n", "\n"))
+        self.assertIn("same bits", verdict)
+        self.assertNotIn("Golden", verdict)
+        error = self.expect(AGREED, "drift", "flung.h5", "--json").json["runs"][0]["worst"]["truncation_px"]
+        shown = float(re.search(r"Truncation error\s+([\d.,]+) px", verdict)[1].replace(",", ""))
+        self.assertAlmostEqual(shown / error, 1, delta=0.006)
+        with h5py.File(self.folder / "flung.h5") as file:
+            last = [file[f"trajectory/{axis}"][-1] for axis in "xy"]
+        self.assertEqual([float(each) for each in rows.read_text(encoding="utf-8").splitlines()[-1].split(",")[2:4]], last)
+
+    def test_shows_the_speed_of_the_hand(self):
+        self.played("fling", program.fling())
+        speeds = f"""(async () => {{
+            const canvas = document.getElementById('replay'), box = canvas.getBoundingClientRect(), found = [];
+            canvas.setPointerCapture = () => {{}};
+            const hand = (type, x) => canvas.dispatchEvent(new PointerEvent(type, {{button: 0, clientX: box.left + x * box.width, clientY: box.top + 0.95 * box.height}}));
+            hand('pointerdown', 0.5);
+            for (const stride of [0.004, 0]) {{
+              for (let i = 1; i <= 10; ++i) {{
+                for (const end = performance.now() + 10; performance.now() < end;);
+                hand('pointermove', 0.5 + stride * i);
+              }}
+              if (stride === 0) await new Promise(resolve => setTimeout(resolve, 200));
+              for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+              found.push(Math.hypot({number('vx')}, {number('vy')}));
+            }}
+            hand('pointerup', 0.5);
+            return found;
+          }})()"""
+        (page,) = self.open({**self.report("fling"), "actions": [*PLAYGROUND, ["wait", LANDED], ["evaluate", speeds]]})
+        moving, still = page["values"][-1]
+        self.assertGreater(moving, 200)
+        self.assertEqual(still, 0)
+
+    def test_a_throw_flies_beside_itself_at_other_rates(self):
+        self.played("fling", program.fling())
+        down = self.folder / "again.json"
+        (page,) = self.open({**self.report("fling"), "actions": [
+            *PLAYGROUND, ["wait", LANDED], ["evaluate", FLIGHTS], ["mouse", "#replay", THROW], ["press", "a"],
+            ["wait", AT_REST],
+            ["download", "#download-scenario", str(down)], ["evaluate", FLIGHTS], ["evaluate", number("t")]]})
+        self.assertEqual(page["values"][3], [])
+        flights = dict(re.fullmatch(r"(.+) ([\d.,]+) px", text).groups() for text in page["values"][-2])
+        self.assertEqual(list(flights), ["24 Hz", "60 Hz", "144 Hz", "240 Hz", "exact", "yours"])
+        self.assertEqual(flights.pop("exact"), "0.0")
+        thrown = json.loads(down.read_text(encoding="utf-8"))
+        for rate, distance in flights.items():
+            self.played("same", thrown if rate == "yours" else {**thrown, "clock": {"rate_hz": int(rate[:-3])}, "duration_s": 20, "expect": {}})
+            whole = self.expect(AGREED, "drift", "same.h5", "--json").json["runs"][0]["whole"]
+            self.assertAlmostEqual(float(distance.replace(",", "")), whole["end_px"], delta=0.06, msg=rate)
+
+    def test_a_bounce_is_shown_a_tenth_as_fast(self):
+        self.played("fling", program.fling())
+        passes = f"""(async () => {{
+            const times = [], shown = [];
+            for (let i = 0; i < 150; ++i, await new Promise(requestAnimationFrame)) shown.push(frameTime / 1000) && times.push({number('t')});
+            const end = times.findIndex((t, i) => t < times[i - 1]) - 1, last = end < 0 ? times.length - 1 : end;
+            return [Math.min(...times), Math.max(...times), (times[last] - times[0]) / (shown[last] - shown[0])];
+          }})()"""
+        contact = "Number(document.querySelectorAll('#contacts tbody tr')[{}].children[2].textContent)"
+        (page,) = self.open({**self.report("fling"), "actions": [
+            *PLAYGROUND, ["wait", LANDED], ["mouse", "#replay", THROW],
+            ["wait", AT_REST],
+            ["press", "s"], ["evaluate", passes], ["evaluate", contact.format(0)],
+            ["press", "s"], ["evaluate", passes], ["evaluate", contact.format(1)]]})
+        values = page["values"]
+        for (low, high, speed), at in ((values[6], values[7]), (values[9], values[10])):
+            self.assertTrue(at - 0.2 < low < at < high < at + 0.16, (low, high, at))
+            self.assertAlmostEqual(speed, 0.1, delta=0.02)
 
     def test_names_and_descriptions_are_text(self):
         self.played("fling", program.fling(description=HOSTILE))

@@ -58,6 +58,65 @@ class ResultsTest(browser.BrowserTest):
                 self.assertEqual((is_broken, fits, has_nan), (False, True, False), task["file"])
                 self.assertEqual((page["errors"], page["requests"]), ([], []), task["file"])
 
+    def grid(self):
+        """Plays a sweep over two grids; returns a task that opens its report."""
+        self.write("grid.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 240, "seed": 1, "vary": {
+            "/start/vx_px_per_s": {"grid": [-2000, 2000, 20]}, "/start/x_px": {"grid": [0, 1100, 12]}}})
+        self.expect(AGREED, "sweep", "grid.json")
+        return self.report("grid")
+
+    def test_a_cell_replays_its_member_and_saves_it_as_a_scenario(self):
+        down = self.folder / "cell.json"
+        (page,) = self.open({**self.grid(), "actions": [
+            ["mouse", ".u-over", [[5.5 / 20, 1 - 3.5 / 12]] * 2], ["wait", "!document.getElementById('member').hidden"],
+            ["evaluate", "document.getElementById('member-heading').textContent"],
+            ["evaluate", "document.getElementById('member-note').textContent"], ["download", "#download-member", str(down)]]})
+        self.assertEqual(page["errors"], [])
+        member = 5 * 12 + 3
+        self.assertEqual(page["values"][2], f"Member {member}")
+        self.assertIn("4 neighbours", page["values"][3])
+        self.expect(AGREED, "sweep", "grid.json", "--member", str(member), "-o", "member.json")
+        state_hash = self.hash_of("member.json", "member.h5")
+        self.assertEqual(json.loads(down.read_text(encoding="utf-8"))["expect"]["state_hash"], state_hash)
+        self.assertEqual(self.hash_of("cell.json", "cell.h5"), state_hash)
+
+    def test_a_drawn_member_keeps_all_digits(self):
+        clock = {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.2, "seed": 3}}
+        self.write("draws.json", {"format": "hyrax-sweep/1", "base": program.fling(clock=clock), "members": 50, "seed": 9, "vary": {
+            "/clock/jitter/seed": {"uniform": [0, 2 ** 64 - 1]}, "/start/vx_px_per_s": {"uniform": [-2000, 2000]},
+            "/window/width_px": {"uniform": [1300, 1900]}}})
+        self.expect(AGREED, "sweep", "draws.json")
+        down = self.folder / "drawn.json"
+        choose = "Object.assign(document.getElementById('member-number'), {value: 33}).dispatchEvent(new Event('change'))"
+        (page,) = self.open({**self.report("draws"), "actions": [["evaluate", choose], ["download", "#download-member", str(down)]]})
+        self.assertEqual(page["errors"], [])
+        self.expect(AGREED, "sweep", "draws.json", "--member", "33", "-o", "member.json")
+        drawn, member = (json.loads((self.folder / name).read_text(encoding="utf-8")) for name in ("drawn.json", "member.json"))
+        self.assertEqual(drawn["clock"], member["clock"])
+        self.assertGreater(drawn["clock"]["jitter"]["seed"], 2 ** 53)
+        self.assertEqual(drawn["expect"]["state_hash"], self.hash_of("member.json", "member.h5"))
+        self.assertEqual(self.hash_of("drawn.json", "drawn.h5"), drawn["expect"]["state_hash"])
+
+    def test_cells_tile_in_viridis_and_constants_are_left_out(self):
+        colors = """(() => {
+            const canvas = document.querySelector('.uplot canvas'), over = document.querySelector('.u-over').getBoundingClientRect(), from = canvas.getBoundingClientRect();
+            const {data} = canvas.getContext('2d').getImageData(over.left - from.left + 1, over.top - from.top + 1, over.width - 2, over.height - 2);
+            const found = {};
+            for (let i = 0; i < data.length; i += 4) { const key = data.slice(i, i + 4).join(' '); found[key] = (found[key] ?? 0) + 1; }
+            return [found['0 0 0 0'] ?? 0, found['68 1 84 255'] ?? 0, found['253 231 37 255'] ?? 0];
+          })()"""
+        points = "(select => { select.value = 'at_rest_since'; select.dispatchEvent(new Event('change')); })(document.getElementById('members-y'))"
+        (page,) = self.open({**self.grid(), "actions": [
+            ["evaluate", colors], ["evaluate", "[...document.querySelectorAll('#members-tint option')].map(each => each.value)"],
+            ["evaluate", "document.querySelector('.verdict').innerText"], ["evaluate", points], ["evaluate", colors]]})
+        (empty, *ends), names, verdict, _, (background, *_) = page["values"]
+        self.assertEqual(empty, 0)
+        self.assertGreater(min(ends), 50)
+        self.assertGreater(background, 10_000)
+        self.assertNotIn("y", names)
+        self.assertIn("x", names)
+        self.assertRegex(verdict, "The same in all members: .*y, px 952")
+
     def test_carries_only_what_it_shows(self):
         results = pathlib.Path(self.study("rest")["file"]).read_text(encoding="utf-8")
         self.played("fling", program.fling())
@@ -69,7 +128,7 @@ class ResultsTest(browser.BrowserTest):
     def test_zooms_by_dragging_and_shows_all_again(self):
         ticks = "[...document.querySelectorAll('.plot svg')][0].textContent.split('display rate')[0]"
         (page,) = self.open({**self.study("rest"), "actions": [
-            ["wait", f"{DRAWN} > 0"], ["evaluate", ticks], ["drag", ".plot", [[0.3, 0.3], [0.4, 0.5], [0.5, 0.7]]],
+            ["wait", f"{DRAWN} > 0"], ["evaluate", ticks], ["mouse", ".plot", [[0.3, 0.3], [0.4, 0.5], [0.5, 0.7]]],
             ["wait", "document.querySelector('.unzoom')"], ["evaluate", ticks], ["click", ".unzoom"], ["evaluate", ticks]]})
         values = page["values"]
         self.assertNotEqual(values[1], values[4])

@@ -9,6 +9,7 @@ namespace hyrax {
 namespace {
 
 constexpr std::string_view kDataPlace = "{\"hyrax\":\"report data\"}";
+constexpr std::string_view kStillPlace = "<!--without JavaScript-->";
 
 // Inside a script element nothing but `<` can end it or begin a comment.
 std::string script_text(const Json& data) {
@@ -32,12 +33,29 @@ void require_page() {
                   "cmake with -DHYRAX_PAGE=ON");
 }
 
-void write_page_file(const std::string& path, PageKind kind, const Json& data) {
+std::string html_text(std::string_view text) {
+  std::string html;
+  for (const char c : text) {
+    if (c == '<')
+      html += "&lt;";
+    else if (c == '&')
+      html += "&amp;";
+    else
+      html += c;
+  }
+  return html;
+}
+
+void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still) {
   require_page();
   std::string page(page_template(kind));
-  const std::size_t place = page.find(kDataPlace);
-  assert(place != std::string::npos);
-  page.replace(place, kDataPlace.size(), script_text(data));
+  const auto put = [&page](std::string_view at, const std::string& text) {
+    const std::size_t place = page.find(at);
+    assert(place != std::string::npos);
+    page.replace(place, at.size(), text);
+  };
+  put(kDataPlace, script_text(data));
+  put(kStillPlace, still);
   write_text_file(path, page);
 }
 

@@ -2,28 +2,28 @@
 
 #ifdef HYRAX_PAGE_FOLDER
 // The assembler copies the files' bytes, so that no compiler has to parse them.
-asm(".section .rodata\n"
-    "hyrax_runs_begin:\n"
-    ".incbin \"" HYRAX_PAGE_FOLDER
-    "/runs.html\"\n"
-    "hyrax_runs_end:\n"
-    "hyrax_results_begin:\n"
-    ".incbin \"" HYRAX_PAGE_FOLDER
-    "/results.html\"\n"
-    "hyrax_results_end:\n"
-    ".text\n");
-extern "C" const char hyrax_runs_begin;
-extern "C" const char hyrax_runs_end;
-extern "C" const char hyrax_results_begin;
-extern "C" const char hyrax_results_end;
+#define HYRAX_PAGE_OF(name)                    \
+  asm(".section .rodata\n"                     \
+      "hyrax_" #name                           \
+      "_begin:\n"                              \
+      ".incbin \"" HYRAX_PAGE_FOLDER "/" #name \
+      ".html\"\n"                              \
+      "hyrax_" #name                           \
+      "_end:\n"                                \
+      ".text\n");                              \
+  extern "C" const char hyrax_##name##_begin, hyrax_##name##_end
+HYRAX_PAGE_OF(runs);
+HYRAX_PAGE_OF(results);
+HYRAX_PAGE_OF(sweeps);
 #endif
 
 namespace hyrax {
 
 std::string_view page_template([[maybe_unused]] PageKind kind) {
 #ifdef HYRAX_PAGE_FOLDER
-  return kind == PageKind::runs ? std::string_view{&hyrax_runs_begin, &hyrax_runs_end}
-                                : std::string_view{&hyrax_results_begin, &hyrax_results_end};
+  if (kind == PageKind::runs) return {&hyrax_runs_begin, &hyrax_runs_end};
+  if (kind == PageKind::sweeps) return {&hyrax_sweeps_begin, &hyrax_sweeps_end};
+  return {&hyrax_results_begin, &hyrax_results_end};
 #else
   return {};
 #endif

@@ -7,8 +7,9 @@ namespace hyrax {
 
 /// Each page carries only what it shows.
 enum class PageKind {
-  runs,    ///< Replays trajectories: the core as WebAssembly, charts over time.
-  results  ///< Verdicts, tables and figures: of studies and sweeps.
+  runs,     ///< Replays trajectories: the core as WebAssembly, charts over time.
+  results,  ///< Verdicts, tables and figures: of studies.
+  sweeps    ///< The same, and the members of sweeps, which it replays.
 };
 
 /// The page with an empty place for its data; empty if this program was built without it (the CMake option

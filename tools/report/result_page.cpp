@@ -1,5 +1,7 @@
 #include "tools/report/result_page.h"
 
+#include <algorithm>
+
 #include "tools/files/build_info.h"
 #include "tools/report/figure_json.h"
 #include "tools/report/page_file.h"
@@ -18,12 +20,44 @@ Json result_json(const ShownResult& result) {
                       {"origin", std::move(origin)}};
 }
 
+namespace {
+
+// Title and verdict.
+std::string still_html(const Json::Array& results) {
+  std::string html;
+  const auto add = [&html](const char* tag, const Json* text) {
+    const auto* const given = text == nullptr ? nullptr : text->get<std::string>();
+    if (given != nullptr && !given->empty())
+      html += "<" + std::string(tag) + ">" + html_text(*given) + "</" + tag + ">\n";
+  };
+  for (const Json& result : results) {
+    add("h1", result.find("title"));
+    add("p", result.find("subtitle"));
+    const Json* const verdict = result.find("verdict");
+    for (const char* const key : {"broken", "text"}) {
+      const Json* const lines = verdict == nullptr ? nullptr : verdict->find(key);
+      const auto* const list = lines == nullptr ? nullptr : lines->get<Json::Array>();
+      if (list == nullptr) continue;
+      for (const Json& line : *list) add("pre", &line);
+    }
+    add("p", result.find("judgement"));
+  }
+  return html;
+}
+
+}  // namespace
+
+bool has_members(const Json& result) { return result.find("sweep") != nullptr; }
+
 void write_result_page(const std::string& path, const std::string& command, Json::Array results) {
-  write_page_file(path, PageKind::results,
+  const bool replays = std::any_of(results.begin(), results.end(), has_members);
+  const std::string still = still_html(results);
+  write_page_file(path, replays ? PageKind::sweeps : PageKind::results,
                   Json::Object{{"format", "hyrax-results/1"},
                                {"program", "hyrax-sim " + std::string(build_info().version)},
                                {"command", command},
-                               {"results", std::move(results)}});
+                               {"results", std::move(results)}},
+                  still);
 }
 
 }  // namespace hyrax

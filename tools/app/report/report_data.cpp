@@ -42,14 +42,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// Doubles as base64 of little-endian binary64: exact, and a third of their decimal text.
-Json doubles_json(const std::vector<double>& values) {
-  std::string bytes(values.size() * sizeof(double), '\0');
-  for (std::size_t index = 0; index < values.size(); ++index)
-    store_little_endian(reinterpret_cast<std::byte*>(bytes.data()) + index * sizeof(double), values[index]);
-  return base64(bytes);
-}
-
 Json rows_json(const Columns& rows) {
   const std::vector<double> steps(rows.step.begin(), rows.step.end());
   const std::vector<double> contacts(rows.contact.begin(), rows.contact.end());
@@ -124,15 +116,6 @@ Json input_json(const Input& input) {
     add("sprite", resize->sprite);
   }
   return object;
-}
-
-// All resizes, which the drawing needs, and the first of the others.
-Json inputs_json(const std::vector<Input>& inputs) {
-  Json::Array list;
-  for (const Input& input : inputs)
-    if (list.size() < kInputsShownMax || std::holds_alternative<Resize>(input.action))
-      list.push_back(input_json(input));
-  return list;
 }
 
 Json provenance_json(const Provenance& provenance) {
@@ -227,6 +210,21 @@ Json run_data(const TrajectoryFile& file) {
 }
 
 }  // namespace
+
+Json doubles_json(const std::vector<double>& values) {
+  std::string bytes(values.size() * sizeof(double), '\0');
+  for (std::size_t index = 0; index < values.size(); ++index)
+    store_little_endian(reinterpret_cast<std::byte*>(bytes.data()) + index * sizeof(double), values[index]);
+  return base64(bytes);
+}
+
+Json inputs_json(const std::vector<Input>& inputs) {
+  Json::Array list;
+  for (const Input& input : inputs)
+    if (list.size() < kInputsShownMax || std::holds_alternative<Resize>(input.action))
+      list.push_back(input_json(input));
+  return list;
+}
 
 Json report_data(const ReportRequest& request) {
   Json::Array runs;

@@ -1,5 +1,7 @@
 #include "tools/app/report/report_page.h"
 
+#include <algorithm>
+
 #include "sim/replay/fingerprint.h"
 #include "tools/files/failure.h"
 #include "tools/report/page_file.h"
@@ -8,7 +10,8 @@
 namespace hyrax {
 namespace {
 
-void write_results(const ReportRequest& request) {
+// Whether the page replays what it shows.
+bool write_results(const ReportRequest& request) {
   if (!request.against.empty())
     refuse_input("hyrax-sim report: --against: allowed for trajectories only (found " +
                  request.files.front() + ")");
@@ -19,7 +22,9 @@ void write_results(const ReportRequest& request) {
                    " is; a page shows either trajectories or these");
     results.push_back(result_of_file(path));
   }
+  const bool replays = std::any_of(results.begin(), results.end(), has_members);
   write_result_page(request.output, request.command, std::move(results));
+  return replays;
 }
 
 // The page says so, too: it is written all the same.
@@ -36,9 +41,12 @@ void require_core_of_page(const std::string& output) {
 }  // namespace
 
 void write_report(const ReportRequest& request) {
-  if (holds_results(request.files.front())) return write_results(request);
+  if (holds_results(request.files.front())) {
+    if (write_results(request)) require_core_of_page(request.output);
+    return;
+  }
   const Json data = report_data(request);  // First: a bad input is reported by any build.
-  write_page_file(request.output, PageKind::runs, data);
+  write_page_file(request.output, PageKind::runs, data, still_html(request, data));
   require_core_of_page(request.output);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
@@ -29,6 +30,15 @@ struct ReportRequest {
 /// A study's or a sweep's file as the page of results reads it.
 /// ERRORS: as read_study_file's and EnsembleReader's.
 [[nodiscard]] Json result_of_file(const std::string& path);
+
+/// What the page of trajectories shows without JavaScript: of each run its name, verdict and path.
+[[nodiscard]] std::string still_html(const ReportRequest& request, const Json& data);
+
+/// Doubles as base64 of little-endian binary64: exact, and a third of their decimal text.
+[[nodiscard]] Json doubles_json(const std::vector<double>& values);
+
+/// The inputs of a run: all resizes, which the drawing needs, and the first of the others.
+[[nodiscard]] Json inputs_json(const std::vector<Input>& inputs);
 
 /// Writes the page of trajectories, or of studies and sweeps if the first file is one.
 /// ERRORS: as report_data's, result_of_file's and write_page_file's; Failure(bad_input) if files of both

@@ -1,12 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "sim/ensemble/member_numbers.h"
+#include "sim/replay/core_constants.h"
+#include "sim/replay/fingerprint.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/trajectory/physics_model.h"
+#include "sim/trajectory/state_hash.h"
 #include "tools/app/report/report_page.h"
 #include "tools/files/failure.h"
+#include "tools/files/scenario_writer.h"
 #include "tools/report/result_page.h"
+#include "tools/report/wasm/scenario_record.h"
 #include "tools/store/ensemble_file.h"
 #include "tools/store/table_file.h"
 
@@ -99,6 +107,69 @@ void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, 
   }
 }
 
+// One of every so many rows is in the samples.
+std::int64_t rows_between_samples(const EnsembleReader& reader) {
+  const std::int64_t between = rows_between_read(reader);
+  return between * sample_stride((reader.rows() + between - 1) / between, kSamplesMax);
+}
+
+// A varied number of each member: of a seed both halves.
+std::vector<double> values_of(const Sweep& sweep, std::size_t key, const std::vector<double>& members) {
+  std::vector<double> values;
+  for (const double member : members) {
+    const SweepNumber value = value_of(sweep, key, static_cast<std::int64_t>(member));
+    if (const auto* const seed = std::get_if<std::uint64_t>(&value)) {
+      values.push_back(static_cast<double>(*seed >> 32));
+      values.push_back(static_cast<double>(*seed & 0xFFFFFFFFu));
+    } else {
+      values.push_back(as_double(value));
+    }
+  }
+  return values;
+}
+
+// The sample's members as the page plays and shows them: the base as its core reads it and as text, what each
+// varied number is and where, and the results that differ.
+Json members_json(const EnsembleReader& reader, const std::vector<MemberNumbers>& numbers) {
+  const Sweep& sweep = reader.sweep();
+  std::vector<double> members;
+  for (std::int64_t row = 0; row < reader.rows(); row += rows_between_samples(reader))
+    members.push_back(static_cast<double>(reader.head().part.member(row)));
+  Json::Array inputs, results;
+  for (std::size_t key = 0; key < sweep.vary.size(); ++key)
+    inputs.push_back(Json::Object{
+        {"name", sweep.vary[key].pointer},
+        {"place", static_cast<std::int64_t>(place_in_record(sweep.base, sweep.vary[key].pointer))},
+        {"is_seed", sweep.vary[key].kind == ScenarioNumberKind::seed},
+        {"is_grid", std::holds_alternative<GridAxis>(sweep.vary[key].variation)},
+        {"values", doubles_json(values_of(sweep, key, members))}});
+  for (const MemberNumbers& each : numbers)
+    if (each.role() == MemberRole::result && each.known() > 0 && !each.is_constant())
+      results.push_back(Json::Object{
+          {"name", each.name()}, {"unit", each.unit()}, {"values", doubles_json(each.sample())}});
+  return Json::Object{{"core_fingerprint", hex(core_fingerprint())},
+                      {"record", doubles_json(record_of(sweep.base))},
+                      {"scenario", scenario_file_text(sweep.base)},
+                      {"events", inputs_json(inputs_of(sweep.base, step_count(sweep.base)))},
+                      {"count", reader.rows()},
+                      {"members", doubles_json(members)},
+                      {"inputs", std::move(inputs)},
+                      {"results", std::move(results)}};
+}
+
+// Results that are the same in all members, but for rounding.
+std::string constants_text(const std::vector<MemberNumbers>& numbers) {
+  std::string text;
+  for (const MemberNumbers& each : numbers) {
+    if (each.role() != MemberRole::result || each.known() == 0 || !each.is_constant()) continue;
+    const bool is_zero = each.largest() != each.smallest() || std::abs(each.largest()) < 1e-9;
+    const bool is_rounded = is_zero && (each.largest() != 0.0 || each.smallest() != 0.0);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", each.label(),
+                        is_rounded ? "0 (rounding)" : fmt::format("{:.6g}", each.mean()));
+  }
+  return text;
+}
+
 Json sweep_result(const std::string& path) {
   const EnsembleReader reader(path);
   const Sweep& sweep = reader.sweep();
@@ -122,8 +193,13 @@ Json sweep_result(const std::string& path) {
     if (each.name() == "at_rest_since")
       result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.", each.known(),
                                                    each.known() + each.missing()));
+  if (const std::string constants = constants_text(numbers); !constants.empty())
+    result.verdict.text.emplace_back("The same in all members: " + constants + ".");
   result.origin.emplace_back("sweep", reader.head().sweep_text);
-  return result_json(result);
+  Json json = result_json(result);
+  if (is_paper_model(core_model()))
+    json.get<Json::Object>()->emplace_back("sweep", members_json(reader, numbers));
+  return json;
 }
 
 }  // namespace

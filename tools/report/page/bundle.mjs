@@ -11,9 +11,15 @@ const [packages, coreFile, spriteFile, folder] = argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const esbuild = createRequire(join(packages, 'package.json'))('esbuild');
 
+const scripts = {
+  'runs.js': `import './runs.js';`,
+  'results.js': `import { showResults } from './results.js'; showResults();`,
+  'sweeps.js': `import { showResults } from './results.js'; import { showMembers } from './members.js'; showResults(showMembers);`,
+};
+
 async function bundled(name) {
   const result = await esbuild.build({
-    entryPoints: [join(here, name)],
+    ...(name.endsWith('.js') ? { stdin: { contents: scripts[name], resolveDir: here } } : { entryPoints: [join(here, name)] }),
     bundle: true,
     minify: true,
     write: false,
@@ -52,10 +58,11 @@ const spriteText = (await readFile(spriteFile, 'utf8')).replace(/<!--.*?-->/gs, 
 const shared = {
   FINGERPRINT: await fingerprint(),
   CORE: gzipSync(core, { level: 9 }).toString('base64'),
+  STAGE: (await readFile(join(here, 'stage.html'), 'utf8')).trimEnd(),
   SPRITE: Buffer.from(spriteText).toString('base64'),
 };
 
-for (const name of ['runs', 'results']) {
+for (const name of ['runs', 'results', 'sweeps']) {
   const script = await bundled(`${name}.js`);
   const style = await bundled(`${name}.css`);
   const parts = {

@@ -1,11 +1,12 @@
 // Charts over the time of a run, with one cursor and one zoom.
 import uPlot from 'uplot';
 import { element, firstAtLeast, lastAtMost, make, save } from './data.js';
-import { exact, fixed, rounded } from './numbers.js';
+import { exact, fixed, grouped, rounded } from './numbers.js';
 import { color, wallColors } from './painter.js';
 import { sizesAt } from './replay.js';
 import { tableOf } from './tables.js';
 
+const overviewRowsMin = 50_000;
 const gravityOf = run => run.constants[0];
 
 // Specific energy, zero at rest on the floor: (vx^2 + vy^2) / 2 + g (bottom - y).
@@ -63,7 +64,30 @@ function chartsOf(result, sizes) {
       // At 60 Hz the model is the truncation: one line on the other.
       errorSeries('model', 'orange', 'model', 4), errorSeries('truncation', 'blue', 'truncation'), errorSeries('implementation', 'green', 'implementation')] },
     ...driftCharts(result));
-  return [...distanceChart(result), ...charts];
+  return [...overview(result), ...distanceChart(result), ...charts];
+}
+
+// Of a run of very many rows the whole: the largest speed and the contacts of each of some hundred parts. A range of it
+// is what the other charts show.
+function overview({ rows, contacts: met }) {
+  const count = rows.step.length, stride = Math.ceil(count / 400);
+  if (count < overviewRowsMin) return [];
+  const steps = [], speeds = [], contacts = [];
+  let at = 0;
+  for (let from = 0; from < count; from += stride) {
+    const to = Math.min(count, from + stride);
+    const first = at;
+    let most = 0;
+    for (let i = from; i < to; ++i) most = Math.max(most, Math.hypot(rows.vx[i], rows.vy[i]));
+    while (at < (met?.step.length ?? 0) && met.step[at] <= rows.step[to - 1]) ++at;
+    steps.push(rows.step[from]);
+    speeds.push(most);
+    contacts.push((at - first) / (rows.t[to - 1] - rows.t[from] || 1));
+  }
+  const chart = (id, title, unit, name, tint, values) => ({ id, title, unit, decimals: 1, isOverview: true, range: fromZero, series: [
+    { name, color: tint, values: joined(rows, steps, values), known: { steps, values, isJoined: true } }] });
+  return [chart('overview-speed', 'Whole run: largest speed', 'px/s', 'speed', 'blue', speeds),
+    chart('overview-contacts', 'Whole run: contacts', '1/s', 'contacts', 'vermilion', contacts)];
 }
 
 // How far apart two runs are, of which the other has its distance for each row.
@@ -138,18 +162,31 @@ export class Charts {
   #isZooming = false;
 
   constructor(result, sizes, moment, seek) {
+    Object.assign(this, { result, sizes, moment, seek });
+    this.#build(chartsOf(result, sizes));
+    this.zoomToMotion();
+    moment.listen(() => this.show());
+  }
+
+  /** The result of a run that goes on. */
+  update(result) {
     this.result = result;
-    this.moment = moment;
-    this.seek = seek;
-    const charts = chartsOf(result, sizes);
-    const isBeside = chart => ['distance', 'position', 'velocity', 'energy', 'errors'].includes(chart.id);
+    const charts = chartsOf(result, this.sizes);
+    if (charts.length !== this.#plots.length || charts.some(({ id }, i) => id !== this.#plots[i].chart.id)) this.#build(charts);
+    this.#isZooming = true;
+    charts.forEach((chart, i) => {
+      this.#plots[i].chart = chart;
+      this.#plots[i].plot.setData([result.rows.t, ...chart.series.map(({ values }) => this.#drawn(values))]);
+    });
+    this.zoom(null);
+  }
+
+  #build(charts) {
+    const isBeside = chart => chart.isOverview || ['distance', 'position', 'velocity', 'energy', 'errors'].includes(chart.id);
     for (const id of ['charts', 'more-charts']) element(id).replaceChildren();
     this.#plots = charts.map((chart, i) => this.#draw(chart, element(isBeside(chart) ? 'charts' : 'more-charts'),
-      !isBeside(chart) || !isBeside(charts[i + 1])));
+      chart.isOverview || !isBeside(chart) || !isBeside(charts[i + 1])));
     this.#showTable(charts);
-    this.zoomToMotion();
-    this.show();
-    moment.listen(() => this.show());
   }
 
   #draw(chart, place, isLast) {
@@ -158,7 +195,7 @@ export class Charts {
       `${series.name} `, make('output', {}, '')));
     const figure = make('figure', { class: 'chart', id: `chart-${chart.id}` },
       make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, chart.unit ? `, ${chart.unit}` : '')), make('span', { class: 'keys' }, ...legend),
-        make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart) }, 'CSV')));
+        make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart.id) }, 'CSV')));
     place.append(figure);
     const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(({ values }) => this.#drawn(values))], figure);
     const playhead = make('div', { class: 'playhead' });
@@ -184,18 +221,19 @@ export class Charts {
     return {
       width: figure.clientWidth || 300,
       height: isLast ? 132 : 108,
-      padding: [8, 8, isLast ? 0 : 6, 0],
+      padding: [8, 14, isLast ? 0 : 6, 0],
       legend: { show: false },
-      cursor: { y: false, points: { show: false }, drag: { x: true, y: false, dist: 6 }, sync: { key: 'run', setSeries: false } },
+      cursor: { y: false, points: { show: false }, drag: { x: true, y: false, dist: 6, setScale: !chart.isOverview }, ...(chart.isOverview ? {} : { sync: { key: 'run', setSeries: false } }) },
       scales: { x: { time: false }, y: chart.isLog ? { distr: 3, log: 10, range: log.range } : chart.range ? { range: chart.range } : {} },
       axes: [
-        { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${value} s`) },
+        { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${grouped(value, 6)} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
       ],
       series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: series.width ?? 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
         dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
         paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
-      hooks: { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)], draw: chart.id === 'distance' ? [plot => this.#markContacts(plot)] : [] },
+      hooks: chart.isOverview ? { setSelect: [({ select: { left, width }, posToVal }) => width > 0 && this.zoom([posToVal(left, 'x'), posToVal(left + width, 'x')])] } :
+        { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)], draw: chart.id === 'distance' ? [plot => this.#markContacts(plot)] : [] },
     };
   }
 
@@ -232,9 +270,7 @@ export class Charts {
     if (this.#isZooming) return;
     this.#isZooming = true;
     const { min, max } = source.scales.x;
-    for (const { plot } of this.#plots) if (plot !== source) plot.setScale('x', { min, max });
-    this.#isZooming = false;
-    this.show();
+    this.#setRange(min, max, source);
   }
 
   /** [from, to] in s; null: the whole run. */
@@ -242,7 +278,16 @@ export class Charts {
     const t = this.result.rows.t;
     const [min, max] = range ?? [t[0], t[t.length - 1] || 1];
     this.#isZooming = true;
-    for (const { plot } of this.#plots) plot.setScale('x', { min, max });
+    this.#setRange(min, max);
+  }
+  #setRange(min, max, source = null) {
+    for (const { plot, chart } of this.#plots) {
+      if (!chart.isOverview) plot !== source && plot.setScale('x', { min, max });
+      else {
+        const left = plot.valToPos(min, 'x');
+        plot.setSelect({ left, width: plot.valToPos(max, 'x') - left, top: 0, height: plot.over.clientHeight }, false);
+      }
+    }
     this.#isZooming = false;
     this.show();
   }
@@ -250,6 +295,7 @@ export class Charts {
   zoomToMotion() {
     const { rows, run } = this.result;
     const end = rows.t[rows.t.length - 1];
+    if (rows.step.length >= overviewRowsMin && end > 10) return this.zoom([0, 10]);
     const since = run.result.at_rest_since_s;
     this.zoom(since !== null && since > 0 && since < 0.7 * end ? [0, since * 1.08] : null);
   }
@@ -301,7 +347,8 @@ export class Charts {
     for (const { plot } of this.#plots) plot.redraw(false);
   }
 
-  #saveCsv(chart) {
+  #saveCsv(id) {
+    const { chart } = this.#plots.find(each => each.chart.id === id);
     const { rows, run } = this.result;
     const lines = [['step', 't_s', ...chart.series.map(series => chart.unit ? `${series.name} (${chart.unit})` : series.name)].map(head => `"${head.replaceAll('"', '""')}"`).join(',')];
     for (let i = 0; i < rows.step.length; ++i)

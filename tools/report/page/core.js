@@ -1,5 +1,5 @@
 // The page's core: the C++ of hyrax-sim as WebAssembly. Lists pass through its memory.
-import { bytes, element, rowFields, unzipped } from './data.js';
+import { bytes, element, root, rowFields, unzipped } from './data.js';
 
 export class Core {
   static async start() {
@@ -33,10 +33,20 @@ export class Core {
     return this.#text();
   }
 
+  /** A page replays what the program that wrote it plays, or says on top that it does not. */
+  requireSame(wanted, program) {
+    const found = this.fingerprint();
+    if (found === wanted) return;
+    root.dataset.core = 'differs';
+    element('other-core').textContent = `This page replays another core than that of the program that wrote it: its picture and charts do not belong to its tables. ` +
+      `Fingerprint of the page's core: ${found}; of ${program}'s: ${wanted}. To write the page again: tools/run SCENARIO --report FILE.html`;
+    element('other-core').hidden = false;
+  }
+
   /** The scenario of a record, to be held to a file's rows and block digests. Returns its steps; -1: no scenario. */
-  load(record, rows, blocks) {
+  load(record, rows = { step: [] }, blocks = []) {
     const flat = new Float64Array(rows.step.length * rowFields.length);
-    rowFields.forEach((field, column) => rows[field].forEach((value, row) => (flat[row * rowFields.length + column] = value)));
+    rowFields.forEach((field, column) => rows[field]?.forEach((value, row) => (flat[row * rowFields.length + column] = value)));
     this.calls.expect_rows(this.#give(flat));
     this.calls.expect_blocks(this.#give(blocks));
     return this.calls.load(this.#give(record));
@@ -47,9 +57,11 @@ export class Core {
   }
   finish() {
     this.calls.finish();
-    const [steps, every, difference, compared, complete, contacts, nonFinite] = this.#output();
-    return { steps, every, compared, contacts, firstDifference: Number.isNaN(difference) ? null : difference,
-      isComplete: complete === 1, nonFinite: Number.isNaN(nonFinite) ? null : nonFinite, stateHash: this.#text() };
+    const [steps, every, firstDifference, compared, complete, nonFinite, atRestSince, ...rest] = Array.from(this.#output(), value => (Number.isNaN(value) ? null : value));
+    const worst = value => value === null ? null : { value };
+    const [implementation, truncation, model, drift, left, right, top, ground] = rest;
+    return { steps, every, compared, firstDifference, isComplete: complete === 1, nonFinite, stateHash: this.#text(), atRestSince, contacts: { left, right, top, ground },
+      errors: { implementation_px: worst(implementation), truncation_px: worst(truncation), model_px: worst(model), energy_drift_rel: worst(drift) } };
   }
 
   #columns(call) {
@@ -75,9 +87,21 @@ export class Core {
     return this.#columns(this.calls.cause_column);
   }
 
-  // The playground.
-  liveStart({ x, y, vx, vy, window, sprite }) {
+  #giveStart({ x, y, vx, vy, window, sprite }) {
     this.#give([x, y, vx, vy, ...window, ...sprite]);
+  }
+  /** Another flight from a start, at a display rate or, of rate 0, the exact one: t, x and y of its rows, none if there is none. */
+  flight(start, rate, duration_s) {
+    this.#giveStart(start);
+    this.calls.flight(rate, duration_s);
+    const rows = this.#output();
+    const column = index => Float64Array.from({ length: rows.length / 3 }, (_, row) => rows[3 * row + index]);
+    return { t: column(0), x: column(1), y: column(2) };
+  }
+
+  // The playground.
+  liveStart(start) {
+    this.#giveStart(start);
     this.calls.live_start();
   }
   liveGrab(x, y, ticks) {
@@ -88,6 +112,14 @@ export class Core {
   }
   liveRelease(x, y, ticks) {
     this.calls.live_release(x, y, ticks);
+    const [atX, atY, vx, vy] = this.#output();
+    return { x: atX, y: atY, vx, vy };
+  }
+  /** What it would fly with if it were let go now. */
+  liveVelocity(ticks) {
+    this.calls.live_velocity(ticks);
+    const [vx, vy] = this.#output();
+    return { vx, vy };
   }
   liveFrame(dt) {
     this.calls.live_frame(dt);

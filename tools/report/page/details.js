@@ -26,8 +26,8 @@ function contactRow({ contacts, contactErrors }, errors, i, seek) {
     ...[contacts.t[i], before, after, contacts.overshoot[i], ...measured].map(value => make('td', { class: 'number' }, rounded(value))));
 }
 
-function showContacts(result, seek) {
-  const { contacts, check } = result;
+export function showContacts(result, seek) {
+  const { contacts } = result;
   const place = element('contacts');
   if (!contacts || contacts.step.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, 'None.'));
   const heads = ['Step', 'Wall', 't, s', 'Before, px/s', 'After, px/s', 'Overshoot, px', 'Late by, ms', 'Restitution'];
@@ -36,7 +36,8 @@ function showContacts(result, seek) {
   const rows = Array.from({ length: shown }, (_, i) => contactRow(result, errors, i, seek));
   place.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(head => make('th', { scope: 'col' }, head)))),
     make('tbody', {}, ...rows)));
-  if (check.contacts > shown) place.append(make('p', { class: 'quiet' }, `The first ${shown} of ${check.contacts.toLocaleString('en')}.`));
+  const all = Object.values(result.check.contacts).reduce((sum, each) => sum + each, 0);
+  if (all > shown) place.append(make('p', { class: 'quiet' }, `The first ${shown} of ${all.toLocaleString('en')}.`));
 }
 
 // What the hand or the script did; a hand's way is one line.

@@ -16,8 +16,18 @@ export class Moment {
   get t() {
     return this.rows.t[this.index];
   }
+  /** The row {step, t, x, y, vx, vy, contact}. */
+  body() {
+    return Object.fromEntries(['step', 't', 'x', 'y', 'vx', 'vy', 'contact'].map(name => [name, this.rows[name][this.index]]));
+  }
   listen(listener) {
     this.#listeners.push(listener);
+  }
+  /** The last of other rows, as of a run that goes on. */
+  replace(rows) {
+    this.rows = rows;
+    this.index = -1;
+    this.show(rows.step.length - 1);
   }
   show(index) {
     const next = Math.max(0, Math.min(this.length - 1, Math.round(index)));

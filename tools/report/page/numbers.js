@@ -8,14 +8,18 @@ export function rounded(value, digits = 4) {
   const size = Math.abs(value);
   if (size >= 1e7 || size < 1e-3) return value.toExponential(Math.min(digits, 2) - 1).replace('-', '−').replace('e−', 'e−').replace('e+', 'e');
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
-  return String(Number(value.toFixed(Math.min(decimals, 8)))).replace('-', '−');
+  return grouped(Number(value.toFixed(Math.min(decimals, 8))), 8);
 }
+
+/** 11,400.5, with a minus sign. */
+export const grouped = (value, decimalsMax, decimalsMin = 0) =>
+  value.toLocaleString('en', { maximumFractionDigits: decimalsMax, minimumFractionDigits: decimalsMin }).replace('-', '−');
 
 /** A fixed number of decimals, so that a value that changes keeps its width. */
 export function fixed(value, decimals) {
   if (!Number.isFinite(value)) return '–';
-  const text = Math.abs(value) < 1e9 ? value.toFixed(decimals) : value.toExponential(3);
-  return (/^-0\.?0*$/.test(text) ? text.slice(1) : text).replace('-', '−');
+  if (Math.abs(value) >= 1e9) return value.toExponential(3).replace('-', '−').replace('e+', 'e');
+  return grouped(value, decimals, decimals).replace(/^−(?=[0.]*$)/, '');
 }
 
 export const count = (number, noun) => `${number.toLocaleString('en')} ${noun}${number === 1 ? '' : 's'}`;

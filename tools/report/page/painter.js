@@ -1,5 +1,5 @@
 // Draws the window to scale: the path, contacts, the hyrax.
-import { bytes, element, firstAtLeast } from './data.js';
+import { bytes, element, firstAtLeast, root } from './data.js';
 import { sizesAt } from './replay.js';
 
 const poses = ['fly', 'stand', 'held'];
@@ -13,13 +13,30 @@ function poseImage(svg, pose, onload) {
   return image;
 }
 
-export const color = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+const light = [...document.styleSheets].flatMap(({ cssRules }) => [...cssRules]).find(({ selectorText }) => selectorText === ':root').style;
+/** As the page shows it; on paper the light one. */
+export const color = name => ('paper' in root.dataset ? light : getComputedStyle(root)).getPropertyValue(`--${name}`).trim();
+
+/** `repaint` follows the look of the page: dark or light, and on paper. */
+export function followLook(repaint) {
+  const onPaper = is => {
+    root.toggleAttribute('data-paper', is);
+    repaint();
+  };
+  addEventListener('beforeprint', () => onPaper(true));
+  addEventListener('afterprint', () => onPaper(false));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint);
+}
+
 /** By a contact's bit; as kWallTones of sim/result/figure.h. */
 export const wallColors = { 1: 'sky-blue', 2: 'vermilion', 4: 'purple', 8: 'orange' };
 
 export class Painter {
   #images;
+  #stamps = new Map();
   #layer = document.createElement('canvas');
+  #flights = document.createElement('canvas');
+  #layerOf = [];
 
   constructor(canvas, onchange) {
     this.canvas = canvas;
@@ -64,7 +81,7 @@ export class Painter {
     let x = NaN, y = NaN;
     context.beginPath();
     for (let i = 0; i < end; ++i) {
-      const { sprite } = sizesAt(sizes, rows.step[i]);
+      const { sprite } = sizesAt(sizes, rows.step?.[i] ?? 0);
       const nextX = (rows.x[i] + sprite[0] / 2) * scale, nextY = (rows.y[i] + sprite[1] / 2) * scale;
       if (!Number.isFinite(nextX + nextY)) break;
       if (Math.abs(nextX - x) < 0.7 && Math.abs(nextY - y) < 0.7) continue;
@@ -195,26 +212,76 @@ export class Painter {
     context.fill();
   }
 
-  #paintHyrax(context, body, sprite, pose) {
+  // An SVG takes long to draw: it is drawn once for each size.
+  #stamp(pose, side) {
+    const image = this.#images[pose], key = `${pose} ${side}`;
+    if (!image.complete || image.naturalWidth === 0) return null;
+    if (!this.#stamps.has(key)) {
+      const stamp = document.createElement('canvas');
+      stamp.width = stamp.height = side;
+      stamp.getContext('2d').drawImage(image, 0, 0, side, side);
+      this.#stamps.set(key, stamp);
+    }
+    return this.#stamps.get(key);
+  }
+
+  #paintHyrax(context, body, sprite, pose, tint = 'box') {
     const [width, height] = [sprite[0] * this.scale, sprite[1] * this.scale];
     const side = Math.max(2 * this.ratio, Math.min(width, height));
     context.save();
     context.translate(body.x * this.scale + width / 2, body.y * this.scale + height / 2);
-    context.strokeStyle = color('box');
+    context.strokeStyle = color(tint);
     context.lineWidth = this.ratio;
     context.strokeRect(-width / 2, -height / 2, width, height);
     if (body.vx < 0) context.scale(-1, 1);
-    const image = this.#images[pose];
-    if (image.complete && image.naturalWidth > 0) context.drawImage(image, -side / 2, -side / 2, side, side);
+    const stamp = this.#stamp(pose, Math.round(side));
+    if (stamp) context.drawImage(stamp, -side / 2, -side / 2, side, side);
     context.restore();
   }
 
-  /** Draws a body {step, x, y, vx, vy, contact}; `trail`: rows to draw instead of the scene's. */
-  paint(body, { isHeld = false, trail = null, ghost = null } = {}) {
+  // Long paths are drawn once.
+  #flightsLayer(flights) {
+    const { canvas, ratio } = this, key = [flights, canvas.width, color('ink')];
+    if (key.every((part, i) => part === this.#layerOf[i])) return this.#flights;
+    this.#layerOf = key;
+    this.#flights.width = canvas.width;
+    this.#flights.height = canvas.height;
+    const context = this.#flights.getContext('2d');
+    context.lineWidth = ratio;
+    for (const { rows, tint } of flights) {
+      context.strokeStyle = color(tint);
+      context.setLineDash(tint === 'ink' ? [5 * ratio, 4 * ratio] : []);
+      this.#path(context, rows, rows.t.length);
+    }
+    return this.#flights;
+  }
+
+  // Above the sprite, or below it where there is no room.
+  #paintLabel(context, { x, y }, { window, sprite }, label) {
+    const { scale, ratio } = this;
+    context.font = `600 ${13 * ratio}px system-ui, sans-serif`;
+    const half = context.measureText(label).width / 2, height = 20 * ratio;
+    const middle = Math.min(Math.max((x + sprite[0] / 2) * scale, half), window[0] * scale - half);
+    const at = y * scale > height ? y * scale - 6 * ratio : (y + sprite[1]) * scale + height;
+    context.textAlign = 'center';
+    context.strokeStyle = color('screen');
+    context.lineWidth = 4 * ratio;
+    context.strokeText(label, middle, at);
+    context.fillStyle = color('ink');
+    context.fillText(label, middle, at);
+    context.textAlign = 'left';
+  }
+
+  /**
+   * Draws a body {step, x, y, vx, vy, contact}; `trail`: rows to draw instead of the scene's; `flights`: rows {rows, tint}
+   * of others, a list that stays the same while they do; `ghosts`: {at, tint} of others; `label`: a text above it.
+   */
+  paint(body, { isHeld = false, trail = null, flights = [], ghosts = [], label = '' } = {}) {
     const context = this.canvas.getContext('2d');
     const size = sizesAt(this.scene.sizes, body.step);
     context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     this.#paintWindow(context, size);
+    if (flights.length) context.drawImage(this.#flightsLayer(flights), 0, 0);
     if (trail) {
       context.strokeStyle = color('path');
       context.lineWidth = 1.5 * this.ratio;
@@ -223,13 +290,12 @@ export class Painter {
     } else {
       context.drawImage(this.#layer, 0, 0);
     }
-    if (ghost) {
-      context.globalAlpha = 0.35;
-      this.#paintHyrax(context, ghost, size.sprite, 'fly');
-      context.globalAlpha = 1;
-    }
+    context.globalAlpha = 0.4;
+    for (const { at, tint } of ghosts) this.#paintHyrax(context, at, size.sprite, 'fly', tint);
+    context.globalAlpha = 1;
     const isDown = body.y >= size.window[1] - size.sprite[1] - 1 && Math.abs(body.vy) < 60;
     this.#paintHyrax(context, body, size.sprite, isHeld ? 'held' : isDown ? 'stand' : 'fly');
-    if (!isHeld) this.#paintArrow(context, body, size.sprite);
+    this.#paintArrow(context, body, size.sprite);
+    if (label) this.#paintLabel(context, body, size, label);
   }
 }

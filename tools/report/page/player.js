@@ -1,6 +1,17 @@
 // The replay's controls: play, step, scrub, speed, keys.
-import { element, firstAtLeast, lastAtMost, root } from './data.js';
+import { element, firstAtLeast, lastAtMost, make, root } from './data.js';
+import { fixed } from './numbers.js';
 import { color, wallColors } from './painter.js';
+
+const readoutNames = [['t', 's', 3], ['row', '', 0], ['x', 'px', 2], ['y', 'px', 2], ['vx', 'px/s', 1], ['vy', 'px/s', 1]];
+
+export function showReadouts(body) {
+  const place = element('readouts');
+  if (place.children.length === 0)
+    place.append(...readoutNames.map(([name, unit]) => make('div', {}, make('dt', {}, name === 't' ? 'time' : name), make('dd', {}, make('output', { 'data-name': name }), unit ? ` ${unit}` : ''))));
+  for (const [name, , decimals] of readoutNames)
+    place.querySelector(`[data-name=${name}]`).textContent = fixed(body[name], decimals);
+}
 
 export class Player {
   #frame = 0;
@@ -51,15 +62,19 @@ export class Player {
     this.#show();
   }
 
-  /** @param loop indexes of the first and the last row that are shown again and again; null: up to the end. */
-  play(loop = null) {
+  /**
+   * @param loop indexes of the first and the last row that are shown again and again; null: up to the end.
+   * @param speed of time; null: as chosen.
+   */
+  play(loop = null, speed = null) {
+    cancelAnimationFrame(this.#frame);
     const { moment } = this;
     const times = moment.rows.t;
     const [first, end] = loop ?? [0, moment.length - 1];
-    if (!loop && moment.index === end) moment.show(first);
+    if (loop ? moment.index < first || moment.index > end : moment.index === end) moment.show(first);
     let t = moment.t, last = performance.now();
     const next = now => {
-      t += (Math.max(0, now - last) / 1000) * Number(element('speed').value);
+      t += (Math.max(0, now - last) / 1000) * (speed ?? Number(element('speed').value));
       last = now;
       moment.show(Math.min(end, lastAtMost(times, t)));
       if (t >= times[end] && !loop) return this.pause();

@@ -1,5 +1,5 @@
 // Plays a run of the report in the browser, and compares it with the file.
-import { bytes, doubles, rowsOf } from './data.js';
+import { bytes, doubles, lastAtMost, rowsOf } from './data.js';
 
 const pause = () => new Promise(resolve => setTimeout(resolve));
 
@@ -28,17 +28,35 @@ export async function replay(core, run, progress) {
   if (steps < 0) return { run, file, rows: file, outcome: 'none' };
   const begin = performance.now();
   await playAll(core, steps, progress);
-  const check = core.finish();
+  const result = played(core), { check } = result;
   const isSame = check.firstDifference === null && check.isComplete && check.steps === run.steps && check.stateHash === run.state_hash;
-  return { run, file, check, milliseconds: performance.now() - begin, outcome: isSame ? 'agrees' : 'differs',
-    rows: core.rows(), contacts: core.contacts(), errors: core.errors(), contactErrors: core.contactErrors(), causes: core.causes() };
+  return { ...result, run, file, milliseconds: performance.now() - begin, outcome: isSame ? 'agrees' : 'differs' };
 }
 
-/** The window and sprite in force at each row: [{step, window, sprite}], by step. */
-export function sizesOf(run) {
-  const record = doubles(run.record);
+// The run that was played to its end.
+const played = core => ({ check: core.finish(), rows: core.rows(), contacts: core.contacts(), errors: core.errors(),
+  contactErrors: core.contactErrors(), causes: core.causes() });
+
+/** The run of a record that this page made, as replay has one. */
+export function playedHere(core, record, { stateHash, constants, inputs = [] }) {
+  const begin = performance.now();
+  core.playTo(core.load(record));
+  const result = played(core), { check, rows } = result, last = rows.step.length - 1;
+  return { ...result, milliseconds: performance.now() - begin, outcome: check.stateHash === stateHash ? 'agrees' : 'differs',
+    run: { name: 'fling', constants, steps: check.steps, row_count: last + 1, expect: null, inputs, errors: check.errors, non_finite: check.nonFinite,
+      result: { contacts: check.contacts, final: { x_px: rows.x[last], y_px: rows.y[last] }, at_rest_since_s: check.atRestSince } } };
+}
+
+/** Where a run is at a time, and which way it looks. */
+export function placeAt({ t, x, y }, time) {
+  const row = Math.max(0, lastAtMost(t, time));
+  return { x: x[row], y: y[row], vx: x[row] - x[Math.max(0, row - 1)] };
+}
+
+/** The window and sprite in force at each row: [{step, window, sprite}], by step; of a record and its inputs. */
+export function sizesOf(record, inputs) {
   const sizes = [{ step: 0, window: [...record.slice(0, 2)], sprite: [...record.slice(2, 4)] }];
-  for (const input of run.inputs) {
+  for (const input of inputs) {
     if (input.kind !== 'resize') continue;
     const last = sizes.at(-1);
     sizes.push({ step: input.frame + 1, window: input.window ?? last.window, sprite: input.sprite ?? last.sprite });

@@ -70,7 +70,12 @@ function resultOf(result, at, isOnly) {
     originOf(result.origin));
 }
 
-document.title = `${report.results.map(each => each.title).join(', ')} · hyrax-sim report`;
-element('results').append(...report.results.map((result, at) => resultOf(result, at, report.results.length === 1)));
-root.dataset.replay = 'none';
-root.dataset.ready = '';
+/** Shows all of them; `showMore` adds to a result what its file holds besides. */
+export async function showResults(showMore = async () => {}) {
+  document.title = `${report.results.map(each => each.title).join(', ')} · hyrax-sim report`;
+  const shown = report.results.map((result, at) => resultOf(result, at, report.results.length === 1));
+  element('results').append(...shown);
+  root.dataset.replay = 'none';
+  for (const [at, result] of report.results.entries()) await showMore(result, shown[at]);
+  root.dataset.ready = '';
+}

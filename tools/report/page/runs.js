@@ -1,14 +1,14 @@
 // Puts the page together: replays the runs, shows one, follows the reader.
 import { Charts, distancesFrom } from './charts.js';
 import { Core } from './core.js';
-import { element, firstAtLeast, lastAtMost, make, report, root, rowsOf } from './data.js';
-import { showDetails } from './details.js';
+import { doubles, element, firstAtLeast, lastAtMost, make, report, root, rowsOf } from './data.js';
+import { showContacts, showDetails } from './details.js';
 import { Playground } from './fling.js';
 import { Moment } from './moment.js';
 import { fixed } from './numbers.js';
-import { Painter } from './painter.js';
-import { Player } from './player.js';
-import { replay, sizesAt, sizesOf } from './replay.js';
+import { followLook, Painter } from './painter.js';
+import { Player, showReadouts } from './player.js';
+import { placeAt, replay, sizesOf } from './replay.js';
 import { showVerdict } from './verdict.js';
 
 const worst = { agrees: 0, none: 1, differs: 2 };
@@ -19,16 +19,6 @@ function showHead(run) {
   element('title').textContent = run.title.slice(run.title.indexOf(':') + 2);
   element('description').textContent = run.description;
   element('description').hidden = run.description === '';
-}
-
-const readoutNames = [['t', 's', 3], ['row', '', 0], ['x', 'px', 2], ['y', 'px', 2], ['vx', 'px/s', 1], ['vy', 'px/s', 1]];
-
-function showReadouts(body) {
-  const place = element('readouts');
-  if (place.children.length === 0)
-    place.append(...readoutNames.map(([name, unit]) => make('div', {}, make('dt', {}, name === 't' ? 'time' : name), make('dd', {}, make('output', { 'data-name': name }), unit ? ` ${unit}` : ''))));
-  for (const [name, , decimals] of readoutNames)
-    place.querySelector(`[data-name=${name}]`).textContent = fixed(body[name], decimals);
 }
 
 // The golden file's rows, or those of the file where the replay differs from it.
@@ -49,11 +39,12 @@ function divergenceOf(result) {
 class View {
   constructor(core, painter, result) {
     const { run } = result;
-    Object.assign(this, { core, painter, result });
+    Object.assign(this, { core, painter, result, run });
     result.other = otherOf(result);
     if (result.other) result.other.distances = distancesFrom(result.other.rows, result.rows);
     result.divergence = divergenceOf(result);
-    this.sizes = sizesOf(run);
+    root.toggleAttribute('data-red', Boolean(result.other));
+    this.sizes = sizesOf(doubles(run.record), run.inputs);
     this.moment = new Moment(result.rows);
     showHead(run);
     showVerdict(result);
@@ -85,22 +76,17 @@ class View {
       this.player.play([firstAtLeast(t, t[worst] - 0.5), lastAtMost(t, t[worst] + 0.5)]);
   }
 
-  body() {
-    const { rows } = this.moment, i = this.moment.index;
-    return Object.fromEntries(['step', 't', 'x', 'y', 'vx', 'vy', 'contact'].map(name => [name, rows[name][i]]));
-  }
   paint() {
-    if (this.playground) return;
-    const body = this.body();
-    const other = this.result.other?.rows;
-    const at = other ? firstAtLeast(other.step, body.step) : -1;
-    const ghost = other && other.step[at] === body.step ? { x: other.x[at], y: other.y[at], vx: other.vx[at] } : null;
-    this.painter.paint(body, { ghost });
-    showReadouts({ ...body, row: body.step });
+    const body = this.playground?.isLive ? this.playground.body : this.moment.body();
+    const { other } = this.result;
+    const ghosts = other && !this.playground ? [{ at: placeAt(other.rows, body.t), tint: 'bad' }] : [];
+    this.painter.paint(body, this.playground?.look(body) ?? { ghosts });
+    showReadouts({ ...body, row: body.frames ?? body.step });
     element('time').setAttribute('aria-valuetext', `row ${body.step}, ${fixed(body.t, 3)} s`);
   }
 
   #follow() {
+    if (this.playground) return this.playground.isLive || this.paint();
     this.paint();
     clearTimeout(this.writing);
     this.writing = setTimeout(() => history.replaceState(null, '', `#step=${this.moment.step}`), 250);
@@ -113,6 +99,16 @@ class View {
     return true;
   }
 
+  /** What is flung, so far. */
+  show(result) {
+    this.result = result;
+    this.charts.update(result);
+    this.player.contacts = result.contacts;
+    this.moment.replace(result.rows);
+    showVerdict(result);
+    showContacts(result, step => this.player.seekStep(step));
+  }
+
   setMode(mode) {
     root.dataset.mode = mode;
     const isFling = mode === 'fling';
@@ -122,10 +118,8 @@ class View {
     element('fling-controls').hidden = !isFling;
     this.player.pause();
     this.playground?.end();
-    this.playground = null;
-    if (isFling) this.playground = new Playground(this.core, this.painter, this.result.run, this.sizes,
-      body => showReadouts({ ...body, row: body.frames }));
-    else this.paint();
+    this.playground = isFling ? new Playground(this.core, this) : null;
+    this.paint();
   }
   fit() {
     this.painter.fit();
@@ -153,22 +147,12 @@ async function replayed(core, run, share) {
   return replay(core, run, share);
 }
 
-// A page replays what the program that wrote it plays, or says that it does not.
-function requireCoreOf({ program, core_fingerprint: wanted }, core) {
-  const found = core.fingerprint();
-  if (found === wanted) return;
-  root.dataset.core = 'differs';
-  element('other-core').textContent = `This page replays another core than that of the program that wrote it: its picture and charts do not belong to its tables. ` +
-    `Fingerprint of the page's core: ${found}; of ${program}'s: ${wanted}. To write the page again: tools/run SCENARIO --report FILE.html`;
-  element('other-core').hidden = false;
-}
-
 async function main() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
   const core = isOwnCore ? null : await Core.start().catch(() => null);
-  if (core) requireCoreOf(report, core);
+  if (core) core.requireSame(report.core_fingerprint, report.program);
   const results = [];
   for (const run of report.runs)
     results.push(await replayed(core, run, share => (element('verdict').firstChild.textContent = `Replaying ${run.name}: ${Math.floor(100 * share)} %`)));
@@ -184,12 +168,12 @@ async function main() {
   picker.append(...results.map(({ run }, i) => make('option', { value: i }, `${run.name} (${run.file})`)));
   element('run-picker').hidden = results.length < 2;
   picker.addEventListener('change', () => open(Number(picker.value)));
-  element('mode-replay').addEventListener('click', () => view.setMode('replay'));
+  element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(Number(picker.value)));
   element('mode-fling').addEventListener('click', () => view.setMode('fling'));
   element('mode-fling').disabled = core === null;
   addEventListener('hashchange', () => view.openLink());
   new ResizeObserver(() => view?.fit()).observe(document.querySelector('.columns'));
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.repaint());
+  followLook(() => view.repaint());
   open(results.indexOf(worstResult));
   picker.value = results.indexOf(worstResult);
 

@@ -12,13 +12,17 @@ function tile(label, value, note, state = '') {
 function goldenTile(golden) {
   if (!golden) return tile('Golden file', 'not compared', 'report --against GOLDEN.h5 compares');
   if (golden.agrees) return tile('Golden file', 'agrees', `${count(golden.rows_compared, 'row')}, bit for bit`, 'good');
+  return tile('Golden file', 'differs', differenceText(golden), 'bad');
+}
+
+function differenceText(golden) {
   const first = golden.first_divergence;
   const parts = [golden.class];
   if (golden.shape) parts.push(golden.shape);
   if (first) parts.push(`from step ${first.step} in ${first.field}`);
   if (golden.max_px) parts.push(`at most ${rounded(golden.max_px, 3)} px apart`);
   if (golden.contacts_moved) parts.push(`${count(golden.contacts_moved, 'contact')} moved`);
-  return tile('Golden file', 'differs', parts.join('; '), 'bad');
+  return parts.join('; ');
 }
 
 function expectTile(expectations) {
@@ -29,10 +33,10 @@ function expectTile(expectations) {
 }
 
 function replayTile(result) {
-  const label = 'Replayed in this browser';
+  const label = result.file ? 'Replayed in this browser' : 'What you flung, replayed';
   const { outcome, check, run } = result;
   if (outcome === 'none') return tile(label, 'not replayed', result.reason ?? 'the scenario cannot be played here');
-  const compared = run.blocks ? `${count(run.row_count, 'row')} by block hash` : `${count(check.compared, 'row')} of ${(run.steps + 1).toLocaleString('en')}`;
+  const compared = run.blocks ? `${count(run.row_count, 'row')} by block hash` : `${count(result.file ? check.compared : run.row_count, 'row')} of ${(run.steps + 1).toLocaleString('en')}`;
   if (outcome === 'agrees') return tile(label, 'same bits', `${compared} and the state hash, ${rounded(result.milliseconds, 2)} ms`, 'good');
   const where = check.firstDifference === null ? 'the state hash differs; no stored row does' : `first at step ${check.firstDifference}`;
   return tile(label, 'differs', where, 'bad');
@@ -68,7 +72,7 @@ function driftTile({ errors, causes }) {
 export function showVerdict(result) {
   const { run } = result;
   const { errors } = run;
-  const verdicts = [replayTile(result), goldenTile(run.golden), expectTile(run.expect)];
+  const verdicts = [replayTile(result), ...(result.file ? [goldenTile(run.golden), expectTile(run.expect)] : [])];
   const figures = [
     contactsTile(run.result.contacts),
     restTile(run),
@@ -77,6 +81,7 @@ export function showVerdict(result) {
     errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
     driftTile({ errors, causes: result.causes })] : []),
   ];
-  const cause = [run.non_finite && `${run.non_finite}; the run ended there`, run.cause].filter(Boolean).map(text => make('p', { class: 'cause' }, text));
+  const difference = run.golden && !run.golden.agrees ? `Differs from the golden file: ${differenceText(run.golden)}` : '';
+  const cause = [run.non_finite && `${run.non_finite}; the run ended there`, run.cause || difference].filter(Boolean).map(text => make('p', { class: 'cause' }, text));
   element('verdict').replaceChildren(...cause, make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/reference/drift_columns.h"
+#include "sim/reference/exact_fling.h"
 #include "sim/replay/fingerprint.h"
 #include "tools/hyrax/frame_player.h"
 #include "tools/hyrax/hand.h"
@@ -46,6 +47,8 @@ class Playground {
     apply(Release{hold_->velocity(ticks)});
     hold_.reset();
   }
+  /// What it would fly with if it were released now. REQUIRES: held; ticks do not go backwards.
+  [[nodiscard]] Velocity hand_velocity(std::int64_t ticks) const { return hold_->velocity(ticks); }
   /// REQUIRES: 0 <= dt_s <= kFrameMax_s.
   void frame(double dt_s) {
     follow_hand();
@@ -107,6 +110,22 @@ bool output_described(const auto& described, const std::vector<Record>& records,
   page().output.clear();
   for (const Record& record : records) page().output.push_back(or_nan(described[index].number(record)));
   return true;
+}
+
+double or_nan(const std::optional<Worst>& worst) { return worst ? worst->value : std::nan(""); }
+
+// A state with the sizes of window and sprite, as the page gives it: x, y, vx, vy, window, sprite.
+struct Start {
+  State state;
+  Size window;
+  Size sprite;
+};
+Start start_in_input() {
+  const auto n = input(8);
+  const auto size = [&](std::size_t at) {
+    return Size{static_cast<std::int32_t>(n[at]), static_cast<std::int32_t>(n[at + 1])};
+  };
+  return {{n[0], n[1], n[2], n[3]}, size(4), size(6)};
 }
 
 // Errors of the run and energy of the matched ODE.
@@ -178,12 +197,16 @@ HYRAX_EXPORT(finish) void finish() {
   ShownRun& run = *page().run;
   run.finish();
   const RunSummary& summary = run.summary();
+  const DriftSummary& errors = run.errors();
   const EvidenceCheck& check = run.check();
   page().text = hex(summary.state_hash);
   page().output = {static_cast<double>(summary.steps), static_cast<double>(run.shown().every()),
                    or_nan(check.first_difference()),   static_cast<double>(check.rows_compared()),
-                   check.is_complete() ? 1.0 : 0.0,    static_cast<double>(summary.contacts.total()),
-                   or_nan(summary.non_finite_step)};
+                   check.is_complete() ? 1.0 : 0.0,    or_nan(summary.non_finite_step),
+                   or_nan(summary.at_rest_since_s),    or_nan(errors.implementation_px),
+                   or_nan(errors.truncation_px),       or_nan(errors.model_px),
+                   or_nan(errors.energy_drift_rel_max)};
+  for (const Wall wall : kWalls) page().output.push_back(static_cast<double>(summary.contacts[wall]));
 }
 
 /// Column `index` of what is drawn: rows, contacts, errors of rows and of contacts, and causes of energy
@@ -214,13 +237,13 @@ HYRAX_EXPORT(cause_column) std::int32_t cause_column(std::size_t index) {
   return output_described(kCauseColumns, page().run->drift().causes(), index);
 }
 
-/// A playground that begins with the state in the input: x, y, vx, vy, window, sprite.
+/// A playground that begins with the start in the input.
 HYRAX_EXPORT(live_start) void live_start() {
-  const auto n = input(8);
+  const Start given = start_in_input();
   Keyframe start;
-  set_state(start.row, {n[0], n[1], n[2], n[3]});
-  start.window = {static_cast<std::int32_t>(n[4]), static_cast<std::int32_t>(n[5])};
-  start.sprite = {static_cast<std::int32_t>(n[6]), static_cast<std::int32_t>(n[7])};
+  set_state(start.row, given.state);
+  start.window = given.window;
+  start.sprite = given.sprite;
   page().playground.emplace(start);
 }
 HYRAX_EXPORT(live_grab) void live_grab(std::int32_t x_px, std::int32_t y_px, double ticks) {
@@ -229,8 +252,16 @@ HYRAX_EXPORT(live_grab) void live_grab(std::int32_t x_px, std::int32_t y_px, dou
 HYRAX_EXPORT(live_drag) void live_drag(std::int32_t x_px, std::int32_t y_px, double ticks) {
   page().playground->drag({x_px, y_px}, static_cast<std::int64_t>(ticks));
 }
+/// The output is the state that it flies from: x, y, vx, vy.
 HYRAX_EXPORT(live_release) void live_release(std::int32_t x_px, std::int32_t y_px, double ticks) {
   page().playground->release({x_px, y_px}, static_cast<std::int64_t>(ticks));
+  const Row& row = page().playground->now().row;
+  page().output = {row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s};
+}
+/// The hand's velocity, vx and vy. REQUIRES: held.
+HYRAX_EXPORT(live_velocity) void live_velocity(double ticks) {
+  const Velocity hand = page().playground->hand_velocity(static_cast<std::int64_t>(ticks));
+  page().output = {hand.vx_px_per_s, hand.vy_px_per_s};
 }
 /// Plays a frame; then the output is t, x, y, vx, vy, contact, frames.
 HYRAX_EXPORT(live_frame) void live_frame(double dt_s) {
@@ -250,6 +281,31 @@ HYRAX_EXPORT(live_scenario) void live_scenario() {
   const Scenario scenario = page().playground->tape().scenario("fling");
   page().output = record_of(scenario);
   page().text = *scenario.expect->state_hash;
+}
+/// Another flight from the start in the input: at a display rate, or, of rate 0, the exact fling. The output
+/// is t, x, y of each row.
+HYRAX_EXPORT(flight) void flight(double rate_hz, double duration_s) {
+  constexpr double kExactRowsPerSecond = 240.0;
+  const Start start = start_in_input();
+  std::vector<double>& rows = page().output;
+  rows.clear();
+  if (rate_hz > 0.0) {
+    const auto frames = static_cast<std::int64_t>(rate_hz * duration_s);
+    ShownRows shown(frames);
+    static_cast<void>(replay(scenario_from(start.state, start.window, start.sprite, rate_hz, frames), shown));
+    const Columns& columns = shown.columns();
+    for (std::size_t row = 0; row < columns.size(); ++row)
+      rows.insert(rows.end(), {columns.t_s[row], columns.x_px[row], columns.y_px[row]});
+    return;
+  }
+  const Bounds bounds = bounds_of(start.window, start.sprite);
+  if (bounds.right_px < 0.0 || bounds.bottom_px < 0.0) return;  // There is none.
+  ExactFling fling;
+  fling.start(start.state, bounds);
+  for (double row = 0.0; row <= kExactRowsPerSecond * duration_s; ++row) {
+    const State state = fling.at(row / kExactRowsPerSecond);
+    rows.insert(rows.end(), {row / kExactRowsPerSecond, state.x_px, state.y_px});
+  }
 }
 
 }  // namespace hyrax

@@ -1,7 +1,11 @@
 #include "tools/report/wasm/scenario_record.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
+#include <iterator>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "sim/scenario/numbers.h"
@@ -147,6 +151,23 @@ std::optional<Scenario> scenario_of(std::span<const double> record) {
   Scenario scenario;
   Layout(reading).part(scenario);
   return reading.is_good && reading.rest.empty() ? std::optional(scenario) : std::nullopt;
+}
+
+std::size_t place_in_record(const Scenario& scenario, std::string_view pointer) {
+  Scenario changed = scenario;
+  const std::optional<NumberField> field = number_at(changed, pointer);
+  assert(field);
+  std::visit(
+      [](auto* number) {
+        if constexpr (std::is_same_v<decltype(number), std::uint64_t*>)
+          *number ^= std::uint64_t{1} << 32;  // Of its halves the higher is first.
+        else
+          *number = *number == 2 ? 3 : 2;
+      },
+      field->at);
+  const std::vector<double> before = record_of(scenario), after = record_of(changed);
+  const auto place = std::mismatch(before.begin(), before.end(), after.begin(), after.end()).first;
+  return static_cast<std::size_t>(std::distance(before.begin(), place));
 }
 
 }  // namespace hyrax

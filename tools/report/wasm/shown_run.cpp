@@ -77,7 +77,7 @@ std::int64_t ShownRun::play_to(std::int64_t step) {
 
 void ShownRun::finish() {
   summary_ = replay_.finish();
-  if (meter_) static_cast<void>(meter_->finish());
+  if (meter_) errors_ = meter_->finish();
 }
 
 }  // namespace hyrax

@@ -117,6 +117,8 @@ class ShownRun {
   [[nodiscard]] const ShownDrift& drift() const { return drift_; }
   /// REQUIRES: finish() was called.
   [[nodiscard]] const RunSummary& summary() const { return summary_; }
+  /// Nothing in it of a run that is not measured. REQUIRES: finish() was called.
+  [[nodiscard]] const DriftSummary& errors() const { return errors_; }
 
  private:
   [[nodiscard]] std::vector<RowSink*> sinks();
@@ -128,6 +130,7 @@ class ShownRun {
   std::optional<DriftMeter> meter_;
   Replay replay_;
   RunSummary summary_;
+  DriftSummary errors_;
 };
 
 }  // namespace hyrax

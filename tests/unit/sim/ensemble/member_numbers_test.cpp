@@ -35,6 +35,13 @@ TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   EXPECT_EQ(sample_stride(20'000, 20'000), 1);
 }
 
+TEST(MemberFigures, LeaveOutWhatIsConstantButForRounding) {
+  const std::vector<MemberNumbers> numbers = {numbers_of({1e-24, 0.0, -1e-24}), numbers_of({0.0, 1e-6})};
+  const std::vector<Figure> figures = member_figures(numbers, 3);
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(std::get<std::vector<Plot>>(figures[0].body).size(), 1u);
+}
+
 // Two grids of 6 x 2 fields, two members each, an input, and results: real, whole, with members that have
 // none, of none.
 TEST(MemberNumbers, GiveTheApprovedTableAndFigures) {

@@ -1,0 +1,276 @@
+// The members of a sweep over two of their numbers, in the colours of a third: cells that tile where both are grids,
+// points elsewhere. A click replays a member beside its neighbours.
+import uPlot from 'uplot';
+import { Core } from './core.js';
+import { bytes, doubles, element, firstAtLeast, make, report, save } from './data.js';
+import { grouped, rounded } from './numbers.js';
+import { Moment } from './moment.js';
+import { color, followLook, Painter } from './painter.js';
+import { Player, showReadouts } from './player.js';
+import { placeAt, playedHere, sizesOf } from './replay.js';
+
+const cellsMax = 100; // Along an axis.
+const pointsMax = 5000;
+const stops = ['440154', '472d7b', '3b528b', '2c728e', '21918c', '28ae80', '5ec962', 'addc30', 'fde725']
+  .map(hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16)));
+
+/** Viridis, for 0 .. 1. */
+function viridis(part) {
+  const at = Math.min(Math.max(part, 0), 1) * (stops.length - 1), low = Math.min(Math.floor(at), stops.length - 2);
+  return `rgb(${stops[low].map((from, i) => Math.round(from + (at - low) * (stops[low + 1][i] - from))).join(' ')})`;
+}
+
+function rangeOf(values) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) if (value < low || value > high) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  return [low, high];
+}
+
+// What can stand on an axis or be a colour: {name, label, values, isGrid, text(value)}.
+function numbersOf({ inputs, results }, members) {
+  return [
+    ...inputs.map(({ name, is_seed, is_grid, values }) => ({ name, label: name, isGrid: is_grid, isInput: true, all: doubles(values), stride: is_seed ? 2 : 1 })),
+    ...results.map(({ name, unit, values }) => ({ name, label: unit && unit !== '1' ? `${name}, ${unit}` : name, isGrid: false, all: doubles(values), stride: 1 }))]
+    .map(each => ({ ...each, values: each.stride === 1 ? each.all : members.map((_, i) => each.all[2 * i] * 2 ** 32 + each.all[2 * i + 1]) }));
+}
+
+// The edges of a grid's cells: halfway between its values, or even ones of many values.
+function edgesOf(values) {
+  const found = [...new Set(values)].sort((a, b) => a - b), count = Math.min(found.length, cellsMax);
+  const [low, high] = [found[0], found.at(-1)], half = (high - low || 1) / (2 * (found.length - 1 || 1));
+  if (count === found.length)
+    return [low - half, ...found.slice(1).map((each, i) => (each + found[i]) / 2), high + half];
+  return Array.from({ length: count + 1 }, (_, i) => low - half + (i * (high - low + 2 * half)) / count);
+}
+
+class Explorer {
+  constructor(sweep, place, play) {
+    this.members = doubles(sweep.members);
+    this.sweep = sweep;
+    this.play = play;
+    this.numbers = numbersOf(sweep, this.members);
+    const inputs = this.numbers.filter(each => each.isInput), results = this.numbers.filter(each => !each.isInput);
+    const grids = inputs.filter(each => each.isGrid);
+    const [x, y] = grids.length > 1 ? grids : [inputs[0], results[0] ?? inputs[0]];
+    this.shown = { x, y, tint: results.find(each => each !== y) ?? results[0] ?? y };
+    const choice = (key, label) => make('label', {}, `${label} `, make('select', { id: `members-${key}`, onchange: event => this.#choose(key, event.target.value) },
+      ...this.numbers.map(({ name }) => make('option', { value: name, selected: this.shown[key].name === name }, name))));
+    const share = sweep.count === this.members.length ? `all ${grouped(sweep.count, 0)} members` : `${grouped(this.members.length, 0)} of ${grouped(sweep.count, 0)} members`;
+    this.place = make('div', { class: 'plot' });
+    this.hover = make('p', { class: 'quiet', role: 'status' });
+    this.bar = make('div', { class: 'bar' });
+    place.append(make('div', { class: 'head' }, make('h3', {}, 'The members'), make('p', { class: 'note quiet' }, share)),
+      make('div', { class: 'choices' }, choice('x', 'Across'), choice('y', 'Up'), choice('tint', 'Colour'),
+        make('label', {}, 'Member ', make('input', { type: 'number', id: 'member-number', min: 0, max: this.members.at(-1), onchange: event => this.#pick(this.#rowOf(Number(event.target.value))) }))),
+      this.bar, this.place, this.hover);
+    this.#draw();
+    const fit = () => this.plot.setSize({ width: this.place.clientWidth, height: this.plot.height });
+    new ResizeObserver(fit).observe(this.place);
+    followLook(fit);
+  }
+
+  #rowOf(member) {
+    return Math.min(firstAtLeast(this.members, member), this.members.length - 1);
+  }
+  #choose(key, name) {
+    this.shown[key] = this.numbers.find(each => each.name === name);
+    this.#draw();
+  }
+
+  // Cells {x, y, row, value, count} by place, or points.
+  #collect() {
+    const { x, y, tint } = this.shown;
+    this.edges = x.isGrid && y.isGrid && x !== y ? [edgesOf(x.values), edgesOf(y.values)] : null;
+    const rows = this.members.length;
+    if (!this.edges) {
+      const stride = Math.ceil(rows / pointsMax);
+      this.items = Array.from({ length: Math.ceil(rows / stride) }, (_, i) => ({ row: i * stride, x: x.values[i * stride], y: y.values[i * stride], value: tint.values[i * stride] }))
+        .filter(item => Number.isFinite(item.x + item.y));
+      return;
+    }
+    const [across, up] = this.edges, cells = new Map();
+    for (let row = 0; row < rows; ++row) {
+      const column = firstAtLeast(across, x.values[row]) - 1, line = firstAtLeast(up, y.values[row]) - 1;
+      const key = column + line * cellsMax;
+      if (!cells.has(key)) cells.set(key, { column, line, row, x: x.values[row], y: y.values[row], sum: 0, count: 0 });
+      const cell = cells.get(key);
+      if (!Number.isFinite(tint.values[row])) continue;
+      cell.sum += tint.values[row];
+      ++cell.count;
+    }
+    this.items = [...cells.values()].map(cell => ({ ...cell, value: cell.count ? cell.sum / cell.count : NaN }));
+  }
+
+  #draw() {
+    const { x, y, tint } = this.shown;
+    this.#collect();
+    [this.low, this.high] = rangeOf(this.items.map(({ value }) => value));
+    const padded = values => {
+      const [low, high] = rangeOf(values), room = (high - low || 1) * 0.03;
+      return [low - room, high + room];
+    };
+    const [rangeX, rangeY] = this.edges ? this.edges.map(edges => [edges[0], edges.at(-1)]) : [padded(this.items.map(item => item.x)), padded(this.items.map(item => item.y))];
+    const axis = { stroke: () => color('quiet'), font: '12px system-ui, sans-serif', labelFont: '12px system-ui, sans-serif', ticks: { show: false }, grid: { show: !this.edges, stroke: () => color('rule'), width: 1 },
+      values: (_, splits) => splits.map(value => grouped(value, 6)) };
+    this.plot?.destroy();
+    this.plot = new uPlot({
+      width: this.place.clientWidth || 600, height: 420, padding: [12, 24, 0, 0], legend: { show: false },
+      cursor: { drag: { x: false, y: false }, points: { show: false } },
+      scales: { x: { time: false, range: rangeX }, y: { range: rangeY } },
+      axes: [{ ...axis, label: x.label, labelSize: 22, size: 34 }, { ...axis, label: y.label, labelSize: 24, size: 62 }],
+      series: [{}, { show: false }],
+      hooks: { draw: [plot => this.#paint(plot)] },
+    }, [rangeX, [null, null]], this.place);
+    const what = this.edges ? 'A cell is the mean of its members' : 'A point is a member';
+    this.plot.root.setAttribute('role', 'img');
+    this.plot.root.setAttribute('aria-label', `${tint.label} over ${x.label} and ${y.label}. ${what}; from ${rounded(this.low)} to ${rounded(this.high)}.`);
+    this.plot.over.addEventListener('pointermove', event => this.#show(this.#itemAt(event)));
+    this.plot.over.addEventListener('click', event => this.#pick(this.#itemAt(event)?.row));
+    this.bar.replaceChildren(make('span', {}, tint.label), make('span', {}, rounded(this.low)),
+      make('i', { style: `background: linear-gradient(90deg, ${stops.map((_, i) => viridis(i / (stops.length - 1))).join(', ')})` }), make('span', {}, rounded(this.high)));
+    this.hover.textContent = `${what}. Click one to replay it.`;
+  }
+
+  #paint({ ctx, bbox, valToPos }) {
+    const tintOf = value => (Number.isFinite(value) ? viridis((value - this.low) / (this.high - this.low || 1)) : color('rule'));
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    for (const item of this.items) {
+      ctx.fillStyle = tintOf(item.value);
+      ctx.beginPath();
+      if (this.edges) {
+        const [left, right] = [0, 1].map(side => Math.round(valToPos(this.edges[0][item.column + side], 'x', true)));
+        const [bottom, top] = [0, 1].map(side => Math.round(valToPos(this.edges[1][item.line + side], 'y', true)));
+        ctx.rect(left, top, right - left, bottom - top);
+        item.box = [left, top, right - left, bottom - top];
+      } else {
+        ctx.arc(valToPos(item.x, 'x', true), valToPos(item.y, 'y', true), (this.items.length > 800 ? 2.2 : 3.5) * devicePixelRatio, 0, 2 * Math.PI);
+      }
+      ctx.fill();
+    }
+    const chosen = this.items.find(({ row }) => row === this.row);
+    if (chosen) {
+      ctx.strokeStyle = color('ink');
+      ctx.lineWidth = 2.5 * devicePixelRatio;
+      ctx.beginPath();
+      if (this.edges) ctx.rect(...chosen.box);
+      else ctx.arc(valToPos(chosen.x, 'x', true), valToPos(chosen.y, 'y', true), 7 * devicePixelRatio, 0, 2 * Math.PI);
+      ctx.stroke();
+    }
+    ctx.restore();
+  }
+
+  #nearest(x, y, wanted = 1) {
+    const { plot } = this;
+    const distance = item => Math.hypot(plot.valToPos(item.x, 'x') - x, plot.valToPos(item.y, 'y') - y);
+    return this.items.map(item => ({ item, away: distance(item) })).sort((a, b) => a.away - b.away).slice(0, wanted).map(({ item }) => item);
+  }
+  #itemAt(event) {
+    const box = this.plot.over.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    if (!this.edges) return this.#nearest(x, y)[0];
+    const [column, line] = [['x', x], ['y', y]].map(([name, at], i) => firstAtLeast(this.edges[i], this.plot.posToVal(at, name)) - 1);
+    return this.items.find(item => item.column === column && item.line === line);
+  }
+  #show(item) {
+    if (!item) return;
+    const { x, y, tint } = this.shown;
+    this.hover.textContent = `${x.label} ${rounded(item.x, 6)}; ${y.label} ${rounded(item.y, 6)}; ${tint.label} ${rounded(item.value, 6)}; ` +
+      (item.count > 1 ? `mean of ${grouped(item.count, 0)} members` : `member ${grouped(this.members[item.row], 0)}`);
+  }
+
+  // Cells that share a side, or the nearest points.
+  #neighbours(item) {
+    if (!this.edges) return this.#nearest(this.plot.valToPos(item.x, 'x'), this.plot.valToPos(item.y, 'y'), 5).filter(each => each !== item);
+    return this.items.filter(({ column, line }) => Math.abs(column - item.column) + Math.abs(line - item.line) === 1);
+  }
+  #pick(row) {
+    if (row === undefined) return;
+    this.row = row;
+    const item = this.items.find(each => each.row === row) ?? { row, x: this.shown.x.values[row], y: this.shown.y.values[row] };
+    this.plot.redraw();
+    this.play(this, row, this.#neighbours(item).map(each => each.row));
+  }
+
+  /** The record of a sample's member, and its varied numbers as texts by pointer. */
+  recordOf(row) {
+    const record = doubles(this.sweep.record), texts = {};
+    for (const [key, { name, place }] of this.sweep.inputs.entries()) {
+      const { all, stride } = this.numbers[key], values = all.slice(stride * row, stride * (row + 1));
+      values.forEach((value, i) => (record[place + i] = value));
+      texts[name] = stride === 1 ? String(values[0]) : String((BigInt(values[0]) << 32n) | BigInt(values[1]));
+    }
+    return { record, texts };
+  }
+  // Numbers stay texts, so that each has all its digits.
+  scenarioOf(row, stateHash) {
+    const raw = text => JSON.rawJSON?.(text) ?? Number(text);
+    const scenario = JSON.parse(this.sweep.scenario, (_, value, { source } = {}) => (typeof value === 'number' && source ? raw(source) : value));
+    for (const [pointer, text] of Object.entries(this.recordOf(row).texts)) {
+      const keys = pointer.slice(1).split('/'), last = keys.pop();
+      keys.reduce((object, key) => object[key], scenario)[last] = raw(text);
+    }
+    return `${JSON.stringify({ ...scenario, expect: { state_hash: stateHash } }, null, 2)}\n`;
+  }
+}
+
+class Stage {
+  constructor(core) {
+    this.core = core;
+    this.painter = new Painter(element('replay'), () => this.moment && this.paint());
+    const fit = () => this.moment && (this.painter.fit(), this.player.paintTicks(), this.paint());
+    new ResizeObserver(fit).observe(element('member'));
+    followLook(fit);
+  }
+
+  /** Plays a member of an explorer beside others, below the explorer's picture. */
+  show(explorer, row, neighbours) {
+    const played = each => {
+      const { record } = explorer.recordOf(each);
+      return { ...playedHere(this.core, record, { inputs: explorer.sweep.events }), record };
+    };
+    const place = element('member'), result = played(row), { rows, contacts, check } = result;
+    explorer.place.closest('.figure').after(place);
+    place.hidden = false;
+    const member = explorer.members[row];
+    element('member-heading').textContent = `Member ${grouped(member, 0)}`;
+    element('member-number').value = member;
+    const inputs = Object.entries(explorer.recordOf(row).texts).map(([name, text]) => `${name} ${text}`).join(', ');
+    element('member-note').textContent = `${inputs}. Ends at x ${rounded(rows.x.at(-1), 6)}, y ${rounded(rows.y.at(-1), 6)} px after ${grouped(check.steps, 0)} steps; contacts ` +
+      `${Object.entries(check.contacts).filter(([, count]) => count).map(([wall, count]) => `${wall} ${count}`).join(', ') || 'none'}. Thin: ${neighbours.length} neighbours.`;
+    element('download-member').onclick = () => save(`member-${member}.json`, 'application/json', explorer.scenarioOf(row, check.stateHash));
+    this.neighbours = neighbours.map(each => ({ rows: played(each).rows, tint: 'faint' }));
+    this.player?.end();
+    this.moment = new Moment(rows);
+    this.player = new Player(this.moment, contacts, result.run, () => {});
+    this.moment.listen(() => this.paint());
+    this.painter.setScene({ sizes: sizesOf(result.record, result.run.inputs), rows, contacts, inputs: result.run.inputs });
+    this.player.paintTicks();
+    this.player.play();
+    this.paint();
+  }
+  paint() {
+    const body = this.moment.body();
+    this.painter.paint(body, { flights: this.neighbours, ghosts: this.neighbours.map(({ rows, tint }) => ({ tint, at: placeAt(rows, body.t) })) });
+    showReadouts({ ...body, row: body.step });
+  }
+}
+
+let stage = null;
+
+/** Adds to a result of a sweep its members. */
+export async function showMembers({ sweep }, article) {
+  if (!sweep || sweep.results.length === 0) return;
+  if (!stage) {
+    const core = await Core.start();
+    core.requireSame(sweep.core_fingerprint, report.program);
+    stage = new Stage(core);
+  }
+  const place = make('section', { class: 'figure', 'aria-label': 'The members' });
+  const figure = article.querySelector('.figure');
+  if (figure) figure.before(place);
+  else article.append(place);
+  new Explorer(sweep, place, (...which) => stage.show(...which));
+}
