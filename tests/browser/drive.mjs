@@ -1,10 +1,10 @@
 // node drive.mjs PACKAGES_FOLDER: opens pages in one Chromium, one after another. Reads lists of tasks from standard
 // input and prints the list of their results, each list as JSON in one line.
 //
-// A task is {file, hash, bypass_csp, scheme, size, actions}; an action is ["evaluate", expression], ["click", selector],
+// A task is {file, hash, bypass_csp, plain (without JavaScript), scheme, size, actions}; an action is ["evaluate", expression], ["click", selector],
 // ["press", key], ["mouse", selector, [[x, y]...]] (a drag along points given as fractions of the element),
 // ["touch", selector, [[x, y]...]] (the same with a finger), ["download", selector, path], ["wait", expression],
-// ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
+// ["paper"] (as it is printed), ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -59,6 +59,10 @@ async function focused(page, count) {
 }
 
 const actions = {
+  paper: async page => {
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await page.emulateMedia({ media: 'print' });
+  },
   axe: faults,
   mouse: (page, selector, points) => drag(page, 'mouse', selector, points),
   touch: (page, selector, points) => drag(page, 'touch', selector, points),
@@ -77,7 +81,7 @@ const actions = {
 async function perform(task) {
   const seen = { errors: [], requests: [], values: [] };
   const [width, height] = task.size ?? [1280, 900];
-  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width, height }, colorScheme: task.scheme ?? 'light', hasTouch: true });
+  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width, height }, colorScheme: task.scheme ?? 'light', hasTouch: true, javaScriptEnabled: !task.plain });
   const page = await context.newPage();
   page.on('pageerror', error => seen.errors.push(String(error)));
   page.on('console', message => message.type() === 'error' && seen.errors.push(message.text()));
@@ -87,7 +91,7 @@ async function perform(task) {
     return route.abort();
   });
   await page.goto(`file://${task.file}${task.hash ?? ''}`);
-  await page.waitForFunction(() => 'ready' in document.documentElement.dataset, null, { timeout: 30_000 });
+  if (!task.plain) await page.waitForFunction(() => 'ready' in document.documentElement.dataset, null, { timeout: 30_000 });
   seen.attributes = await page.evaluate(() => ({ ...document.documentElement.dataset }));
   for (const [name, ...rest] of task.actions ?? []) seen.values.push((await actions[name](page, ...rest)) ?? null);
   await context.close();

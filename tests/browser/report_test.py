@@ -283,16 +283,17 @@ class ReportTest(browser.BrowserTest):
     def test_shows_the_speed_of_the_hand(self):
         self.played("fling", program.fling())
         speeds = f"""(async () => {{
-            const canvas = document.getElementById('replay'), box = canvas.getBoundingClientRect(), found = [];
+            const canvas = document.getElementById('replay'), box = canvas.getBoundingClientRect(), clock = performance.now.bind(performance), found = [];
             canvas.setPointerCapture = () => {{}};
             const hand = (type, x) => canvas.dispatchEvent(new PointerEvent(type, {{button: 0, clientX: box.left + x * box.width, clientY: box.top + 0.95 * box.height}}));
             hand('pointerdown', 0.5);
-            for (const stride of [0.004, 0]) {{
-              for (let i = 1; i <= 10; ++i) {{
-                for (const end = performance.now() + 10; performance.now() < end;);
-                hand('pointermove', 0.5 + stride * i);
-              }}
-              if (stride === 0) await new Promise(resolve => setTimeout(resolve, 200));
+            for (let i = 1; i <= 10; ++i) {{
+              for (const end = clock() + 10; clock() < end;);
+              hand('pointermove', 0.5 + 0.004 * i);
+            }}
+            const last = clock();
+            for (const later of [5, 500]) {{
+              performance.now = () => last + later;
               for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
               found.push(Math.hypot({number('vx')}, {number('vy')}));
             }}
@@ -301,7 +302,7 @@ class ReportTest(browser.BrowserTest):
           }})()"""
         (page,) = self.open({**self.report("fling"), "actions": [*PLAYGROUND, ["wait", LANDED], ["evaluate", speeds]]})
         moving, still = page["values"][-1]
-        self.assertGreater(moving, 200)
+        self.assertGreater(moving, 20)
         self.assertEqual(still, 0)
 
     def test_a_throw_flies_beside_itself_at_other_rates(self):
@@ -409,6 +410,61 @@ class ReportTest(browser.BrowserTest):
         self.assertEqual(page["attributes"]["replay"], "agrees")
         self.assertLess(ready, 20_000)
         self.assertLess(median, 500)
+
+    def test_a_long_run_has_an_overview_that_zooms(self):
+        self.played("long", program.fling(name="long", steps=60_000))
+        ticks = "document.querySelector('#chart-velocity .u-over').parentElement && [...document.querySelectorAll('.u-select')].map(each => each.style.width)"
+        rows = self.folder / "contacts.csv"
+        (page,) = self.open({**self.report("long"), "actions": [
+            ["evaluate", ticks], ["mouse", "#chart-overview-speed .u-over", [[0.3, 0.5], [0.4, 0.5], [0.6, 0.5]]], ["evaluate", ticks],
+            ["download", "#chart-overview-contacts button", str(rows)]]})
+        before, _, after, _ = page["values"]
+        self.assertNotEqual(before, after)
+        shown = [line.split(",") for line in rows.read_text(encoding="utf-8").splitlines()[1:]]
+        rates = [(float(row[1]), float(row[2])) for row in shown if row[2]]
+        with h5py.File(self.folder / "long.h5") as file:
+            contacts = len(file["contacts/step"])
+        span = rates[1][0] - rates[0][0]
+        self.assertAlmostEqual(sum(rate for _, rate in rates) * span, contacts, delta=0.02 * contacts + 0.1)
+
+    def test_without_javascript_it_shows_name_verdict_and_path(self):
+        self.played("golden", program.fling())
+        self.write("fling.json", program.fling(description=HOSTILE, start={**program.FLING["start"], "vx_px_per_s": 1201}, expect={"final_x_px": [0, 1]}))
+        self.expect(DISAGREED, "run", "fling.json", "-o", "fling.h5")
+        looks = {"plain": True, "actions": [["evaluate", "document.body.innerText"], ["evaluate", "document.querySelectorAll('polyline').length"],
+                                            ["evaluate", "getComputedStyle(document.querySelector('main')).display"]]}
+        (page,) = self.open({**self.report("fling", "--against", "golden.h5"), **looks})
+        text, paths, main = page["values"]
+        self.assertEqual((paths, main), (1, "none"))
+        for line in ("fling", "Differs from the golden file: ", "does not hold: final_x_px", "300 steps"):
+            self.assertIn(line, text)
+
+    def test_on_paper_it_is_light_and_whole(self):
+        self.played("fling", program.fling())
+        shade = """(() => { const canvas = document.getElementById('replay'), [r] = canvas.getContext('2d').getImageData(canvas.width / 2, 3, 1, 1).data;
+                     return [r, Number(getComputedStyle(document.body).backgroundColor.match(/\\d+/)[0])]; })()"""
+        widths = "[...document.querySelectorAll('.u-wrap, #replay')].map(each => each.getBoundingClientRect()).every(box => box.right <= 690)"
+        (page,) = self.open({**self.report("fling"), "scheme": "dark", "actions": [
+            ["evaluate", shade], ["paper"], ["evaluate", shade], ["evaluate", widths]]})
+        dark, _, light, fits = page["values"]
+        self.assertLess(max(dark), 60)
+        self.assertGreater(min(light), 200)
+        self.assertTrue(fits)
+
+    def test_a_page_that_differs_begins_with_why_both_runs_and_their_distance(self):
+        self.played("golden", program.fling())
+        self.played("fling", program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
+        order = """['.cause', '#replay', '#chart-distance', '.verdicts', '.details'].map(each => document.querySelector(each)?.getBoundingClientRect())
+                   .map(box => box && [box.top, box.left])"""
+        for size in ((1400, 900), (375, 844)):
+            same, differs = self.open(*({**task, "size": size, "actions": [["evaluate", order]]}
+                                        for task in (self.report("golden"), self.report("fling", "--against", "golden.h5"))))
+            self.assertIsNone(same["values"][0][0])
+            self.assertLess(same["values"][0][3][0], same["values"][0][1][0] if size[0] > 1000 else 1e9)
+            places = differs["values"][0]
+            tops = [top for top, _ in places]
+            self.assertLess(max(tops[:3]), tops[3])
+            self.assertLess(tops[3], tops[4])
 
     def test_accessibility_rules_hold_and_fail_on_a_control(self):
         self.played("golden", program.fling())

@@ -1,6 +1,8 @@
 """Pages of studies and sweeps in Chromium: every figure is drawn, data can be saved, text stays text."""
 
+import itertools
 import json
+import math
 import pathlib
 
 import h5py
@@ -14,6 +16,38 @@ HOSTILE = browser.HOSTILE
 FIGURES = "document.querySelectorAll('figure').length"
 DRAWN = "document.querySelectorAll('.plot svg[role=img], .grid table, .listing table').length"
 BROKEN = "document.body.innerText.includes('cannot be shown')"
+
+TONES = ["ink", "vermilion", "orange", "blue", "green", "purple", "sky-blue", "lavender"]
+
+# Texts of pictures that lie on one another or leave their picture; texts of tables that are wider than their place.
+FAULTS = """(() => {
+  const faults = [], meets = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 2 && b.top < a.bottom - 2;
+  for (const svg of document.querySelectorAll('.plot svg[role=img]')) {
+    const whole = svg.getBoundingClientRect();
+    const texts = [...svg.querySelectorAll('text')].filter(each => each.textContent.trim() && each.getBoundingClientRect().width > 0);
+    const boxes = texts.map(each => each.getBoundingClientRect());
+    boxes.forEach((box, i) => {
+      if (box.left < whole.left - 2 || box.right > whole.right + 2 || box.top < whole.top - 2 || box.bottom > whole.bottom + 2) faults.push(`cut: ${texts[i].textContent}`);
+      for (let j = 0; j < i; ++j) if (meets(box, boxes[j])) faults.push(`overlap: ${texts[i].textContent} and ${texts[j].textContent}`);
+    });
+  }
+  for (const cell of document.querySelectorAll('h1, h2:not(.unseen), h3, .grid th.row, .verdict td, .verdict th'))
+    if (cell.scrollWidth > cell.clientWidth + 1 || cell.getBoundingClientRect().right > innerWidth + 1) faults.push(`cut: ${cell.textContent}`);
+  return faults;
+})()"""
+
+
+def closest(colors):
+    """The smallest distance of two colours #rrggbb in CIELAB."""
+    def lab(color):
+        red, green, blue = ((each / 12.92 if each <= 0.04045 else ((each + 0.055) / 1.055) ** 2.4)
+                            for each in (int(color[at:at + 2], 16) / 255 for at in (1, 3, 5)))
+        x = (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.95047
+        y = 0.2126 * red + 0.7152 * green + 0.0722 * blue
+        z = (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.08883
+        x, y, z = (each ** (1 / 3) if each > 0.008856 else 7.787 * each + 16 / 116 for each in (x, y, z))
+        return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+    return min(math.dist(lab(a), lab(b)) for a, b in itertools.combinations(colors, 2))
 
 
 class ResultsTest(browser.BrowserTest):
@@ -57,6 +91,28 @@ class ResultsTest(browser.BrowserTest):
                 self.assertGreater(figures, 0, task["file"])
                 self.assertEqual((is_broken, fits, has_nan), (False, True, False), task["file"])
                 self.assertEqual((page["errors"], page["requests"]), ([], []), task["file"])
+
+    def test_nothing_overlaps_or_is_cut_off_and_the_test_sees_it(self):
+        flings = str(SOURCE / "scenarios/flings")
+        tasks = [self.study("rest"), self.study("frame-rate"), self.study("needs", flings), self.grid()]
+        spoilt = "(texts => texts[1].setAttribute('transform', texts[0].getAttribute('transform')))([...document.querySelectorAll('.plot svg text')].filter(each => each.textContent.length > 1))"
+        cut = "document.querySelector('.plot svg text').setAttribute('transform', 'translate(-40,20)')"
+        for size in ((1400, 900), (800, 900), (375, 844)):
+            for task, page in zip(tasks, self.open(*({**task, "size": size, "actions": [["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", FAULTS]]} for task in tasks))):
+                self.assertEqual(page["values"][1], [], (task["file"], size))
+        for fault in (spoilt, cut):
+            (page,) = self.open({**tasks[0], "actions": [["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", fault], ["evaluate", FAULTS]]})
+            self.assertNotEqual(page["values"][2], [], fault)
+
+    def test_colours_differ_to_the_eye_light_and_dark(self):
+        read = f"(style => {json.dumps(TONES)}.map(name => style.getPropertyValue('--' + name).trim()))(getComputedStyle(document.documentElement))"
+        shared = "document.documentElement.style.setProperty('--green', getComputedStyle(document.documentElement).getPropertyValue('--blue'))"
+        task = self.study("rest")
+        for scheme in ("light", "dark"):
+            page, control = self.open({**task, "scheme": scheme, "actions": [["evaluate", read]]},
+                                      {**task, "scheme": scheme, "actions": [["evaluate", shared], ["evaluate", read]]})
+            self.assertGreater(closest(page["values"][0]), 18, scheme)
+            self.assertEqual(closest(control["values"][1]), 0)
 
     def grid(self):
         """Plays a sweep over two grids; returns a task that opens its report."""
