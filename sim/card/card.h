@@ -12,6 +12,8 @@
 #include "sim/cause/header_change.h"
 #include "sim/reference/model.h"
 #include "sim/result/estimate.h"
+#include "sim/result/figure.h"
+#include "sim/result/table.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/study.h"
 
@@ -218,5 +220,12 @@ struct Card {
 
 /// The largest consequence for a user, one sentence.
 [[nodiscard]] std::string consequence_of(const Card& card);
+
+/// What differs, one by one: scenarios, invariants, claims, recordings. Tables without rows are left out.
+[[nodiscard]] std::vector<Table> card_tables(const Card& card);
+
+/// Where flings land, over displays and against the exact motion, and their energy by cause; base and
+/// candidate in the same plot.
+[[nodiscard]] std::vector<Figure> card_figures(const Card& card);
 
 }  // namespace hyrax

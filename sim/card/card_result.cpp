@@ -1,4 +1,4 @@
-#include "sim/card/card_result.h"
+#include "sim/card/card.h"
 
 #include <cmath>
 #include <string>

@@ -26,7 +26,7 @@ struct DifferingRun {
 struct CauseBase {
   const Kernel& program;             ///< Played the fresh runs.
   const Kernel* accepted = nullptr;  ///< Plays the accepted core's step; nullptr: there is none to play.
-  std::string why_not_played;        ///< Why not, a clause.
+  std::string why_not_played;        ///< Why there is none, as a clause; else empty.
   bool is_same_core = false;         ///< Header and step are the accepted ones, or proved equal.
   std::string core_change;           ///< Else what changed, as "GRAVITY 1200 -> 1250".
   bool calls_libm = false;  ///< The accepted step calls functions whose bits differ between libraries.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "tools/files/failure.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/printable.h"
 #include "tools/files/unknown_word.h"
@@ -24,6 +25,18 @@ std::string sentence_of(const NumberRule& rule) {
 }
 
 }  // namespace
+
+void JsonProblems::throw_if_any(const std::string& source) const {
+  if (count == 0) return;
+  std::string sentences;
+  for (const JsonProblem& problem : listed)
+    sentences.append(sentences.empty() ? "" : "\n")
+        .append(printable(source + ": " + (problem.pointer.empty() ? "/" : problem.pointer) + ": " +
+                          problem.sentence));
+  if (const std::size_t more = count - listed.size(); more > 0)
+    sentences.append("\n").append(printable(source)).append(": and " + std::to_string(more) + " more errors");
+  throw Failure(ExitCode::bad_input, sentences);
+}
 
 void JsonPlace::wrong(const std::string& sentence) const {
   if (problems_->count++ < JsonProblems::kListedMax) problems_->listed.push_back({pointer_, sentence});

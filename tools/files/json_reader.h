@@ -24,6 +24,9 @@ struct JsonProblems {
   static constexpr std::size_t kListedMax = 200'000;
   std::vector<JsonProblem> listed;
   std::size_t count = 0;
+
+  /// ERRORS: Failure(bad_input) with a line for every error, "SOURCE: POINTER: SENTENCE".
+  void throw_if_any(const std::string& source) const;
 };
 
 /// Which numbers are allowed.

@@ -1,7 +1,9 @@
 // The members of a scenario document that have structure of their own: sizes, positions, events, expect.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "sim/scenario/scenario.h"
 #include "tools/files/json_reader.h"
@@ -12,6 +14,16 @@ inline constexpr NumberRule kCoordinateRule{-kCoordinateMax_px, kCoordinateMax_p
 inline constexpr NumberRule kSpeedRule{-kSpeedMax_px_per_s, kSpeedMax_px_per_s};
 inline constexpr NumberRule kFrameRule{0.0, kFrameMax_s};
 inline constexpr NumberRule kNotNegativeRule{0.0};
+
+/// How a jitter's kind is written, in the order of Jitter::Kind.
+struct JitterRule {
+  std::string_view kind;
+  std::string_view amount_key;
+  NumberRule amount;
+};
+inline constexpr std::array<JitterRule, 3> kJitterRules = {{{"uniform", "fraction", {0.0, 1.0}},
+                                                            {"normal", "sigma_s", {0.0, kFrameMax_s}},
+                                                            {"missed_frames", "probability", {0.0, 1.0}}}};
 
 // Errors are added to the problems of the place; the values in question are then 0 or missing.
 [[nodiscard]] Size read_window(const JsonPlace& here);

@@ -45,17 +45,6 @@ void read_start(const JsonPlace& here, Scenario& scenario) {
                              here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
 }
 
-struct JitterRule {
-  std::string_view kind;
-  Jitter::Kind value;
-  std::string_view amount_key;
-  NumberRule amount;
-};
-constexpr JitterRule kJitterRules[] = {
-    {"uniform", Jitter::Kind::uniform, "fraction", {0.0, 1.0}},
-    {"normal", Jitter::Kind::normal, "sigma_s", {0.0, kFrameMax_s}},
-    {"missed_frames", Jitter::Kind::missed_frames, "probability", {0.0, 1.0}}};
-
 std::vector<std::string_view> jitter_kinds() {
   std::vector<std::string_view> kinds;
   for (const JitterRule& rule : kJitterRules) kinds.push_back(rule.kind);
@@ -77,14 +66,14 @@ Jitter read_jitter(const JsonPlace& here) {
   }
   const auto seed = here.required("seed").seed();
   const auto kind = here.required("kind").text();
-  const auto rule = std::find_if(std::begin(kJitterRules), std::end(kJitterRules),
-                                 [&](const JitterRule& r) { return kind == r.kind; });
-  if (rule == std::end(kJitterRules)) {
+  const auto rule = std::ranges::find_if(kJitterRules, [&](const JitterRule& r) { return kind == r.kind; });
+  if (rule == kJitterRules.end()) {
     if (kind) here.member("kind").wrong(unknown_word("value", *kind, jitter_kinds()));
     return read_jitter_of_unknown_kind(here);
   }
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
-  return {rule->value, here.required(rule->amount_key).number(rule->amount).value_or(0.0), seed.value_or(0)};
+  return {static_cast<Jitter::Kind>(rule - kJitterRules.begin()),
+          here.required(rule->amount_key).number(rule->amount).value_or(0.0), seed.value_or(0)};
 }
 
 // REQUIRES: an array. It may have millions of frames, so no list of their places is made.
@@ -200,15 +189,8 @@ Json value_of(const Override& given) {
 Scenario to_scenario(const Json& document, const std::string& source, const std::string& fallback_name) {
   JsonProblems problems;
   Scenario scenario = read_document(JsonPlace(&document, "", problems), fallback_name, problems);
-  if (problems.count == 0) return scenario;
-  std::string sentences;
-  for (const JsonProblem& problem : problems.listed)
-    sentences.append(sentences.empty() ? "" : "\n")
-        .append(printable(source + ": " + (problem.pointer.empty() ? "/" : problem.pointer) + ": " +
-                          problem.sentence));
-  if (const std::size_t more = problems.count - problems.listed.size(); more > 0)
-    sentences.append("\n").append(printable(source)).append(": and " + std::to_string(more) + " more errors");
-  throw Failure(ExitCode::bad_input, sentences);
+  problems.throw_if_any(source);
+  return scenario;
 }
 
 void replace_value(Json& document, const Override& given, const std::string& source) {

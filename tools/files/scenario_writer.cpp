@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/scenario/numbers.h"
+#include "tools/files/scenario_members.h"
 #include "tools/files/scenario_reader.h"
 
 namespace hyrax {
@@ -15,15 +16,8 @@ Json to_json(const Size& size) {
                 {"height_px", static_cast<std::int64_t>(size.height_px)}};
 }
 Json to_json(const Jitter& jitter) {
-  switch (jitter.kind) {
-    case Jitter::Kind::uniform:
-      return Object{{"kind", "uniform"}, {"fraction", jitter.amount}, {"seed", jitter.seed}};
-    case Jitter::Kind::normal:
-      return Object{{"kind", "normal"}, {"sigma_s", jitter.amount}, {"seed", jitter.seed}};
-    case Jitter::Kind::missed_frames:
-      return Object{{"kind", "missed_frames"}, {"probability", jitter.amount}, {"seed", jitter.seed}};
-  }
-  return {};
+  const JitterRule& rule = kJitterRules.at(static_cast<std::size_t>(jitter.kind));
+  return Object{{"kind", rule.kind}, {std::string(rule.amount_key), jitter.amount}, {"seed", jitter.seed}};
 }
 
 Json to_json(const Clock& clock) {

@@ -236,16 +236,6 @@ SweepDraft read_draft(const JsonPlace& document, const std::string& source, Json
   return draft;
 }
 
-void throw_problems(const JsonProblems& problems, const std::string& source) {
-  if (problems.count == 0) return;
-  std::string sentences;
-  for (const JsonProblem& problem : problems.listed)
-    sentences.append(sentences.empty() ? "" : "\n")
-        .append(printable(source + ": " + (problem.pointer.empty() ? "/" : problem.pointer) + ": " +
-                          problem.sentence));
-  throw Failure(ExitCode::bad_input, sentences);
-}
-
 Json json_of(const SweepNumber& number) {
   return std::visit([](auto value) { return Json(value); }, number);
 }
@@ -356,7 +346,7 @@ SweepFile parse_sweep(std::string_view text, const std::string& source, SweepChe
   const Json document = parse_json(text, source);
   JsonProblems problems;
   SweepDraft draft = read_draft(JsonPlace(&document, "", problems), source, problems);
-  throw_problems(problems, source);
+  problems.throw_if_any(source);
   SweepFile file;
   Sweep& sweep = file.sweep;
   sweep.members = draft.members.value();

@@ -1,4 +1,3 @@
-#include "sim/card/card_result.h"
 #include "tools/hyrax-compare/card_output.h"
 #include "tools/report/result_page.h"
 

@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -147,31 +146,26 @@ void EnsembleWriter::open(const EnsembleHead& head) {
 
 void EnsembleWriter::write(const EnsembleRows& rows) {
   assert(rows.first_row == rows_done_);
-  errno = 0;
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
+  write_columns(rows.count, [&](std::size_t column) {
     buffer_.resize(columns_[column].row_bytes() * static_cast<std::size_t>(rows.count));
     columns_[column].fill(rows, buffer_.data());
-    if (h5::write_rows(datasets_[column], memory_type(columns_[column].type),
-                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(rows.count),
-                       buffer_.data()) < 0)
-      fail();
-  }
-  note_done(rows.count);
+    return buffer_.data();
+  });
 }
 
 void EnsembleWriter::write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count) {
-  errno = 0;
-  for (std::size_t column = 0; column < columns_.size(); ++column)
-    if (h5::write_rows(datasets_[column], memory_type(columns_[column].type),
-                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(count),
-                       columns[column].data()) < 0)
-      fail();
-  note_done(count);
+  write_columns(count, [&](std::size_t column) { return columns[column].data(); });
 }
 
 // The rows are in the file before it says so.
-void EnsembleWriter::note_done(std::int64_t rows) {
-  rows_done_ += rows;
+void EnsembleWriter::write_columns(std::int64_t count,
+                                   const std::function<const std::byte*(std::size_t column)>& bytes_of) {
+  errno = 0;
+  for (std::size_t column = 0; column < columns_.size(); ++column)
+    if (h5::write_rows(datasets_[column], memory_type(columns_[column].type),
+                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(count), bytes_of(column)) < 0)
+      fail();
+  rows_done_ += count;
   if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0 || H5Awrite(done_, H5T_NATIVE_INT64, &rows_done_) < 0 ||
       H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0)
     fail();
@@ -187,10 +181,6 @@ void EnsembleWriter::finish() {
 void EnsembleWriter::fail() const { fail_to_write(path_, errno == 0 ? EIO : errno); }
 
 EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
-  if (std::FILE* const file = std::fopen(path.c_str(), "rb"); file == nullptr)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
-  else
-    std::fclose(file);
   const auto open = [&] {
     file_ = h5::open_file(path);
     const auto head = file_.is_open() ? read_head(file_) : std::nullopt;

@@ -88,7 +88,7 @@ class EnsembleWriter {
 
  private:
   void open(const EnsembleHead& head);
-  void note_done(std::int64_t rows);
+  void write_columns(std::int64_t count, const std::function<const std::byte*(std::size_t column)>& bytes_of);
   [[noreturn]] void fail() const;
 
   std::string path_;

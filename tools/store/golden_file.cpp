@@ -90,7 +90,8 @@ bool write_blocks(hid_t file, const std::vector<StoredBlock>& blocks) {
   }
   const auto write = [&](const char* name, hid_t type, hid_t memory_type, std::size_t length,
                          const void* data) {
-    return h5::write_dataset(group, name, type, memory_type, length, data).is_open();
+    const h5::Handle dataset = h5::create_dataset(group, name, type, {length});
+    return dataset.is_open() && (length == 0 || h5::write_rows(dataset, memory_type, 0, length, data) >= 0);
   };
   bool is_written =
       write("count", H5T_STD_I64LE, H5T_NATIVE_INT64, counts.size(), counts.data()) &&

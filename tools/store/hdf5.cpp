@@ -48,6 +48,12 @@ Handle dataset_list() {
   return list;
 }
 
+Handle create_with(hid_t creation, hid_t parent, const char* name, hid_t type,
+                   const std::vector<hsize_t>& shape, const hsize_t* shape_max = nullptr) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), shape_max), H5Sclose);
+  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
+}
+
 hssize_t length_of(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   assert(H5Sget_simple_extent_ndims(space) == 1);
@@ -90,16 +96,22 @@ Handle create_group(hid_t parent, const char* name) {
   return {H5Gcreate2(parent, name, H5P_DEFAULT, object_list(H5P_GROUP_CREATE), H5P_DEFAULT), H5Gclose};
 }
 
-Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
-  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, dataset_list(), H5P_DEFAULT), H5Dclose};
+Handle create_dataset(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& shape) {
+  return create_with(dataset_list(), parent, name, type, shape);
 }
 
-Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape) {
-  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type,
+                               const std::vector<hsize_t>& shape) {
   const Handle creation = dataset_list();
   H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
-  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
+  return create_with(creation, parent, name, type, shape);
+}
+
+Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {
+  const hsize_t unlimited = H5S_UNLIMITED;
+  const Handle creation = dataset_list();
+  H5Pset_chunk(creation, 1, &chunk);
+  return create_with(creation, parent, name, type, {0}, &unlimited);
 }
 
 std::vector<hsize_t> shape_of(hid_t dataset) {
@@ -135,6 +147,10 @@ RowSpaces row_spaces(hid_t dataset, hsize_t first, hsize_t count) {
 }  // namespace
 
 herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* data) {
+  if (std::vector<hsize_t> size = shape_of(dataset); !size.empty() && first + count > size.front()) {
+    size.front() = first + count;
+    if (H5Dset_extent(dataset, size.data()) < 0) return -1;
+  }
   const RowSpaces spaces = row_spaces(dataset, first, count);
   return spaces.is_good ? H5Dwrite(dataset, memory_type, spaces.memory, spaces.file, H5P_DEFAULT, data) : -1;
 }
@@ -142,34 +158,6 @@ herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count
 herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data) {
   const RowSpaces spaces = row_spaces(dataset, first, count);
   return spaces.is_good ? H5Dread(dataset, memory_type, spaces.memory, spaces.file, H5P_DEFAULT, data) : -1;
-}
-
-Handle write_dataset(hid_t parent, const char* name, hid_t type, hid_t memory_type, std::size_t length,
-                     const void* data) {
-  Handle dataset = create_dataset(parent, name, type, {length});
-  if (length > 0 && H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) return {};
-  return dataset;
-}
-
-Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {
-  const hsize_t none = 0;
-  const hsize_t unlimited = H5S_UNLIMITED;
-  const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-  const Handle creation = dataset_list();
-  H5Pset_chunk(creation, 1, &chunk);
-  return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
-}
-
-herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* data) {
-  Handle space(H5Dget_space(dataset), H5Sclose);
-  const hsize_t end = first + count;
-  if (static_cast<hsize_t>(H5Sget_simple_extent_npoints(space)) < end) {
-    if (H5Dset_extent(dataset, &end) < 0) return -1;
-    space = Handle(H5Dget_space(dataset), H5Sclose);
-  }
-  const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr) < 0) return -1;
-  return H5Dwrite(dataset, memory_type, memory, space, H5P_DEFAULT, data);
 }
 
 bool share_axis(hid_t group, const char* scale) {
@@ -362,14 +350,14 @@ bool ColumnWriter::append(const std::vector<Column>& columns) {
     const ColumnData data = data_of(columns[index]);
     count = data.count;
     const void* const values = data.padded.empty() ? data.data : data.padded.data();
-    if (count > 0) is_written_ = write_part(datasets_[index], data.memory_type, written_, count, values) >= 0;
+    if (count > 0) is_written_ = write_rows(datasets_[index], data.memory_type, written_, count, values) >= 0;
   }
   written_ += count;
   return is_written_;
 }
 
 bool ColumnWriter::set(std::size_t column, hsize_t row, std::int64_t value) {
-  return write_part(datasets_[column], H5T_NATIVE_INT64, row, 1, &value) >= 0;
+  return write_rows(datasets_[column], H5T_NATIVE_INT64, row, 1, &value) >= 0;
 }
 
 bool ColumnWriter::finish(const std::vector<Column>& columns, const char* axis) {

@@ -61,28 +61,22 @@ class Handle {
 [[nodiscard]] Handle create_group(hid_t parent, const char* name);
 
 /// A dataset of fixed length, stored contiguously.
-[[nodiscard]] Handle create_dataset(hid_t parent, const char* name, hid_t type, std::vector<hsize_t> shape);
+[[nodiscard]] Handle create_dataset(hid_t parent, const char* name, hid_t type,
+                                    const std::vector<hsize_t>& shape);
 /// The same, with its room in the file taken at once, so that writing to it changes no other part of the
 /// file.
 [[nodiscard]] Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type,
-                                             std::vector<hsize_t> shape);
-/// Writes rows `first` .. `first + count - 1` of a dataset of one or two dimensions.
-/// Returns a negative value on failure.
+                                             const std::vector<hsize_t>& shape);
+/// Writes rows `first` .. `first + count - 1` of a dataset of one or two dimensions, and extends one that
+/// grows if needed. Returns a negative value on failure.
 [[nodiscard]] herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count,
                                 const void* data);
 /// Reads them. Returns a negative value on failure.
 [[nodiscard]] herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data);
 /// Sizes of a dataset's dimensions.
 [[nodiscard]] std::vector<hsize_t> shape_of(hid_t dataset);
-/// The same, written at once; not open if it could not be written.
-[[nodiscard]] Handle write_dataset(hid_t parent, const char* name, hid_t type, hid_t memory_type,
-                                   std::size_t length, const void* data);
 /// A dataset that grows, stored in chunks of `chunk` elements.
 [[nodiscard]] Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk);
-/// Writes elements `first` .. `first + count - 1`, and extends the dataset if needed.
-/// Returns a negative value on failure.
-[[nodiscard]] herr_t write_part(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count,
-                                const void* data);
 
 /// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets; those of
 /// another length become axes themselves. netCDF readers such as xarray need this to open the group.

@@ -15,7 +15,8 @@ namespace hyrax {
 /// here throws it again.
 /// REQUIRES: this process has no other thread: the child would wait forever for a lock that one holds.
 /// ERRORS: Failure(bad_input) "PATH: is damaged: ..." if the child did not survive; Failure(cannot_access) if
-/// there is no child process, or its exit status is unknown, as in a process that ignores SIGCHLD.
+/// the file cannot be read, there is no child process, or its exit status is unknown, as in a process that
+/// ignores SIGCHLD.
 void read_isolated(const std::string& path, const std::function<void()>& read);
 
 /// Reads many files in one child process, so that they cost one fork. If it survives, read_isolated does not

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <sstream>
 
@@ -142,23 +141,14 @@ class StudyReader {
   h5::Handle file_;
 };
 
-void require_readable(const std::string& path) {
-  std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
-  std::fclose(file);
-}
-
 }  // namespace
 
 StudyFile read_study_file(const std::string& path) {
-  require_readable(path);
   read_isolated(path, [&] { static_cast<void>(StudyReader(path).read()); });
   return StudyReader(path).read();
 }
 
 std::string format_of_file(const std::string& path) {
-  require_readable(path);
   const auto format = [&] {
     const h5::Handle file = h5::open_file(path);
     return file.is_open() ? h5::read_text_attribute(file, "format").value_or("") : std::string();

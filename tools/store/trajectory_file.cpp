@@ -84,19 +84,12 @@ NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::strin
 }
 
 void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const {
-  const std::string damage = place_ + ": cannot be read: the file is truncated or damaged";
-  if (count == length_) {
-    if (H5Dread(dataset_, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-      throw Failure(ExitCode::bad_input, damage);
-    return;
-  }
-  const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
-  const auto start = static_cast<hsize_t>(first);
-  const auto size = static_cast<hsize_t>(count);
-  const h5::Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &size, nullptr) < 0 ||
-      H5Dread(dataset_, memory_type, memory, space, H5P_DEFAULT, values) < 0)
-    throw Failure(ExitCode::bad_input, damage);
+  const herr_t result = count == length_
+                            ? H5Dread(dataset_, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values)
+                            : h5::read_rows(dataset_, memory_type, static_cast<hsize_t>(first),
+                                            static_cast<hsize_t>(count), values);
+  if (result < 0)
+    throw Failure(ExitCode::bad_input, place_ + ": cannot be read: the file is truncated or damaged");
 }
 
 TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)

@@ -74,12 +74,12 @@ void RowTable::close() {
 bool RowTable::write(const Columns& rows) {
   const auto first = static_cast<hsize_t>(written_);
   const hsize_t count = rows.size();
-  bool is_written = h5::write_part(step_, H5T_NATIVE_INT64, first, count, rows.step.data()) >= 0;
+  bool is_written = h5::write_rows(step_, H5T_NATIVE_INT64, first, count, rows.step.data()) >= 0;
   for (std::size_t column = 0; column < kRowColumns.size() && is_written; ++column)
-    is_written = h5::write_part(columns_[column], H5T_NATIVE_DOUBLE, first, count,
+    is_written = h5::write_rows(columns_[column], H5T_NATIVE_DOUBLE, first, count,
                                 (rows.*kRowColumns[column].also).data()) >= 0;
   is_written =
-      is_written && h5::write_part(contact_, H5T_NATIVE_UINT8, first, count, rows.contact.data()) >= 0;
+      is_written && h5::write_rows(contact_, H5T_NATIVE_UINT8, first, count, rows.contact.data()) >= 0;
   written_ += static_cast<std::int64_t>(count);
   return is_written;
 }

@@ -10,6 +10,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
 #include "tools/files/printable.h"
+#include "tools/files/table_text.h"
 
 namespace hyrax {
 namespace {
@@ -33,14 +34,6 @@ std::uint64_t require_disk_space(const std::string& path, std::int64_t rows, std
                                                " (found " + size_text(space.available) +
                                                " free); record fewer with /record/every");
   return bytes;
-}
-
-// A column's name and unit, as "vx_px_per_s".
-std::string header_of(const RowColumn& column) {
-  std::string text = std::string(column.name) + "_";
-  for (const char letter : std::string_view(column.unit))
-    text += letter == '/' ? "_per_" : std::string(1, letter);
-  return text;
 }
 
 }  // namespace
@@ -99,7 +92,9 @@ TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, 
   }
   if (!file_) fail_to_write(path_, errno);
   std::string header = "step";
-  for (const RowColumn& column : kRowColumns) header.append(",").append(header_of(column));
+  for (const RowColumn& column : kRowColumns)
+    header.append(",").append(
+        key_of({.name = column.name, .unit = column.unit, .long_name = "", .values = {}}));
   write(header + ",contact\n");
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "sim/cause/watched_kernel.h"
 #include "sim/compare/comparison.h"
@@ -133,53 +134,29 @@ std::function<void()> timed(const Script& script, const PartSet& parts) {
   };
 }
 
-std::function<void()> timed_without(const Script& script, Part part) {
-  switch (part) {
-    case Part::gravity:
-      return timed(script, AllBut<Part::gravity>());
-    case Part::drag:
-      return timed(script, AllBut<Part::drag>());
-    case Part::left_wall:
-      return timed(script, AllBut<Part::left_wall>());
-    case Part::right_wall:
-      return timed(script, AllBut<Part::right_wall>());
-    case Part::top_wall:
-      return timed(script, AllBut<Part::top_wall>());
-    case Part::ground:
-      return timed(script, AllBut<Part::ground>());
-    case Part::friction:
-      return timed(script, AllBut<Part::friction>());
-    case Part::restitution:
-      return timed(script, AllBut<Part::restitution>());
-    case Part::rest_rule:
-      return timed(script, AllBut<Part::rest_rule>());
-  }
-  return {};
+template <std::size_t... kParts>
+std::function<void()> timed_without(const Script& script, std::size_t part, std::index_sequence<kParts...>) {
+  using MakeTimed = std::function<void()> (*)(const Script&);
+  constexpr std::array<MakeTimed, kPartCount> kMakers = {
+      [](const Script& played) { return timed(played, AllBut<static_cast<Part>(kParts)>()); }...};
+  return kMakers[part](script);
 }
 
 // What is left out at a time: a part of the step, the jitter, or an input.
 struct Omission {
   std::string name;
-  std::optional<Part> part;
-  Omitted omitted;
+  std::optional<Part> part = {};
+  bool jitter = false;
+  std::optional<std::size_t> input = {};  // Index into Script::inputs.
 };
-
-Parts parts_without(const std::optional<Part>& part) {
-  Parts parts;
-  if (part) parts.leave_out(*part);
-  return parts;
-}
 
 std::vector<Omission> omissions_of(const Script& script) {
   std::vector<Omission> omissions;
   for (std::size_t part = 0; part < kPartCount; ++part)
-    omissions.push_back({std::string(kPartNames[part]), static_cast<Part>(part), {}});
-  if (script.is_jittered) omissions.push_back({"jitter", {}, {.jitter = true}});
-  for (std::size_t input = 0; input < script.inputs.size(); ++input) {
-    omissions.push_back({script.inputs[input], {}, {}});
-    omissions.back().omitted.inputs.resize(input + 1);
-    omissions.back().omitted.inputs[input] = true;
-  }
+    omissions.push_back({.name = std::string(kPartNames[part]), .part = static_cast<Part>(part)});
+  if (script.is_jittered) omissions.push_back({.name = "jitter", .jitter = true});
+  for (std::size_t input = 0; input < script.inputs.size(); ++input)
+    omissions.push_back({.name = script.inputs[input], .input = input});
   return omissions;
 }
 
@@ -192,7 +169,8 @@ void take_times(ScenarioNeeds& needs, const Script& script, const CostOptions& o
   std::vector<PartNeed*> timed_parts;
   for (PartNeed& part : needs.parts) {
     if (!part.model_part || !part.difference.is_same_bits) continue;
-    works.push_back(timed_without(script, *part.model_part));
+    works.push_back(timed_without(script, static_cast<std::size_t>(*part.model_part),
+                                  std::make_index_sequence<kPartCount>()));
     timed_parts.push_back(&part);
   }
   const Costs measured = measure_costs(works, now_ns, options);
@@ -205,19 +183,16 @@ void take_times(ScenarioNeeds& needs, const Script& script, const CostOptions& o
     timed_parts[index]->saved_ns_per_step = difference_of(complete, measured.costs[index + 1], steps).time_ns;
 }
 
-// The run without the omissions of these indices.
-PathDifference difference_without_all(const Script& script, const Rows& complete,
-                                      const std::vector<Omission>& omissions,
-                                      const std::vector<std::size_t>& left_out) {
+// The run without all of these.
+PathDifference difference_without(const Script& script, const Rows& complete,
+                                  const std::vector<Omission>& left_out) {
   Omitted omitted;
   omitted.inputs.resize(script.inputs.size());
   Parts parts;
-  for (const std::size_t index : left_out) {
-    const Omission& omission = omissions[index];
+  for (const Omission& omission : left_out) {
     if (omission.part) parts.leave_out(*omission.part);
-    omitted.jitter |= omission.omitted.jitter;
-    for (std::size_t input = 0; input < script.inputs.size(); ++input)
-      if (omission.omitted.has_input(input)) omitted.inputs[input] = true;
+    if (omission.input) omitted.inputs[*omission.input] = true;
+    omitted.jitter |= omission.jitter;
   }
   return difference_of(complete, play_rows(without(script, omitted), parts));
 }
@@ -227,23 +202,25 @@ PathDifference difference_without_all(const Script& script, const Rows& complete
 // moves the path too far is put back.
 void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& complete,
                         const std::vector<Omission>& omissions, double within_px) {
-  std::vector<std::size_t> left_out;
-  for (std::size_t index = 0; index < needs.parts.size(); ++index)
-    if (is_unneeded(needs.parts[index].need)) left_out.push_back(index);
-  needs.without_all_unneeded = difference_without_all(script, complete, omissions, left_out);
-  if (needs.without_all_unneeded.path_px > within_px) {
-    std::stable_sort(left_out.begin(), left_out.end(), [&](std::size_t a, std::size_t b) {
-      return needs.parts[a].difference.path_px < needs.parts[b].difference.path_px;
-    });
-    std::vector<std::size_t> kept_out;
-    for (const std::size_t index : left_out) {
-      kept_out.push_back(index);
-      if (difference_without_all(script, complete, omissions, kept_out).path_px <= within_px) continue;
-      kept_out.pop_back();
-      needs.parts[index].need = Need::needed_jointly;
-    }
-    needs.without_all_unneeded = difference_without_all(script, complete, omissions, kept_out);
+  std::vector<std::size_t> unneeded;
+  std::vector<Omission> left_out;
+  for (std::size_t index = 0; index < needs.parts.size(); ++index) {
+    if (!is_unneeded(needs.parts[index].need)) continue;
+    unneeded.push_back(index);
+    left_out.push_back(omissions[index]);
   }
+  needs.without_all_unneeded = difference_without(script, complete, left_out);
+  if (needs.without_all_unneeded.path_px <= within_px) return;
+  std::ranges::stable_sort(unneeded, {},
+                           [&](std::size_t index) { return needs.parts[index].difference.path_px; });
+  left_out.clear();
+  for (const std::size_t index : unneeded) {
+    left_out.push_back(omissions[index]);
+    if (difference_without(script, complete, left_out).path_px <= within_px) continue;
+    left_out.pop_back();
+    needs.parts[index].need = Need::needed_jointly;
+  }
+  needs.without_all_unneeded = difference_without(script, complete, left_out);
 }
 
 void count_paths(ScenarioNeeds& needs, const Scenario& scenario, const StepProgram& step) {
@@ -290,8 +267,7 @@ ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
   needs.is_cut = script.is_cut;
   needs.comes_to_rest = comes_to_rest(script, complete);
   for (const Omission& omission : omissions) {
-    const PathDifference difference =
-        difference_of(complete, play_rows(without(script, omission.omitted), parts_without(omission.part)));
+    const PathDifference difference = difference_without(script, complete, {omission});
     needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
   }
   leave_out_unneeded(needs, script, complete, omissions, options.within_px);

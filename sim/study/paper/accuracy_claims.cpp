@@ -33,8 +33,9 @@ struct Swing {
   double v = 0.0;
 };
 
-// A step of v' = -w^2 y by a step that knows gravity alone: in units of length in which gravity is as strong
-// as the spring is here, 1 = scale px, it does the same, since each of its operations is homogeneous.
+// Moves a spring, v' = -w^2 y, by a step that knows gravity alone. Lengths are given to the step in units in
+// which gravity is as strong as the spring is at y: 1 becomes `scale` px. Every operation of the step
+// multiplies or adds lengths, so that a result divided by `scale` is that of the spring.
 template <class Fly>
 void swing_on(Swing& swing, double stiffness_per_s2, const Fly& fly) {
   constexpr double kLeast = 1e-6;

@@ -18,7 +18,8 @@
 namespace hyrax {
 namespace {
 
-// The records of a CSV file by RFC 4180; line ends are LF or CRLF, a byte-order mark is skipped.
+// The records of a CSV file by RFC 4180; line ends are LF or CRLF, a byte-order mark is skipped. By hand: a
+// message names the line and column of a misplaced quote, which Debian's libcsv does not say.
 class CsvReader {
  public:
   CsvReader(const std::string& path, std::string_view text) : path_(path), rest_(text) {

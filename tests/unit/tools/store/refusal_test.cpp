@@ -31,7 +31,7 @@ class Refusal : public testing::Test {
     const h5::Handle file = open();
     const h5::Handle bytes(H5Dopen2(file, dataset, H5P_DEFAULT), H5Dclose);
     const h5::Handle type(H5Dget_type(bytes), H5Tclose);
-    ASSERT_GE(h5::write_part(bytes, type, 0, 1, &value), 0);
+    ASSERT_GE(h5::write_rows(bytes, type, 0, 1, &value), 0);
   }
 
   void expect_refused(const std::string& place) const {
