@@ -15,7 +15,7 @@ namespace {
 
 double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
 
-// Settled, and both speeds 0.
+// 0 if the sprite has settled with both speeds 0; else below 0, by the speed that is left.
 double rest_slack(const RunSummary& summary, double speed_px_per_s) {
   return summary.at_rest_since_s ? -speed_px_per_s : -std::max(speed_px_per_s, 1.0);
 }

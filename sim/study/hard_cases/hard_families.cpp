@@ -130,14 +130,15 @@ constexpr FamilyOf kFamilies[] = {
     {is_drop_to_zero_speed, zeno_family},
 };
 
-// At the end, and no one holds it.
+// Whether the run ends with a sprite that is larger than its window and is not held.
 bool is_larger_than_window(const Scenario& scenario) {
   World world{.state = {}, .window = scenario.window, .sprite = scenario.sprite};
   for (const Event& event : scenario.events) apply(event.action, world);
   return !world.is_held && (world.bounds().right_px < 0.0 || world.bounds().bottom_px < 0.0);
 }
 
-// 0.7992 of 1e12 px/s a frame is subnormal after some 3,400 frames.
+// On the floor each frame leaves 0.7992 of vx (drag and friction): 1e12 px/s are subnormal after some 3,400
+// frames.
 bool slides_to_subnormal_speed(const ScenarioForm& form) {
   return form.is_left_alone && form.has_room && form.is_inside && step_count(form.scenario) >= 3'500 &&
          form.start.y_px == form.bounds.bottom_px && form.start.vy_px_per_s == 0.0 &&

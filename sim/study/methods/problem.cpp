@@ -13,7 +13,7 @@ namespace {
 
 constexpr Size kScreen{1920, 1080};
 constexpr Size kSprite{128, 128};
-constexpr std::int64_t kFramesMax = 10'000'000;  // Frames of next to no time come to no end.
+constexpr std::int64_t kFramesMax = 10'000'000;  // A scenario of very short frames could have any number.
 
 // Coordinates stay as small as the flight allows, so that rounding does.
 Problem open_sky(const std::string& name, const std::string& label, const State& start, double duration_s) {

@@ -43,15 +43,14 @@ struct ClaimStarts {
   double fastest_px_per_s = 2000.0;  ///< Of each component of the velocity.
   double slowest_hz = 15.0;          ///< Frame rate, which is doubled four times.
 };
-/// The paper's sentences whose verdict must not depend on a start: energy (2.3, 2.4), frame rates (6.1), ...
+/// The claims that are measured over ClaimStarts, so that no verdict depends on one start: energy (2.3, 2.4),
+/// frame rates (6.1), oscillators (2.3), order (2.4), energy drift and missed collisions (4.1).
 [[nodiscard]] std::vector<Claim> energy_claims(const ClaimStarts& starts = {});
 [[nodiscard]] Claim frame_rate_claim(const ClaimStarts& starts = {});
-/// ... oscillators (2.3), order (2.4), energy
-/// drift and missed collisions (4.1).
 [[nodiscard]] std::vector<Claim> accuracy_claims(const ClaimStarts& starts = {});
 
-/// The paper's sentences on flight (sections 1 to 2.3), walls (3, 5), time steps
-/// (3.2.2, 4.1, 4.2), the order of operations (4.3, 6), constants (5) and use (6).
+/// The other claims: on flight (sections 1 to 2.3), walls (3, 5), time steps (3.2.2, 4.1, 4.2), the order of
+/// operations (4.3, 6), constants (5) and use (6).
 [[nodiscard]] std::vector<Claim> flight_claims();
 [[nodiscard]] std::vector<Claim> wall_claims();
 [[nodiscard]] std::vector<Claim> time_step_claims();
