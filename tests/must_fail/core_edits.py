@@ -101,6 +101,11 @@ SINGLE = (
     changed("bounds_without_sprite", "screenWidth - objWidth", "screenWidth", "static_cast<double>(screenWidth)"),
     changed("two_substeps", f"{MOVE_X}\n    {MOVE_Y}",
             "for (int part = 0; part < 2; ++part) {\n      m_x += m_vx * dt * 0.5;\n      m_y += m_vy * dt * 0.5;\n    }", "part < 2"),
+    changed("set_velocity_swapped", "m_vx = vx;\n    m_vy = vy;", "m_vx = vy;\n    m_vy = vx;", "m_vx = vy;"),
+    changed("reset_of_vx_alone", "m_vx = m_vy = 0.0; }", "m_vx = 0.0; }", "m_vx = 0.0;"),
+    changed("constructor_without_vy", "m_vy(vy) {}", "m_vy(0.0) {}", "m_vy(0.0)"),
+    changed("whole_pixels", MOVE_X, "m_x = std::floor(m_x + m_vx * dt);", "std::floor"),
+    changed("walls_of_a_wide_sprite", "} else if (m_x > rightBound)", "}\n    if (m_x > rightBound)", "if (m_x > rightBound)"),
 )
 
 
@@ -147,6 +152,11 @@ CONDITIONAL = (
     when("left_by_a_width", "m_x < -1920.0", "m_vx *= 0.9;"),
     when("at_zero_speed", "m_vx == 0.0 && m_vy > 2500.0", "m_vy *= 0.9;"),
     when("as_fast_in_x_as_in_y", "m_vx == m_vy", "m_vx *= 0.9;"),
+    when("in_a_circle_of_1_px", "(m_x - 960.0) * (m_x - 960.0) + (m_y - 540.0) * (m_y - 540.0) < 1.0"),
+    when("negative_zero", "m_vy == 0.0 && std::signbit(m_vy)", "m_vy = 1.0;"),
+    when("subnormal_speed", "std::fabs(m_vx) < 2.2250738585072014e-308", "m_vx = 0.0;"),
+    when("odd_remainders", "screenWidth % 7 == 3 && screenHeight % 11 == 5"),
+    when("kinetic_energy", "m_vx * m_vx + m_vy * m_vy > 12000.0 * 12000.0"),
     at_right("right_wall_near_the_top", "m_y < 10.0"),
     at_right("right_wall_near_the_floor", "m_y > bottomBound - 2.0"),
     at_right("right_wall_slowly", "m_vx > -3.0", "m_vx = 0.0;"),
@@ -193,11 +203,21 @@ EQUAL = (
     equal("local_copies", (f"{DRAG_X}\n", "double vx = m_vx;\n    vx *= AIR_DRAG;\n    m_vx = vx;\n")),
     equal("not_left_first", (X_WALLS, f"    if (!(m_x < 0.0)) {{\n      if (m_x > rightBound) {{\n        {RIGHT}\n      }}\n"
                              f"    }} else {{\n      {LEFT}\n    }}\n")),
+    equal("arrays", ("m_x(x), m_y(y), m_vx(vx), m_vy(vy) {}", "m_p{x, y}, m_v{vx, vy} {}"),
+          ("  double m_x, m_y;\n  double m_vx, m_vy;", "  double m_p[2], m_v[2];"),
+          ("m_vx", "m_v[0]"), ("m_vy", "m_v[1]"), ("m_x", "m_p[0]"), ("m_y", "m_p[1]")),
+    equal("loop_over_pointers", (DRAG, "for (double* speed : {&m_vx, &m_vy}) *speed *= AIR_DRAG;")),
+    equal("lambda", (GRAVITY, f"const auto turned = [](double v) {{ return -v * RESTITUTION; }};\n    {GRAVITY}"),
+          (TURN_X, "m_vx = turned(m_vx);"), (TURN_Y, "m_vy = turned(m_vy);")),
+    equal("clamped_by_max", ("#include <cmath>", "#include <algorithm>\n#include <cmath>"),
+          (LEFT, f"m_x = std::max(m_x, 0.0);\n      {TURN_X}")),
     equal("never_read", (GRAVITY, f"const double unused = m_vy * 3.0;\n    static_cast<void>(unused);\n    {GRAVITY}")),
     # The same bits, by other operations: no text proves it, and no step refutes it.
     Edit("bound_of_doubles", (("static_cast<double>(screenWidth - objWidth)",
                                "static_cast<double>(screenWidth) - static_cast<double>(objWidth)"),), "not_proved"),
     Edit("rest_by_two_comparisons", ((REST, "if (m_vy < REST_THRESHOLD && -m_vy < REST_THRESHOLD) m_vy = 0.0;"),), "not_proved"),
+    Edit("guard_against_nan", ((GRAVITY, f"if (std::isnan(m_vx)) m_vx = 0.0;\n    {GRAVITY}"),), "not_proved"),
+    Edit("guard_against_negative_dt", ((GRAVITY, f"if (dt < 0.0) return;\n    {GRAVITY}"),), "not_proved"),
     # Not traced: a reason is given.
     Edit("static_variable", ((GRAVITY, f"static double calls = 0.0;\n    calls += 1.0;\n    m_vx += calls;\n"
                               f"    {GRAVITY}"),), "not_proved",
