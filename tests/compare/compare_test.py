@@ -393,12 +393,15 @@ class Step(CompareTest):
 class Alone(CompareTest):
     """Without a candidate: the project's core against the accepted one."""
 
-    def accepted(self, edits):
-        """A golden folder whose accepted core is the shipped one, edited, of which no step was traced."""
+    def accepted(self, edits, step=None):
+        """A golden folder whose accepted core is the shipped one, edited; without a step, as if none was traced."""
         header = candidates.header(SHIPPED, edits)
         constants = ", ".join(f"{name} {float(value):.12g}" for name, value in re.findall(r"double (\w+) = ([0-9.]+);", header))
+        named = xxhash.xxh3_128_hexdigest(step.encode()) if step else "not complete: by hand"
+        if step:
+            self.write("golden/core/step.txt", step)
         text = (f"hyrax-core/1\nclass: hyrax-physics/1\nconstants: {constants}\n"
-                f"header: {xxhash.xxh3_128_hexdigest(header.encode())}\nstep: not complete: by hand\nreason: a test\n")
+                f"header: {xxhash.xxh3_128_hexdigest(header.encode())}\nstep: {named}\nreason: a test\n")
         self.write("golden/core/physics.h", header)
         self.write("golden/core/accepted.txt", text + f"checksum: {xxhash.xxh3_128_hexdigest(text.encode())}\n")
 
@@ -416,10 +419,25 @@ class Alone(CompareTest):
                       "                  line 16   constant: GRAVITY 1100 -> 1200\n", text)
         (self.folder / "golden/core/physics.h").write_text(SHIPPED, encoding="utf-8")
         outcome = self.compare(DISAGREED, *arguments)
-        self.assertRegex(outcome.err, r"\Agolden/core/physics\.h: does not have the checksum in accepted\.txt; .* bless --core .*\n\Z")
+        self.assertRegex(outcome.err, r"\Agolden/core/physics\.h: does not have the checksum in accepted\.txt; take the folder from version control\n\Z")
         shutil.rmtree(self.folder / "golden")
         outcome = self.compare(GOLDEN_MISSING, *arguments)
         self.assertRegex(outcome.err, r"\Agolden/core: no accepted core; name a base, or accept .*: hyrax-sim bless --core .*\n\Z")
+
+
+    def test_an_accepted_header_that_takes_another_step_now_is_refused(self):
+        """As after a change of a header that it includes."""
+        self.library()
+        text = (SOURCE / "golden/core/step.txt").read_text(encoding="utf-8").rsplit("checksum: ", 1)[0]
+        changed = text.replace("1200{0x1.2cp+10}", "1250{0x1.388p+10}")
+        self.assertNotEqual(changed, text)
+        checksum = 0xcbf29ce484222325
+        for byte in changed.encode():
+            checksum = ((checksum ^ byte) * 0x100000001b3) % 2 ** 64
+        self.accepted([("A body in a window.", "A body in its window.")], f"{changed}checksum: {checksum:016x}\n")
+        outcome = self.compare(BAD_INPUT, "--golden", "golden", "--scenarios", "library", "--flings", FLINGS)
+        self.assertEqual(outcome.err, "golden/core/physics.h: compiled now, it does not take the accepted step, golden/core/step.txt "
+                                      "(an included header or a compiler option changed); name a base\n")
 
 
 class OtherInterface(CompareTest):

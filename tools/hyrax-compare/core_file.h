@@ -27,7 +27,8 @@ struct CoreFile {
 [[nodiscard]] CoreFile core_of_project(const TemporaryFolder& folder, const std::string& name);
 
 /// The accepted core of a golden folder. ERRORS: as read_accepted_core's, and make_core's;
-/// Failure(golden_missing) if there is none.
+/// Failure(golden_missing) if there is none; Failure(bad_input) if its header, compiled now, takes another
+/// step.
 [[nodiscard]] CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder& folder,
                                       const std::string& name);
 
