@@ -18,7 +18,9 @@ const browser = await chromium.launch({ executablePath: '/usr/bin/chromium' });
 
 // By hand, with 20 ms from point to point however busy the machine is.
 async function drag(page, device, selector, points) {
-  const box = await page.locator(selector).first().boundingBox();
+  const place = page.locator(selector).first();
+  await place.scrollIntoViewIfNeeded();
+  const box = await place.boundingBox();
   const input = await page.context().newCDPSession(page);
   const begin = Date.now() / 1000;
   const types = device === 'touch' ? ['touchStart', 'touchMove', 'touchEnd'] : ['mousePressed', 'mouseMoved', 'mouseReleased'];

@@ -28,6 +28,7 @@ function axisText(axis, value) {
     if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return '';
     return Math.abs(exponent) <= 3.01 ? rounded(value) : `10${power(Math.round(exponent))}`;
   }
+  if (value !== 0 && Math.abs(value) < 1e-3) return rounded(value, 2);
   return axis.decimals >= 0 ? value.toFixed(axis.decimals).replace('-', '−') : value.toLocaleString('en', { maximumSignificantDigits: 6 }).replace('-', '−');
 }
 
@@ -188,9 +189,9 @@ function drawPlot(plot, place, view, label) {
   const marginTop = 32 + (topDots ? 10 : 0) + (plot.marks.some(mark => mark.is_vertical && mark.text) ? 12 : 0);
   const marks = [
     ...(plot.spans.length ? [Plot.rect(plot.spans, { x1: '0', x2: '1', y1: () => domain.y[0], y2: () => domain.y[1], fill: 'var(--rule)', fillOpacity: 0.5, clip: true })] : []),
-    Plot.gridX({ ticks: xTicks, stroke: 'var(--rule)', strokeOpacity: 1 }),
+    Plot.gridX({ ticks: xTicks ?? Math.max(2, Math.floor((width - marginLeft) / 70)), stroke: 'var(--rule)', strokeOpacity: 1 }),
     ...(isCategorical ? [] : [Plot.gridY({ ticks: ticksOf(plot.y, domain.y, height - 76), stroke: 'var(--rule)', strokeOpacity: 1 })]),
-    Plot.axisX({ ticks: xTicks, text: value => (shownTicks && !shownTicks.has(value) ? '' : axisText(plot.x, value)), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.x.label || null, labelArrow: 'none', labelAnchor: 'right' }),
+    Plot.axisX({ ticks: xTicks ?? Math.max(2, Math.floor((width - marginLeft) / 70)), text: value => (shownTicks && !shownTicks.has(value) ? '' : axisText(plot.x, value)), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.x.label || null, labelArrow: 'none', labelAnchor: 'right' }),
     Plot.axisY({ ticks: ticksOf(plot.y, domain.y, height - 76), text: value => axisText(plot.y, value), tickSize: 0, tickPadding: 8, fill: 'var(--quiet)', label: plot.y.label || null, labelArrow: 'none', labelAnchor: 'top' }),
     ...plot.series.flatMap(series => marksOfSeries(series, plot, domain)).map(mark => Object.assign(mark, { clip: view.zoom ? 'frame' : mark.clip })),
     ...plot.marks.filter(mark => finite(mark.at)).flatMap(mark => [
