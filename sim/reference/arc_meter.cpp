@@ -22,7 +22,7 @@ void include_worst(std::optional<Worst>& worst, std::optional<double> value, std
 
 void include_all_worst(DriftSummary& summary, const auto& columns, const auto& record, std::int64_t step) {
   for (const auto& column : columns)
-    if (column.also != nullptr) include_worst(summary.*column.also, column.number(record), step);
+    if (column.also.worst != nullptr) include_worst(summary.*column.also.worst, column.number(record), step);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What drift measures, each quantity once: its name, unit, description and value, and how text and JSON show
-// it. Tables, text, JSON and HDF5 are made of these lists by code that knows no quantity.
+// What drift measures, each quantity once: its name, unit, description and value, its key in JSON, and how
+// text shows it. Tables, text, JSON and HDF5 are made of these lists by code that knows no quantity.
 #pragma once
 
 #include <cstdint>
@@ -12,55 +12,53 @@
 
 namespace hyrax {
 
-/// With the largest in magnitude, if it is kept.
+/// How the text of drift shows a column, and the largest of its values in magnitude.
+struct DriftShown {
+  constexpr DriftShown(const char* text_head = nullptr, std::optional<Worst> DriftSummary::*largest = nullptr,
+                       const char* text_unit = nullptr, double text_scale = 1.0)
+      : head(text_head), worst(largest), unit(text_unit), scale(text_scale) {}
+  const char* head;  ///< Null: not in the tables of the text.
+  std::optional<Worst> DriftSummary::*worst;
+  const char* unit;  ///< Null: the column's.
+  double scale;      ///< That unit in one of the column's.
+};
 template <class Record>
-using DriftColumn = ColumnOf<Record, std::optional<Worst> DriftSummary::*>;
+using DriftColumn = ColumnOf<Record, DriftShown>;
 
 inline constexpr DriftColumn<ArcErrors> kArcColumns[] = {
-    {"first_step", "", "row that the arc begins with", &ArcErrors::first_step, "",
-     TextColumn("arc", "from", 7)},
-    {"last_step", "", "row that the arc ends with", &ArcErrors::last_step, "", TextColumn("", "to", 7)},
-    {"duration", "s", "time from the first row to the last", &ArcErrors::duration_s, "",
-     TextColumn("time", "s", 7, 1.0, "{:.4g}")},
+    {"first_step", "", "row that the arc begins with", &ArcErrors::first_step, "", DriftShown("from")},
+    {"last_step", "", "row that the arc ends with", &ArcErrors::last_step, "", DriftShown("to")},
+    {"duration", "s", "time from the first row to the last", &ArcErrors::duration_s, "", DriftShown("time")},
     {"ended_by", "", "what ended the arc",
      DriftColumn<ArcErrors>::Code{[](const ArcErrors& a) { return static_cast<std::uint8_t>(a.ended_by); },
                                   {kArcEndNames}},
-     "", TextColumn("ended", "by", -6)},
+     "", DriftShown("ended by")},
     {"implementation", "px", "largest distance from the discrete closed form", &ArcErrors::implementation_px,
-     "", TextColumn("implem.", "px", 9), &DriftSummary::implementation_px},
+     "", DriftShown("implem.", &DriftSummary::implementation_px)},
     {"truncation", "px", "largest distance from the matched ODE", &ArcErrors::truncation_px, "",
-     TextColumn("trunc.", "px", 8), &DriftSummary::truncation_px},
+     DriftShown("trunc.", &DriftSummary::truncation_px)},
     {"model", "px", "largest distance from the ODE with the drag rate of 60 Hz", &ArcErrors::model_px, "",
-     TextColumn("model", "px", 8), &DriftSummary::model_px},
+     DriftShown("model", &DriftSummary::model_px)},
     {"energy_drift_rel_max", "1",
      "energy_drift_max / largest energy of the matched ODE, 1200 px2/s2 at least",
-     &ArcErrors::energy_drift_rel_max, "", TextColumn("drift", "%", 8, 100.0),
-     &DriftSummary::energy_drift_rel_max},
+     &ArcErrors::energy_drift_rel_max, "",
+     DriftShown("drift", &DriftSummary::energy_drift_rel_max, "%", 100.0)},
     {"energy_drift_rel_end", "1",
      "energy_drift_end / largest energy of the matched ODE, 1200 px2/s2 at least",
      &ArcErrors::energy_drift_rel_end},
     {"energy_drift_slope_height", "px/s", "slope of a line fitted to the energy drift as height",
-     &ArcErrors::energy_drift_slope_px_per_s, "energy_drift_slope_px_per_s", TextColumn("slope", "px/s", 8),
-     &DriftSummary::energy_drift_slope_px_per_s},
+     &ArcErrors::energy_drift_slope_px_per_s, "energy_drift_slope_px_per_s",
+     DriftShown("slope", &DriftSummary::energy_drift_slope_px_per_s)},
     {"energy_drift_slope", "1/s", "slope of a line fitted to the relative energy drift",
-     &ArcErrors::energy_drift_slope_per_s, "energy_drift_slope_per_s", TextColumn("slope", "%/s", 8, 100.0),
-     &DriftSummary::energy_drift_slope_per_s},
-    {"energy_drift_max",
-     "px2/s2",
-     "largest energy drift in magnitude",
-     &ArcErrors::energy_drift_max_px2_per_s2,
-     "energy_drift_max",
-     {},
-     &DriftSummary::energy_drift_max_px2_per_s2},
+     &ArcErrors::energy_drift_slope_per_s, "energy_drift_slope_per_s",
+     DriftShown("slope", &DriftSummary::energy_drift_slope_per_s, "%/s", 100.0)},
+    {"energy_drift_max", "px2/s2", "largest energy drift in magnitude",
+     &ArcErrors::energy_drift_max_px2_per_s2, "energy_drift_max",
+     DriftShown(nullptr, &DriftSummary::energy_drift_max_px2_per_s2)},
     {"energy_drift_end", "px2/s2", "energy of the run minus the matched ODE's at the last row",
      &ArcErrors::energy_drift_end_px2_per_s2, "energy_drift_end"},
-    {"exact_law",
-     "px",
-     "largest distance from the flow of the step's exact law",
-     &ArcErrors::exact_law_px,
-     "",
-     {},
-     &DriftSummary::exact_law_px},
+    {"exact_law", "px", "largest distance from the flow of the step's exact law", &ArcErrors::exact_law_px,
+     "", DriftShown(nullptr, &DriftSummary::exact_law_px)},
     {"implementation_speed", "px/s", "largest difference of velocity from the discrete closed form",
      &ArcErrors::implementation_px_per_s, "-"},
     {"truncation_speed", "px/s", "largest difference of velocity from the matched ODE",
@@ -80,29 +78,25 @@ inline constexpr DriftColumn<ArcErrors> kReferenceArcColumns[] = {
     {"coordinate_largest", "px", "largest coordinate of run and matched ODE",
      &ArcErrors::coordinate_largest_px, "-"},
     {"gsl_vs_closed", "px", "largest distance between GSL's solution and the closed form",
-     &ArcErrors::gsl_vs_closed_px, "", TextColumn("GSL", "off px", 8), &DriftSummary::gsl_vs_closed_px},
+     &ArcErrors::gsl_vs_closed_px, "", DriftShown("off GSL", &DriftSummary::gsl_vs_closed_px)},
 };
 
 inline constexpr DriftColumn<ImpactErrors> kImpactColumns[] = {
-    {"step", "", "clamped row", &ImpactErrors::step, "", TextColumn("contact", "", 7)},
+    {"step", "", "clamped row", &ImpactErrors::step, "", DriftShown("contact")},
     {"wall", "", "wall: 1 left, 2 right, 4 top, 8 ground",
      DriftColumn<ImpactErrors>::Code{[](const ImpactErrors& c) { return static_cast<std::uint8_t>(c.wall); },
                                      {kWallNames, true}},
-     "", TextColumn("wall", "", -6)},
+     "", DriftShown("wall")},
     {"time_error", "s", "time of the clamped row minus the true impact's", &ImpactErrors::time_error_s, "",
-     TextColumn("time error ms", "", 14, 1e3), &DriftSummary::time_error_s},
+     DriftShown("time error", &DriftSummary::time_error_s, "ms", 1e3)},
     {"overshoot", "px", "how far past the wall the unclamped position was", &ImpactErrors::overshoot_px, "",
-     TextColumn("overshoot px", "", 14), &DriftSummary::overshoot_px},
+     DriftShown("overshoot", &DriftSummary::overshoot_px)},
     {"energy_jump_rel", "1",
      "energy change over the clamped step / largest energy of the arc, 1200 px2/s2 at least",
-     &ImpactErrors::energy_jump_rel, "", TextColumn("energy jump %", "", 14, 100.0),
-     &DriftSummary::energy_jump_rel},
-    {"effective_restitution",
-     "1",
-     "normal speed after / normal speed at the true impact",
-     &ImpactErrors::effective_restitution,
-     "",
-     {"restitution", "", 14, 1.0, "{:.4f}"}},
+     &ImpactErrors::energy_jump_rel, "",
+     DriftShown("energy jump", &DriftSummary::energy_jump_rel, "%", 100.0)},
+    {"effective_restitution", "1", "normal speed after / normal speed at the true impact",
+     &ImpactErrors::effective_restitution, "", DriftShown("restitution")},
     {"energy_by_flight", "px2/s2", "energy change of the clamped step by its flight without walls",
      [](const ImpactErrors& c) { return c.energy_parts.flight; }, "energy_parts/flight"},
     {"energy_by_lift", "px2/s2", "by the lift out of the wall",

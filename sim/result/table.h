@@ -102,17 +102,15 @@ template <class Records, class Get>
   return {name, unit, long_name, std::move(values), digits};
 }
 
-/// A column in a table of text of fixed width, in which a missing value is "-".
-struct TextColumn {
-  constexpr TextColumn(const char* head_text = "", const char* unit_text = "", int letters = 0,
-                       double factor = 1.0, const char* number_format = "")
-      : head(head_text), unit(unit_text), width(letters), scale(factor), format(number_format) {}
-  const char* head;
-  const char* unit;  ///< Below the head.
-  int width;         ///< 0: not in the text. Negative: aligned at the left.
-  double scale;
-  const char* format;  ///< Of {fmt}; three digits if it is empty.
-};
+/// A column of one row: a number, a bool, a text or a Table. A missing number is a NaN, or as in Column; an
+/// integer keeps its type.
+template <class Value>
+[[nodiscard]] Column column_of_one(const std::string& name, const std::string& unit, const Value& value) {
+  if constexpr (std::is_same_v<Value, std::optional<double>>)
+    return column_of_one(name, unit, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  else
+    return {.name = name, .unit = unit, .values = std::vector<ColumnValue<Value>>{ColumnValue<Value>(value)}};
+}
 
 /// A column before there are records: how it is described, where a record has its value, and what else
 /// whoever lists it keeps with it.
@@ -129,7 +127,6 @@ struct ColumnOf {
                std::optional<std::int64_t> Record::*, double (*)(const Record&), Code>
       get;
   const char* key = "";  ///< Column::key.
-  TextColumn text = {};
   Also also = {};
 
   /// Of codes the code.

@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/result/figure.h"
-#include "sim/result/table.h"
-#include "sim/result/verdict.h"
+#include "sim/result/result.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trace/step_player.h"
 
@@ -43,13 +41,6 @@ struct StudyRequest {
   std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress = {};
 };
 
-struct StudyResult {
-  std::vector<Table> tables = {};  ///< At least one; the first is also the CSV file.
-  std::vector<Figure> figures = {};
-  Verdict verdict = {};
-  std::vector<Table> summary = {};  ///< The study's own members of the JSON document.
-};
-
 /// The request does not suit the study: a line for each fault, beginning with its place.
 struct RequestRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -64,7 +55,7 @@ struct Study {
   bool is_of_paper = false;            ///< About the paper's constants, not about a core of one's own.
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
   /// ERRORS: RequestRefused.
-  StudyResult (*run)(const StudyRequest& request) = nullptr;
+  Result (*run)(const StudyRequest& request) = nullptr;
 };
 
 /// All of them, in the order of the help.

@@ -61,12 +61,12 @@ struct Columns {
 using RowColumn = ColumnOf<Row, std::vector<double> Columns::*>;
 
 inline constexpr std::array<RowColumn, 6> kRowColumns = {{
-    {"t", "s", "time since the start", &Row::t_s, "", {}, &Columns::t_s},
-    {"dt", "s", "duration of the frame", &Row::dt_s, "", {}, &Columns::dt_s},
-    {"x", "px", "left edge of the sprite, to the right", &Row::x_px, "", {}, &Columns::x_px},
-    {"y", "px", "top edge of the sprite, downwards", &Row::y_px, "", {}, &Columns::y_px},
-    {"vx", "px/s", "velocity to the right", &Row::vx_px_per_s, "", {}, &Columns::vx_px_per_s},
-    {"vy", "px/s", "velocity downwards", &Row::vy_px_per_s, "", {}, &Columns::vy_px_per_s},
+    {"t", "s", "time since the start", &Row::t_s, "", &Columns::t_s},
+    {"dt", "s", "duration of the frame", &Row::dt_s, "", &Columns::dt_s},
+    {"x", "px", "left edge of the sprite, to the right", &Row::x_px, "", &Columns::x_px},
+    {"y", "px", "top edge of the sprite, downwards", &Row::y_px, "", &Columns::y_px},
+    {"vx", "px/s", "velocity to the right", &Row::vx_px_per_s, "", &Columns::vx_px_per_s},
+    {"vy", "px/s", "velocity downwards", &Row::vy_px_per_s, "", &Columns::vy_px_per_s},
 }};
 
 /// The flags of a row's contact byte.

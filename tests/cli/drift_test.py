@@ -124,7 +124,7 @@ class Files(DriftTest):
         with h5py.File(self.folder / "fling.h5", "r+") as file:
             file["trajectory/y"][50] = math.nan
         outcome = self.expect(DISAGREED, "drift", "fling.h5")
-        self.assertIn("NOT FINITE   from row 50", outcome.out)
+        self.assertIn("does not hold: NOT FINITE from row 50", outcome.out)
         self.assertEqual(self.expect(DISAGREED, "drift", "fling.h5", "--json").json["runs"][0]["non_finite_step"], 50)
 
     def test_rows_that_do_not_count_up_are_refused(self):
@@ -191,17 +191,16 @@ class Table(DriftTest):
     def table_of(self, document, *arguments):
         return self.expect(AGREED, "drift", self.write("scenario.json", document), *arguments).out
 
-    def test_it_lists_arcs_contacts_margin_and_ends_with_speed_against_error(self):
+    def test_it_lists_arcs_contacts_margin_and_speed_against_error(self):
         table = self.table_of(fling())
         self.assertTrue(table.splitlines()[1].startswith("  whole run    ends "))
-        for part in ("fling: 300 steps, 5 s at 60 Hz", "px of height a second, at ", "closed form, checked by GSL rk8pd at 1e-12", "  worst",
+        for part in ("fling: 300 steps, 5 s at 60 Hz", "px of height a second, at ", "closed form, checked by GSL rk8pd, tolerance 1e-12", "  worst",
                      "restitution  median 0.", "the model's is 0.6", "  any start within ±",
                      "keeps all contacts; nearest decision:", "  not computed "):
             self.assertIn(part, table)
-        last = table.splitlines()[-1]
-        self.assertRegex(last, r"this machine \S+ ns/step, trunc\. \S+ px, drift -10 px/s; "
-                               r"half dt: 2 x \S+ ns, \S+ px, -5 px/s")
-        self.assertRegex(table, r"\n    worst .* -9\.99 ", "the slope of every arc, however low")
+        self.assertRegex(table, r"\n  dt +a step here, ns  trunc\., px  model, px  slope, px/s\n"
+                                r"  this +\S+ +\S+ +\S+ +-9\.99\n  half +\S+ +\S+ +\S+ +-[45]\.\d\d\n")
+        self.assertRegex(table, r"\n  worst (.*\n)?.* slope -9\.99 px/s ", "the slope of every arc, however low")
 
     def test_it_says_how_likely_a_pixel_of_the_start_changes_contacts(self):
         self.assertIn("within ±1 px of the start, no contact changes", self.table_of(flight(60, 300)))
@@ -214,7 +213,7 @@ class Table(DriftTest):
         events = [{"step": step, "fling": {"vx_px_per_s": 10, "vy_px_per_s": -100}} for step in range(5, 300, 5)]
         table = self.table_of(flight(60, 300, events=events))
         self.assertIn("  ... 40 more; --verbose lists them", table)
-        self.assertLess(len(table.splitlines()), 40)
+        self.assertLess(len(table.splitlines()), 45)
 
     def test_it_fits_a_terminal(self):
         for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard", "clocks"))).out.splitlines():
@@ -226,14 +225,14 @@ class Table(DriftTest):
             self.assertIn(part, table)
 
     def test_it_says_that_and_why_the_step_does_not_converge(self):
-        part = "it does not converge"
+        part = "does not converge"
         self.assertIn(part, self.table_of(flight(240)))
         self.assertNotIn(part, self.table_of(flight(20)))
 
     def test_it_says_why_half_the_frame_was_not_measured(self):
         jittered = flight(60)
         jittered["clock"]["jitter"] = {"kind": "uniform", "fraction": 0.1, "seed": 1}
-        self.assertIn("; half dt not measured: jitter", self.table_of(jittered))
+        self.assertIn("half dt      not measured: jitter", self.table_of(jittered))
 
     def test_a_run_without_arcs_has_a_table_too(self):
         self.assertIn("no flight arc of two steps or more", self.table_of(fling(steps=1)))

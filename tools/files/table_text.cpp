@@ -62,7 +62,8 @@ NumberFormat format_of(const std::vector<double>& values, int digits) {
     is_whole = is_whole && value == std::floor(value);
   }
   if (most == 0.0) return {std::chars_format::general, digits};
-  if (std::log10(most / least) > kDecadesMax || most >= 1e9) return {std::chars_format::general, digits};
+  if (std::log10(most / least) > kDecadesMax || most >= 1e9 || most < 1e-6)
+    return {std::chars_format::general, digits};
   const int before_point = static_cast<int>(std::floor(std::log10(most))) + 1;
   return {std::chars_format::fixed, is_whole ? 0 : std::max(0, digits - before_point)};
 }
@@ -99,18 +100,32 @@ std::size_t letters(const std::string& text) {
 }
 
 // The lines of a column, its head first, all of one width.
-std::vector<std::string> aligned(const Column& column) {
+std::vector<std::string> aligned(const Column& column, bool has_units_below) {
   std::string head = column.name;
   std::replace(head.begin(), head.end(), '_', ' ');
-  if (!column.unit.empty() && column.unit != "1") head += ", " + column.unit;
+  const std::string unit = column.unit == "1" ? "" : column.unit;
   std::vector<std::string> lines = printed(column);
-  lines.insert(lines.begin(), head);
+  if (has_units_below) lines.insert(lines.begin(), unit);
+  lines.insert(lines.begin(), has_units_below || unit.empty() ? head : head + ", " + unit);
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, letters(line));
-  const bool is_text = std::holds_alternative<std::vector<std::string>>(column.values);
+  const bool is_text = std::holds_alternative<std::vector<std::string>>(column.values) ||
+                       std::holds_alternative<Codes>(column.values);
   for (std::string& line : lines)
     line.insert(is_text ? line.size() : 0, std::string(width - letters(line), ' '));
   return lines;
+}
+
+std::string aligned_lines(const Table& table, bool has_units_below) {
+  std::vector<std::string> lines(row_count(table) + (has_units_below ? 2 : 1), "  ");
+  for (const Column& column : table.columns) {
+    const std::vector<std::string> added = aligned(column, has_units_below);
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      lines[line] += (lines[line].size() == 2 ? "" : "  ") + added[line];
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  return text;
 }
 
 Json json_cell(const Column& column, std::size_t row) {
@@ -158,15 +173,11 @@ std::string key_of(const Column& column) {
 }
 
 std::string aligned_text(const Table& table) {
-  std::vector<std::string> lines(row_count(table) + 1, "  ");
-  for (const Column& column : table.columns) {
-    const std::vector<std::string> added = aligned(column);
-    for (std::size_t line = 0; line < lines.size(); ++line)
-      lines[line] += (lines[line].size() == 2 ? "" : "  ") + added[line];
-  }
-  std::string text;
-  for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  return text;
+  const auto fits = [](const std::string& text) { return letters(text.substr(0, text.find('\n'))) <= 100; };
+  const std::string text = aligned_lines(table, false);
+  if (fits(text)) return text;
+  const std::string with_units_below = aligned_lines(table, true);
+  return fits(with_units_below) ? with_units_below : text;
 }
 
 std::string csv_text(const Table& table) {
@@ -206,9 +217,13 @@ Json json_of(const Table& table) {
   return array;
 }
 
-void add_members(Json::Object& object, const Table& table) {
-  if (table.shape != JsonShape::members) return object.push_back({table.name, json_of(table)});
-  for (const Column& column : table.columns) object.push_back({key_of(column), json_cell(column, 0)});
+void add_members(Json::Object& object, const std::vector<Table>& tables) {
+  for (const Table& table : tables) {
+    if (table.shape != JsonShape::members)
+      object.push_back({table.name, json_of(table)});
+    else
+      for (const Column& column : table.columns) object.push_back({key_of(column), json_cell(column, 0)});
+  }
 }
 
 }  // namespace hyrax

@@ -8,7 +8,8 @@
 
 namespace hyrax {
 
-/// Aligned columns under their names and units, each line indented by two blanks. Numbers have the column's
+/// Aligned columns under their names and units, each line indented by two blanks; the units have a line of
+/// their own where only that makes the heads fit into 100 columns. Numbers have the column's
 /// significant digits, a missing one is "-". REQUIRES: no column of tables.
 [[nodiscard]] std::string aligned_text(const Table& table);
 
@@ -24,8 +25,8 @@ namespace hyrax {
 /// The column's key in JSON.
 [[nodiscard]] std::string key_of(const Column& column);
 
-/// Adds the table to an object: its first row's values if its shape is `members`, else one member of its
+/// Adds each table to an object: its first row's values if its shape is `members`, else one member of its
 /// name.
-void add_members(Json::Object& object, const Table& table);
+void add_members(Json::Object& object, const std::vector<Table>& tables);
 
 }  // namespace hyrax

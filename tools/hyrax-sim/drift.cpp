@@ -11,6 +11,8 @@
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/table_text.h"
+#include "tools/report/drift_figures.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/trajectory_file.h"
 
@@ -66,9 +68,11 @@ DriftRun measure(const DriftRequest& request, const DriftInput& input, const Dri
 
 void report(const DriftRequest& request, const std::string& path, const DriftReport& report,
             Outcomes& outcomes) {
-  if (!request.printing.is_json) return print_drift(report, request.printing);
+  const Result result = drift_result(report, request.printing.is_verbose());
+  if (!request.printing.is_json)
+    return print_verdict(report.run.scenario.name, result.verdict, request.printing);
   Json::Object entry{{"scenario", path}};
-  for (auto& member : drift_json(report)) entry.push_back(std::move(member));
+  add_members(entry, result.summary);
   outcomes.add(Json(std::move(entry)));
 }
 
@@ -85,9 +89,7 @@ void measure_one(const DriftRequest& request, const std::optional<GslOptions>& g
   report(request, input.path, measured, outcomes);
   if (request.figures.empty()) return;
   outcomes.attempt_after([&] {
-    const auto files =
-        draw_drift_figures(request.figures, {run.scenario, run.simulated_s, run.summary, run.arcs,
-                                             run.contacts, run.rows, run.whole, run.whole_rows, run.model});
+    const auto files = draw_drift_figures(request.figures, run);
     if (!request.printing.is_json)
       for (const std::string& file : files) print_error("written: " + file);
   });

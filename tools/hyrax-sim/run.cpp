@@ -16,6 +16,7 @@
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/table_text.h"
 #include "tools/report/page_file.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/trajectory_writer.h"
@@ -127,11 +128,17 @@ void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcome
       print_error(run.scenario.name + ": " + run.status());
     else
       print_run(run, request.printing);
-    if (run.drift) print_drift(drift, request.printing);
+    if (run.drift)
+      print_verdict(run.scenario.name, drift_result(drift, request.printing.is_verbose()).verdict,
+                    request.printing);
     return;
   }
   Json entry = run_json(run);
-  if (run.drift) entry.get<Json::Object>()->emplace_back("drift", drift_json(drift));
+  if (run.drift) {
+    Json::Object measured;
+    add_members(measured, drift_result(drift, false).summary);
+    entry.get<Json::Object>()->emplace_back("drift", std::move(measured));
+  }
   outcomes.add(std::move(entry));
 }
 

@@ -189,7 +189,7 @@ StudyRequest request_of(const Study& study, const StudyArguments& arguments,
   return request;
 }
 
-StudyResult run_study(const Study& study, StudyRequest request) {
+Result run_study(const Study& study, StudyRequest request) {
   std::optional<Progress> progress;
   request.report_progress = [&](const std::string& unit, std::int64_t done, std::int64_t total) {
     if (!progress) progress.emplace(unit, total);
@@ -216,7 +216,7 @@ void make_folder(const std::string& folder) {
 }
 
 // What the report page needs besides the tables, as text in the file: verdict and figures.
-Table report_table(const StudyResult& result) {
+Table report_table(const Result& result) {
   Json::Array figures;
   for (const Figure& figure : result.figures) figures.push_back(figure_json(figure));
   const auto column = [](const char* name, const char* long_name, const Json& json) {
@@ -234,7 +234,7 @@ struct WrittenStudy {
   std::optional<Failure> failed_figure;
 };
 
-WrittenStudy write_result(const Study& study, const StudyResult& result, const std::string& stem,
+WrittenStudy write_result(const Study& study, const Result& result, const std::string& stem,
                           bool has_figures) {
   WrittenStudy written{.paths = {stem + ".h5", stem + ".csv"}, .failed_figure = {}};
   std::vector<Table> tables = result.tables;
@@ -253,30 +253,13 @@ WrittenStudy write_result(const Study& study, const StudyResult& result, const s
   return written;
 }
 
-void print_json(const Study& study, const StudyResult& result, const std::vector<std::string>& paths) {
+void print_json(const Study& study, const Result& result, const std::vector<std::string>& paths) {
   const std::vector<std::string>& broken = result.verdict.broken;
   Json::Object document{{"study", study.name},
                         {"files", Json::Array(paths.begin(), paths.end())},
                         {"broken", Json::Array(broken.begin(), broken.end())}};
-  for (const Table& table : result.summary) add_members(document, table);
+  add_members(document, result.summary);
   print_json(std::move(document), 3);
-}
-
-void print_verdict(const Study& study, const Verdict& verdict, const std::vector<std::string>& paths,
-                   const Printing& printing) {
-  if (!printing.is_quiet()) {
-    for (const auto& part : verdict.text) {
-      if (const auto* const table = std::get_if<Table>(&part))
-        print_text("{}", aligned_text(*table));
-      else
-        print_text("{}\n", std::get<std::string>(part));
-    }
-  }
-  for (const std::string& sentence : verdict.broken)
-    print_text("{}: {}\n", VerdictWord{"does not hold", false}, sentence);
-  if (printing.is_quiet() && verdict.broken.empty())
-    print_text("{}: {}\n", study.name, VerdictWord{"all rules hold", true});
-  if (!printing.is_quiet()) print_text("written: {}\n", fmt::join(paths, ", "));
 }
 
 ExitCode run_study_command(const StudyArguments& arguments) {
@@ -288,16 +271,18 @@ ExitCode run_study_command(const StudyArguments& arguments) {
   const std::string stem = stem_of(study, arguments);
   OutputGuard guard(inputs);
   for (const char* const ending : {".h5", ".csv"}) guard.admit("hyrax-sim study: -o", stem + ending);
-  const StudyResult result = run_study(study, request);
+  const Result result = run_study(study, request);
   if (!arguments.has_no_figures)
     for (const Figure& figure : result.figures)
       guard.admit("hyrax-sim study: -o", stem + figure.suffix + ".svg");
   make_folder(arguments.folder);
   const WrittenStudy written = write_result(study, result, stem, !arguments.has_no_figures);
-  if (arguments.printing.is_json)
+  if (arguments.printing.is_json) {
     print_json(study, result, written.paths);
-  else
-    print_verdict(study, result.verdict, written.paths, arguments.printing);
+  } else {
+    print_verdict(study.name, result.verdict, arguments.printing);
+    if (!arguments.printing.is_quiet()) print_text("written: {}\n", fmt::join(written.paths, ", "));
+  }
   if (arguments.is_gate)
     for (const std::string& sentence : result.verdict.broken)
       print_error(fmt::format("hyrax-sim study {}: {}", study.name, sentence));

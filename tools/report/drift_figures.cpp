@@ -23,20 +23,20 @@ constexpr std::array<std::string_view, 6> kSuffixes = {"-whole",  "-energy",    
 
 Tone tone_of(Wall wall) { return kWallTones[wall_index(wall)]; }
 
-std::string note_of(const DriftPicture& picture) {
-  if (picture.arcs.empty()) return "";
-  const DriftSummary& summary = picture.summary;
-  if (summary.arcs > static_cast<std::int64_t>(picture.arcs.size()))
-    return fmt::format("the first {} of {} arcs", picture.arcs.size(), summary.arcs);
+std::string note_of(const DriftRun& run) {
+  if (run.arcs.empty()) return "";
+  const DriftSummary& summary = run.summary;
+  if (summary.arcs > static_cast<std::int64_t>(run.arcs.size()))
+    return fmt::format("the first {} of {} arcs", run.arcs.size(), summary.arcs);
   return fmt::format("{} arc{}, {} contact{}", summary.arcs, summary.arcs == 1 ? "" : "s", summary.contacts,
                      summary.contacts == 1 ? "" : "s");
 }
 
-Figure figure_of(const DriftPicture& picture, std::string_view suffix, std::string subtitle) {
+Figure figure_of(const DriftRun& run, std::string_view suffix, std::string subtitle) {
   return {.suffix = std::string(suffix),
-          .title = picture.scenario.name,
+          .title = run.scenario.name,
           .subtitle = std::move(subtitle),
-          .note = note_of(picture),
+          .note = note_of(run),
           .note_tone = Tone::quiet};
 }
 
@@ -47,15 +47,15 @@ LegendEntry wall_entry(Wall wall) {
 
 // Every other arc is shaded, and has a dot at the top for the wall that ended it. Neither if there are too
 // many arcs to distinguish.
-void mark_arcs(Figure& figure, Plot& plot, const DriftPicture& picture) {
-  const std::vector<ArcErrors>& arcs = picture.arcs;
+void mark_arcs(Figure& figure, Plot& plot, const DriftRun& run) {
+  const std::vector<ArcErrors>& arcs = run.arcs;
   if (arcs.size() > kArcsMarkedMax) return;
   std::size_t row = 0;
   std::array<bool, kWalls.size()> has_wall{};
-  for (std::size_t arc = 0; arc < arcs.size() && row < picture.rows.size(); ++arc) {
-    const double from_s = picture.rows[row].errors.t_s;
-    while (row < picture.rows.size() && picture.rows[row].arc == arc) ++row;
-    const double to_s = picture.rows[row - (row > 0)].errors.t_s;
+  for (std::size_t arc = 0; arc < arcs.size() && row < run.rows.size(); ++arc) {
+    const double from_s = run.rows[row].errors.t_s;
+    while (row < run.rows.size() && run.rows[row].arc == arc) ++row;
+    const double to_s = run.rows[row - (row > 0)].errors.t_s;
     if (arc % 2 == 1) plot.spans.push_back({from_s, to_s});
     const auto wall = wall_of(arcs[arc].ended_by);
     if (!wall) continue;
@@ -70,65 +70,65 @@ void mark_arcs(Figure& figure, Plot& plot, const DriftPicture& picture) {
 
 // A series of one value a row against time, with a gap between arcs. Without a value: NaN.
 template <class Value>
-Series series_of(const DriftPicture& picture, std::string name, const Look& look, const Value& value) {
+Series series_of(const DriftRun& run, std::string name, const Look& look, const Value& value) {
   Series series{.name = std::move(name), .look = look};
   std::size_t arc = 0;
-  for (const DrawnRow& row : picture.rows) {
-    if (row.arc >= picture.arcs.size()) break;
+  for (const DrawnRow& row : run.rows) {
+    if (row.arc >= run.arcs.size()) break;
     if (row.arc != arc) {
       series.x.push_back(row.errors.t_s);
       series.y.push_back(kNotGiven);
     }
     arc = row.arc;
     series.x.push_back(row.errors.t_s);
-    series.y.push_back(value(row.errors, picture.arcs[arc]));
+    series.y.push_back(value(row.errors, run.arcs[arc]));
   }
   return series;
 }
 
 // A plot against time from 0 to the end of the last arc.
-Plot plot_over_time(const DriftPicture& picture, Axis y) {
-  const double end_s = picture.rows.empty() ? 1.0 : picture.rows.back().errors.t_s;
+Plot plot_over_time(const DriftRun& run, Axis y) {
+  const double end_s = run.rows.empty() ? 1.0 : run.rows.back().errors.t_s;
   return {.x = {.label = "time, s", .low = 0.0, .high = end_s > 0.0 ? end_s : 1.0},
           .y = std::move(y),
           .when_empty = "no flight of two steps or more"};
 }
 
-Figure over_time(Figure figure, Plot plot, const DriftPicture& picture) {
+Figure over_time(Figure figure, Plot plot, const DriftRun& run) {
   for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
-  mark_arcs(figure, plot, picture);
+  mark_arcs(figure, plot, run);
   figure.body = std::vector{std::move(plot)};
   return figure;
 }
 
-Figure whole_figure(const DriftPicture& picture) {
-  Plot plot = plot_over_time(picture, {.label = "distance, px", .low = 0.0});
-  plot.x.high = picture.simulated_s > 0.0 ? picture.simulated_s : 1.0;
+Figure whole_figure(const DriftRun& run) {
+  Plot plot = plot_over_time(run, {.label = "distance, px", .low = 0.0});
+  plot.x.high = run.simulated_s > 0.0 ? run.simulated_s : 1.0;
   plot.when_empty = "no exact fling";
   std::string subtitle = "The whole run: distance from the exact fling, which has the same inputs";
   Series series{.name = "distance from the exact fling", .look = {.tone = Tone::blue, .width_px = 2}};
-  for (const WholeRow& row : picture.whole_rows) {
+  for (const WholeRow& row : run.whole_rows) {
     series.x.push_back(row.t_s);
     series.y.push_back(row.distance_px);
   }
-  if (const auto& whole = picture.whole.run; whole && !series.x.empty()) {
-    series.x.push_back(picture.simulated_s);
+  if (const auto& whole = run.whole.run; whole && !series.x.empty()) {
+    series.x.push_back(run.simulated_s);
     series.y.push_back(whole->end_px);
     subtitle +=
         fmt::format("; at the end {:.3g} px, {:.3g} px of height", whole->end_px, whole->energy_end_px);
   } else {
     series = {.name = series.name, .look = series.look};
-    plot.when_empty += ": " + picture.whole.why_not;
+    plot.when_empty += ": " + run.whole.why_not;
   }
   plot.series = {std::move(series)};
-  return over_time(figure_of(picture, kSuffixes[0], subtitle), std::move(plot), picture);
+  return over_time(figure_of(run, kSuffixes[0], subtitle), std::move(plot), run);
 }
 
 double run_energy(const RowErrors& row) { return row.energy_px2_per_s2 + row.energy_drift_px2_per_s2; }
 
-Figure energy_figure(const DriftPicture& picture) {
+Figure energy_figure(const DriftRun& run) {
   double least = HUGE_VAL, most = 0.0;
-  for (const DrawnRow& row : picture.rows)
+  for (const DrawnRow& row : run.rows)
     for (const double energy : {row.errors.energy_px2_per_s2, run_energy(row.errors)}) {
       least = std::min(least, energy);
       if (std::isfinite(energy)) most = std::max(most, std::fabs(energy));
@@ -139,33 +139,32 @@ Figure energy_figure(const DriftPicture& picture) {
   const std::string unit = exponent == 0 ? "px²/s²" : power_of_ten(exponent) + " px²/s²";
   Axis axis{.label = "specific energy, " + unit};
   if (least >= 0.0) axis.low = 0.0;
-  Plot plot = plot_over_time(picture, axis);
+  Plot plot = plot_over_time(run, axis);
   plot.series = {
-      series_of(picture, "run", {.tone = Tone::blue, .width_px = 3},
+      series_of(run, "run", {.tone = Tone::blue, .width_px = 3},
                 [scale](const RowErrors& row, const ArcErrors&) { return run_energy(row) / scale; }),
-      series_of(picture, "exact", {.width_px = 1.5, .dash = Dash::short_dashes},
+      series_of(run, "exact", {.width_px = 1.5, .dash = Dash::short_dashes},
                 [scale](const RowErrors& row, const ArcErrors&) { return row.energy_px2_per_s2 / scale; })};
-  return over_time(figure_of(picture, kSuffixes[1],
+  return over_time(figure_of(run, kSuffixes[1],
                              "Energy in flight: the run, and the exact solution from each arc's first state"),
-                   std::move(plot), picture);
+                   std::move(plot), run);
 }
 
-Figure energy_drift_figure(const DriftPicture& picture) {
-  Plot plot = plot_over_time(picture, {.label = "drift, % of the arc's largest energy"});
-  plot.series = {series_of(picture, "energy drift", {.tone = Tone::blue},
-                           [](const RowErrors& row, const ArcErrors& arc) {
-                             return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2();
-                           })};
+Figure energy_drift_figure(const DriftRun& run) {
+  Plot plot = plot_over_time(run, {.label = "drift, % of the arc's largest energy"});
+  plot.series = {
+      series_of(run, "energy drift", {.tone = Tone::blue}, [](const RowErrors& row, const ArcErrors& arc) {
+        return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2();
+      })};
   plot.marks = {{.is_vertical = false, .at = 0.0}};
-  return over_time(
-      figure_of(picture, kSuffixes[2], "Energy drift of each arc: the run minus the exact solution"),
-      std::move(plot), picture);
+  return over_time(figure_of(run, kSuffixes[2], "Energy drift of each arc: the run minus the exact solution"),
+                   std::move(plot), run);
 }
 
 // The decades that the errors cover, from an even exponent to an even one.
-Axis error_axis(const DriftPicture& picture) {
+Axis error_axis(const DriftRun& run) {
   double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const DrawnRow& row : picture.rows)
+  for (const DrawnRow& row : run.rows)
     for (const double error_px :
          {row.errors.implementation_px, row.errors.truncation_px, row.errors.model_px}) {
       if (!(error_px > 0.0) || !std::isfinite(error_px)) continue;
@@ -179,49 +178,49 @@ Axis error_axis(const DriftPicture& picture) {
           .high = std::pow(10.0, 2.0 * std::ceil((most + 0.01) / 2.0))};
 }
 
-Figure errors_figure(const DriftPicture& picture) {
+Figure errors_figure(const DriftRun& run) {
   const auto positive = [](double value_px) { return value_px > 0.0 ? value_px : kNotGiven; };
-  Plot plot = plot_over_time(picture, error_axis(picture));
+  Plot plot = plot_over_time(run, error_axis(run));
   plot.series = {
-      series_of(picture, "model error", {.tone = Tone::lavender, .width_px = 5},
+      series_of(run, "model error", {.tone = Tone::lavender, .width_px = 5},
                 [&](const RowErrors& row, const ArcErrors&) { return positive(row.model_px); }),
-      series_of(picture, "truncation error", {.tone = Tone::blue, .width_px = 2},
+      series_of(run, "truncation error", {.tone = Tone::blue, .width_px = 2},
                 [&](const RowErrors& row, const ArcErrors&) { return positive(row.truncation_px); }),
-      series_of(picture, "implementation error", {.tone = Tone::green, .width_px = 2},
+      series_of(run, "implementation error", {.tone = Tone::green, .width_px = 2},
                 [&](const RowErrors& row, const ArcErrors&) { return positive(row.implementation_px); })};
-  return over_time(figure_of(picture, kSuffixes[3],
+  return over_time(figure_of(run, kSuffixes[3],
                              "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt "
                              "(truncation), the step itself"),
-                   std::move(plot), picture);
+                   std::move(plot), run);
 }
 
-Figure restitution_figure(const DriftPicture& picture) {
+Figure restitution_figure(const DriftRun& run) {
   constexpr std::size_t kTicksMax = 20;
-  const Spread& spread = picture.summary.effective_restitution;
+  const Spread& spread = run.summary.effective_restitution;
   std::string subtitle = "Effective restitution: speed after the contact / speed at the true impact";
   if (spread.count() > 0)
     subtitle += fmt::format("; median {:.3f}, from {:.3g} to {:.3g}", spread.median(), spread.smallest(),
                             spread.largest());
-  Figure figure = figure_of(picture, kSuffixes[4], subtitle);
+  Figure figure = figure_of(run, kSuffixes[4], subtitle);
   const Look dashed{.width_px = 1.5, .dash = Dash::long_dashes};
   figure.legend = {{"0.6, the paper's", dashed}};
 
   std::array<Series, kWalls.size()> dots;
-  double low = picture.model.restitution, high = low;
-  const std::size_t count = picture.contacts.size();
+  double low = run.model.restitution, high = low;
+  const std::size_t count = run.contacts.size();
   for (std::size_t number = 0; number < count; ++number) {
-    const double value = picture.contacts[number].effective_restitution.value_or(0.0);
+    const double value = run.contacts[number].effective_restitution.value_or(0.0);
     if (!(value > 0.0)) continue;  // None, or zeroed by the rest rule.
     low = std::min(low, value);
     high = std::max(high, value);
-    Series& series = dots[wall_index(picture.contacts[number].wall)];
+    Series& series = dots[wall_index(run.contacts[number].wall)];
     series.x.push_back(static_cast<double>(number + 1));
     series.y.push_back(value);
   }
   const double space = std::max(0.02, 0.1 * (high - low));
   Plot plot{.x = {.label = "contact, in order", .low = 0.5, .high = static_cast<double>(count) + 0.5},
             .y = {.label = "effective restitution", .low = low - space, .high = high + space, .decimals = 2},
-            .marks = {{.is_vertical = false, .at = picture.model.restitution}},
+            .marks = {{.is_vertical = false, .at = run.model.restitution}},
             .when_empty = "no contact that ends a flight"};
   for (std::size_t number = 1; number <= count && count <= kTicksMax; ++number)
     plot.x.ticks.push_back({static_cast<double>(number), std::to_string(number)});
@@ -273,32 +272,32 @@ class CauseSeries {
   Series sum_{.name = "all four", .look = {.tone = Tone::ink, .width_px = 1.5, .dash = Dash::short_dashes}};
 };
 
-Figure causes_figure(const DriftPicture& picture) {
-  CauseSeries causes(picture.model.gravity_px_per_s2);
+Figure causes_figure(const DriftRun& run) {
+  CauseSeries causes(run.model.gravity_px_per_s2);
   std::size_t next = 0;
   const auto add_before = [&](std::int64_t step) {
-    for (; next < picture.contacts.size() && picture.contacts[next].step < step; ++next)
-      causes.add(picture.contacts[next]);
+    for (; next < run.contacts.size() && run.contacts[next].step < step; ++next)
+      causes.add(run.contacts[next]);
   };
-  for (const ArcErrors& arc : picture.arcs) {
+  for (const ArcErrors& arc : run.arcs) {
     add_before(arc.last_step);
     causes.add(arc);
   }
   add_before(std::numeric_limits<std::int64_t>::max());
-  Plot plot = plot_over_time(picture, {.label = "energy so far, as px of height"});
+  Plot plot = plot_over_time(run, {.label = "energy so far, as px of height"});
   for (Series* const series : causes.all()) plot.series.push_back(std::move(*series));
   plot.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(
-      figure_of(picture, kSuffixes[5],
+      figure_of(run, kSuffixes[5],
                 "What the step adds and takes by itself: energy against exact flights and bounces"),
-      std::move(plot), picture);
+      std::move(plot), run);
 }
 
 }  // namespace
 
-std::vector<Figure> drift_figures(const DriftPicture& picture) {
-  return {whole_figure(picture),  energy_figure(picture),      energy_drift_figure(picture),
-          errors_figure(picture), restitution_figure(picture), causes_figure(picture)};
+std::vector<Figure> drift_figures(const DriftRun& run) {
+  return {whole_figure(run),  energy_figure(run),      energy_drift_figure(run),
+          errors_figure(run), restitution_figure(run), causes_figure(run)};
 }
 
 std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name) {
@@ -308,12 +307,12 @@ std::vector<std::string> drift_figure_paths(const std::string& folder, const std
   return paths;
 }
 
-std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftPicture& picture) {
+std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftRun& run) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be created: " + error.message());
-  std::vector<std::string> paths = drift_figure_paths(folder, picture.scenario.name);
-  const std::vector<Figure> figures = drift_figures(picture);
+  std::vector<std::string> paths = drift_figure_paths(folder, run.scenario.name);
+  const std::vector<Figure> figures = drift_figures(run);
   for (std::size_t index = 0; index < figures.size(); ++index)
     draw_figure(paths[index], figure_script(figures[index]));
   return paths;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sim/result/figure.h"
+#include "sim/result/result.h"
 #include "sim/result/table.h"
-#include "sim/result/verdict.h"
 #include "tools/files/json.h"
 
 namespace hyrax {

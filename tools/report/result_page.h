@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/result/figure.h"
+#include "sim/result/result.h"
 #include "sim/result/table.h"
-#include "sim/result/verdict.h"
 #include "tools/files/json.h"
 
 namespace hyrax {

@@ -89,25 +89,23 @@ bool DriftRowTable::flush() {
   return is_written;
 }
 
-bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measured) {
+bool write_measured_arcs(hid_t reference, hid_t drift, const DriftRun& run) {
   h5::write_attribute(reference, "solution",
                       "closed form of v' = g - k v with k = -ln(0.999) / dt of each frame");
-  h5::write_attribute(reference, "checked_by", measured.checked_by);
-  h5::write_attribute(drift, "differing_steps", measured.summary.differing_steps);
-  h5::write_attribute(drift, "reference_faults", measured.summary.reference_faults);
+  h5::write_attribute(reference, "checked_by", run.checked_by.empty() ? "nothing" : run.checked_by);
+  h5::write_attribute(drift, "differing_steps", run.summary.differing_steps);
+  h5::write_attribute(drift, "reference_faults", run.summary.reference_faults);
 
-  std::vector<Column> solutions = columns_of(std::span(kArcColumns).first<2>(), measured.arcs);
-  for (Column& column : columns_of(kReferenceArcColumns, measured.arcs))
-    solutions.push_back(std::move(column));
-  const h5::Handle arcs = write_group(drift, "arcs", columns_of(kArcColumns, measured.arcs), "first_step");
+  std::vector<Column> solutions = columns_of(std::span(kArcColumns).first<2>(), run.arcs);
+  for (Column& column : columns_of(kReferenceArcColumns, run.arcs)) solutions.push_back(std::move(column));
+  const h5::Handle arcs = write_group(drift, "arcs", columns_of(kArcColumns, run.arcs), "first_step");
   const h5::Handle contacts =
-      write_group(drift, "contacts", columns_of(kImpactColumns, measured.contacts), "step");
+      write_group(drift, "contacts", columns_of(kImpactColumns, run.contacts), "step");
   if (!arcs.is_open() || !contacts.is_open()) return false;
-  h5::write_attribute(arcs, "total", measured.summary.arcs);
-  h5::write_attribute(arcs, "skipped", measured.summary.skipped_arcs);
-  h5::write_attribute(contacts, "total", measured.summary.contacts);
-  return write_group(reference, "arcs", solutions, "first_step").is_open() &&
-         write_whole(drift, measured.whole);
+  h5::write_attribute(arcs, "total", run.summary.arcs);
+  h5::write_attribute(arcs, "skipped", run.summary.skipped_arcs);
+  h5::write_attribute(contacts, "total", run.summary.contacts);
+  return write_group(reference, "arcs", solutions, "first_step").is_open() && write_whole(drift, run.whole);
 }
 
 }  // namespace hyrax

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "sim/reference/drift_columns.h"
+#include "sim/reference/drift_run.h"
 #include "tools/store/hdf5.h"
 
 namespace hyrax {
@@ -54,16 +55,8 @@ class DriftRowTable final : public DriftSink {
   h5::ColumnWriter of_drift_;
 };
 
-struct MeasuredArcs {
-  const DriftSummary& summary;
-  const std::vector<ArcErrors>& arcs;         ///< The first of them.
-  const std::vector<ImpactErrors>& contacts;  ///< The first of them.
-  const WholeOutcome& whole;
-  std::string checked_by;  ///< The second solution that the closed form was compared with.
-};
-
 /// Writes /reference/arcs, /drift/arcs, /drift/contacts and /drift/whole, and the attributes.
 /// @param reference, drift the open groups. Returns false if the file could not be written.
-[[nodiscard]] bool write_measured_arcs(hid_t reference, hid_t drift, const MeasuredArcs& measured);
+[[nodiscard]] bool write_measured_arcs(hid_t reference, hid_t drift, const DriftRun& run);
 
 }  // namespace hyrax

@@ -39,6 +39,6 @@ struct KeptEnergy {
 
 /// What the study says of them. A rule: by exact impacts no throw changes its energy by more than 1e-9 of it.
 /// REQUIRES: not empty; of a method, those of one rate stand together.
-[[nodiscard]] StudyResult bounces_result(const std::vector<KeptEnergy>& kept);
+[[nodiscard]] Result bounces_result(const std::vector<KeptEnergy>& kept);
 
 }  // namespace hyrax

@@ -169,13 +169,13 @@ Verdict verdict_of(const std::vector<KeptEnergy>& kept, const std::vector<KeptAt
   return verdict;
 }
 
-StudyResult run_bounces(const StudyRequest& request) {
+Result run_bounces(const StudyRequest& request) {
   return bounces_result(kept_energies({24.0, 60.0, 144.0, 240.0}, request.is_quick ? 100 : 1'000));
 }
 
 }  // namespace
 
-StudyResult bounces_result(const std::vector<KeptEnergy>& kept) {
+Result bounces_result(const std::vector<KeptEnergy>& kept) {
   const std::vector<KeptAtRate> rates = by_rate(kept);
   return {.tables = {throw_table(kept), rate_table(rates)},
           .figures = {kept_figure(kept)},

@@ -229,7 +229,7 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
                      {"broken", {.form = Form::bars, .tone = Tone::bad}}}};
 }
 
-StudyResult run_hard_cases(const StudyRequest& request) {
+Result run_hard_cases(const StudyRequest& request) {
   const std::vector<PlayedCase> cases = play(cases_of(request), request);
   const std::vector<Judgement> judgements = judgements_of(cases);
   return {.tables = {verdict_table(judgements), case_table(cases)},

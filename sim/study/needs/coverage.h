@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/result/result.h"
 #include "sim/result/table.h"
-#include "sim/result/verdict.h"
 #include "sim/study/needs/needs.h"
 
 namespace hyrax {

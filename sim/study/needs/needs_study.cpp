@@ -254,7 +254,7 @@ std::vector<ScenarioNeeds> study_all(const StudyRequest& request, const NeedsOpt
   return scenarios;
 }
 
-StudyResult run_needs(const StudyRequest& request) {
+Result run_needs(const StudyRequest& request) {
   if (request.scenarios.empty())
     throw RequestRefused(
         "hyrax-sim study needs: a scenario must be given; `hyrax-sim study needs scenarios` takes all");
@@ -269,9 +269,9 @@ StudyResult run_needs(const StudyRequest& request) {
                          : std::vector{15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
   const std::vector<ScenarioNeeds> scenarios = study_all(request, options);
   const double within_px = options.within_px;
-  StudyResult result{.tables = {part_table(scenarios), coverage_table(scenarios),
-                                control_table(scenarios, within_px), cheapest_table(scenarios)},
-                     .summary = summary_of(scenarios, within_px, options.core_step.get())};
+  Result result{.tables = {part_table(scenarios), coverage_table(scenarios),
+                           control_table(scenarios, within_px), cheapest_table(scenarios)},
+                .summary = summary_of(scenarios, within_px, options.core_step.get())};
   if (has_few_scenarios) {
     for (const ScenarioNeeds& needs : scenarios) {
       add_needs(result.verdict, needs, within_px, request);

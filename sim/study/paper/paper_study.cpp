@@ -170,14 +170,14 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
   return figure;
 }
 
-StudyResult run_paper(const StudyRequest& request) {
+Result run_paper(const StudyRequest& request) {
   const std::vector<Claim> claims = paper_claims(step_time_s(request.now_ns));
   std::optional<VerdictsByClaim> expected;
   if (request.expected) expected = checked_verdicts(*request.expected, claims);
-  StudyResult result{.tables = {claim_table(claims)},
-                     .figures = {claim_figure(claims, expected ? &*expected : nullptr)},
-                     .verdict = verdict_of(claims),
-                     .summary = {summary_of(claim_table(claims))}};
+  Result result{.tables = {claim_table(claims)},
+                .figures = {claim_figure(claims, expected ? &*expected : nullptr)},
+                .verdict = verdict_of(claims),
+                .summary = {summary_of(claim_table(claims))}};
   if (expected) result.verdict.broken = differences(claims, *expected, request.expected->path);
   return result;
 }

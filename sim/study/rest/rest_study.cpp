@@ -190,7 +190,7 @@ Verdict verdict_of(const RestResults& results) {
   return verdict;
 }
 
-StudyResult run_rest(const StudyRequest& request) {
+Result run_rest(const StudyRequest& request) {
   const RestResults results = measure(request.is_quick);
   return {
       .tables = {map_table(results.map), boundary_table(results.boundaries), bounce_table(results.bounces)},

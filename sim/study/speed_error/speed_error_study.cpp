@@ -252,7 +252,7 @@ std::vector<Figure> figures_of(const SpeedError& study, const std::string& machi
   return figures;
 }
 
-StudyResult run_speed_error(const StudyRequest& request) {
+Result run_speed_error(const StudyRequest& request) {
   std::vector<MethodKind> methods = frame_methods();
   for (MethodKind& kind : gsl_methods(request.is_quick)) methods.push_back(std::move(kind));
   SpeedErrorOptions options;
@@ -268,9 +268,9 @@ StudyResult run_speed_error(const StudyRequest& request) {
   };
   const SpeedError study =
       study_speed_error(problems_of(request), std::move(methods), options, request.now_ns);
-  StudyResult result{.tables = speed_error_tables(study, request.machine),
-                     .verdict = verdict_of(study, request),
-                     .summary = speed_error_summary(study, request.machine)};
+  Result result{.tables = speed_error_tables(study, request.machine),
+                .verdict = verdict_of(study, request),
+                .summary = speed_error_summary(study, request.machine)};
   result.figures = figures_of(study, request.machine);
   return result;
 }

@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include "tools/files/table_text.h"
+
 namespace hyrax {
 namespace {
 
@@ -20,6 +22,20 @@ std::string printed(const VerdictWord& verdict) {
   static const bool is_coloured = has_colour();
   if (!is_coloured) return std::string(verdict.word);
   return fmt::format("\x1b[{}m{}\x1b[0m", verdict.is_good ? 32 : 31, verdict.word);
+}
+
+void print_verdict(const std::string& name, const Verdict& verdict, const Printing& printing) {
+  if (!printing.is_quiet())
+    for (const auto& part : verdict.text) {
+      if (const auto* const table = std::get_if<Table>(&part))
+        print_text("{}", aligned_text(*table));
+      else
+        print_text("{}\n", std::get<std::string>(part));
+    }
+  for (const std::string& sentence : verdict.broken)
+    print_text("{}: {}\n", VerdictWord{"does not hold", false}, sentence);
+  if (printing.is_quiet() && verdict.broken.empty())
+    print_text("{}: {}\n", name, VerdictWord{verdict.brief, true});
 }
 
 void print_json(const Json& document, int depth_indented) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "sim/result/result.h"
 #include "tools/files/json.h"
 #include "tools/files/printable.h"
 
@@ -47,6 +48,9 @@ void print_text(fmt::format_string<decltype(printed(std::declval<const Values&>(
                 const Values&... values) {
   std::fputs(fmt::format(format, printed(values)...).c_str(), stdout);
 }
+
+/// Prints the text of a verdict and what does not hold; of `verdict` detail that alone, or NAME: BRIEF.
+void print_verdict(const std::string& name, const Verdict& verdict, const Printing& printing);
 
 /// Prints a document and a line end. @param depth_indented as JsonLayout's.
 void print_json(const Json& document, int depth_indented = 2);

@@ -1,4 +1,4 @@
-// A run measured against the reference: the command-line options for it, the measurement, and its report.
+// A run measured against the reference: the command-line options for it, the measurement, and its result.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/reference/drift.h"
+#include "sim/reference/drift_run.h"
 #include "sim/reference/gsl_flight.h"
-#include "sim/reference/margin.h"
-#include "sim/reference/whole_run.h"
-#include "sim/search/contact_chance.h"
+#include "sim/result/result.h"
 #include "sim/study/reference_model.h"
 #include "tools/app/command_line/options.h"
+#include "tools/app/drift/start_dependence.h"
 #include "tools/app/play/play_with_progress.h"
-#include "tools/files/json.h"
-#include "tools/report/drift_figures.h"
 
 namespace hyrax {
 
@@ -46,24 +43,6 @@ struct DriftOptions {
   bool keeps_rows = false;          ///< For a figure.
   Model model = reference_model();  ///< Of a file: its constants' (load_drift).
   DriftSink* also = nullptr;        ///< Gets every measurement as well, its rows if it wants them.
-};
-
-struct DriftRun {
-  Scenario scenario;
-  std::int64_t steps = 0;
-  double simulated_s = 0.0;
-  std::string note;  ///< On the origin of the rows; may be empty.
-  std::optional<GslOptions> gsl;
-  Model model;
-
-  DriftSummary summary;
-  std::optional<ArcErrors> longest_arc;
-  std::vector<ArcErrors> arcs;
-  std::vector<ImpactErrors> contacts;
-  std::vector<DrawnRow> rows;        ///< On request, thinned out,
-  std::vector<WholeRow> whole_rows;  ///< as these.
-  Margin margin;
-  WholeOutcome whole;
 };
 
 /// Measures the whole run, its arcs, its contacts and the margin, as the run is played or read.
@@ -115,34 +94,10 @@ struct DriftReport {
   std::optional<ContactChance> contact_chance = {};
 };
 
-/// Prints a table of at most 100 columns: the whole run, arcs, contacts, margin, what was not computed, and
-/// in the last line, if a step was timed, speed against error.
-void print_drift(const DriftReport& report, const Printing& printing);
-
-/// The members of an entry of "runs", all except "scenario".
-[[nodiscard]] Json::Object drift_json(const DriftReport& report);
-
-/// What was not computed.
-[[nodiscard]] std::vector<std::string> not_computed(const DriftReport& report);
-
-/// Whether rounding alone can change a contact.
-[[nodiscard]] bool is_knife_edge(const Margin& margin);
-
-/// "any start within ±0.27 px and px/s keeps all contacts; nearest decision: right wall, step 135".
-[[nodiscard]] std::string margin_text(const Margin& margin);
-
-/// How a run depends on its start: the margin, how far its end moves, how likely its contacts change.
-struct StartDependence {
-  Margin margin;
-  ContactChance contact_chance;
-};
-/// Plays 200 starts beside the scenario's.
-[[nodiscard]] ContactChance contact_chance_of(const Scenario& scenario, const Margin& margin);
-/// "within ±1 px of the start, contacts change in 38 % of the starts (31 .. 45 %; 200 starts, seed 1)".
-[[nodiscard]] std::string contact_chance_text(const ContactChance& chance);
-/// A table of d(end) / d(start), each line indented by two.
-[[nodiscard]] std::string sensitivity_text(const Sensitivity& sensitivity);
-/// The member "margin".
-[[nodiscard]] Json margin_json(const Margin& margin, const std::optional<ContactChance>& chance);
+/// The run as a result: a text of at most 100 columns (the whole run, arcs, contacts, margin, what was not
+/// computed, speed against error if a step was timed), and the members of an entry of "runs", all except
+/// "scenario".
+/// @param lists_all all arcs and contacts, and how the end moves with the start, instead of the first 20.
+[[nodiscard]] Result drift_result(const DriftReport& report, bool lists_all);
 
 }  // namespace hyrax

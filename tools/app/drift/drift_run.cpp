@@ -92,7 +92,10 @@ struct DriftRecorder::Sinks {
               options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows.add(row); })
                                  : nullptr) {
     run.scenario = scenario;
-    run.gsl = options.gsl;
+    if (options.gsl)
+      run.checked_by = fmt::format("GSL {}, tolerance {:g}",
+                                   kGslStepperNames[static_cast<std::size_t>(options.gsl->stepper)],
+                                   options.gsl->tolerance);
     run.model = options.model;
   }
 

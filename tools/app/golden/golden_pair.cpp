@@ -13,7 +13,7 @@
 #include "sim/trajectory/waypoints.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/paper_model.h"
-#include "tools/app/drift/drift.h"
+#include "tools/app/drift/start_dependence.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/summary_text.h"

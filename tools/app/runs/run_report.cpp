@@ -14,6 +14,7 @@
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
+#include "tools/files/table_text.h"
 
 namespace hyrax {
 namespace {
@@ -164,10 +165,7 @@ void print_run(const ScenarioRun& run, const Printing& printing) {
   if (!is_paper_model(core_model())) print_text("  core           {}\n", core_model());
   print_motion(summary);
   if (printing.is_verbose()) print_details(summary);
-  if (run.start)
-    print_text("  {}\n  {}\n{}", margin_text(run.start->margin),
-               contact_chance_text(run.start->contact_chance),
-               sensitivity_text(run.start->margin.sensitivity));
+  if (run.start) print_text("{}\n", start_text(*run.start, true));
   const Coverage coverage = coverage_of(run);
   print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n", joined(coverage.exercised),
              joined(coverage.never_touched), joined(coverage.not_computed));
@@ -205,7 +203,7 @@ Json run_json(const ScenarioRun& run) {
                       {"exercised", list_json(coverage.exercised)},
                       {"never_touched", list_json(coverage.never_touched)},
                       {"not_computed", list_json(coverage.not_computed)}};
-  if (run.start) object.emplace_back("margin", margin_json(run.start->margin, run.start->contact_chance));
+  if (run.start) add_members(object, {margin_table(*run.start)});
   if (summary.non_finite_step) object.emplace_back("non_finite_step", *summary.non_finite_step);
   return object;
 }

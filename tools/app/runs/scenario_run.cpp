@@ -28,12 +28,6 @@ void append(std::vector<RowSink*>& sinks, const std::vector<RowSink*>& others) {
   sinks.insert(sinks.end(), others.begin(), others.end());
 }
 
-std::string checked_by(const std::optional<GslOptions>& gsl) {
-  if (!gsl) return "nothing";
-  return fmt::format("GSL {}, tolerance {:g}", kGslStepperNames[static_cast<std::size_t>(gsl->stepper)],
-                     gsl->tolerance);
-}
-
 // Measures a run as it is written, and adds the result to its file.
 class StoredErrors {
  public:
@@ -49,8 +43,7 @@ class StoredErrors {
   [[nodiscard]] bool finish(hid_t file, const RunSummary& summary, DriftRun& run) {
     run = recorder_->finish(summary.steps, summary.simulated_s);
     const bool has_rows = !rows_ || rows_->finish(file);
-    const bool has_arcs = write_measured_arcs(
-        reference_, drift_, {run.summary, run.arcs, run.contacts, run.whole, checked_by(run.gsl)});
+    const bool has_arcs = write_measured_arcs(reference_, drift_, run);
     reference_ = {};
     drift_ = {};
     return has_rows && has_arcs;

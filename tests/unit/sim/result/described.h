@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "sim/result/figure.h"
+#include "sim/result/result.h"
 #include "sim/result/table.h"
-#include "sim/result/verdict.h"
 
 namespace hyrax {
 

@@ -69,7 +69,7 @@ TEST(BouncesResult, CountsThrowsOfAMethodAtARate) {
                                         {BounceMethod::paper, 60.0, 1, 600.0, 0.7, 0.4},
                                         {BounceMethod::explicit_euler, 60.0, 0, 500.0, 1.5, 2.1},
                                         {BounceMethod::explicit_euler, 60.0, 1, 600.0, 1.5, 1.5}};
-  const StudyResult result = bounces_result(kept);
+  const Result result = bounces_result(kept);
   const Table& rates = result.tables[1];
   const auto column = [&](const char* name) {
     return std::find_if(rates.columns.begin(), rates.columns.end(),

@@ -29,7 +29,7 @@ const Study& hard_cases() {
   throw std::logic_error("no study hard-cases");
 }
 
-StudyResult studied(std::vector<Scenario> scenarios) {
+Result studied(std::vector<Scenario> scenarios) {
   StudyRequest request;
   for (Scenario& scenario : scenarios) request.scenarios.push_back({"some.json", std::move(scenario)});
   return hard_cases().run(request);
@@ -182,7 +182,7 @@ TEST(HardCasesStudy, AnExpectationThatDoesNotHoldIsBroken) {
 TEST(HardCasesStudy, AFieldOfTheGridHasAPartForEachVerdict) {
   Scenario broken = fling_at(60.0, 200);
   broken.expect.emplace().final_x_px = Interval{-2.0, -1.0};
-  const StudyResult result = studied({named("rest"), broken});
+  const Result result = studied({named("rest"), broken});
   const Grid& grid = std::get<Grid>(result.figures.front().body);
   EXPECT_EQ(grid.rows, (std::vector<std::string>{"rest ×25", "fling"}));
   std::vector<Cell> rest, expectations;

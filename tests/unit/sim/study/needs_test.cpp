@@ -141,8 +141,8 @@ TEST(Coverage, IsTheMostThatASceneNeeds) {
   EXPECT_EQ(at("stop"), Need::below);
 }
 
-StudyResult studied(const std::vector<std::string>& names,
-                    std::shared_ptr<const StepProgram> core_step = nullptr) {
+Result studied(const std::vector<std::string>& names,
+               std::shared_ptr<const StepProgram> core_step = nullptr) {
   StudyRequest request{
       .is_quick = true, .core_step = std::move(core_step), .machine = "some machine", .now_ns = steady_ns};
   for (const std::string& name : names) {
@@ -157,7 +157,7 @@ StudyResult studied(const std::vector<std::string>& names,
 }
 
 TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
-  const StudyResult result = studied(std::vector<std::string>(5, "flings/first-fling"));
+  const Result result = studied(std::vector<std::string>(5, "flings/first-fling"));
   EXPECT_EQ(row_count(result.tables[3]), 0u);
   const Table& coverage = std::get<Table>(result.verdict.text[1]);
   EXPECT_EQ(row_count(coverage), coverage_columns().size());
@@ -167,7 +167,7 @@ TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
 }
 
 TEST(NeedsStudy, CountsThePathsOfTheStepThatScenariosTake) {
-  const auto text_of = [](const StudyResult& result, std::size_t from_end) {
+  const auto text_of = [](const Result& result, std::size_t from_end) {
     return std::get<std::string>(result.verdict.text[result.verdict.text.size() - from_end]);
   };
   const std::shared_ptr<const StepProgram> step = make_step_program(read_step(core_record().step).value());
@@ -199,7 +199,7 @@ TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
   request.scenarios = {{"first", scenario_named("flings/first-fling")}};
   for (const Study& study : studies()) {
     if (study.name != "needs") continue;
-    const StudyResult result = study.run(request);
+    const Result result = study.run(request);
     const auto& text = std::get<std::string>(result.verdict.text.back());
     EXPECT_NE(text.find("Times of steps: not measured: clock unsteady"), text.npos) << text;
     EXPECT_NE(text.find("of the exact motion: not measured: clock unsteady"), text.npos) << text;

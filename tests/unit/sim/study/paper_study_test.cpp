@@ -49,15 +49,15 @@ std::int64_t fake_now_ns() {
   return now_ns += 2000;
 }
 
-StudyResult run_paper(const std::optional<ExpectedVerdicts>& expected) {
+Result run_paper(const std::optional<ExpectedVerdicts>& expected) {
   const auto paper = std::find_if(studies().begin(), studies().end(),
                                   [](const Study& study) { return study.name == "paper"; });
   return paper->run({.expected = expected, .now_ns = fake_now_ns});
 }
 
 // Without expected verdicts: run once.
-const StudyResult& plain_paper() {
-  static const StudyResult result = run_paper({});
+const Result& plain_paper() {
+  static const Result result = run_paper({});
   return result;
 }
 
@@ -84,7 +84,7 @@ std::string& verdict_on(const std::string& name, ExpectedVerdicts& expected) {
 }
 
 // The fields of one claim in the picture: section, sentence, verdict, expected (if there is a file), number.
-std::vector<ListField> shown_claim(const StudyResult& result, const std::string& name) {
+std::vector<ListField> shown_claim(const Result& result, const std::string& name) {
   const std::vector<std::string> names = values(result.tables.front(), "claim");
   const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   return std::get<Listing>(result.figures.front().body).rows[row];
@@ -96,7 +96,7 @@ TEST(Paper, AnotherOrMissingVerdictIsBroken) {
   ExpectedVerdicts expected = own_verdicts();
   verdict_on("5-restitution", expected) = "not measured";
   std::erase_if(expected.verdicts, [](const auto& entry) { return entry.first == "5-gravity"; });
-  const StudyResult result = run_paper(expected);
+  const Result result = run_paper(expected);
   EXPECT_EQ(result.verdict.broken,
             (std::vector<std::string>{
                 "5-gravity: holds, but expected.json has no verdict for it",
@@ -109,7 +109,7 @@ TEST(Paper, APictureShowsExpectedVerdictsColouredWhereTheyDiffer) {
   EXPECT_EQ(shown_claim(plain_paper(), "2.3-energy").size(), 4u);
   ExpectedVerdicts expected = own_verdicts();
   verdict_on("2.3-energy", expected) = "holds";
-  const StudyResult result = run_paper(expected);
+  const Result result = run_paper(expected);
   const std::vector<ListField> energy = shown_claim(result, "2.3-energy");
   ASSERT_EQ(energy.size(), 5u);
   EXPECT_EQ(energy[2].fill, Tone::bad);

@@ -21,7 +21,7 @@ std::int64_t nearly_steady_ns() {
   return now_ns += 100'000 + 400 * (++calls % 7);
 }
 
-StudyResult quick(const Study& study) {
+Result quick(const Study& study) {
   StudyRequest request{.is_quick = true,
                        .core_step = make_step_program(read_step(core_record().step).value()),
                        .machine = "some machine",
@@ -35,7 +35,7 @@ StudyResult quick(const Study& study) {
 
 TEST(Results, OfEveryStudyAreThoseApproved) {
   for (const Study& study : studies()) {
-    const StudyResult result = quick(study);
+    const Result result = quick(study);
     std::string text;
     for (const Table& table : result.tables) text += described(table);
     for (const Figure& figure : result.figures) text += described(figure);

@@ -1,6 +1,7 @@
 // Tables as text, comma-separated values and JSON.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tools/files/table_text.h"
@@ -114,6 +115,17 @@ constexpr ColumnOf<Throw> kColumns[] = {
     {"speed_rel", "1", "", [](const Throw& each) { return each.speed_px_per_s / 2000.0; }, "-"},
 };
 
+TEST(AlignedText, UnitsHaveALineOfTheirOwnWhereOnlyThatFits) {
+  Table table;
+  for (int column = 0; column < 12; ++column)
+    table.columns.push_back({"error", "px", "", std::vector<double>{1.5}});
+  const std::string text = aligned_text(table);
+  EXPECT_EQ(text.find("  error  error"), 0u) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  table.columns.resize(9);
+  EXPECT_EQ(aligned_text(table).find("  error, px  error, px"), 0u);
+}
+
 TEST(TableOfRecords, HasNamesOfCodesMembersOfObjectsAndOnlyWhatHasAKey) {
   const Table table{.columns =
                         columns_of(kColumns, std::vector<Throw>{{1000.0, 2.5, 7, 4}, {500.0, {}, {}, 1}})};
@@ -126,8 +138,8 @@ TEST(TableOfRecords, HasNamesOfCodesMembersOfObjectsAndOnlyWhatHasAKey) {
 
 TEST(AddMembers, MembersJoinTheObjectAndOthersAreNamed) {
   Json::Object object;
-  add_members(object, {"", "", {{"within", "px", "", std::vector<double>{1.0}}}, JsonShape::members});
-  add_members(object, {"rates", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}});
+  add_members(object, {{"", "", {{"within", "px", "", std::vector<double>{1.0}}}, JsonShape::members},
+                       {"rates", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}}});
   EXPECT_EQ(to_text(Json(object)), R"({ "within_px": 1, "rates": [{ "rate_hz": 60 }] })");
 }
 

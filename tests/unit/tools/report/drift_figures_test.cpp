@@ -13,18 +13,10 @@ namespace hyrax {
 namespace {
 
 // Arcs of ten rows each, that end at the ground.
-struct MeasuredRun {
-  Scenario scenario;
-  DriftSummary summary;
-  std::vector<ArcErrors> arcs;
-  std::vector<ImpactErrors> contacts;
-  std::vector<DrawnRow> rows;
-  WholeOutcome whole;
-  std::vector<WholeRow> whole_rows;
-  Model model = {};
-
+struct MeasuredRun : DriftRun {
   explicit MeasuredRun(std::size_t count) {
     scenario.name = "some-fling";
+    simulated_s = 10.0;
     for (std::size_t arc = 0; arc < count; ++arc) {
       const auto first = static_cast<std::int64_t>(10 * arc);
       arcs.push_back({.first_step = first,
@@ -47,17 +39,14 @@ struct MeasuredRun {
     }
     summary.arcs = summary.contacts = static_cast<std::int64_t>(count);
   }
-  [[nodiscard]] DriftPicture picture() const {
-    return {scenario, 10.0, summary, arcs, contacts, rows, whole, whole_rows, model};
-  }
 };
 
 const Plot& plot_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body).front(); }
 
-Figure energy_of(const MeasuredRun& run) { return drift_figures(run.picture())[1]; }
-Figure energy_drift_of(const MeasuredRun& run) { return drift_figures(run.picture())[2]; }
-Figure errors_of(const MeasuredRun& run) { return drift_figures(run.picture())[3]; }
-Figure restitution_of(const MeasuredRun& run) { return drift_figures(run.picture())[4]; }
+Figure energy_of(const MeasuredRun& run) { return drift_figures(run)[1]; }
+Figure energy_drift_of(const MeasuredRun& run) { return drift_figures(run)[2]; }
+Figure errors_of(const MeasuredRun& run) { return drift_figures(run)[3]; }
+Figure restitution_of(const MeasuredRun& run) { return drift_figures(run)[4]; }
 
 // The value of a series at a place.
 double value_at(const Series& series, double x) {
@@ -75,10 +64,10 @@ TEST(PowerOfTen, IsWrittenAsPeopleDo) {
 TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
   MeasuredRun run(1);
   run.whole.why_not = "gravity is 0";
-  EXPECT_EQ(plot_of(drift_figures(run.picture())[0]).when_empty, "no exact fling: gravity is 0");
+  EXPECT_EQ(plot_of(drift_figures(run)[0]).when_empty, "no exact fling: gravity is 0");
   run.whole = {.run = WholeRun{.end_px = 3.0, .max_px = 7.0}, .why_not = ""};
   run.whole_rows = {{1.0, 5.0}, {2.0, 7.0}};
-  const Series series = plot_of(drift_figures(run.picture())[0]).series[0];
+  const Series series = plot_of(drift_figures(run)[0]).series[0];
   EXPECT_EQ(series.x, (std::vector{1.0, 2.0, 10.0}));
   EXPECT_EQ(series.y, (std::vector{5.0, 7.0, 3.0}));
 }
@@ -149,7 +138,7 @@ TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
 }
 
 TEST(DriftFigures, NoteWhereThereIsNoData) {
-  const std::vector<Figure> figures = drift_figures(MeasuredRun(0).picture());
+  const std::vector<Figure> figures = drift_figures(MeasuredRun(0));
   for (std::size_t figure = 1; figure < 4; ++figure)
     EXPECT_NE(figure_script(figures[figure]).find("no flight of two steps or more"), std::string::npos);
   EXPECT_NE(figure_script(figures[4]).find("no contact that ends a flight"), std::string::npos);

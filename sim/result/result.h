@@ -1,10 +1,11 @@
-// What a study says of its results, before anybody prints it.
+// What a study or a measurement found, before anybody prints it.
 #pragma once
 
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "sim/result/figure.h"
 #include "sim/result/table.h"
 
 namespace hyrax {
@@ -14,6 +15,15 @@ struct Verdict {
   std::vector<std::variant<std::string, Table>> text = {};
   /// What does not hold, one sentence each without its full stop. Empty: all rules hold.
   std::vector<std::string> broken = {};
+  /// The one line of --quiet where all rules hold.
+  std::string brief = "all rules hold";
+};
+
+struct Result {
+  std::vector<Table> tables = {};  ///< At least one of a study; the first is also the CSV file.
+  std::vector<Figure> figures = {};
+  Verdict verdict = {};
+  std::vector<Table> summary = {};  ///< Its own members of the JSON document.
 };
 
 }  // namespace hyrax

@@ -1,0 +1,323 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/reference/drift_columns.h"
+#include "tools/app/drift/drift.h"
+#include "tools/files/table_text.h"
+
+namespace hyrax {
+namespace {
+
+// Three digits, and an exponent only where it is shorter.
+std::string number(double value) {
+  const double size = std::fabs(value);
+  if (size == 0.0 || (size >= 1e-3 && size < 999.5)) return fmt::format("{:.3g}", value);
+  if (size >= 999.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.1e}", value);
+}
+std::string number(const std::optional<Worst>& worst) {
+  return worst ? number(worst->value) : std::string("-");
+}
+
+std::string arcs_text(std::int64_t count) { return fmt::format("{} arc{}", count, count == 1 ? "" : "s"); }
+
+std::vector<Column> with(std::vector<Column> columns, std::vector<Column> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(columns));
+  return columns;
+}
+
+std::vector<Column> arc_columns(const DriftRun& run) {
+  return with(columns_of(kArcColumns, run.arcs), columns_of(kReferenceArcColumns, run.arcs));
+}
+
+// Of each quantity whose largest is kept: its column without values, its place in the summary, and how the
+// text shows it.
+void each_worst(const auto& take) {
+  const auto each = [&](const auto& columns) {
+    for (const auto& described : columns)
+      if (described.also.worst != nullptr) take(column_of(described, {}), described.also);
+  };
+  each(kArcColumns);
+  each(kReferenceArcColumns);
+  each(kImpactColumns);
+}
+
+// The value of each largest error, or its step: an arc's first_step, a contact's step.
+Table worst_table(const char* name, const DriftSummary& summary, auto Worst::*member) {
+  Table table{.name = name, .columns = {}, .shape = JsonShape::one};
+  each_worst([&](Column column, const DriftShown& shown) {
+    std::optional<std::decay_t<decltype(Worst{}.*member)>> value;
+    if (const std::optional<Worst>& worst = summary.*shown.worst) value = (*worst).*member;
+    column.values = column_of_one("", "", value).values;
+    table.columns.push_back(std::move(column));
+  });
+  return table;
+}
+
+// The first records in the columns that the text shows.
+template <class Record>
+std::vector<Column> shown_columns(const auto& described, const std::vector<Record>& records,
+                                  std::ptrdiff_t lines_max) {
+  const std::vector<Record> first(records.begin(),
+                                  records.begin() + std::min(std::ssize(records), lines_max));
+  std::vector<Column> columns;
+  for (const DriftColumn<Record>& each : described) {
+    const DriftShown& shown = each.also;
+    if (shown.head == nullptr) continue;
+    Column column = column_of(each, first);
+    column.name = shown.head;
+    column.digits = 3;
+    if (shown.unit != nullptr) column.unit = shown.unit;
+    if (auto* const numbers = std::get_if<std::vector<double>>(&column.values))
+      for (double& value : *numbers) value *= shown.scale;
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+// The items after a label, in lines of at most 100 columns.
+std::string wrapped(const std::string& label, const std::vector<std::string>& items) {
+  constexpr std::size_t kWidth = 100;
+  std::string text;
+  std::string line = fmt::format("  {:<12}", label);
+  for (std::size_t index = 0; index < items.size(); ++index) {
+    const std::string item = items[index] + (index + 1 < items.size() ? ";" : "");
+    if (line.size() + 1 + item.size() > kWidth) {
+      text += line + "\n";
+      line = std::string(14, ' ');
+    }
+    line += " " + item;
+  }
+  return text + line;
+}
+
+// How wrong the run is, and what a step of it costs: the first lines.
+std::string whole_text(const DriftReport& report) {
+  const DriftRun& run = report.run;
+  if (!run.whole.run) return fmt::format("  whole run    no exact fling: {}", run.whole.why_not);
+  const WholeRun& whole = *run.whole.run;
+  std::string text = fmt::format(
+      "  whole run    ends {} px from the exact fling, {} px at most, in row {}\n"
+      "               energy {} px of height off at the end, {} px at most",
+      number(whole.end_px), number(whole.max_px), whole.max_px_step, number(whole.energy_end_px),
+      number(whole.energy_max_px));
+  if (whole.secular_px_per_s)
+    text +=
+        fmt::format("\n               in flight {} px of height a second{}", number(*whole.secular_px_per_s),
+                    report.step_ns ? fmt::format(", at {} ns a step", number(*report.step_ns)) : "");
+  if (whole.contacts_differ_from)
+    text += fmt::format("\n               other contacts than the exact fling's from row {}",
+                        *whole.contacts_differ_from);
+  return text;
+}
+
+std::string worst_text(const DriftSummary& summary) {
+  std::vector<std::string> items;
+  each_worst([&](const Column& column, const DriftShown& shown) {
+    std::string name = shown.head != nullptr ? shown.head : column.name;
+    std::ranges::replace(name, '_', ' ');
+    if (const std::optional<Worst>& worst = summary.*shown.worst)
+      items.push_back(fmt::format("{} {} {} (row {})", name, number(shown.scale * worst->value),
+                                  shown.unit != nullptr ? shown.unit : column.unit, worst->step));
+  });
+  return wrapped("worst", items);
+}
+
+// What the discretisation itself adds and takes, by cause, as the height that it lifts the sprite by; what
+// the model takes at a contact is no error.
+std::string causes_text(const DriftSummary& summary, const Model& model) {
+  const auto height = [&](double energy_px2_per_s2) { return energy_px2_per_s2 / model.gravity_px_per_s2; };
+  return fmt::format(
+      "  by cause     as height: gravity once a step {:+.3g} px, drag on that path {:+.3g} px,\n"
+      "               lift out of walls {:+.3g} px, restitution after the wall {:+.3g} px",
+      height(summary.arc_energy.gravity), height(summary.arc_energy.drag),
+      height(summary.contact_energy.lift), height(summary.late_bounces_px2_per_s2));
+}
+
+std::string restitution_text(const Spread& restitution, const Model& model) {
+  return fmt::format("  restitution  median {:.4f}, from {:.4g} to {:.4g}, {} contacts; the model's is {:g}",
+                     restitution.median(), restitution.smallest(), restitution.largest(), restitution.count(),
+                     model.restitution);
+}
+
+std::string reference_text(const DriftRun& run) {
+  return fmt::format("  reference    closed form{}{}", run.checked_by.empty() ? " alone" : ", checked by ",
+                     run.checked_by);
+}
+
+std::vector<std::string> not_computed(const DriftReport& report) {
+  const DriftSummary& summary = report.run.summary;
+  std::vector<std::string> items;
+  if (summary.arcs_without_x > 0)
+    items.push_back(fmt::format("x in {} without horizontal motion", arcs_text(summary.arcs_without_x)));
+  if (report.run.checked_by.empty()) items.emplace_back("GSL (--reference gsl)");
+  if (!report.has_rows_stored) items.emplace_back("errors of every row (--rows)");
+  if (summary.skipped_arcs > 0)
+    items.push_back(fmt::format("{} of fewer than two steps", arcs_text(summary.skipped_arcs)));
+  return items;
+}
+
+// What a step costs on this machine and its errors, with this dt and with half of it.
+Table speed_table(const DriftReport& report) {
+  struct Line {
+    std::string dt;
+    double step_ns;
+    const DriftSummary& summary;
+    const std::optional<ArcErrors>& longest_arc;
+  };
+  std::vector<Line> lines = {{"this", *report.step_ns, report.run.summary, report.run.longest_arc}};
+  if (const auto& half = report.half_dt.half)
+    lines.push_back({"half", half->step_ns, half->summary, half->longest_arc});
+  const auto value = [](const std::optional<Worst>& worst) { return worst ? worst->value : kNotGiven; };
+  return {.columns = {column_of("dt", "", "", lines, &Line::dt),
+                      column_of("a step here", "ns", "", lines, &Line::step_ns, 2),
+                      column_of(
+                          "trunc.", "px", "", lines,
+                          [&](const Line& line) { return value(line.summary.truncation_px); }, 3),
+                      column_of(
+                          "model", "px", "", lines,
+                          [&](const Line& line) { return value(line.summary.model_px); }, 3),
+                      column_of(
+                          "slope", "px/s", "", lines,
+                          [](const Line& line) {
+                            return line.longest_arc
+                                       ? line.longest_arc->energy_drift_slope_px_per_s.value_or(kNotGiven)
+                                       : kNotGiven;
+                          },
+                          3)}};
+}
+
+// The error against the fixed model does not vanish with the frame if half the dt keeps most of it.
+bool converges(const DriftReport& report) {
+  if (!report.half_dt.half) return true;
+  const std::optional<Worst>& now = report.run.summary.model_px;
+  const std::optional<Worst>& half = report.half_dt.half->summary.model_px;
+  constexpr double kHalvedAtLeast = 0.6;  // 0.5 for a method of first order.
+  return !now || !half || half->value <= kHalvedAtLeast * now->value;
+}
+
+std::vector<std::string> faults_of(const DriftSummary& summary) {
+  std::vector<std::string> faults;
+  if (summary.non_finite_step)
+    faults.push_back(
+        fmt::format("NOT FINITE from row {}; not measured from there on", *summary.non_finite_step));
+  if (summary.differing_steps > 0)
+    faults.push_back(fmt::format("{} flight steps differ from the listing", summary.differing_steps));
+  if (summary.reference_faults > 0)
+    faults.push_back(fmt::format("INTERNAL ERROR of the reference in {}, the first from row {}: {}",
+                                 arcs_text(summary.reference_faults),
+                                 summary.first_reference_fault_step.value_or(0),
+                                 summary.first_reference_fault));
+  return faults;
+}
+
+Verdict verdict_of(const DriftReport& report, bool lists_all) {
+  const DriftRun& run = report.run;
+  const DriftSummary& summary = run.summary;
+  const std::ptrdiff_t lines_max = lists_all ? kArcsListedMax : 20;
+  Verdict verdict{.text = {title_of(run.scenario, run.steps, run.simulated_s)},
+                  .broken = faults_of(summary),
+                  .brief = fmt::format("largest errors: implementation {} px, truncation {} px, model {} px",
+                                       number(summary.implementation_px), number(summary.truncation_px),
+                                       number(summary.model_px))};
+  const auto add_list = [&](std::vector<Column> columns, std::int64_t count) {
+    verdict.text.emplace_back(Table{.columns = std::move(columns)});
+    if (const std::int64_t more = count - lines_max; more > 0)
+      verdict.text.emplace_back(fmt::format("  ... {} more; --verbose lists them", more));
+  };
+  if (!run.note.empty()) verdict.text.emplace_back("  " + run.note);
+  verdict.text.emplace_back(whole_text(report));
+  if (summary.arcs > 0)
+    add_list(with(shown_columns(kArcColumns, run.arcs, lines_max),
+                  shown_columns(kReferenceArcColumns, run.arcs, lines_max)),
+             summary.arcs);
+  else
+    verdict.text.emplace_back("  no flight arc of two steps or more");
+  if (summary.contacts > 0)
+    add_list(shown_columns(kImpactColumns, run.contacts, lines_max), summary.contacts);
+  if (summary.arcs + summary.contacts > 0) verdict.text.emplace_back(worst_text(summary));
+  if (summary.arcs > 0 && run.model.gravity_px_per_s2 > 0.0)
+    verdict.text.emplace_back(causes_text(summary, run.model));
+  if (summary.effective_restitution.count() > 0)
+    verdict.text.emplace_back(restitution_text(summary.effective_restitution, run.model));
+  verdict.text.emplace_back(start_text({run.margin, report.contact_chance}, lists_all));
+  if (is_knife_edge(run.margin))
+    verdict.text.emplace_back("  KNIFE EDGE   rounding alone can change a contact");
+  verdict.text.emplace_back(reference_text(run));
+  if (const std::vector<std::string> items = not_computed(report); !items.empty())
+    verdict.text.emplace_back(wrapped("not computed", items));
+  if (!report.step_ns) return verdict;
+  verdict.text.emplace_back(speed_table(report));
+  if (!report.half_dt.half)
+    verdict.text.emplace_back("  half dt      not measured: " + report.half_dt.why_not);
+  if (!converges(report))
+    verdict.text.emplace_back(
+        "  model error  does not converge: the paper's step applies drag once a frame, however short");
+  return verdict;
+}
+
+// A text that is missing is null.
+Column text_or_null(const std::string& name, std::string_view text) {
+  if (!text.empty()) return column_of_one(name, "", text);
+  return column_of_one(name, "", Table{.columns = {}, .shape = JsonShape::one});
+}
+
+Table members(std::vector<Column> columns) {
+  return {.columns = std::move(columns), .shape = JsonShape::members};
+}
+
+Table whole_member(const WholeOutcome& whole) {
+  Table table = whole_table(whole);
+  if (whole.run) table.columns.push_back(column_of_one("reference", "", "exact fling"));
+  return table;
+}
+
+Table restitution_member(const Spread& spread) {
+  Table table{.name = "effective_restitution", .columns = {}, .shape = JsonShape::one};
+  if (spread.count() > 0)
+    table.columns = {
+        column_of_one("median", "1", spread.median()), column_of_one("smallest", "1", spread.smallest()),
+        column_of_one("largest", "1", spread.largest()), column_of_one("contacts", "1", spread.count())};
+  return table;
+}
+
+Table half_dt_member(const HalfDtOutcome& outcome) {
+  Table table{.name = "half_dt", .columns = {}, .shape = JsonShape::one};
+  if (const std::optional<HalfDt>& half = outcome.half)
+    table.columns = {column_of_one("steps", "1", half->steps), column_of_one("step", "ns", half->step_ns),
+                     column_of_one("worst", "", worst_table("worst", half->summary, &Worst::value))};
+  return table;
+}
+
+}  // namespace
+
+Result drift_result(const DriftReport& report, bool lists_all) {
+  const DriftRun& run = report.run;
+  const DriftSummary& summary = run.summary;
+  return {
+      .verdict = verdict_of(report, lists_all),
+      .summary = {
+          whole_member(run.whole),
+          members({text_or_null("whole_why", run.whole.why_not),
+                   column_of_one("skipped_arcs", "1", summary.skipped_arcs)}),
+          {.name = "arcs", .columns = arc_columns(run)},
+          {.name = "contacts", .columns = columns_of(kImpactColumns, run.contacts)},
+          sensitivity_table(run.margin.sensitivity),
+          worst_table("worst", summary, &Worst::value),
+          worst_table("worst_step", summary, &Worst::step),
+          members({column_of_one("arcs_measured", "1", summary.arcs),
+                   column_of_one("contacts_measured", "1", summary.contacts)}),
+          restitution_member(summary.effective_restitution),
+          margin_table({run.margin, report.contact_chance}),
+          members({column_of_one("differing_steps", "1", summary.differing_steps),
+                   column_of_one("reference_faults", "1", summary.reference_faults),
+                   text_or_null("first_reference_fault", summary.first_reference_fault),
+                   column_of_one("non_finite_step", "", summary.non_finite_step)}),
+          {.name = "not_computed", .columns = {{.values = not_computed(report)}}, .shape = JsonShape::values},
+          members({column_of_one("step", "ns", report.step_ns)}),
+          half_dt_member(report.half_dt)}};
+}
+
+}  // namespace hyrax
