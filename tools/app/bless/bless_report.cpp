@@ -28,14 +28,14 @@ bool plays_otherwise(const Blessing& blessing) {
 // Of a run that differs, its group says more.
 void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
-  const std::string h5_path = printable(blessing.place.h5_path);
   if (printing.is_quiet()) return;
   if (!blessing.updated.empty()) print_text("{}: new {}\n", path, broken_sentence(blessing.updated));
   if (blessing.status == BlessStatus::fresh) print_text("{}: new golden file\n", path);
   if (blessing.status != BlessStatus::changed && blessing.status != BlessStatus::refused) return;
   if (!blessing.unreadable.empty())
     return print_text("{}: replaces a golden file that cannot be read ({})\n", path, blessing.unreadable);
-  print_text("{}: changes {}\n{}", path, blessing.keeps_h5 ? printable(blessing.place.txt_path) : h5_path,
+  print_text("{}: changes {}\n{}", path,
+             printable(blessing.keeps_h5 ? blessing.golden->txt_path : blessing.golden->h5_path),
              printing.is_verbose() || !plays_otherwise(blessing)
                  ? difference_text(blessing.comparison, printing.is_verbose())
                  : "");
@@ -51,7 +51,7 @@ void print_unchanged(const BlessReport& report) {
   for (const Blessing& blessing : report.blessings)
     if (blessing.status == BlessStatus::unchanged)
       print_text("{}: {} with {} already\n", printable(blessing.path), VerdictWord{"agrees", true},
-                 printable(blessing.place.h5_path));
+                 printable(blessing.golden->h5_path));
 }
 
 // Where results that were accepted under a model's name change by more than rounding.
@@ -70,7 +70,7 @@ void print_model_hint(const BlessReport& report) {
 void print_done(const Blessing& blessing) {
   if (blessing.has_failed()) return;
   const std::string path = printable(blessing.path);
-  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
+  const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
   if (blessing.writes_golden_file() && blessing.keeps_h5)
     print_text("{}: agrees with {} already; its summary, {}, is written again\n", path, printable(h5_path),
                printable(txt_path));
@@ -80,11 +80,9 @@ void print_done(const Blessing& blessing) {
     print_text("{}: {} updated\n", path, blessing.updated.empty() ? "expect.state_hash" : "expect");
 }
 
-// null for a scenario that cannot be read.
-Json path_json(const std::string& path) { return path.empty() ? Json() : Json(path); }
-
 Json result_json(const Blessing& blessing) {
   const Comparison& comparison = blessing.comparison;
+  const std::optional<GoldenPlace>& place = blessing.golden;  // None of a scenario that cannot be read.
   const bool is_compared = !blessing.has_failed() && blessing.status != BlessStatus::fresh;
   Json::Object entry{{"scenario", blessing.path},
                      {"status", name_of(blessing.status)},
@@ -92,8 +90,8 @@ Json result_json(const Blessing& blessing) {
                      {"max_px", is_compared ? max_px_json(comparison) : Json()},
                      {"contacts_moved", is_compared ? Json(comparison.contacts.total()) : Json()},
                      {"first_divergence", divergence_json(comparison.first)},
-                     {"golden_file", path_json(blessing.place.h5_path)},
-                     {"summary", path_json(blessing.place.txt_path)},
+                     {"golden_file", place ? Json(place->h5_path) : Json()},
+                     {"summary", place ? Json(place->txt_path) : Json()},
                      {"updates_hash", blessing.scenario_text.has_value()}};
   if (!blessing.error.empty()) entry.emplace_back("error", blessing.error);
   return entry;
@@ -128,10 +126,9 @@ std::string unfinished_sentence(const BlessReport& report) {
 }
 
 std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& cores) {
-  std::vector<DifferingScenario> differing;
+  std::vector<const PairVerdict*> differing;
   for (const Blessing& blessing : report.blessings)
-    if (plays_otherwise(blessing))
-      differing.push_back({blessing.path, &blessing.comparison, blessing.runs.get(), blessing.golden_folder});
+    if (plays_otherwise(blessing)) differing.push_back(&blessing);
   if (differing.empty()) return {};
   return group_by_cause(differing, cores);
 }

@@ -71,7 +71,7 @@ RunSummary replace_unreadable(const Scenario& scenario, const std::string& why, 
   blessing.comparison.agrees = false;
   blessing.comparison.difference = DifferenceClass::shape;
   const RunSummary summary = play(scenario);
-  const std::string& txt_path = blessing.place.txt_path;
+  const std::string& txt_path = blessing.golden->txt_path;
   const std::string text = is_there(txt_path) ? read_text_file(txt_path) : "";
   if (summary_state_hash(text) != hex(summary.state_hash)) blessing.differs_in = DifferenceClass::shape;
   return summary;
@@ -87,8 +87,8 @@ void take_over(PairComparison pair, Blessing& blessing) {
 
 // Sets what has to be blessed; returns the summary of the run.
 RunSummary compare(const Scenario& scenario, Blessing& blessing) {
-  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
-  const bool has_both = has_golden_file(blessing.place);
+  const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
+  const bool has_both = has_golden_file(*blessing.golden);
   if (!is_there(h5_path) && !is_there(txt_path)) {
     blessing.status = BlessStatus::fresh;
     return play(scenario);
@@ -96,10 +96,10 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   if (!is_there(h5_path)) return replace_unreadable(scenario, h5_path + " is missing", blessing);
   if (!has_both) blessing.unreadable = txt_path + " is missing";
   try {
-    PairComparison pair = *compare_with_pair(scenario, blessing.place, true);
-    const bool is_current = pair.is_proved && is_summary_current(scenario, blessing.place);
+    PairComparison pair = *compare_with_pair(scenario, *blessing.golden, true);
+    const bool is_current = pair.is_proved && is_summary_current(scenario, *blessing.golden);
     blessing.status = is_current ? BlessStatus::unchanged : BlessStatus::changed;
-    blessing.keeps_h5 = has_both && !is_current && is_h5_current(scenario, blessing.place);
+    blessing.keeps_h5 = has_both && !is_current && is_h5_current(scenario, *blessing.golden);
     const RunSummary summary = pair.summary;
     take_over(std::move(pair), blessing);
     return summary;
@@ -126,23 +126,24 @@ void update_expect(const RunSummary& summary, bool updates_ranges, Scenario& sce
 void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& guard) {
   Scenario scenario = load_scenario(blessing.path);
   require_measurable(blessing.path, scenario);
-  blessing.place = place_of(blessing.path, options.golden_folder);
+  blessing.golden = place_of(blessing.path, options.golden_folder);
   blessing.golden_folder = golden_folder_for(blessing.path, options.golden_folder);
-  require_usable(blessing.place, guard);
+  require_usable(*blessing.golden, guard);
   const RunSummary summary = compare(scenario, blessing);
   if (options.updates_hash || options.updates_ranges)
     update_expect(summary, options.updates_ranges, scenario, blessing);
   if (blessing.scenario_text) require_writable(blessing.path);
   require_expected(blessing.path, scenario, summary);
   if (blessing.writes_golden_file())
-    for (const std::string& path : {blessing.place.h5_path, blessing.place.txt_path}) require_writable(path);
+    for (const std::string& path : {blessing.golden->h5_path, blessing.golden->txt_path})
+      require_writable(path);
   if (!blessing.writes() || !blessing.differs_in || *blessing.differs_in <= options.accepted) return;
   blessing.status = BlessStatus::refused;
   blessing.exit_code = ExitCode::disagreed;
 }
 
 void write_golden_file(const Blessing& blessing, const std::string& reason) {
-  const auto& [h5_path, txt_path, is_reserved] = blessing.place;
+  const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
   Scenario scenario = load_scenario(blessing.path);
   if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
   const FreshRun fresh = play_for_golden(scenario);
@@ -181,14 +182,18 @@ std::vector<Blessing> without_shared_places(std::vector<Blessing> blessings) {
   std::vector<Blessing> kept;
   for (Blessing& blessing : blessings) {
     std::error_code unknown;
-    const std::string place = fs::weakly_canonical(blessing.place.h5_path, unknown).string();
+    if (!blessing.golden) {
+      kept.push_back(std::move(blessing));
+      continue;
+    }
+    const std::string place = fs::weakly_canonical(blessing.golden->h5_path, unknown).string();
     const auto [entry, is_first] = owners.emplace(place, blessing.path);
     const std::string& owner = entry->second;
     if (!is_first && !blessing.has_failed()) {
       if (fs::equivalent(owner, blessing.path, unknown)) continue;
       attempt(blessing, [&] {
         refuse_input(blessing.path + ": has the same golden file as " + owner + " (" +
-                     blessing.place.h5_path + "); bless them with different --golden DIR");
+                     blessing.golden->h5_path + "); bless them with different --golden DIR");
       });
     }
     kept.push_back(std::move(blessing));

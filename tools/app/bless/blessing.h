@@ -1,16 +1,12 @@
 // What `bless` does with one scenario: planned for all of them before the first is written.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
 #include "tools/app/golden/golden_pair.h"
-#include "tools/files/failure.h"
-#include "tools/files/golden_place.h"
 
 namespace hyrax {
 
@@ -22,21 +18,14 @@ struct BlessOptions {
   bool updates_hash = false;                             ///< Puts the new state hash into the scenario file.
 };
 
-struct Blessing {
+struct Blessing : PairVerdict {
   enum class Status { fresh, changed, unchanged, refused, failed };
-  std::string path;  ///< Of the scenario as given.
-  GoldenPlace place;
-  std::string golden_folder;  ///< Of `place`: has the accepted core.
   Status status = Status::unchanged;
   bool keeps_h5 = false;                      ///< Only the summary is written.
-  Comparison comparison;                      ///< With the present golden file.
-  std::shared_ptr<const PairRuns> runs;       ///< As PairComparison's.
-  std::string unreadable;                     ///< Why that one cannot be read; else empty.
+  std::string unreadable;                     ///< Why the golden file cannot be read; else empty.
   std::optional<DifferenceClass> differs_in;  ///< What has to be accepted; nothing: nothing has to be.
   std::optional<std::string> scenario_text;   ///< The scenario file with its new `expect`, where it changes.
   std::vector<Expectation> updated;           ///< What else than the state hash changes there.
-  std::string error;                          ///< Of a failed one.
-  ExitCode exit_code = ExitCode::agreed;
 
   [[nodiscard]] bool has_failed() const { return status == Status::failed; }
   [[nodiscard]] bool writes_golden_file() const {

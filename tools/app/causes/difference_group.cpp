@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -16,18 +17,15 @@ namespace {
 double largest_px(const Comparison& comparison) { return comparison.largest ? comparison.largest->px : 0.0; }
 
 // Of the row at which the runs are farthest apart; nothing where no row is kept.
-bool is_worse(const DifferingScenario& a, const DifferingScenario& b) {
-  const auto key = [](const DifferingScenario& one) {
-    return std::tuple(largest_px(*one.comparison), one.comparison->contacts.total());
-  };
-  return key(a) > key(b);
+std::tuple<double, std::int64_t> badness(const PairVerdict* scenario) {
+  return {largest_px(scenario->comparison), scenario->comparison.contacts.total()};
 }
 
-DifferenceGroup make_group(Cause cause, std::vector<DifferingScenario> scenarios) {
+DifferenceGroup make_group(Cause cause, std::vector<const PairVerdict*> scenarios) {
   DifferenceGroup group{.cause = std::move(cause), .scenarios = std::move(scenarios), .rest_shift_px = {}};
-  std::ranges::stable_sort(group.scenarios, is_worse);
-  for (const DifferingScenario& scenario : group.scenarios) {
-    const Comparison& comparison = *scenario.comparison;
+  std::ranges::stable_sort(group.scenarios, std::ranges::greater(), badness);
+  for (const PairVerdict* const scenario : group.scenarios) {
+    const Comparison& comparison = scenario->comparison;
     if (comparison.difference) group.difference = std::max(group.difference, *comparison.difference);
     group.max_px = std::max(group.max_px, largest_px(comparison));
     group.contacts_moved += comparison.contacts.total();
@@ -38,24 +36,24 @@ DifferenceGroup make_group(Cause cause, std::vector<DifferingScenario> scenarios
 }
 
 // One group, however many they are: what was changed in the first stands for all.
-DifferenceGroup changed_golden_files(const std::vector<DifferingScenario>& scenarios) {
-  std::string detail = scenarios.front().comparison->shape;
+DifferenceGroup changed_golden_files(const std::vector<const PairVerdict*>& scenarios) {
+  std::string detail = scenarios.front()->comparison.shape;
   if (scenarios.size() > 1) detail += fmt::format("; {} more were changed", scenarios.size() - 1);
   return make_group({CauseKind::golden, detail}, scenarios);
 }
 
 // Of the scenarios of one golden folder.
-void add_groups(const std::vector<DifferingScenario>& scenarios, CoreCheck& core,
+void add_groups(const std::vector<const PairVerdict*>& scenarios, CoreCheck& core,
                 std::vector<DifferenceGroup>& groups) {
   std::vector<DifferingRun> runs;
-  for (const DifferingScenario& scenario : scenarios) {
-    const auto& [golden, fresh, is_as_blessed, core_name, is_repeated] = *scenario.runs;
+  for (const PairVerdict* const scenario : scenarios) {
+    const auto& [golden, fresh, is_as_blessed, core_name, is_repeated] = *scenario->runs;
     runs.push_back({golden, fresh, scenario_changes(golden.scenario, fresh.scenario), is_as_blessed,
                     core.covers(core_name), is_repeated});
   }
   std::vector<const StoredRun*> core_runs;
   for (const CauseGroup& group : group_by_cause(runs, core.base())) {
-    std::vector<DifferingScenario> members;
+    std::vector<const PairVerdict*> members;
     for (const std::size_t run : group.runs) {
       members.push_back(scenarios[run]);
       if (group.cause.kind == CauseKind::core) core_runs.push_back(&runs[run].fresh);
@@ -67,27 +65,27 @@ void add_groups(const std::vector<DifferingScenario>& scenarios, CoreCheck& core
 
 }  // namespace
 
-std::string DifferingScenario::non_finite() const {
-  return runs == nullptr ? "" : non_finite_text(runs->fresh.scenario, runs->fresh.final);
+std::string non_finite_text(const PairVerdict& scenario) {
+  return !scenario.runs ? "" : non_finite_text(scenario.runs->fresh.scenario, scenario.runs->fresh.final);
 }
 
-std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios,
+std::vector<DifferenceGroup> group_by_cause(const std::vector<const PairVerdict*>& scenarios,
                                             CoreChecks& cores) {
-  std::map<std::string, std::vector<DifferingScenario>> played;  // By golden folder.
-  std::vector<DifferingScenario> damaged;
-  std::vector<DifferingScenario> non_finite;
-  for (const DifferingScenario& scenario : scenarios) {
-    if (scenario.runs == nullptr)
+  std::map<std::string, std::vector<const PairVerdict*>> played;  // By golden folder.
+  std::vector<const PairVerdict*> damaged;
+  std::vector<const PairVerdict*> non_finite;
+  for (const PairVerdict* const scenario : scenarios) {
+    if (!scenario->runs)
       damaged.push_back(scenario);
-    else if (!scenario.non_finite().empty())
+    else if (!non_finite_text(*scenario).empty())
       non_finite.push_back(scenario);
     else
-      played[scenario.golden_folder].push_back(scenario);
+      played[scenario->golden_folder].push_back(scenario);
   }
   std::vector<DifferenceGroup> groups;
   if (!non_finite.empty()) {
     DifferenceGroup group = make_group({CauseKind::non_finite, ""}, std::move(non_finite));
-    group.cause.detail = group.scenarios.front().non_finite();
+    group.cause.detail = non_finite_text(*group.scenarios.front());
     groups.push_back(std::move(group));
   }
   for (const auto& [folder, members] : played) add_groups(members, cores.of(folder), groups);
@@ -97,7 +95,7 @@ std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>
 
 Json group_json(const DifferenceGroup& group) {
   std::vector<std::string> paths;
-  for (const DifferingScenario& scenario : group.scenarios) paths.push_back(scenario.path);
+  for (const PairVerdict* const scenario : group.scenarios) paths.push_back(scenario->path);
   std::ranges::sort(paths);
   return Json::Object{{"operation", name_of(group.cause.kind)},
                       {"detail", group.cause.detail},

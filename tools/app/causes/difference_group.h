@@ -15,28 +15,23 @@
 
 namespace hyrax {
 
-/// A scenario whose run is not its golden file's. REQUIRES: what it refers to outlives it.
-struct DifferingScenario {
-  std::string path;
-  const Comparison* comparison = nullptr;
-  const PairRuns* runs = nullptr;                ///< nullptr where the golden file was changed, not the run.
-  std::string golden_folder;                     ///< Has the accepted core.
-  [[nodiscard]] std::string non_finite() const;  ///< non_finite_text of the run.
-};
-
 /// Scenarios of one cause.
 struct DifferenceGroup {
   Cause cause;
-  std::vector<DifferingScenario> scenarios;  ///< The worst first: by the largest distance, then by contacts.
+  std::vector<const PairVerdict*> scenarios;  ///< The worst first: by the largest distance, then by contacts.
   DifferenceClass difference = DifferenceClass::rounding;  ///< The widest.
   double max_px = 0.0;                                     ///< Largest distance of two rows of the same step.
   std::int64_t contacts_moved = 0;                         ///< Moved, only old and only new, summed.
   std::optional<double> rest_shift_px;  ///< Largest distance of the final rows where both runs have settled.
 };
 
+/// The non_finite_text of a run that differs; empty where it stays finite.
+[[nodiscard]] std::string non_finite_text(const PairVerdict& scenario);
+
 /// Runs that become non-finite first; then known causes by their size, then unknown ones. The cores take the
 /// runs that differ because of them.
-[[nodiscard]] std::vector<DifferenceGroup> group_by_cause(const std::vector<DifferingScenario>& scenarios,
+/// @param scenarios whose runs are not their golden files'; they outlive the groups.
+[[nodiscard]] std::vector<DifferenceGroup> group_by_cause(const std::vector<const PairVerdict*>& scenarios,
                                                           CoreChecks& cores);
 
 /// {"operation", "detail", ...}, an entry of "groups"; scenarios in order of their paths.

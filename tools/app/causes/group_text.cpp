@@ -40,22 +40,22 @@ std::string_view class_text(DifferenceClass difference) {
 }
 
 // "6.833 s", where the row is kept; a run of blocks keeps no times.
-std::string time_text(const DifferingScenario& scenario) {
-  if (scenario.runs == nullptr) return "";
-  const auto step = static_cast<std::size_t>(scenario.comparison->largest->step);
+std::string time_text(const PairVerdict& scenario) {
+  if (!scenario.runs) return "";
+  const auto step = static_cast<std::size_t>(scenario.comparison.largest->step);
   const auto& t_s = scenario.runs->fresh.rows.t_s;
   return step < t_s.size() ? fmt::format(", {:.4g} s", t_s[step]) : "";
 }
 
-std::string distance_text(const DifferingScenario& scenario) {
-  const auto& largest = scenario.comparison->largest;
+std::string distance_text(const PairVerdict& scenario) {
+  const auto& largest = scenario.comparison.largest;
   if (!largest) return "no position differs";
   return fmt::format("{} at step {}{}", px_text(largest->px), largest->step, time_text(scenario));
 }
 
-std::string rest_text(const DifferingScenario& scenario) {
-  const auto& shift_px = scenario.comparison->rest_shift_px;
-  if (!shift_px || *shift_px == 0.0 || scenario.runs == nullptr) return "";
+std::string rest_text(const PairVerdict& scenario) {
+  const auto& shift_px = scenario.comparison.rest_shift_px;
+  if (!shift_px || *shift_px == 0.0 || !scenario.runs) return "";
   const Row& before = scenario.runs->golden.final;
   const Row& after = scenario.runs->fresh.final;
   return fmt::format(", comes to rest at x {:.6g} -> {:.6g}, y {:.6g} -> {:.6g} px", before.x_px, after.x_px,
@@ -64,10 +64,10 @@ std::string rest_text(const DifferingScenario& scenario) {
 
 // Where nothing explains a difference, where it begins.
 std::string first_text(const DifferenceGroup& group) {
-  const auto& first = group.scenarios.front().comparison->first;
+  const auto& first = group.scenarios.front()->comparison.first;
   if (group.cause.kind != CauseKind::unknown || !first) return "";
   return fmt::format("  first   step {}, field {} of {}\n", first->step, first->field,
-                     printable(group.scenarios.front().path));
+                     printable(group.scenarios.front()->path));
 }
 
 std::string_view lead_of(CauseKind kind) {
@@ -79,8 +79,8 @@ std::string worst_text(const DifferenceGroup& group) {
   std::string text = first_text(group);
   const std::size_t listed = std::min(group.scenarios.size(), kWorstListed);
   for (std::size_t index = 0; index < listed; ++index)
-    text += fmt::format("  {:<8}{}: {}\n", index == 0 ? "worst" : "", printable(group.scenarios[index].path),
-                        scenario_consequence(group.scenarios[index]));
+    text += fmt::format("  {:<8}{}: {}\n", index == 0 ? "worst" : "", printable(group.scenarios[index]->path),
+                        scenario_consequence(*group.scenarios[index]));
   if (group.scenarios.size() > listed)
     text += fmt::format("  {:<8}and {} more\n", "", group.scenarios.size() - listed);
   return text;
@@ -126,10 +126,10 @@ std::string consequence_sentence(const DifferenceGroup& group) {
   return text + ".";
 }
 
-std::string scenario_consequence(const DifferingScenario& scenario) {
-  if (const std::string non_finite = scenario.non_finite(); !non_finite.empty()) return non_finite;
-  return fmt::format("{}, {}{}", distance_text(scenario),
-                     contacts_text(scenario.comparison->contacts.total()), rest_text(scenario));
+std::string scenario_consequence(const PairVerdict& scenario) {
+  if (const std::string non_finite = non_finite_text(scenario); !non_finite.empty()) return non_finite;
+  return fmt::format("{}, {}{}", distance_text(scenario), contacts_text(scenario.comparison.contacts.total()),
+                     rest_text(scenario));
 }
 
 void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<const CoreVerdict*>& cores,

@@ -23,7 +23,7 @@ struct CauseSentence {
 
 /// Of one scenario of the group: "93.2 px at step 410 (6.833 s), 3 contacts moved, comes to rest at x 1237.8
 /// -> 1240.1, y 952 -> 952".
-[[nodiscard]] std::string scenario_consequence(const DifferingScenario& scenario);
+[[nodiscard]] std::string scenario_consequence(const PairVerdict& scenario);
 
 /// Runs that become non-finite, what changed in the cores, the other groups: of each both sentences and the
 /// three worst scenarios.

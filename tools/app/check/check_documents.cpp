@@ -123,8 +123,8 @@ std::string check_junit(const CheckReport& report) {
 std::string github_annotations(const CheckReport& report) {
   std::string text;
   for (const DifferenceGroup& group : report.groups())
-    for (const DifferingScenario& scenario : group.scenarios)
-      text += annotation(report, report.verdict_on(scenario));
+    for (const PairVerdict* const scenario : group.scenarios)
+      text += annotation(report, verdict_on(*scenario));
   for (const CheckVerdict& verdict : report.verdicts())
     if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
       text += annotation(report, verdict);

@@ -51,8 +51,8 @@ std::string group_section(const DifferenceGroup& group, std::size_t checked, con
       fmt::format("### {}\n\n{}\n\n{}\n\n", name_of(group.cause.kind),
                   code_span(cause_sentence(group, checked).text()), code_span(consequence_sentence(group)));
   text += picture_text(picture);
-  for (const DifferingScenario& scenario : group.scenarios)
-    text += fmt::format("- {}: {}\n", code_span(scenario.path), code_span(scenario_consequence(scenario)));
+  for (const PairVerdict* const scenario : group.scenarios)
+    text += fmt::format("- {}: {}\n", code_span(scenario->path), code_span(scenario_consequence(*scenario)));
   return text + "\n";
 }
 

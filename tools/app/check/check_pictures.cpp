@@ -32,15 +32,14 @@ std::string svg_path(const std::string& path, std::size_t group) {
 std::string html_path(const std::string& path) { return stem_of(path) + ".html"; }
 
 // The worst scenario of which both runs keep every row; nullptr: long runs keep none.
-const DifferingScenario* drawable(const DifferenceGroup& group) {
-  const auto found = std::ranges::find_if(group.scenarios, [](const DifferingScenario& scenario) {
-    return scenario.runs != nullptr && scenario.runs->golden.rows.size() > 0 &&
-           scenario.runs->fresh.rows.size() > 0;
+const PairVerdict* drawable(const DifferenceGroup& group) {
+  const auto found = std::ranges::find_if(group.scenarios, [](const PairVerdict* scenario) {
+    return scenario->runs && scenario->runs->golden.rows.size() > 0 && scenario->runs->fresh.rows.size() > 0;
   });
-  return found == group.scenarios.end() ? nullptr : &*found;
+  return found == group.scenarios.end() ? nullptr : *found;
 }
 
-void draw(const DifferingScenario& scenario, const std::string& path) {
+void draw(const PairVerdict& scenario, const std::string& path) {
   const Columns& golden = scenario.runs->golden.rows;
   const Columns& fresh = scenario.runs->fresh.rows;
   Overlay overlay;
@@ -56,14 +55,14 @@ void draw(const DifferingScenario& scenario, const std::string& path) {
 }
 
 // The run is written for the page only, which holds all that it needs of it.
-void write_page(const CheckReport& report, const DifferingScenario& scenario, const std::string& path) {
+void write_page(const CheckReport& report, const DifferenceGroup& group, const PairVerdict& scenario,
+                const std::string& path) {
   const TemporaryFolder folder;
   const std::string run = folder.path() + "/" + scenario.runs->fresh.scenario.name + ".h5";
-  const DifferenceGroup& group = *report.group_of(report.verdict_on(scenario));
   const auto checked = static_cast<std::size_t>(report.scenario_count());
   static_cast<void>(write_run(run, scenario.runs->fresh.scenario, {}));
   write_report({.files = {run},
-                .against = report.verdict_on(scenario).golden->h5_path,
+                .against = scenario.golden->h5_path,
                 .output = path,
                 .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)}),
                 .cause = cause_sentence(group, checked).text() + " " + consequence_sentence(group)});
@@ -82,7 +81,7 @@ std::vector<GroupPicture> write_pictures(const CheckReport& report, const std::s
   std::vector<GroupPicture> pictures;
   for (std::size_t group = 0; group < std::min(report.groups().size(), kPicturesMax); ++group) {
     GroupPicture& picture = pictures.emplace_back();
-    const DifferingScenario* const scenario = drawable(report.groups()[group]);
+    const PairVerdict* const scenario = drawable(report.groups()[group]);
     if (scenario == nullptr) {
       picture.missing = "no picture: long runs keep no rows";
       continue;
@@ -91,7 +90,7 @@ std::vector<GroupPicture> write_pictures(const CheckReport& report, const std::s
       draw(*scenario, svg_path(path, group));
       picture.svg = file_name_of(svg_path(path, group));
       if (group > 0 || page_template(PageKind::runs).empty()) continue;
-      write_page(report, *scenario, html_path(path));
+      write_page(report, report.groups()[group], *scenario, html_path(path));
       picture.html = file_name_of(html_path(path));
     } catch (const Failure& failure) {
       picture.missing = failure.what();

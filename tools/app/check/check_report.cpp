@@ -108,8 +108,7 @@ std::string accept_option(const CheckReport& report) {
 
 // The commands that show more of the worst scenario, and that accept all.
 std::string commands_text(const CheckReport& report) {
-  const DifferingScenario& worst = report.groups().front().scenarios.front();
-  const CheckVerdict& verdict = report.verdict_on(worst);
+  const PairVerdict& worst = *report.groups().front().scenarios.front();
   const bool is_alone = report.groups().size() == 1 && report.groups().front().scenarios.size() == 1;
   const std::vector<std::string> checked =
       report.arguments().empty() ? std::vector<std::string>{"scenarios"} : report.arguments();
@@ -119,11 +118,11 @@ std::string commands_text(const CheckReport& report) {
     verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
   std::vector<const CheckVerdict*> blessed;
   for (const CheckVerdict& each : report.verdicts())
-    if (each.status != Status::unreferenced && (!is_alone || &each == &verdict)) blessed.push_back(&each);
+    if (each.status != Status::unreferenced && (!is_alone || &each == &worst)) blessed.push_back(&each);
   const std::string text =
       fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
                   program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
-                  program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"}));
+                  program_command({"diff", as_argument(worst.golden->h5_path), "now.h5"}));
   // Its results are others the next time.
   if (std::ranges::any_of(report.groups(),
                           [](const auto& each) { return each.cause.detail == kNotRepeated; }))
@@ -146,14 +145,10 @@ CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::st
       cores_(arguments, golden_folder),
       arguments_(std::move(arguments)),
       golden_folder_(std::move(golden_folder)) {
-  std::vector<DifferingScenario> differing;
+  std::vector<const PairVerdict*> differing;
   for (const CheckVerdict& verdict : verdicts_) {
-    verdict_on_[&verdict.comparison] = &verdict;
-    const std::string folder =
-        verdict.is_scenario ? golden_folder_for(verdict.path, verdict.golden_folder) : "";
-    if (is_folder(folder)) cores_.of(folder).take_paths(verdict.paths_taken);
-    if (verdict.status == Status::disagreed && !verdict.comparison.agrees)
-      differing.push_back({verdict.path, &verdict.comparison, verdict.runs.get(), folder});
+    if (is_folder(verdict.golden_folder)) cores_.of(verdict.golden_folder).take_paths(verdict.paths_taken);
+    if (verdict.status == Status::disagreed && !verdict.comparison.agrees) differing.push_back(&verdict);
   }
   for (const CheckVerdict& missing : verdicts_)
     for (const CheckVerdict& golden : verdicts_)
@@ -163,7 +158,7 @@ CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::st
         renamed_.emplace(&golden, &missing);
   if (!differing.empty()) groups_ = group_by_cause(differing, cores_);
   for (const DifferenceGroup& group : groups_)
-    for (const DifferingScenario& scenario : group.scenarios) group_of_[scenario.comparison] = &group;
+    for (const PairVerdict* const scenario : group.scenarios) group_of_[scenario] = &group;
 }
 
 void CheckReport::judge_cores(const std::vector<Library>& libraries) {
@@ -181,17 +176,13 @@ std::int64_t CheckReport::scenario_count() const {
 }
 
 const DifferenceGroup* CheckReport::group_of(const CheckVerdict& verdict) const {
-  const auto found = group_of_.find(&verdict.comparison);
+  const auto found = group_of_.find(&verdict);
   return found == group_of_.end() ? nullptr : found->second;
 }
 
 const CheckVerdict* CheckReport::renamed(const CheckVerdict& verdict) const {
   const auto found = renamed_.find(&verdict);
   return found == renamed_.end() ? nullptr : found->second;
-}
-
-const CheckVerdict& CheckReport::verdict_on(const DifferingScenario& scenario) const {
-  return *verdict_on_.at(scenario.comparison);
 }
 
 std::string counts_sentence(const CheckReport& report) {

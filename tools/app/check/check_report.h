@@ -42,15 +42,12 @@ class CheckReport {
   /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file
   /// with its run, and the other way round. nullptr: it was not renamed.
   [[nodiscard]] const CheckVerdict* renamed(const CheckVerdict& verdict) const;
-  /// The verdict on a scenario of a group.
-  [[nodiscard]] const CheckVerdict& verdict_on(const DifferingScenario& scenario) const;
 
  private:
   std::vector<CheckVerdict> verdicts_;
   CoreChecks cores_;
   std::vector<DifferenceGroup> groups_;
-  std::unordered_map<const Comparison*, const DifferenceGroup*> group_of_;
-  std::unordered_map<const Comparison*, const CheckVerdict*> verdict_on_;
+  std::unordered_map<const PairVerdict*, const DifferenceGroup*> group_of_;
   std::unordered_map<const CheckVerdict*, const CheckVerdict*> renamed_;
   std::vector<std::string> arguments_;
   std::string golden_folder_;
@@ -58,6 +55,11 @@ class CheckReport {
 
 /// counts_sentence of the verdicts.
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
+
+/// The verdict on a scenario of one of its groups.
+[[nodiscard]] inline const CheckVerdict& verdict_on(const PairVerdict& scenario) {
+  return static_cast<const CheckVerdict&>(scenario);
+}
 
 /// What is wrong with one scenario, in one line without its path: the cause and how far it moves the run, or
 /// where it becomes non-finite; the expectations that do not hold; what is missing. Empty if it agrees.

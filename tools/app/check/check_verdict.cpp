@@ -66,7 +66,8 @@ std::string stored_state_hash(const GoldenPlace& place) try {
 CheckVerdict check_scenario(const std::string& path, const CheckOptions& options) {
   CheckVerdict verdict;
   verdict.path = path;
-  verdict.golden_folder = options.golden_folder;
+  verdict.golden_option = options.golden_folder;
+  verdict.golden_folder = golden_folder_for(path, options.golden_folder);
   const auto start = std::chrono::steady_clock::now();
   try {
     if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");

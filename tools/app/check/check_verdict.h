@@ -12,30 +12,23 @@
 #include "sim/trace/step_player.h"
 #include "tools/app/golden/golden_pair.h"
 #include "tools/files/check_status.h"
-#include "tools/files/failure.h"
-#include "tools/files/golden_place.h"
 
 namespace hyrax {
 
-struct CheckVerdict {
+/// Its path is that of an unreferenced golden file without its suffix, if it is of one.
+struct CheckVerdict : PairVerdict {
   using Status = CheckStatus;
-  std::string path;  ///< Of the scenario as given; of an unreferenced golden file without its suffix.
   Status status = Status::agreed;
-  bool is_scenario = true;  ///< No golden file without a scenario, and no golden folder.
-  std::optional<GoldenPlace> golden;
-  bool has_golden = false;    ///< Its golden file exists.
-  std::string golden_folder;  ///< As given with --golden; empty if it was not.
-  Comparison comparison;
+  bool is_scenario = true;          ///< No golden file without a scenario, and no golden folder.
+  bool has_golden = false;          ///< Its golden file exists.
+  std::string golden_option;        ///< --golden as given; empty if it was not.
   std::vector<Expectation> broken;  ///< Expectations that do not hold.
   std::string non_finite;           ///< non_finite_text of the run; empty: it stays finite.
-  std::string error;                ///< Of a failed one.
   /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
   std::string state_hash;
-  std::string note;                      ///< A remark on one that agrees; may be empty.
-  std::shared_ptr<const PairRuns> runs;  ///< Of one that differs; see PairComparison.
-  std::set<std::int32_t> paths_taken;    ///< Of CheckOptions::watched_step.
-  bool is_open = false;                  ///< Undecided: the golden file must be read.
-  ExitCode exit_code = ExitCode::agreed;
+  std::string note;                    ///< A remark on one that agrees; may be empty.
+  std::set<std::int32_t> paths_taken;  ///< Of CheckOptions::watched_step.
+  bool is_open = false;                ///< Undecided: the golden file must be read.
   double seconds = 0.0;
 };
 

@@ -52,7 +52,7 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
                            rename_command(renamed->path, *verdict.golden));
       return joined(joined(verdict.non_finite, missing_golden_sentence(verdict.golden)),
                     broken.empty() && verdict.non_finite.empty()
-                        ? "to create it: " + bless_command_for({verdict.path}, verdict.golden_folder)
+                        ? "to create it: " + bless_command_for({verdict.path}, verdict.golden_option)
                         : broken);
     case Status::disagreed:
       break;
@@ -60,11 +60,9 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
   const DifferenceGroup* const group = report.group_of(verdict);
   if (group == nullptr || !verdict.non_finite.empty()) return joined(verdict.non_finite, broken);
   if (!verdict.runs) return joined(verdict.comparison.shape, broken);
-  return joined(
-      fmt::format("{}{}: {}", group->cause.kind == CauseKind::unknown ? "cause unknown: " : "",
-                  group->cause.detail,
-                  scenario_consequence({verdict.path, &verdict.comparison, verdict.runs.get(), ""})),
-      broken);
+  return joined(fmt::format("{}{}: {}", group->cause.kind == CauseKind::unknown ? "cause unknown: " : "",
+                            group->cause.detail, scenario_consequence(verdict)),
+                broken);
 }
 
 std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
@@ -77,7 +75,7 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
   if (verdict.status == Status::missing)
     return text + fmt::format("  {}\n", missing_golden_sentence(verdict.golden)) +
            (text.empty() ? fmt::format("  to create it: {}\n",
-                                       bless_command_for({verdict.path}, verdict.golden_folder))
+                                       bless_command_for({verdict.path}, verdict.golden_option))
                          : "");
   if (verdict.comparison.agrees) return text;
   return text + difference_text(verdict.comparison, lists_all) +
@@ -89,7 +87,7 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
 
 std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
                             const std::vector<const CheckVerdict*>& verdicts) {
-  const std::string& golden_folder = verdicts.front()->golden_folder;
+  const std::string& golden_folder = verdicts.front()->golden_option;
   std::vector<std::string> to_update;
   std::vector<std::string> to_edit;
   std::vector<std::string> damaged;

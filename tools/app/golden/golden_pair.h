@@ -8,6 +8,7 @@
 #include "sim/replay/kernel.h"
 #include "sim/trajectory/stored_run.h"
 #include "tools/app/play/golden_run.h"
+#include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 
 namespace hyrax {
@@ -31,6 +32,17 @@ struct PairComparison {
   /// Where rows, contacts, scenarios or two plays differ; nullptr where the pair agrees or the golden file
   /// was changed.
   std::shared_ptr<const PairRuns> runs{};
+};
+
+/// What a command found of a scenario and its golden pair, whatever it does with it.
+struct PairVerdict {
+  std::string path;  ///< Of the scenario as given.
+  std::optional<GoldenPlace> golden;
+  std::string golden_folder;             ///< Has the accepted core; empty: no scenario, or in no library.
+  Comparison comparison;                 ///< With the golden file, if there is one.
+  std::shared_ptr<const PairRuns> runs;  ///< As PairComparison's.
+  std::string error;                     ///< Of a failed one.
+  ExitCode exit_code = ExitCode::agreed;
 };
 
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
