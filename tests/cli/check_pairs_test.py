@@ -139,27 +139,26 @@ class Seal(CheckTest):
         self.assertIn(": the golden file was changed since it was blessed.\n", said)
         self.assertIn("  to restore it   take golden/third.h5 from version control\n", said)
 
-    def assert_not_as_blessed(self, text, says):
-        """With this digest and an agreeing golden file, `check` names the line; blessing repairs it."""
+    def assert_not_as_blessed(self, text):
+        """With this digest and an agreeing golden file, `check` names the digest; blessing repairs it."""
         self.digest.write_text(text)
         entry = self.check(DISAGREED)["results"][2]
         self.assertEqual((entry["class"], entry["first_divergence"]), ("shape", None))
         said = self.expect(DISAGREED, "check").out
-        self.assertIn("since it was blessed: golden/third.txt: line ", said)
-        self.assertIn(says, said)
+        self.assertIn("since it was blessed: golden/third.txt: its checksums ", said)
         self.bless("scenarios/third.json")
         self.check(AGREED)
 
     def test_broken_checksums_disagree(self):
         for text in (self.text.replace("checksums: ", "checksum: "), self.text[:-1],
                      self.text.replace(self.contents, 32 * "0"), self.text.replace(self.file, 32 * "z")):
-            self.assert_not_as_blessed(text, f"; expected 'checksums: {self.contents} {self.file}'")
-        self.assert_not_as_blessed(self.text + "\n", "(found ''); expected nothing")
+            self.assert_not_as_blessed(text)
+        self.assert_not_as_blessed(self.text + "\n")
 
     def test_the_digest_of_another_run_disagrees(self):
         for line, other in (("steps: 300", "steps: 301"), ("ground 8\n", "ground 7\n"), ("vy ", "vx ")):
             self.assertIn(line, self.text)
-            self.assert_not_as_blessed(self.text.replace(line, other), "; expected '")
+            self.assert_not_as_blessed(self.text.replace(line, other))
 
     def test_the_reason_in_a_digest_may_change(self):
         self.digest.write_text(self.text.replace("reason: for the test", "reason: for another test"))

@@ -70,19 +70,6 @@ std::string waypoints_text(const Waypoints& waypoints) {
   return text;
 }
 
-// The line that begins at `begin`, with its line end; empty after the last one.
-std::string_view line_at(std::string_view text, std::size_t begin) {
-  const std::size_t end = text.find('\n', begin);
-  return text.substr(begin, end == std::string_view::npos ? end : end + 1 - begin);
-}
-
-std::string shown(std::string_view line) {
-  if (line.empty()) return "nothing";
-  const bool is_ended = line.back() == '\n';
-  if (is_ended) line.remove_suffix(1);
-  return fmt::format("'{}'{}", line, is_ended ? "" : " without a line end");
-}
-
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -219,20 +206,6 @@ bool has_checksums(const std::string& text, const std::string& contents, const s
   if (reason == std::string::npos) return false;
   const std::string head = text.substr(0, reason + 1 + kReasonKey.size());
   return text == head + summary_reason(text) + "\n" + checksums_line(head, contents, file);
-}
-
-std::optional<std::string> summary_difference(const std::string& stored, const std::string& current) {
-  std::size_t stored_begin = 0;
-  std::size_t current_begin = 0;
-  for (int number = 1; stored_begin < stored.size() || current_begin < current.size(); ++number) {
-    const std::string_view found = line_at(stored, stored_begin);
-    const std::string_view expected = line_at(current, current_begin);
-    if (found != expected)
-      return fmt::format("line {}: differs (found {}); expected {}", number, shown(found), shown(expected));
-    stored_begin += found.size();
-    current_begin += expected.size();
-  }
-  return std::nullopt;
 }
 
 }  // namespace hyrax

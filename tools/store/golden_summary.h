@@ -38,9 +38,4 @@ struct GoldenChecksums {
 [[nodiscard]] bool has_checksums(const std::string& text, const std::string& contents,
                                  const std::string& file);
 
-/// The first line in which a stored summary differs from the one that bless would write now, as
-/// "line 3: differs (found 'steps: 301'); expected 'steps: 300'". Nothing if none differs.
-[[nodiscard]] std::optional<std::string> summary_difference(const std::string& stored,
-                                                            const std::string& current);
-
 }  // namespace hyrax

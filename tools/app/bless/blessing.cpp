@@ -97,9 +97,8 @@ RunSummary compare(const Scenario& scenario, Blessing& blessing) {
   if (!has_both) blessing.unreadable = txt_path + " is missing";
   try {
     PairComparison pair = *compare_with_pair(scenario, *blessing.golden, true);
-    const bool is_current = pair.is_proved && is_summary_current(scenario, *blessing.golden);
-    blessing.status = is_current ? BlessStatus::unchanged : BlessStatus::changed;
-    blessing.keeps_h5 = has_both && !is_current && is_h5_current(scenario, *blessing.golden);
+    blessing.status = pair.is_proved ? BlessStatus::unchanged : BlessStatus::changed;
+    blessing.keeps_h5 = has_both && !pair.is_proved && is_h5_current(scenario, *blessing.golden);
     const RunSummary summary = pair.summary;
     take_over(std::move(pair), blessing);
     return summary;

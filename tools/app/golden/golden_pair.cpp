@@ -67,27 +67,13 @@ std::string margin_in_summary(const FreshRun& fresh) {
   return margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : "");
 }
 
-std::string summary_text(const FreshRun& fresh, const std::string& reason, const GoldenChecksums& checksums) {
-  WaypointMeter waypoints(step_count(fresh.run.scenario));
-  static_cast<void>(replay(fresh.run.scenario, waypoints));
-  return golden_summary_text(fresh.run, fresh.summary, waypoints.take(), reason, margin_in_summary(fresh),
-                             checksums);
-}
-
-// What in a pair whose rows agree is not as it was blessed. Two scenarios may differ in name and in how they
-// are written and be the same all the same, and the physics model's name sets no class, so all are taken from
-// the .h5 file.
-std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept, FreshRun fresh,
+// What in a pair whose rows agree is not as it was blessed.
+std::optional<std::string> fault_in(const std::string& text, const StoredRun& kept,
                                     const std::string& h5_checksum, bool is_blessed_file,
                                     const GoldenPlace& place) {
-  fresh.run.scenario.name = kept.scenario.name;
-  fresh.run.physics = kept.physics;
   if (text.find("\r\n") != std::string::npos) return place.txt_path + ": " + kConvertedLineEnds;
-  const GoldenChecksums checksums{contents_checksum(kept), h5_checksum, summary_core(text)};
-  if (!has_checksums(text, checksums.contents, checksums.file)) {
-    const auto fault = summary_difference(text, summary_text(fresh, summary_reason(text), checksums));
-    return place.txt_path + ": " + fault.value();
-  }
+  if (!has_checksums(text, contents_checksum(kept), h5_checksum))
+    return place.txt_path + ": its checksums are not those of its lines and of " + place.h5_path;
   // Files of earlier versions have fewer attributes; those that they have must be the same.
   return attribute_difference(place.h5_path, kept, is_blessed_file);
 }
@@ -103,11 +89,6 @@ std::string changed_text(const std::string& fault) {
          "; restore it, or bless the scenario again";
 }
 
-// Whether a row, a contact or the scenario differs; else only what the golden file says of itself.
-bool has_other_run(const Comparison& comparison, const StoredRun& kept, const Scenario& scenario) {
-  return comparison.first || !comparison.contacts.is_none() || !plays_the_same(kept.scenario, scenario);
-}
-
 PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
                                 FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
@@ -115,26 +96,27 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
   ComparedRun compared = compare_with(kept, scenario);
   PairComparison pair{
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
-  const std::string blessed_checksum = summary_file_checksum(text).value_or(h5_checksum);
-  const bool is_blessed_file = blessed_checksum == h5_checksum;
+  const std::optional<std::string> blessed_checksum = summary_file_checksum(text);
+  const bool is_blessed_file = !blessed_checksum || *blessed_checksum == h5_checksum;
   const bool is_repeated = fresh.run.state_hash == hex(compared.summary.state_hash);
-  if (is_repeated && !is_blessed_file && !plays_the_same(kept.scenario, scenario) && !gives_its_rows(kept)) {
+  const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
+  if (is_repeated && !is_blessed_file && !is_same_scenario && !gives_its_rows(kept)) {
     pair.gives_its_rows = false;
     refuse_pair(pair.comparison, changed_text(place.h5_path + ": its scenario does not give its rows"));
     return pair;
   }
+  const bool is_same_run = is_same_scenario && !pair.comparison.first && pair.comparison.contacts.is_none();
   // A file that is as it was blessed does not contradict itself.
-  const bool has_other_hash =
-      kept.state_hash != fresh.run.state_hash && summary_file_checksum(text) == h5_checksum;
-  if (has_other_hash && !pair.comparison.first && pair.comparison.contacts.is_none() &&
-      plays_the_same(kept.scenario, scenario) && kept.steps == fresh.run.steps)
-    pair.comparison.shape = "the state hash differs, but no row that was compared: a fault of the program";
-  if (!is_repeated || has_other_hash || has_other_run(pair.comparison, kept, scenario))
+  const bool has_other_hash = blessed_checksum == h5_checksum && kept.state_hash != fresh.run.state_hash;
+  if (!is_repeated)
+    refuse_pair(pair.comparison, std::string(kNotRepeated));
+  else if (has_other_hash && is_same_run && kept.steps == fresh.run.steps)
+    refuse_pair(pair.comparison, "the state hash differs, but no row that was compared");
+  if (!is_repeated || has_other_hash || !is_same_run)
     pair.runs = std::make_shared<const PairRuns>(
         PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file, summary_core(text), is_repeated});
-  if (!is_repeated) refuse_pair(pair.comparison, std::string(kNotRepeated));
   if (!pair.comparison.agrees) return pair;
-  if (const auto fault = fault_in(text, kept, std::move(fresh), blessed_checksum, is_blessed_file, place))
+  if (const auto fault = fault_in(text, kept, blessed_checksum.value_or(h5_checksum), is_blessed_file, place))
     refuse_pair(pair.comparison, changed_text(*fault));
   else if (!is_blessed_file)
     pair.note = place.h5_path + ": agrees, but does not have the checksum in " + place.txt_path +
@@ -153,7 +135,10 @@ bool has_core_constants(const StoredRun& kept) {
 }  // namespace
 
 std::string summary_of(const FreshRun& fresh, const std::string& reason, const std::string& h5_checksum) {
-  return summary_text(fresh, reason, {contents_checksum(fresh.run), h5_checksum, program_core().name()});
+  WaypointMeter waypoints(step_count(fresh.run.scenario));
+  static_cast<void>(replay(fresh.run.scenario, waypoints));
+  return golden_summary_text(fresh.run, fresh.summary, waypoints.take(), reason, margin_in_summary(fresh),
+                             {contents_checksum(fresh.run), h5_checksum, program_core().name()});
 }
 
 std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
@@ -161,18 +146,11 @@ std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const 
   const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
   FreshRun fresh = play_for_golden(scenario, kernel);
-  if (has_checksums(text, contents_checksum(fresh.run), h5_checksum))
+  if (has_checksums(text, contents_checksum(fresh.run), h5_checksum) &&
+      text.starts_with("scenario: " + scenario.name + "\n"))
     return PairComparison{.summary = fresh.summary};
   if (!reads_h5) return std::nullopt;
   return read_and_compare(scenario, place, text, std::move(fresh), h5_checksum);
-}
-
-bool is_summary_current(const Scenario& scenario, const GoldenPlace& place) {
-  const std::string text = read_text_file(place.txt_path);
-  const FreshRun fresh = play_for_golden(scenario);
-  return text ==
-         summary_text(fresh, summary_reason(text),
-                      {contents_checksum(fresh.run), file_checksum(place.h5_path), summary_core(text)});
 }
 
 bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {

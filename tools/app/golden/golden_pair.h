@@ -55,9 +55,6 @@ struct PairVerdict {
                                                               const GoldenPlace& place, bool reads_h5,
                                                               const Kernel& kernel = core_kernel());
 
-/// Whether blessing the run would write this summary again. REQUIRES: both files of the pair exist.
-[[nodiscard]] bool is_summary_current(const Scenario& scenario, const GoldenPlace& place);
-
 /// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
 /// would, its provenance aside, whatever the summary says.
 /// REQUIRES, ERRORS: as compare_with_pair's with `reads_h5`.

@@ -107,22 +107,6 @@ TEST(GoldenSummary, GivesItsReasonBack) {
   EXPECT_EQ(summary_reason(text), "a longer throw");
 }
 
-TEST(GoldenSummary, DoesNotDifferFromItself) {
-  const std::string text = text_of(some_run(), some_summary(), "x");
-  EXPECT_EQ(summary_difference(text, text), std::nullopt);
-}
-
-TEST(GoldenSummary, ReportsTheFirstLineThatDiffers) {
-  const std::string text = text_of(some_run(), some_summary(), "x");
-  EXPECT_EQ(summary_difference("scenario: fling\nphysics: hyrax-physics/2\n", text),
-            "line 2: differs (found 'physics: hyrax-physics/2'); expected 'physics: hyrax-physics/1'");
-  EXPECT_EQ(summary_difference(text + "more\n", text), "line 20: differs (found 'more'); expected nothing");
-  EXPECT_EQ(summary_difference(text.substr(0, text.size() - 1), text),
-            "line 19: differs (found 'checksums: 77fc54fa0cc886a2c5b3f297bde3a50f "
-            "fedcba9876543210fedcba9876543210' without a line end); expected 'checksums: "
-            "77fc54fa0cc886a2c5b3f297bde3a50f fedcba9876543210fedcba9876543210'");
-}
-
 TEST(GoldenSummary, HasTheChecksumsOfItsContentsAndFile) {
   const std::string text = text_of(some_run(), some_summary(), "a longer throw", "wide");
   EXPECT_TRUE(has_checksums(text, kContents, kFile));
