@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "tools/app/bless/bless_report.h"
-#include "tools/app/bless/blessing.h"
-#include "tools/app/bless/pruning.h"
 #include "tools/app/causes/library.h"
 #include "tools/app/command_line/options.h"
 #include "tools/files/printable.h"

@@ -6,7 +6,6 @@
 #include <new>
 
 #include "tools/app/check/check_report.h"
-#include "tools/app/check/last_failed.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/outcomes.h"
 #include "tools/app/command_line/progress.h"

@@ -9,7 +9,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/app/search/fuzz.h"
+#include "tools/app/search/broken_rule.h"
 #include "tools/files/json.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_writer.h"

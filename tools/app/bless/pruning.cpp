@@ -1,4 +1,4 @@
-#include "tools/app/bless/pruning.h"
+#include "tools/app/bless/bless_report.h"
 
 #include <cerrno>
 #include <cstring>

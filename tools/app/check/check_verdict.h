@@ -1,4 +1,4 @@
-// The verdict of `check` on one scenario, and on all.
+// The verdict of `check` on one scenario, and which did not agree the last time.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "sim/trace/step_player.h"
 #include "tools/app/golden/golden_pair.h"
 #include "tools/files/check_status.h"
+#include "tools/store/output_guard.h"
 
 namespace hyrax {
 
@@ -46,5 +47,23 @@ struct CheckOptions {
 /// find_unreferenced.
 [[nodiscard]] std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& arguments,
                                                               const std::string& golden_folder);
+
+/// A file for each folder in which `check` is run, in $XDG_CACHE_HOME/hyrax-sim or ~/.cache/hyrax-sim.
+/// Without these folders, or where they cannot be read or written, nothing is recorded.
+class LastFailed {
+ public:
+  /// Reads what was recorded in the current folder.
+  LastFailed();
+
+  /// Whether the scenario, or golden file without one, did not agree.
+  [[nodiscard]] bool contains(const std::string& path) const;
+  /// Records the new verdicts; those of a folder that were not asked for this time are kept. Writes no file
+  /// in a golden folder.
+  void update(const std::vector<CheckVerdict>& verdicts, OutputGuard& guard);
+
+ private:
+  std::string file_;             // Empty: nothing is recorded.
+  std::set<std::string> paths_;  // Absolute.
+};
 
 }  // namespace hyrax

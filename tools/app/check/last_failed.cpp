@@ -1,4 +1,4 @@
-#include "tools/app/check/last_failed.h"
+#include "tools/app/check/check_verdict.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,8 @@
-// The rules that fuzzing holds a scenario to, and the smallest scenario that breaks one.
+// The rules that fuzzing holds random scenarios to, and the smallest scenario that breaks one.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "sim/scenario/scenario.h"
 #include "sim/search/run_check.h"
 #include "sim/search/shrink.h"
+#include "tools/app/command_line/part.h"
 #include "tools/files/child_process.h"
 
 namespace hyrax {
@@ -83,5 +85,30 @@ struct BrokenRule {
 [[nodiscard]] Shrunk shrink_with_progress(const Scenario& scenario,
                                           const std::function<bool(const Scenario&)>& fails,
                                           std::int64_t trials_max);
+
+struct FuzzLimits {
+  std::uint64_t seed = 1;
+  std::optional<std::int64_t> runs;  ///< Of all parts.
+  double time_s = 60.0;              ///< Where no number of runs is given.
+  WorkPart part;
+};
+
+struct FuzzFailure {
+  std::uint64_t run = 0;
+  Scenario scenario;
+  BrokenRule broken;
+};
+
+struct FuzzOutcome {
+  std::int64_t runs = 0;          ///< Played.
+  std::int64_t not_compared = 0;  ///< Of them; the other program did not end in time.
+  double elapsed_s = 0.0;
+  std::optional<FuzzFailure> failure;  ///< The first one, in order of the runs.
+};
+
+/// Plays runs on all processors; shows progress. With a number of runs the outcome does not depend on how
+/// many processors there are.
+/// @param other nullptr: invariants alone; else also the state hash of that program.
+[[nodiscard]] FuzzOutcome fuzz(const FuzzLimits& limits, const OtherProgram* other);
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-#include "tools/app/search/fuzz.h"
+#include "tools/app/search/broken_rule.h"
 
 #include <fmt/format.h>
 
