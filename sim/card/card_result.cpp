@@ -17,12 +17,9 @@ struct DrawnCore {
   const char* name;
   std::optional<Band> BeforeAfter<std::optional<Band>>::*band;
   Tone tone;
-  Tone fill;
-  double shift;  // Of its row among categories.
 };
-constexpr DrawnCore kCores[] = {
-    {"base", &BeforeAfter<std::optional<Band>>::before, kBefore, Tone::shade, -0.12},
-    {"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter, Tone::bad, 0.12}};
+constexpr DrawnCore kCores[] = {{"base", &BeforeAfter<std::optional<Band>>::before, kBefore},
+                                {"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter}};
 
 std::vector<LegendEntry> both_cores(Form form) {
   std::vector<LegendEntry> legend;
@@ -130,52 +127,47 @@ Figure exact_figure(const std::vector<ExactLine>& lines) {
   Plot plot{.x = {.label = "time since the throw, s"},
             .y = {.label = "distance from the exact motion, px", .low = 0.0}};
   for (const DrawnCore& core : kCores) {
-    Series middle{.name = std::string(core.name) + ", eight of ten flings",
-                  .look = {.form = Form::band, .tone = core.fill}};
+    const Look outline{.tone = core.tone, .width_px = 1.5, .dash = Dash::short_dashes};
+    Series low{.name = std::string(core.name) + ", one of ten flings is nearer", .look = outline};
+    Series high{.name = std::string(core.name) + ", one of ten flings is farther", .look = outline};
     Series median{.name = std::string(core.name) + ", median",
                   .look = {.form = Form::line_and_points, .tone = core.tone}};
     for (const ExactLine& line : lines) {
       const std::optional<Band>& band = line.distance_px.*core.band;
       if (!band) continue;
-      for (Series* const series : {&middle, &median}) series->x.push_back(line.t_s);
-      middle.y_low.push_back(band->low);
-      middle.y.push_back(band->high);
+      for (Series* const series : {&low, &high, &median}) series->x.push_back(line.t_s);
+      low.y.push_back(band->low);
+      high.y.push_back(band->high);
       median.y.push_back(band->median);
     }
-    plot.series.insert(plot.series.begin(), std::move(middle));
-    plot.series.push_back(std::move(median));
+    for (Series* const series : {&low, &high, &median}) plot.series.push_back(std::move(*series));
   }
   return {.suffix = "-exact",
           .title = "Distance from the exact motion",
-          .subtitle = "Median and middle 80 % of the flings, 60 rows a second",
+          .subtitle = "Median and, dashed, the ends of the middle 80 % of the flings, 60 rows a second",
           .body = std::vector{std::move(plot)},
           .legend = both_cores(Form::line_and_points)};
 }
 
 Figure energy_figure(const EnergyLine& energy) {
-  Plot plot{.x = {.label = "energy, as px of height"},
+  Plot plot{.x = {.label = "candidate minus base, energy as px of height"},
             .y = {.categories = {"in flight, against the exact flight", "at walls, by lift", "by bounces",
                                  "by friction"}},
             .marks = {{.at = 0.0, .tone = Tone::hairline}}};
   const std::array causes = {&energy.drift_px2_per_s2, &energy.lift_px2_per_s2, &energy.bounce_px2_per_s2,
                              &energy.friction_px2_per_s2};
-  for (const DrawnCore& core : kCores) {
-    Series series{.name = core.name, .look = {.form = Form::points, .tone = core.tone, .marker_size = 0.9}};
-    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-      const std::optional<Band>& band = causes[cause]->*core.band;
-      if (!band) continue;
-      series.x.push_back(band->median / kHeight_px2_per_s2);
-      series.y.push_back(static_cast<double>(cause) + core.shift);
-      series.x_low.push_back(band->low / kHeight_px2_per_s2);
-      series.x_high.push_back(band->high / kHeight_px2_per_s2);
-    }
-    plot.series.push_back(std::move(series));
+  Series series{.name = "change", .look = {.form = Form::points, .tone = kAfter, .marker_size = 0.9}};
+  for (std::size_t cause = 0; cause < causes.size(); ++cause) {
+    const auto& [before, after] = *causes[cause];
+    if (!before || !after) continue;
+    series.x.push_back((after->median - before->median) / kHeight_px2_per_s2);
+    series.y.push_back(static_cast<double>(cause));
   }
+  plot.series.push_back(std::move(series));
   return {.suffix = "-energy",
-          .title = "Energy by cause",
-          .subtitle = "Of a fling until it settles: median and middle 80 % of the flings",
-          .body = std::vector{std::move(plot)},
-          .legend = both_cores(Form::points)};
+          .title = "Change of energy by cause",
+          .subtitle = "Of a fling until it settles: difference of the medians of the flings",
+          .body = std::vector{std::move(plot)}};
 }
 
 }  // namespace

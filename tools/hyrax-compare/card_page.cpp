@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "tools/hyrax-compare/card_output.h"
 #include "tools/report/result_page.h"
 
@@ -10,8 +12,11 @@ void write_card_page(const std::string& path, const std::string& command, const 
               compared_text(card),
               {column_of("line", "", "what is measured", lines, &CardLine::name),
                column_of("measured", "", "with its interval", lines, &CardLine::text)}};
+  const auto name = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
   ShownResult result{
-      .title = title.candidate + " against " + title.base,
+      .title = name(title.candidate) == name(title.base)
+                   ? name(title.base) + ": candidate against base"
+                   : name(title.candidate) + " against " + name(title.base),
       .subtitle = compared_text(card),
       .verdict = {.text = {consequence_of(card), std::move(table)}, .broken = {}},
       .tables = card_tables(card),

@@ -1,5 +1,7 @@
 #include "sim/card/card.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 namespace hyrax {
@@ -53,14 +55,14 @@ TEST(CardResult, DrawsBothCores) {
   EXPECT_EQ(plot_of(figures[1]).series[0].x, (std::vector{5.0, 6.0}));
   EXPECT_EQ(plot_of(figures[1]).series[1].x, (std::vector{7.0}));
   const std::vector<Series>& exact = plot_of(figures[2]).series;
-  ASSERT_EQ(exact.size(), 4u);  // Bands behind medians.
-  EXPECT_EQ(exact[0].look.form, Form::band);
-  EXPECT_EQ(exact[1].look.form, Form::band);
-  EXPECT_EQ(exact[2].y, (std::vector{2.0}));
-  EXPECT_EQ(exact[3].y, (std::vector{20.0}));
-  const Series& after = plot_of(figures[3]).series[1];
-  EXPECT_EQ(after.x, (std::vector{10.0}));  // px of height
-  EXPECT_EQ(after.x_high, (std::vector{20.0}));
+  ASSERT_EQ(exact.size(), 6u);  // Low and high end, median.
+  for (std::size_t each = 0; each < exact.size(); ++each) {
+    EXPECT_EQ(exact[each].y, (std::vector{std::array{1.0, 3.0, 2.0, 10.0, 30.0, 20.0}[each]}));
+    EXPECT_EQ(exact[each].look.dash, each % 3 == 2 ? Dash::solid : Dash::short_dashes);
+  }
+  const Series& change = plot_of(figures[3]).series[0];
+  EXPECT_EQ(change.x, (std::vector{9.0}));  // px of height
+  EXPECT_EQ(change.y, (std::vector{1.0}));
 }
 
 }  // namespace
