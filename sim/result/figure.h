@@ -54,8 +54,13 @@ struct Axis {
   int decimals = -1;             ///< Of the numbers at its ticks; -1: as many as each needs.
   std::vector<std::string> categories =
       {};  ///< If there are any: names of 0, 1, 2, ..., from the top of a y axis.
-  /// Of a logarithmic axis: data at most this large are drawn here, with the tick "0".
+  /// Of a logarithmic axis: data at most this large are drawn here, with this text at the tick.
   double zero_at = kNotGiven;
+  std::string zero_text = "0";
+  /// Of a logarithmic y axis: data up to this are drawn in a strip of their own below the rest, which would
+  /// leave most of the decades between them empty.
+  double strip_below = kNotGiven;
+  std::string strip_name = {};
 };
 
 enum class Form : std::uint8_t {
@@ -65,7 +70,7 @@ enum class Form : std::uint8_t {
   band,  ///< The area between y_low and y.
   bars   ///< From the low end of the x axis to x, one a category.
 };
-enum class Dash : std::uint8_t { solid, short_dashes, long_dashes };
+enum class Dash : std::uint8_t { solid, short_dashes, long_dashes, dots };
 enum class Marker : std::uint8_t { dot, ring, square };
 
 /// How a series looks.
@@ -87,6 +92,7 @@ struct Series {
   std::vector<double> y_low = {};  ///< Of a band: as many as x.
   std::vector<double> x_low = {};  ///< With x_high: bars of spread through the points; as many as x, or none.
   std::vector<double> x_high = {};
+  std::vector<std::string> point_names = {};  ///< "60 Hz"; as many as x, or none.
 };
 
 /// A dashed line across the plot.

@@ -7,7 +7,6 @@ import shutil
 import h5py
 import numpy
 
-from process import skip_unless_installed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
 
 DIFF = {"agree": bool, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE), "worst": object,
@@ -194,7 +193,6 @@ class Diff(ProgramTest):
         for path, says in (("golden/a.svg", "golden"), ("fig.png", ".svg")):
             self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--figure", path, says=says)
         self.assertEqual(self.state_of("."), before)
-        skip_unless_installed("gnuplot")
         outcome = self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--figure", "diff.svg")
         self.assertIn("  figure     diff.svg\n", outcome.out)
         svg = (self.folder / "diff.svg").read_text()

@@ -218,18 +218,6 @@ class Nothing(ProgramTest):
             self.expect(exit_code, *arguments)
             self.assertEqual(self.names(), ["bad.json", "fling.json"], arguments)
 
-    def test_a_figure_without_gnuplot_is_reported_once(self):
-        self.write("fling.json", fling())
-        (self.folder / "bin").mkdir()
-        environment = {**os.environ, "PATH": str(self.folder / "bin")}
-        for arguments in (("run", "fling.json", "--figure", "x.svg"), ("drift", "fling.json", "--figures", "figures")):
-            outcome = self.expect(CANNOT_ACCESS, *arguments, "--json", says="gnuplot is not installed", env=environment)
-            entry, = outcome.json["runs"]
-            self.assertEqual((entry["scenario"], entry["status"]), ("fling.json", "failed"))
-            self.assertIn("gnuplot is not installed", entry["error"])
-            self.assertTrue("state_hash" in entry or "arcs" in entry)
-        self.assertIn("fling.h5", self.names())
-
 
 if __name__ == "__main__":
     main()

@@ -8,7 +8,6 @@ import xml.etree.ElementTree
 
 import h5py
 
-from process import skip_unless_installed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, NUMBER, SOURCE, ProgramTest, fling, main
 
 
@@ -123,13 +122,6 @@ class Needs(StudyTest):
         self.assertIn("its window cannot hold its sprite",
                       self.expect(AGREED, "study", "needs", path, "--quick", "--no-figures").out)
 
-    def test_without_gnuplot_the_verdict_is_still_printed(self):
-        outcome = self.expect(CANNOT_ACCESS, "study", "needs", self.write("fling.json", fling()), "--quick",
-                              env={"PATH": str(self.folder)}, says="gnuplot")
-        self.assertIn("gravity", outcome.out)
-        self.assertIn("written: needs.h5, needs.csv\n", outcome.out)
-        self.assertEqual(self.names(), ["fling.json", "needs.csv", "needs.h5"])
-
     def test_a_scene_without_frames_needs_nothing(self):
         self.assertEqual(set(self.verdicts(self.write("still.json", fling(steps=0))).values()), {"not exercised"})
 
@@ -203,10 +195,6 @@ class SpeedError(StudyTest):
 
 class Figures(StudyTest):
     """The pictures."""
-
-    def setUp(self):
-        skip_unless_installed("gnuplot")
-        super().setUp()
 
     def test_needs_are_drawn_scene_by_scene(self):
         self.expect(AGREED, "study", "needs", self.write("fling.json", fling()), "--quick")

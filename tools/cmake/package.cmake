@@ -60,7 +60,6 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS gnuplot-nox)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Scenarios of a thrown desktop pet, replayed and compared bit for bit with golden files;\n\
 with the core library, its CMake package, the scenarios and their golden files.")

@@ -6,8 +6,7 @@
 #include "tools/app/command_line/options.h"
 #include "tools/app/diff/diff_text.h"
 #include "tools/app/diff/difference_text.h"
-#include "tools/report/figure_script.h"
-#include "tools/report/gnuplot.h"
+#include "tools/report/figure_svg.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -60,7 +59,7 @@ void draw(const DiffRequest& request, const TrajectoryDiff& diff, const Overlay&
                                         .a = name_a,
                                         .b = name_b,
                                         .bounds = bounds_of(scenario.window, scenario.sprite)});
-  draw_figure(request.figure, figure_script(figure));
+  draw_figure(request.figure, figure);
 }
 
 ExitCode diff(const DiffRequest& request) {
@@ -87,8 +86,7 @@ void declare(Options& options, DiffRequest& request) {
   options.number(request.tolerance.abs, {"--abs", "X", "absolute tolerance (px, px/s or s)"}, 0.0);
   options.number(request.tolerance.rel, {"--rel", "X", "tolerance relative to the larger value"}, 0.0);
   options.integer(request.tolerance.ulps, {"--ulps", "N", "tolerance in units in the last place"}, 0);
-  options.text(request.figure,
-               {"--figure", "FILE.svg", "draw both paths, and their distance over time (needs gnuplot)"});
+  options.text(request.figure, {"--figure", "FILE.svg", "draw both paths, and their distance over time"});
   options.printing(request.printing, "print all contacts that moved, and the build settings");
 }
 

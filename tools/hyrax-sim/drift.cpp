@@ -137,7 +137,7 @@ void declare(Options& options, DriftRequest& request) {
   options.flag(request.stores_rows, {"--rows", "", "with -o: store the errors of every row as well"});
   options.text(request.figures, {"--figures", "DIR",
                                  "draw the distance from the exact fling, energy, its drift, the errors and "
-                                 "restitution (needs gnuplot)"});
+                                 "restitution"});
   options.printing(request.printing, "print all arcs and contacts");
 }
 

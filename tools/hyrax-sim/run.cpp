@@ -228,8 +228,7 @@ void declare(Options& options, RunRequest& request) {
                                 "NAME.h5 in the current folder)"});
   options.texts(request.overrides,
                 {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
-  options.text(request.figure,
-               {"--figure", "FILE.svg", "draw window, path and contacts to scale (needs gnuplot)"});
+  options.text(request.figure, {"--figure", "FILE.svg", "draw window, path and contacts to scale"});
   options.text(request.page, {"--report", "FILE.html", "write a page that replays the run in the browser"});
   options.text(request.golden_folder,
                {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});

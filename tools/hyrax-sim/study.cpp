@@ -22,8 +22,7 @@
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
 #include "tools/report/figure_json.h"
-#include "tools/report/figure_script.h"
-#include "tools/report/gnuplot.h"
+#include "tools/report/figure_svg.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/table_file.h"
 
@@ -111,7 +110,7 @@ void declare_arguments(Options& options, StudyArguments& arguments) {
   options.flag(arguments.is_gate, {"--gate", "", "exit 1 if one of the study's rules does not hold"});
   options.text(arguments.expect_file, {"--expect", "FILE", "paper: expected verdicts, compared with --gate"});
   options.text(arguments.within, {"--within", "LENGTH", "needs: the tolerance, as 1px"});
-  options.flag(arguments.has_no_figures, {"--no-figures", "", "draw no figures (they need gnuplot)"});
+  options.flag(arguments.has_no_figures, {"--no-figures", "", "draw no figures"});
   options.printing(arguments.printing);
 }
 
@@ -228,29 +227,19 @@ Table report_table(const Result& result) {
                       column("figures", "the figures as data", figures)}};
 }
 
-// A figure that cannot be drawn does not keep the verdict from being printed.
-struct WrittenStudy {
-  std::vector<std::string> paths;
-  std::optional<Failure> failed_figure;
-};
-
-WrittenStudy write_result(const Study& study, const Result& result, const std::string& stem,
-                          bool has_figures) {
-  WrittenStudy written{.paths = {stem + ".h5", stem + ".csv"}, .failed_figure = {}};
+// The paths of its files.
+std::vector<std::string> write_result(const Study& study, const Result& result, const std::string& stem,
+                                      bool has_figures) {
+  std::vector<std::string> paths = {stem + ".h5", stem + ".csv"};
   std::vector<Table> tables = result.tables;
   tables.push_back(report_table(result));
-  write_study_file(written.paths[0], {study.name, study.summary}, tables);
-  write_text_file(written.paths[1], csv_text(result.tables.front()));
-  if (!has_figures) return written;
-  try {
-    for (const Figure& figure : result.figures) {
-      draw_figure(stem + figure.suffix + ".svg", figure_script(figure));
-      written.paths.push_back(stem + figure.suffix + ".svg");
-    }
-  } catch (const Failure& failure) {
-    written.failed_figure = failure;
+  write_study_file(paths[0], {study.name, study.summary}, tables);
+  write_text_file(paths[1], csv_text(result.tables.front()));
+  for (const Figure& figure : has_figures ? result.figures : std::vector<Figure>()) {
+    paths.push_back(stem + figure.suffix + ".svg");
+    draw_figure(paths.back(), figure);
   }
-  return written;
+  return paths;
 }
 
 void print_json(const Study& study, const Result& result, const std::vector<std::string>& paths) {
@@ -276,17 +265,16 @@ ExitCode run_study_command(const StudyArguments& arguments) {
     for (const Figure& figure : result.figures)
       guard.admit("hyrax-sim study: -o", stem + figure.suffix + ".svg");
   make_folder(arguments.folder);
-  const WrittenStudy written = write_result(study, result, stem, !arguments.has_no_figures);
+  const std::vector<std::string> paths = write_result(study, result, stem, !arguments.has_no_figures);
   if (arguments.printing.is_json) {
-    print_json(study, result, written.paths);
+    print_json(study, result, paths);
   } else {
     print_verdict(study.name, result.verdict, arguments.printing);
-    if (!arguments.printing.is_quiet()) print_text("written: {}\n", fmt::join(written.paths, ", "));
+    if (!arguments.printing.is_quiet()) print_text("written: {}\n", fmt::join(paths, ", "));
   }
   if (arguments.is_gate)
     for (const std::string& sentence : result.verdict.broken)
       print_error(fmt::format("hyrax-sim study {}: {}", study.name, sentence));
-  if (written.failed_figure) throw *written.failed_figure;
   return arguments.is_gate && !result.verdict.broken.empty() ? ExitCode::disagreed : ExitCode::agreed;
 }
 

@@ -9,10 +9,11 @@
 #include <limits>
 
 #include "sim/reference/energy_causes.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
 #include "tools/files/failure.h"
-#include "tools/report/figure_body.h"
-#include "tools/report/figure_script.h"
-#include "tools/report/gnuplot.h"
+#include "tools/report/figure_svg.h"
+#include "tools/report/look.h"
 
 namespace hyrax {
 namespace {
@@ -43,6 +44,23 @@ Figure figure_of(const DriftRun& run, std::string_view suffix, std::string subti
 // The wall's dots, by its name.
 LegendEntry wall_entry(Wall wall) {
   return {std::string(kWallNames[wall_index(wall)]), {.form = Form::points, .tone = tone_of(wall)}};
+}
+
+// A line at each input but where a hand leads the sprite, with its name.
+void mark_inputs(Plot& plot, const DriftRun& run) {
+  constexpr std::size_t kInputsMarkedMax = 12;
+  const Scenario& scenario = run.scenario;
+  if (scenario.events.empty()) return;
+  const std::vector<std::int64_t> frames = schedule_events(scenario, step_count(scenario)).frames;
+  for (std::size_t i = 0; i < frames.size() && plot.marks.size() < kInputsMarkedMax; ++i) {
+    if (std::holds_alternative<Place>(scenario.events[i].action)) continue;
+    const auto row = std::ranges::lower_bound(run.rows, frames[i], {},
+                                              [](const DrawnRow& drawn) { return drawn.errors.step; });
+    if (row != run.rows.end())
+      plot.marks.push_back({.at = row->errors.t_s,
+                            .text = std::string(name_of(scenario.events[i].action)),
+                            .tone = Tone::quiet});
+  }
 }
 
 // Every other arc is shaded, and has a dot at the top for the wall that ended it. Neither if there are too
@@ -97,6 +115,7 @@ Plot plot_over_time(const DriftRun& run, Axis y) {
 Figure over_time(Figure figure, Plot plot, const DriftRun& run) {
   for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
   mark_arcs(figure, plot, run);
+  mark_inputs(plot, run);
   figure.body = std::vector{std::move(plot)};
   return figure;
 }
@@ -138,7 +157,7 @@ Figure energy_figure(const DriftRun& run) {
   const double scale = std::pow(10.0, exponent);
   const std::string unit = exponent == 0 ? "px²/s²" : power_of_ten(exponent) + " px²/s²";
   Axis axis{.label = "specific energy, " + unit};
-  if (least >= 0.0) axis.low = 0.0;
+  axis.is_logarithmic = least > 0.0;  // Or most of a fling would lie on one line.
   Plot plot = plot_over_time(run, axis);
   plot.series = {
       series_of(run, "run", {.tone = Tone::blue, .width_px = 3},
@@ -161,33 +180,37 @@ Figure energy_drift_figure(const DriftRun& run) {
                    std::move(plot), run);
 }
 
-// The decades that the errors cover, from an even exponent to an even one.
+// What the step itself adds is rounding, which has a strip of its own.
 Axis error_axis(const DriftRun& run) {
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const DrawnRow& row : run.rows)
-    for (const double error_px :
-         {row.errors.implementation_px, row.errors.truncation_px, row.errors.model_px}) {
-      if (!(error_px > 0.0) || !std::isfinite(error_px)) continue;
-      least = std::min(least, std::log10(error_px));
-      most = std::max(most, std::log10(error_px));
-    }
-  if (least > most) least = -1.0, most = 1.0;
-  return {.label = "distance, px (logarithmic)",
-          .is_logarithmic = true,
-          .low = std::pow(10.0, 2.0 * std::floor(least / 2.0)),
-          .high = std::pow(10.0, 2.0 * std::ceil((most + 0.01) / 2.0))};
+  constexpr double kRoundingMax_px = 1e-6;
+  double rounding_px = 0.0;
+  for (const DrawnRow& row : run.rows) rounding_px = std::max(rounding_px, row.errors.implementation_px);
+  Axis axis{.label = "distance, px (logarithmic)", .is_logarithmic = true};
+  if (rounding_px > 0.0 && rounding_px < kRoundingMax_px) {
+    axis.strip_below = 2.0 * rounding_px;
+    axis.strip_name = "rounding";
+  }
+  return axis;
 }
 
 Figure errors_figure(const DriftRun& run) {
   const auto positive = [](double value_px) { return value_px > 0.0 ? value_px : kNotGiven; };
+  // With the drag of 60 Hz both are the same.
+  const bool are_one = std::ranges::all_of(run.rows, [](const DrawnRow& row) {
+    return std::fabs(row.errors.model_px - row.errors.truncation_px) <= 1e-9 * row.errors.model_px;
+  });
   Plot plot = plot_over_time(run, error_axis(run));
   plot.series = {
-      series_of(run, "model error", {.tone = Tone::lavender, .width_px = 5},
-                [&](const RowErrors& row, const ArcErrors&) { return positive(row.model_px); }),
-      series_of(run, "truncation error", {.tone = Tone::blue, .width_px = 2},
-                [&](const RowErrors& row, const ArcErrors&) { return positive(row.truncation_px); }),
+      series_of(run, are_one ? "model and truncation error: the same at this dt" : "truncation error",
+                {.tone = Tone::blue, .width_px = 2},
+                [&](const RowErrors& row, const ArcErrors&) { return positive(row.truncation_px); })};
+  if (!are_one)
+    plot.series.push_back(
+        series_of(run, "model error", {.tone = Tone::lavender, .width_px = 2, .dash = Dash::long_dashes},
+                  [&](const RowErrors& row, const ArcErrors&) { return positive(row.model_px); }));
+  plot.series.push_back(
       series_of(run, "implementation error", {.tone = Tone::green, .width_px = 2},
-                [&](const RowErrors& row, const ArcErrors&) { return positive(row.implementation_px); })};
+                [&](const RowErrors& row, const ArcErrors&) { return positive(row.implementation_px); }));
   return over_time(figure_of(run, kSuffixes[3],
                              "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt "
                              "(truncation), the step itself"),
@@ -313,8 +336,7 @@ std::vector<std::string> draw_drift_figures(const std::string& folder, const Dri
   if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be created: " + error.message());
   std::vector<std::string> paths = drift_figure_paths(folder, run.scenario.name);
   const std::vector<Figure> figures = drift_figures(run);
-  for (std::size_t index = 0; index < figures.size(); ++index)
-    draw_figure(paths[index], figure_script(figures[index]));
+  for (std::size_t index = 0; index < figures.size(); ++index) draw_figure(paths[index], figures[index]);
   return paths;
 }
 

@@ -19,7 +19,7 @@ namespace hyrax {
 [[nodiscard]] std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name);
 
 /// Draws FOLDER/NAME + suffix + .svg, with the scenario's name; creates the folder. Returns the paths.
-/// ERRORS: those of draw_figure (gnuplot.h).
+/// ERRORS: those of draw_figure (figure_svg.h).
 std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftRun& run);
 
 }  // namespace hyrax

@@ -1,38 +1,28 @@
-// The three bodies that a figure may have, each measured and then drawn below the figure's head.
+// The three bodies that a figure may have.
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "sim/result/figure.h"
-#include "tools/report/figure_style.h"
+#include "tools/report/svg.h"
 
 namespace hyrax {
 
-inline constexpr double kBodyTop = 118;  ///< From the canvas's upper edge to the body, in px of the SVG.
+/// Of the sheet that a body needs, in px.
+[[nodiscard]] double sheet_width(const std::vector<Plot>& plots);
+[[nodiscard]] double sheet_width(const Grid& grid);
+[[nodiscard]] double sheet_width(const Listing& listing);
 
-/// Room of a body in px of the SVG: of the whole canvas's width, and from kBodyTop to the body's lower end
-/// (of plots the x axis's label included).
-[[nodiscard]] Canvas body_size(const std::vector<Plot>& plots);
-[[nodiscard]] Canvas body_size(const Grid& grid);
-[[nodiscard]] Canvas body_size(const Listing& listing);
+/// Draws a body from `top` on; returns where it ends.
+double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double top);
+double draw_body(Svg& svg, const Grid& grid, double width, double top);
+double draw_body(Svg& svg, const Listing& listing, double width, double top);
 
-/// gnuplot's commands from the head's end on; the last one plots.
-[[nodiscard]] std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas);
-[[nodiscard]] std::string body_script(const Grid& grid, const Canvas& canvas);
-[[nodiscard]] std::string body_script(const Listing& listing, const Canvas& canvas);
+/// The sign of a look in a legend, between x and x + kLegendSign.
+void draw_sign(Svg& svg, const Look& look, double x, double y);
+inline constexpr double kLegendSign = 24.0;
 
-[[nodiscard]] std::string_view colour_of(Tone tone);
-/// gnuplot's "pt 7 ps 0.6", "lw 2.5 dt (4,4)".
-[[nodiscard]] std::string marker_of(const Look& look);
-[[nodiscard]] std::string stroke_of(const Look& look);
-
-/// Letters of UTF-8 text, which at 14 px are about kLetter_px wide.
-[[nodiscard]] std::size_t letters_of(std::string_view text);
-inline constexpr double kLetter_px = 7.2;
-
-/// A power of ten as people write it, "10⁻¹²".
-[[nodiscard]] std::string power_of_ten(int exponent);
+/// A line or several of entries, each with a sign, from `top` on; returns where they end.
+double draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, double width, double top);
 
 }  // namespace hyrax

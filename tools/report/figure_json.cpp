@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "tools/report/look.h"
+
 namespace hyrax {
 namespace {
 
@@ -19,16 +21,9 @@ Json::Array list_of(const Values& values, const Get& get) {
 Json number(double value) { return std::isnan(value) ? Json() : Json(value); }
 Json::Array numbers(const std::vector<double>& values) { return list_of(values, number); }
 
-const char* name_of(Tone tone) {
-  constexpr std::array kNames = {"ink",     "quiet", "faint",  "hairline", "vermilion", "orange",
-                                 "blue",    "green", "purple", "sky_blue", "lavender",  "good",
-                                 "notable", "bad",   "shade",  "none"};
-  return kNames.at(static_cast<std::size_t>(tone));
-}
-
 Json look_json(const Look& look) {
   constexpr std::array kForms = {"line", "points", "line_and_points", "band", "bars"};
-  constexpr std::array kDashes = {"solid", "short_dashes", "long_dashes"};
+  constexpr std::array kDashes = {"solid", "short_dashes", "long_dashes", "dots"};
   constexpr std::array kMarkers = {"dot", "ring", "square"};
   return Json::Object{{"form", kForms.at(static_cast<std::size_t>(look.form))},
                       {"tone", name_of(look.tone)},
@@ -48,7 +43,10 @@ Json axis_json(const Axis& axis) {
                       {"ticks", list_of(axis.ticks, tick)},
                       {"decimals", axis.decimals},
                       {"categories", Json::Array(axis.categories.begin(), axis.categories.end())},
-                      {"zero_at", number(axis.zero_at)}};
+                      {"zero_at", number(axis.zero_at)},
+                      {"zero_text", axis.zero_text},
+                      {"strip_below", number(axis.strip_below)},
+                      {"strip_name", axis.strip_name}};
 }
 
 Json series_json(const Series& series) {
@@ -58,7 +56,8 @@ Json series_json(const Series& series) {
                       {"y", numbers(series.y)},
                       {"y_low", numbers(series.y_low)},
                       {"x_low", numbers(series.x_low)},
-                      {"x_high", numbers(series.x_high)}};
+                      {"x_high", numbers(series.x_high)},
+                      {"point_names", Json::Array(series.point_names.begin(), series.point_names.end())}};
 }
 
 Json plot_json(const Plot& plot) {

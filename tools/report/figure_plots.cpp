@@ -2,394 +2,253 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "tools/report/figure_body.h"
 #include "tools/report/label_placer.h"
+#include "tools/report/plot_scale.h"
 
 namespace hyrax {
 namespace {
 
-constexpr double kLeft = 76;  // All in px of the SVG.
-constexpr double kRight = 28;
-constexpr double kBelow = 52;  // From the plots to the legend: tics and the label of x.
-constexpr double kWidth = 960;
-constexpr double kHeight = 270;
-constexpr double kWidthOfSeveral = 1180;
-constexpr double kHeightOfSeveral = 422;
-constexpr double kCategory = 26;
-constexpr int kTicsMax = 9;
-
-struct PlotBox {
-  double left = 0.0;
-  double right = 0.0;
-  double bottom = 0.0;
-};
-
-struct AxisRange {
-  double low = HUGE_VAL;
-  double high = -HUGE_VAL;
-  void include(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  [[nodiscard]] bool is_empty() const { return low > high; }
-};
-
-// A value as it is drawn on the axis: on a logarithmic one, zero is drawn at its own line.
-double drawn(const Axis& axis, double value) {
-  return std::isnan(axis.zero_at) || std::isnan(value) ? value : std::max(value, axis.zero_at);
-}
-
-// All values of one axis: its own and those of columns that spread along it.
-template <class Values>
-AxisRange range_of(const Axis& axis, const Plot& plot, const Values& values) {
-  AxisRange range;
-  for (const Series& series : plot.series)
-    for (const std::vector<double>* const column : values(series))
-      for (const double value : *column)
-        if (!axis.is_logarithmic || drawn(axis, value) > 0.0) range.include(drawn(axis, value));
-  return range;
-}
-
-// The axis's ends, where they are not given: those of the data and some space.
-AxisRange ends_of(const Axis& axis, AxisRange range) {
-  if (!axis.categories.empty()) return {-0.5, static_cast<double>(axis.categories.size()) - 0.5};
-  if (range.is_empty()) range = axis.is_logarithmic ? AxisRange{1.0, 10.0} : AxisRange{0.0, 1.0};
-  const double space = 0.05 * (range.high - range.low) + (range.high > range.low ? 0.0 : 0.5);
-  if (std::isnan(axis.low))
-    range.low = axis.is_logarithmic ? range.low / 1.6 : range.low - space;
-  else
-    range.low = axis.low;
-  if (std::isnan(axis.high))
-    range.high = axis.is_logarithmic ? range.high * 1.6 : range.high + space;
-  else
-    range.high = axis.high;
-  return range;
-}
-
-// Ticks at powers of ten, above the line of zeros if there is one.
-std::string powers_of_ten(const Axis& axis, const AxisRange& ends) {
-  const int low = static_cast<int>(std::ceil(std::log10(ends.low) - 1e-9));
-  const int high = static_cast<int>(std::floor(std::log10(ends.high) + 1e-9));
-  const int every = 1 + std::max(0, high - low - 1) / kTicsMax;
-  std::string tics;
-  for (int exponent = low; exponent <= high; ++exponent)
-    if (exponent % every == 0 && !(std::pow(10.0, exponent) <= axis.zero_at * 1.01))
-      tics += fmt::format("{}'{}' 1e{}", tics.empty() ? "" : ", ", power_of_ten(exponent), exponent);
-  return tics;
-}
-
-std::string tics_of(const Axis& axis, const AxisRange& ends) {
-  std::string tics;
-  for (const Tick& tick : axis.ticks)
-    tics += fmt::format("{}{} {:.8g}", tics.empty() ? "" : ", ", in_quotes(tick.text), tick.at);
-  for (std::size_t index = 0; index < axis.categories.size(); ++index)
-    tics += fmt::format("{}{} {}", index == 0 ? "" : ", ", in_quotes(axis.categories[index]), index);
-  if (tics.empty() && axis.is_logarithmic) tics = powers_of_ten(axis, ends);
-  return tics;
-}
-
-std::string axis_script(char name, const Axis& axis, const AxisRange& ends) {
-  const bool is_downwards = axis.is_reversed || (name == 'y' && !axis.categories.empty());
-  std::string script = axis.is_logarithmic ? fmt::format("set logscale {}\n", name) : std::string();
-  script += fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, is_downwards ? ends.high : ends.low,
-                        is_downwards ? ends.low : ends.high);
-  if (axis.decimals >= 0) script += fmt::format("set format {} '%.{}f'\n", name, axis.decimals);
-  const std::string tics = tics_of(axis, ends);
-  if (tics.empty())
-    script += fmt::format("set {}tics autofreq\n", name);
-  else
-    script += fmt::format("set {}tics {}({})\n", name, axis.categories.empty() ? "" : "scale 0 ", tics);
-  if (!std::isnan(axis.zero_at)) script += fmt::format("set {}tics add ('0' {:.6g})\n", name, axis.zero_at);
-  return script;
-}
-
-// Widens one of the axes, to both sides.
-void make_scales_equal(AxisRange& x, AxisRange& y, const PlotBox& box) {
-  const double x_per_px = (x.high - x.low) / (box.right - box.left);
-  const double y_per_px = (y.high - y.low) / (box.bottom - kBodyTop);
-  AxisRange& widened = x_per_px < y_per_px ? x : y;
-  const double factor = std::max(x_per_px, y_per_px) / std::min(x_per_px, y_per_px);
-  const double space = 0.5 * (factor - 1.0) * (widened.high - widened.low);
-  widened.low -= space;
-  widened.high += space;
-}
+constexpr double kWidth = 960.0;  // All in px of the SVG.
+constexpr double kWidthOfSeveral = 1180.0;
+constexpr double kHeight = 300.0;
+constexpr double kHeightOfSeveral = 420.0;
+constexpr double kCategory = 26.0;
+constexpr double kRight = 26.0;
+constexpr double kLabelLine = 17.0;  // Of the y axis's label, and of each line of texts at marks.
+constexpr double kBelow = 50.0;      // Ticks and label of the x axis.
+constexpr double kTickSize = 12.0;
+constexpr double kApart = 85.0;    // Between ticks of x,
+constexpr double kApartUp = 40.0;  // and of y.
 
 bool is_empty(const Plot& plot) {
   return std::all_of(plot.series.begin(), plot.series.end(),
                      [](const Series& series) { return series.x.empty(); });
 }
 
-// Instead of axes without points. The only tick is beyond the end of its axis: `unset xtics` would also
-// unset how the next plot's look.
-std::string empty_script(std::string_view reason) {
-  return fmt::format(
-      "set xtics ('' 2)\nset ytics ('' 2)\nset xrange [0:1]\nset yrange [0:1]\n"
-      "set label {} at graph 0.5,0.5 center tc rgb '{}'\nplot NaN notitle\n",
-      in_quotes(reason), style::kQuietInk);
+// All values along one axis: its own and those that spread along it.
+template <class Columns>
+std::vector<double> values_of(const Plot& plot, const Columns& columns) {
+  std::vector<double> values;
+  for (const Series& series : plot.series)
+    for (const std::vector<double>* const column : columns(series))
+      values.insert(values.end(), column->begin(), column->end());
+  return values;
 }
 
-// One plot in its box, between the commands of the head and of the legend.
-class PlotScript {
+std::vector<double> x_values(const Plot& plot) {
+  return values_of(plot, [](const Series& series) {
+    return std::array{&series.x, &series.x_low, &series.x_high};
+  });
+}
+
+std::vector<double> y_values(const Plot& plot) {
+  return values_of(plot, [](const Series& series) { return std::array{&series.y, &series.y_low}; });
+}
+
+// One plot in its place on the sheet.
+class PlotDrawing {
  public:
-  PlotScript(const Plot& plot, const Canvas& canvas, const PlotBox& box, std::size_t number)
-      : plot_(plot), canvas_(canvas), box_(box), number_(number) {
-    x_ends_ = ends_of(plot.x, range_of(plot.x, plot, [](const Series& series) {
-                        return std::array{&series.x, &series.x_low, &series.x_high};
-                      }));
-    y_ends_ = ends_of(plot.y, range_of(plot.y, plot, [](const Series& series) {
-                        return std::array{&series.y, &series.y_low, &series.y_low};
-                      }));
-    if (plot.has_equal_scales && std::isnan(plot.x.low)) make_scales_equal(x_ends_, y_ends_, box);
+  PlotDrawing(Svg& svg, const Plot& plot, double left, double right, double top, double height)
+      : svg_(svg), plot_(plot), left_(left), x_(plot.x, x_values(plot)), y_(plot.y, y_values(plot)) {
+    box_ = {left, top + kLabelLine + marks_height() + 4, right, 0.0};
+    box_.bottom = box_.top + height;
+    const bool is_downwards = !plot.y.categories.empty();
+    y_.place(is_downwards ? box_.top : box_.bottom, is_downwards ? box_.bottom : box_.top, kApartUp);
+    double ticks_width = 0.0;
+    for (const Tick& tick : y_.ticks()) ticks_width = std::max(ticks_width, text_width(tick.text, kTickSize));
+    box_.left += ticks_width + 10;
+    x_.place(box_.left, box_.right, kApart);
+    if (plot.has_equal_scales) PlotScale::make_equal(x_, y_);
   }
 
-  [[nodiscard]] std::string data() const {
-    std::string blocks;
-    for (std::size_t index = 0; index < plot_.series.size(); ++index)
-      blocks += fmt::format("{} << EOD\n{}EOD\n", block_name(index), rows_of(plot_.series[index]));
-    return blocks;
-  }
+  [[nodiscard]] double bottom() const { return box_.bottom; }
 
-  [[nodiscard]] std::string script() const {
-    std::string text = fmt::format(
-        "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
-        "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n",
-        box_.left / canvas_.width, box_.right / canvas_.width, 1 - kBodyTop / canvas_.height,
-        1 - box_.bottom / canvas_.height);
-    if (is_empty(plot_)) return text + empty_script(plot_.when_empty);
-    text += fmt::format(
-        "set object rectangle from graph 0,0 to graph 1,1 behind fs solid 1 noborder fc rgb '{}'\n"
-        "set xtics out font ',12' offset 0,0.3\nset ytics out font ',12' offset 0.5,0\n"
-        "set grid {}tics back lt 1 lw 1 lc rgb '{}'\n",
-        style::kPaper, grid_axis(), style::kHairline);
-    text += axis_script('x', plot_.x, x_ends_) + axis_script('y', plot_.y, y_ends_);
-    text += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", in_quotes(plot_.y.label),
-                        screen(canvas_, std::max(style::kMargin, box_.left - 48), kBodyTop - 32),
-                        style::kQuietInk);
-    text += fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", in_quotes(plot_.x.label),
-                        screen(canvas_, box_.right, box_.bottom + 40), style::kQuietInk);
-    for (const Span& span : plot_.spans)
-      text += fmt::format(
-          "set object rectangle from first {:.10g}, graph 0 to first {:.10g}, graph 1 behind fs solid 1 "
-          "noborder fc rgb '{}'\n",
-          span.from, span.to, style::kShade);
-    for (const TopDot& dot : plot_.top_dots)
-      text += fmt::format("set label '' at first {:.10g}, graph 1.035 point pt 7 ps 0.7 lc rgb '{}'\n", dot.x,
-                          colour_of(dot.tone));
-    for (const Mark& mark : plot_.marks) text += mark_script(mark);
-    return text + bars() + texts() + plot_command();
+  void draw() {
+    if (is_empty(plot_)) {
+      svg_.text(box_.centre(), plot_.when_empty, {.size = 13.0, .side = Side::middle});
+      return;
+    }
+    draw_axes();
+    svg_.begin_clip({box_.left - 6, box_.top - 6, box_.right + 6, box_.bottom + 6});
+    for (const Series& series : plot_.series) draw_series(series);
+    svg_.end_clip();
+    draw_marks();
+    draw_texts();
   }
 
  private:
-  [[nodiscard]] std::string block_name(std::size_t index) const {
-    return fmt::format("$plot{}_{}", number_, index);
+  [[nodiscard]] SvgPoint at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
+
+  // Texts at vertical marks and dots are above the plot.
+  [[nodiscard]] double marks_height() const {
+    const bool has_texts = std::any_of(plot_.marks.begin(), plot_.marks.end(), [](const Mark& mark) {
+      return mark.is_vertical && !mark.text.empty();
+    });
+    return has_texts || !plot_.top_dots.empty() ? kLabelLine : 0.0;
   }
 
-  // Bars and several logarithmic scales are read along x, too.
-  [[nodiscard]] std::string_view grid_axis() const {
-    if (!plot_.y.categories.empty()) return "x";
-    return plot_.x.is_logarithmic && plot_.y.is_logarithmic ? "xtics y" : "y";
-  }
-
-  [[nodiscard]] std::string rows_of(const Series& series) const {
-    assert(series.y.size() == series.x.size());
-    std::string rows;
-    for (std::size_t row = 0; row < series.x.size(); ++row) {
-      rows += fmt::format("{:.8g} {:.8g}", drawn(plot_.x, series.x[row]), drawn(plot_.y, series.y[row]));
-      if (!series.y_low.empty()) rows += fmt::format(" {:.8g}", drawn(plot_.y, series.y_low[row]));
-      if (!series.x_low.empty())
-        rows += fmt::format(" {:.8g} {:.8g}", drawn(plot_.x, series.x_low[row]),
-                            drawn(plot_.x, series.x_high[row]));
-      rows += "\n";
+  void draw_axes() {
+    const Pen rule{colour_named("rule"), 1.0};
+    for (const Span& span : plot_.spans)
+      svg_.box({x_.clamped(span.from), box_.top, x_.clamped(span.to), box_.bottom}, colour_of(Tone::shade));
+    if (const auto gap = y_.gap()) {
+      svg_.box({box_.left, gap->to_px, box_.right, box_.bottom}, colour_of(Tone::shade), 0.0, 0.6);
+      svg_.text({box_.right - 6, gap->to_px + 10}, plot_.y.strip_name,
+                {.size = LabelPlacer::kSize, .side = Side::right});
     }
-    return rows.empty() ? "NaN NaN NaN NaN\n" : rows;
+    const bool has_columns = !plot_.y.categories.empty() || plot_.has_equal_scales ||
+                             (plot_.x.is_logarithmic && plot_.y.is_logarithmic);
+    double end = -HUGE_VAL;
+    for (const Tick& tick : x_.ticks()) {
+      const double x = x_.at(tick.at), half = text_width(tick.text, kTickSize) / 2;
+      if (has_columns) svg_.line({{x, box_.top}, {x, box_.bottom}}, rule);
+      if (x - half < end + 6) continue;
+      end = x + half;
+      svg_.text({x, box_.bottom + 16}, tick.text, {.size = kTickSize, .side = Side::middle});
+    }
+    for (const Tick& tick : y_.ticks()) {
+      const double y = y_.at(tick.at);
+      if (plot_.y.categories.empty()) svg_.line({{box_.left, y}, {box_.right, y}}, rule);
+      svg_.text({box_.left - 8, y}, tick.text, {.size = kTickSize, .side = Side::right});
+    }
+    svg_.text({left_, box_.top - marks_height() - 12}, plot_.y.label, {.size = kTickSize});
+    svg_.text({box_.right, box_.bottom + 36}, plot_.x.label, {.size = kTickSize, .side = Side::right});
   }
 
-  static std::string label_script(std::string_view text, std::string_view place, Tone tone) {
-    return fmt::format("set label {} at {} front font ',{}' tc rgb '{}'\n", in_quotes(text), place,
-                       style::kLabelSize, colour_of(tone));
+  void draw_series(const Series& series) {
+    assert(series.y.size() == series.x.size());
+    svg_.begin(series.name);
+    const std::string& colour = colour_of(series.look.tone);
+    const Look& look = series.look;
+    std::vector<SvgPoint> points;
+    for (std::size_t row = 0; row < series.x.size(); ++row)
+      points.push_back(at(series.x[row], series.y[row]));
+    for (std::size_t row = 0; row < series.x_low.size(); ++row)
+      svg_.line({at(series.x_low[row], series.y[row]), at(series.x_high[row], series.y[row])},
+                {colour, 1.25});
+    if (look.form == Form::band) {
+      for (std::size_t row = series.x.size(); row-- > 0;)
+        points.push_back(at(series.x[row], series.y_low[row]));
+      svg_.area(points, colour, 0.9);
+    }
+    if (look.form == Form::bars)
+      for (const SvgPoint& end : points)
+        svg_.box({box_.left, end.y - kCategory * 0.34, std::max(end.x, box_.left), end.y + kCategory * 0.34},
+                 colour, 2.0);
+    if (look.form == Form::line || look.form == Form::line_and_points)
+      svg_.line(points, {colour, look.width_px, look.dash});
+    if (look.form == Form::points || look.form == Form::line_and_points)
+      for (std::size_t row = 0; row < points.size(); ++row)
+        svg_.sign(points[row], look.marker, look.marker_size, colour,
+                  series.point_names.empty() ? std::string() : series.name + ", " + series.point_names[row]);
+    svg_.end();
   }
 
-  // From a point to the edge of its label, if that is not beside it.
-  [[nodiscard]] std::string leader_script(const LabelPlacer::Point& point,
-                                          const LabelPlacer::Point& edge) const {
-    constexpr double kBeside = 10.0;
-    if (std::hypot(edge.x - point.x, edge.y - point.y) <= kBeside) return {};
-    return fmt::format("set arrow from {} to {} nohead front lw 0.75 lc rgb '{}'\n",
-                       screen(canvas_, point.x, point.y), screen(canvas_, edge.x, edge.y), style::kQuietInk);
-  }
-
-  [[nodiscard]] static std::string mark_script(const Mark& mark) {
-    const auto [from, to, at] =
-        mark.is_vertical ? std::array{fmt::format("first {:.8g}, graph 0", mark.at),
-                                      fmt::format("first {:.8g}, graph 1", mark.at),
-                                      fmt::format("first {:.8g}, graph 1.035 center", mark.at)}
-                         : std::array{fmt::format("graph 0, first {:.8g}", mark.at),
-                                      fmt::format("graph 1, first {:.8g}", mark.at),
-                                      fmt::format("graph 1, first {:.8g} right offset 0,0.5", mark.at)};
-    std::string script = fmt::format("set arrow from {} to {} nohead front lw 1.5 dt (6,4) lc rgb '{}'\n",
-                                     from, to, colour_of(mark.tone));
-    if (!mark.text.empty()) script += label_script(mark.text, at, mark.tone);
-    return script;
-  }
-
-  [[nodiscard]] std::string bars() const {
-    std::string script;
-    for (const Series& series : plot_.series)
-      for (std::size_t row = 0; series.look.form == Form::bars && row < series.x.size(); ++row)
-        script += fmt::format(
-            "set object rectangle from first {:.8g}, first {:.6g} to first {:.8g}, first {:.6g} front fs "
-            "solid 1 "
-            "noborder fc rgb '{}'\n",
-            x_ends_.low, series.y[row] - 0.32, std::clamp(series.x[row], x_ends_.low, x_ends_.high),
-            series.y[row] + 0.32, colour_of(series.look.tone));
-    return script;
-  }
-
-  // The part of its axis at which a value is, 0 at the low end.
-  [[nodiscard]] static double part_of(double value, const Axis& axis, const AxisRange& ends) {
-    const double shown = std::clamp(drawn(axis, value), ends.low, ends.high);
-    const double part = axis.is_logarithmic ? std::log(shown / ends.low) / std::log(ends.high / ends.low)
-                                            : (shown - ends.low) / (ends.high - ends.low);
-    return axis.is_reversed ? 1.0 - part : part;
-  }
-
-  [[nodiscard]] LabelPlacer::Point on_canvas(double x, double y) const {
-    const double up = part_of(y, plot_.y, y_ends_);
-    const double down = plot_.y.categories.empty() ? 1.0 - up : up;
-    return {box_.left + (box_.right - box_.left) * part_of(x, plot_.x, x_ends_),
-            kBodyTop + (box_.bottom - kBodyTop) * down};
+  void draw_marks() {
+    for (const TopDot& dot : plot_.top_dots)
+      svg_.sign({x_.at(dot.x), box_.top - 9}, Marker::dot, 0.8, colour_of(dot.tone));
+    double end = -HUGE_VAL;
+    std::vector<Mark> marks = plot_.marks;
+    std::ranges::stable_sort(marks, {},
+                             [&](const Mark& mark) { return mark.is_vertical ? x_.at(mark.at) : 0.0; });
+    for (const Mark& mark : marks) {
+      const Pen pen{colour_of(mark.tone), 1.25, Dash::short_dashes};
+      if (!mark.is_vertical) {
+        const double y = y_.at(mark.at);
+        if (!(y >= box_.top - 1 && y <= box_.bottom + 1)) continue;
+        svg_.line({{box_.left, y}, {box_.right, y}}, pen);
+        svg_.text({box_.right, y - 9}, mark.text,
+                  {.size = LabelPlacer::kSize, .tone = mark.tone, .side = Side::right, .has_edge = true});
+        continue;
+      }
+      const double x = x_.at(mark.at), width = text_width(mark.text, LabelPlacer::kSize);
+      if (!(x >= box_.left - 1 && x <= box_.right + 1)) continue;
+      svg_.line({{x, box_.top}, {x, box_.bottom}}, pen);
+      // Beside the one before, where both would overlap.
+      const double middle = std::clamp(std::max(x, end + 8 + width / 2), kSheetMargin + width / 2,
+                                       box_.right + kRight - 8 - width / 2);
+      if (middle - width / 2 < end) continue;
+      if (!mark.text.empty()) end = middle + width / 2;
+      svg_.text({middle, box_.top - 10}, mark.text,
+                {.size = LabelPlacer::kSize, .tone = mark.tone, .side = Side::middle});
+    }
   }
 
   void avoid_series(LabelPlacer& placer, const Series& series) const {
-    const bool is_line = series.look.form == Form::line || series.look.form == Form::line_and_points;
-    for (std::size_t row = 0; row < series.x.size() && series.look.form != Form::band; ++row) {
-      if (std::isnan(series.x[row]) || std::isnan(series.y[row])) continue;
-      const LabelPlacer::Point at = on_canvas(series.x[row], series.y[row]);
-      if (is_line && row > 0 && !std::isnan(series.x[row - 1]) && !std::isnan(series.y[row - 1]))
-        placer.avoid(on_canvas(series.x[row - 1], series.y[row - 1]), at);
+    std::vector<SvgPoint> points;
+    for (std::size_t row = 0; row < series.x.size(); ++row)
+      points.push_back(at(series.x[row], series.y[row]));
+    if (series.look.form == Form::line || series.look.form == Form::line_and_points)
+      placer.avoid_line(points);
+    for (std::size_t row = 0; row < points.size() && series.look.form != Form::band; ++row) {
+      const auto [x, y] = points[row];
       const double half = 3.5 * series.look.marker_size;
-      placer.avoid({at.x - half, at.y}, {at.x + half, at.y});
-      if (series.look.form == Form::bars) placer.avoid(on_canvas(x_ends_.low, series.y[row]), at);
+      placer.avoid({x - half, y}, {x + half, y});
       if (!series.x_low.empty())
-        placer.avoid(on_canvas(series.x_low[row], series.y[row]),
-                     on_canvas(series.x_high[row], series.y[row]));
+        placer.avoid(at(series.x_low[row], series.y[row]), at(series.x_high[row], series.y[row]));
     }
   }
 
-  [[nodiscard]] std::string texts() const {
-    LabelPlacer placer({box_.left, kBodyTop, box_.right, box_.bottom});
+  void draw_texts() {
+    LabelPlacer placer({box_.left + 2, box_.top + 2, box_.right + kRight - 4, box_.bottom - 2});
     for (const Series& series : plot_.series) avoid_series(placer, series);
     for (const Mark& mark : plot_.marks)
-      placer.avoid(
-          on_canvas(mark.is_vertical ? mark.at : x_ends_.low, mark.is_vertical ? y_ends_.low : mark.at),
-          on_canvas(mark.is_vertical ? mark.at : x_ends_.high, mark.is_vertical ? y_ends_.high : mark.at));
-    std::string script;
+      if (mark.is_vertical)
+        placer.avoid({x_.at(mark.at), box_.top}, {x_.at(mark.at), box_.bottom});
+      else
+        placer.avoid({box_.left, y_.at(mark.at)}, {box_.right, y_.at(mark.at)});
     for (const PointText& text : plot_.texts) {
-      const LabelPlacer::Point point = on_canvas(text.x, text.y);
-      if (!plot_.y.categories.empty()) {  // In its row, whatever is beside it.
-        script += label_script(text.text, screen(canvas_, point.x + 8, point.y) + " left", text.tone);
-        continue;
-      }
-      const LabelPlacer::Point at = placer.place(text.text, LabelPlacer::centres_around(point, text.text));
-      const LabelPlacer::Point edge = LabelPlacer::nearest_of(text.text, at, point);
-      placer.avoid(point, edge);
-      script += label_script(text.text, screen(canvas_, at.x, at.y) + " center", text.tone) +
-                leader_script(point, edge);
+      const SvgPoint point{x_.clamped(text.x), y_.clamped(text.y)};
+      if (plot_.y.categories.empty())
+        placer.draw_beside(svg_, point, text.text, text.tone);
+      else  // In its row, whatever is beside it.
+        svg_.text({point.x + 8, point.y}, text.text,
+                  {.size = LabelPlacer::kSize, .tone = text.tone, .has_edge = true});
     }
-    return script;
   }
 
-  [[nodiscard]] static std::string form_script(const Look& look) {
-    switch (look.form) {
-      case Form::band:
-        return "with filledcurves fs solid 1";
-      case Form::points:
-        return fmt::format("with points {} lw 1.5", marker_of(look));
-      case Form::line_and_points:
-        return fmt::format("with linespoints {} {}", marker_of(look), stroke_of(look));
-      case Form::line:
-      case Form::bars:
-        break;
-    }
-    return fmt::format("with lines {}", stroke_of(look));
-  }
-
-  [[nodiscard]] std::string plot_command() const {
-    std::string command;
-    const auto add = [&](const std::string& part) { command += (command.empty() ? "plot " : ", ") + part; };
-    for (std::size_t index = 0; index < plot_.series.size(); ++index) {
-      const Series& series = plot_.series[index];
-      if (series.look.form == Form::bars) continue;
-      const std::string_view colour = colour_of(series.look.tone);
-      if (!series.x_low.empty())
-        add(fmt::format("{} using 1:2:{}:{} notitle with xerrorbars pt 0 lw 1 lc rgb '{}'", block_name(index),
-                        series.y_low.empty() ? 3 : 4, series.y_low.empty() ? 4 : 5, colour));
-      add(fmt::format("{} using {} title {} {} lc rgb '{}'", block_name(index),
-                      series.look.form == Form::band ? "1:3:2" : "1:2", in_quotes(series.name),
-                      form_script(series.look), colour));
-    }
-    return (command.empty() ? "plot NaN notitle" : command) + "\n";
-  }
-
+  Svg& svg_;
   const Plot& plot_;
-  const Canvas& canvas_;
-  PlotBox box_;
-  std::size_t number_;
-  AxisRange x_ends_, y_ends_;
+  double left_;  // Of the place.
+  PlotScale x_, y_;
+  SvgBox box_;
 };
 
-double left_of(const Plot& plot) {
-  std::size_t letters = 0;
-  for (const std::string& category : plot.y.categories) letters = std::max(letters, letters_of(category));
-  return std::max(kLeft, style::kMargin + kLetter_px * static_cast<double>(letters));
+double height_of(const std::vector<Plot>& plots, double width) {
+  if (plots.size() > 1) return kHeightOfSeveral;
+  const Plot& plot = plots.front();
+  if (!plot.y.categories.empty()) return kCategory * static_cast<double>(plot.y.categories.size());
+  if (plot.has_equal_scales && !std::isnan(plot.x.low))
+    return (width - 3 * kSheetMargin - kRight) * (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
+  return kHeight;
 }
 
 }  // namespace
 
-std::string power_of_ten(int exponent) {
-  constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    text += kRaised[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
+double sheet_width(const std::vector<Plot>& plots) { return plots.size() > 1 ? kWidthOfSeveral : kWidth; }
 
-Canvas body_size(const std::vector<Plot>& plots) {
-  if (plots.size() > 1) return {kWidthOfSeveral, kHeightOfSeveral + kBelow};
-  if (plots.empty()) return {kWidth, kHeight + kBelow};
-  const Plot& plot = plots.front();
-  double height = kHeight;
-  if (!plot.y.categories.empty()) height = kCategory * static_cast<double>(plot.y.categories.size());
-  if (plot.has_equal_scales && !std::isnan(plot.x.low))
-    height = (kWidth - kLeft - kRight) * (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
-  return {kWidth, height + kBelow};
-}
-
-std::string body_script(const std::vector<Plot>& plots, const Canvas& canvas) {
-  const double bottom = kBodyTop + body_size(plots).height - kBelow;
-  if (plots.empty()) return empty_script("nothing to show");
-  std::string data, script = plots.size() > 1 ? "set multiplot\n" : "";
+double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double top) {
+  if (plots.empty()) {
+    svg.text({width / 2, top + kHeight / 2}, "nothing to show", {.side = Side::middle});
+    return top + kHeight;
+  }
   const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
                                         [](double sum, const Plot& plot) { return sum + plot.share; });
-  double start = 0.0;
-  for (std::size_t index = 0; index < plots.size(); ++index) {
-    const double width = canvas.width * plots[index].share / shares;
-    const PlotScript plot(plots[index], canvas,
-                          {start + left_of(plots[index]), start + width - kRight, bottom}, index);
-    start += width;
-    data += plot.data();
-    script += plot.script();
-    // What is drawn with one plot is not drawn again with the next.
-    if (index + 1 < plots.size())
-      script += "unset label\nunset object\nunset arrow\nunset logscale\nset format\n";
+  double start = 0.0, end = top;
+  for (const Plot& plot : plots) {
+    const double part = width * plot.share / shares;
+    PlotDrawing drawing(svg, plot, start + kSheetMargin, start + part - kRight, top, height_of(plots, width));
+    drawing.draw();
+    end = std::max(end, drawing.bottom() + kBelow - 8);
+    start += part;
   }
-  return data + script + (plots.size() > 1 ? "unset multiplot\n" : "");
+  return end;
 }
 
 }  // namespace hyrax

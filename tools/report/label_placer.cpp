@@ -6,54 +6,97 @@
 
 namespace hyrax {
 
-void LabelPlacer::avoid(Point from, Point to) {
+void LabelPlacer::avoid(SvgPoint from, SvgPoint to) {
   constexpr double kApart = 3.0;
   constexpr double kPartsMax = 1000.0;  // Of a line that leads far outside.
+  if (!std::isfinite(from.x + from.y + to.x + to.y)) return;
   const double parts =
       std::clamp(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / kApart), 1.0, kPartsMax);
   for (double part = 0.0; part <= parts; part += 1.0)
     avoided_.push_back({from.x + (to.x - from.x) * part / parts, from.y + (to.y - from.y) * part / parts});
 }
 
-double LabelPlacer::width(std::string_view text) { return 6.6 * static_cast<double>(text.size()) + 4.0; }
+void LabelPlacer::avoid_line(const std::vector<SvgPoint>& points) {
+  for (std::size_t index = 1; index < points.size(); ++index) avoid(points[index - 1], points[index]);
+}
 
-LabelPlacer::Area LabelPlacer::area(std::string_view text, Point centre) {
+void LabelPlacer::avoid_outline(const SvgBox& box) {
+  avoid_line({{box.left, box.top},
+              {box.right, box.top},
+              {box.right, box.bottom},
+              {box.left, box.bottom},
+              {box.left, box.top}});
+}
+
+SvgBox LabelPlacer::area(std::string_view text, SvgPoint centre) {
   constexpr double kHalfHeight = 7.5;
   const double half = width(text) / 2;
   return {centre.x - half, centre.y - kHalfHeight, centre.x + half, centre.y + kHalfHeight};
 }
 
-double LabelPlacer::cost(const Area& label) const {
+double LabelPlacer::covered_by(SvgPoint from, SvgPoint to) const {
+  constexpr double kNear = 5.0;
+  const double dx = to.x - from.x, dy = to.y - from.y, square = std::max(dx * dx + dy * dy, 1e-9);
+  return static_cast<double>(std::ranges::count_if(avoided_, [&](const SvgPoint& point) {
+    const double part = std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / square, 0.0, 1.0);
+    return std::hypot(point.x - from.x - part * dx, point.y - from.y - part * dy) < kNear;
+  }));
+}
+
+SvgPoint LabelPlacer::moved_inside(const SvgBox& label) const {
+  const auto [x, y] = label.centre();
+  const double dx = std::max(inside_.left - label.left, 0.0) - std::max(label.right - inside_.right, 0.0);
+  const double dy = std::max(inside_.top - label.top, 0.0) - std::max(label.bottom - inside_.bottom, 0.0);
+  return {x + dx, y + dy};
+}
+
+double LabelPlacer::cost(const SvgBox& label) const {
   constexpr double kOther = 1e4;  // More than any path.
   double cost = 0.0;
-  if (label.left < inside_.left || label.right > inside_.right || label.top < inside_.top ||
-      label.bottom > inside_.bottom)
-    cost += kOther;
-  for (const Area& other : labels_)
+  for (const SvgBox& other : labels_)
     if (label.left < other.right && other.left < label.right && label.top < other.bottom &&
         other.top < label.bottom)
       cost += kOther;
-  for (const Point& point : avoided_)
+  for (const SvgPoint& point : avoided_)
     if (point.x > label.left && point.x < label.right && point.y > label.top && point.y < label.bottom)
       cost += 1.0;
   return cost;
 }
 
-LabelPlacer::Point LabelPlacer::place(std::string_view text, const std::vector<Point>& centres) {
+SvgPoint LabelPlacer::place(std::string_view text, const std::vector<SvgPoint>& centres) {
   assert(!centres.empty());
-  const Point best = *std::min_element(centres.begin(), centres.end(), [&](const Point& a, const Point& b) {
-    return cost(area(text, a)) < cost(area(text, b));
-  });
+  double least = HUGE_VAL;
+  SvgPoint best;
+  for (const SvgPoint& centre : centres) {
+    const SvgPoint at = moved_inside(area(text, centre));
+    // One that had to be moved is not where it was wanted.
+    const double its_cost = cost(area(text, at)) + 10.0 * std::hypot(at.x - centre.x, at.y - centre.y);
+    if (its_cost >= least) continue;
+    least = its_cost;
+    best = at;
+  }
   labels_.push_back(area(text, best));
   return best;
 }
 
-std::vector<LabelPlacer::Point> LabelPlacer::centres_around(Point at, std::string_view text) {
+void LabelPlacer::draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone) {
+  constexpr double kBeside = 10.0;
+  const SvgPoint centre = place(text, centres_around(at, text));
+  const SvgBox label = area(text, centre);
+  const SvgPoint edge{std::clamp(at.x, label.left, label.right), std::clamp(at.y, label.top, label.bottom)};
+  avoid(at, edge);
+  if (std::hypot(edge.x - at.x, edge.y - at.y) > kBeside)
+    svg.line({at, edge}, {colour_of(Tone::quiet), 0.75});
+  svg.text(centre, text, lettering(tone));
+}
+
+std::vector<SvgPoint> LabelPlacer::centres_around(SvgPoint at, std::string_view text) {
   const double half = width(text) / 2 + 6;
-  std::vector<Point> centres;
-  for (const double away : {14.0, 28.0, 42.0, 56.0})
-    centres.insert(centres.end(), {{at.x + half, at.y},
-                                   {at.x - half, at.y},
+  std::vector<SvgPoint> centres;
+  constexpr double kNearest = 14.0;
+  for (const double away : {kNearest, 28.0, 42.0, 56.0, 70.0})
+    centres.insert(centres.end(), {{at.x + half + away - kNearest, at.y},
+                                   {at.x - half - away + kNearest, at.y},
                                    {at.x, at.y - away},
                                    {at.x, at.y + away},
                                    {at.x + half, at.y - away},
@@ -61,11 +104,6 @@ std::vector<LabelPlacer::Point> LabelPlacer::centres_around(Point at, std::strin
                                    {at.x + half, at.y + away},
                                    {at.x - half, at.y + away}});
   return centres;
-}
-
-LabelPlacer::Point LabelPlacer::nearest_of(std::string_view text, Point centre, Point to) {
-  const Area label = area(text, centre);
-  return {std::clamp(to.x, label.left, label.right), std::clamp(to.y, label.top, label.bottom)};
 }
 
 }  // namespace hyrax

@@ -4,41 +4,44 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/report/svg.h"
+
 namespace hyrax {
 
 class LabelPlacer {
  public:
-  struct Point {
-    double x = 0.0;  ///< On the canvas, in px of the SVG.
-    double y = 0.0;
-  };
-  struct Area {
-    double left, top, right, bottom;
-  };
+  static constexpr double kSize = 12.0;  ///< Of the labels' letters, in px.
 
-  /// @param inside where labels should be.
-  explicit LabelPlacer(const Area& inside) : inside_(inside) {}
+  /// @param inside where all labels are.
+  explicit LabelPlacer(const SvgBox& inside) : inside_(inside) {}
 
   /// What lies between the two points should not be covered.
-  void avoid(Point from, Point to);
-  /// The centre of a label: the best of `centres`: inside, off other labels, and then over the least of what
-  /// should not be covered; of equals the first. REQUIRES: a centre.
-  [[nodiscard]] Point place(std::string_view text, const std::vector<Point>& centres);
+  void avoid(SvgPoint from, SvgPoint to);
+  void avoid_line(const std::vector<SvgPoint>& points);
+  void avoid_outline(const SvgBox& box);
+  /// How much of it a line of some width would cover, between the two points.
+  [[nodiscard]] double covered_by(SvgPoint from, SvgPoint to) const;
+  /// The centre of a label: the best of `centres`, moved inside if need be: off other labels, and then over
+  /// the least of what should not be covered; of equals the first. REQUIRES: a centre.
+  [[nodiscard]] SvgPoint place(std::string_view text, const std::vector<SvgPoint>& centres);
+  /// Places a label beside a point and draws it, with a line to its point if that is not near.
+  void draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone);
 
   /// Centres of a label beside a point, the nearest first.
-  [[nodiscard]] static std::vector<Point> centres_around(Point at, std::string_view text);
-  /// The place of a label, by its centre, that is nearest to a point.
-  [[nodiscard]] static Point nearest_of(std::string_view text, Point centre, Point to);
-  /// Of a label, in px of the SVG.
-  [[nodiscard]] static double width(std::string_view text);
+  [[nodiscard]] static std::vector<SvgPoint> centres_around(SvgPoint at, std::string_view text);
+  [[nodiscard]] static double width(std::string_view text) { return text_width(text, kSize) + 4.0; }
+  [[nodiscard]] static Lettering lettering(Tone tone) {
+    return {.size = kSize, .tone = tone, .side = Side::middle, .has_edge = true};
+  }
 
  private:
-  static Area area(std::string_view text, Point centre);
-  [[nodiscard]] double cost(const Area& label) const;
+  static SvgBox area(std::string_view text, SvgPoint centre);
+  [[nodiscard]] SvgPoint moved_inside(const SvgBox& label) const;
+  [[nodiscard]] double cost(const SvgBox& label) const;
 
-  Area inside_;
-  std::vector<Point> avoided_;
-  std::vector<Area> labels_;
+  SvgBox inside_;
+  std::vector<SvgPoint> avoided_;
+  std::vector<SvgBox> labels_;
 };
 
 }  // namespace hyrax

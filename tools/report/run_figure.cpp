@@ -5,20 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <string>
-#include <string_view>
 #include <utility>
 
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/scenario.h"
-#include "sim/trajectory/columns.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/report/figure_body.h"
-#include "tools/report/figure_style.h"
-#include "tools/report/gnuplot.h"
 #include "tools/report/label_placer.h"
-#include "tools/report/run_plot.h"
+#include "tools/report/plot_scale.h"
 #include "tools/report/run_scene.h"
 
 namespace hyrax {
@@ -27,9 +21,9 @@ namespace {
 std::string rate(const Clock& clock) {
   std::string text = "recorded frames";
   if (const auto* const fixed = std::get_if<FixedRate>(&clock.base))
-    text = fmt::format("{:.6g} Hz", fixed->rate_hz);
+    text = rounded(fixed->rate_hz, 6) + " Hz";
   if (const auto* const fixed = std::get_if<FixedStep>(&clock.base))
-    text = fmt::format("dt {:.6g} s", fixed->dt_s);
+    text = "dt " + rounded(fixed->dt_s, 6) + " s";
   return clock.jitter ? text + " with jitter" : text;
 }
 
@@ -40,120 +34,15 @@ bool is_outside(const std::optional<Box>& sprite, const Box& view) {
 }
 
 std::string place(const Box& sprite) {
-  return fmt::format("x {:.7g}, y {:.7g} px", sprite.left_px, sprite.top_px);
-}
-
-// How far it is from x, y along dx, dy (a direction of length 1) to the edge of the plot.
-double distance_to_edge(const RunPlot& plot, double x, double y, double dx, double dy) {
-  const double to_x = (dx > 0 ? RunPlot::kLeft + RunPlot::kWidth : RunPlot::kLeft) - x;
-  const double to_y = (dy > 0 ? RunPlot::kTop + plot.height : RunPlot::kTop) - y;
-  return std::min(dx == 0 ? HUGE_VAL : to_x / dx, dy == 0 ? HUGE_VAL : to_y / dy);
-}
-
-// Its length shows the speed, within limits, so that it neither vanishes nor covers the picture.
-std::pair<double, double> arrow_span(const RunPlot& plot, const Throw& one, double speed_px_per_s_max) {
-  constexpr double kLengthMin = 28;
-  constexpr double kLengthMax = 112;
-  const double speed = speed_px_per_s(one.velocity);
-  const double dx = one.velocity.vx_px_per_s / speed, dy = one.velocity.vy_px_per_s / speed;
-  const double x = plot.x(one.x_px), y = plot.y(one.y_px);
-  const double length = kLengthMin + (kLengthMax - kLengthMin) * std::min(1.0, speed / speed_px_per_s_max);
-  const double shown = std::max(kLengthMin, std::min(length, distance_to_edge(plot, x, y, dx, dy)));
-  return {shown * dx, shown * dy};
-}
-
-std::string arrows(const RunPlot& plot, const RunScene& scene) {
-  std::string commands;
-  for (const Throw& one : scene.throws) {
-    const auto [dx, dy] = arrow_span(plot, one, scene.path.speed_px_per_s_max);
-    commands += arrow(plot.canvas, plot.x(one.x_px), plot.y(one.y_px), dx, dy);
-  }
-  return commands;
-}
-
-using Point = LabelPlacer::Point;
-
-std::string label_at(const RunPlot& plot, std::string_view text, Point centre) {
-  return fmt::format("set label {} at {} center front font ',12' tc rgb '{}'\n", in_quotes(text),
-                     screen(plot.canvas, centre.x, centre.y), style::kInk);
-}
-
-// Inside the sprite's outline if the label fits, else beside it.
-std::string caption(LabelPlacer& placer, const RunPlot& plot, const std::optional<Box>& sprite,
-                    std::string_view label) {
-  constexpr double kLine = 9;
-  if (!sprite || is_outside(sprite, plot.view)) return "";
-  const double left = plot.x(sprite->left_px), right = plot.x(sprite->right_px);
-  const double top = plot.y(sprite->top_px), bottom = plot.y(sprite->bottom_px);
-  const double x = (left + right) / 2, y = (top + bottom) / 2, half = LabelPlacer::width(label) / 2 + 2;
-  std::vector<Point> centres;
-  if (right - left >= 2 * half && bottom - top >= 4 * kLine)
-    centres = {{x, bottom - kLine}, {x, top + kLine}};
-  centres.insert(centres.end(), {{x, top - kLine}, {x, bottom + kLine}, {left - half, y}, {right + half, y}});
-  return label_at(plot, label, placer.place(label, centres));
-}
-
-std::string captions(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
-  if (scene.start && scene.end && nearly_cover(*scene.start, *scene.end, 0.5))
-    return caption(placer, plot, scene.end, "start, end");
-  return caption(placer, plot, scene.start, "start") + caption(placer, plot, scene.end, "end");
-}
-
-std::string times_of_inputs(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
-  std::string commands;
-  for (const TimedInput& input : scene.inputs) {
-    const std::string label = fmt::format("{} {:.3g} s", input.what, input.t_s);
-    const Point at{plot.x(input.x_px), plot.y(input.y_px)};
-    commands += label_at(plot, label, placer.place(label, LabelPlacer::centres_around(at, label)));
-  }
-  return commands;
-}
-
-std::string not_finite(LabelPlacer& placer, const RunPlot& plot, const RunScene& scene) {
-  if (!scene.not_finite) return "";
-  constexpr std::string_view kLabel = "not finite";
-  const Point at{plot.x(scene.not_finite->x_px), plot.y(scene.not_finite->y_px)};
-  return label_at(plot, kLabel, placer.place(kLabel, LabelPlacer::centres_around(at, kLabel)));
-}
-
-LabelPlacer placer_of(const RunPlot& plot, const RunScene& scene) {
-  LabelPlacer placer(
-      {RunPlot::kLeft, RunPlot::kTop, RunPlot::kLeft + RunPlot::kWidth, RunPlot::kTop + plot.height});
-  for (const Stroke& stroke : scene.path.strokes)
-    for (std::size_t i = 1; i < stroke.points.size(); ++i)
-      placer.avoid({plot.x(stroke.points[i - 1].x_px), plot.y(stroke.points[i - 1].y_px)},
-                   {plot.x(stroke.points[i].x_px), plot.y(stroke.points[i].y_px)});
-  for (const Throw& one : scene.throws) {
-    const auto [dx, dy] = arrow_span(plot, one, scene.path.speed_px_per_s_max);
-    placer.avoid({plot.x(one.x_px), plot.y(one.y_px)}, {plot.x(one.x_px) + dx, plot.y(one.y_px) + dy});
-  }
-  if (scene.not_finite) {
-    constexpr double kArm = 10;
-    const double x = plot.x(scene.not_finite->x_px), y = plot.y(scene.not_finite->y_px);
-    for (const double side : {-kArm, kArm}) placer.avoid({x - kArm, y - side}, {x + kArm, y + side});
-  }
-  for (const std::optional<Box>& sprite : {scene.start, scene.end}) {
-    if (!sprite) continue;
-    const double left = plot.x(sprite->left_px), right = plot.x(sprite->right_px);
-    for (const double y : {plot.y(sprite->top_px), plot.y(sprite->bottom_px)})
-      placer.avoid({left, y}, {right, y});
-    for (const double x : {left, right})
-      placer.avoid({x, plot.y(sprite->top_px)}, {x, plot.y(sprite->bottom_px)});
-  }
-  for (const Size& window : scene.windows) {
-    const Point corner{plot.x(window.width_px), plot.y(window.height_px)};
-    placer.avoid({corner.x, plot.y(0)}, corner);
-    placer.avoid({plot.x(0), corner.y}, corner);
-  }
-  return placer;
+  return fmt::format("x {}, y {} px", rounded(sprite.left_px, 7), rounded(sprite.top_px, 7));
 }
 
 // "600 steps · 10 s · 60 Hz · window 1920 × 1080 px · sprite 128 × 128 px".
 std::string run_subtitle(const Scenario& scenario, const Columns& rows) {
   const std::int64_t steps = rows.size() == 0 ? 0 : rows.step.back();
-  return fmt::format("{} {}  ·  {:.6g} s  ·  {}  ·  window {}  ·  sprite {}", steps,
-                     steps == 1 ? "step" : "steps", rows.size() == 0 ? 0.0 : rows.t_s.back(),
-                     rate(scenario.clock), sides(scenario.window), sides(scenario.sprite));
+  return fmt::format("{} · {} s · {} · window {} · sprite {}", counted(static_cast<double>(steps), "step"),
+                     rounded(rows.size() == 0 ? 0.0 : rows.t_s.back(), 6), rate(scenario.clock),
+                     sides(scenario.window), sides(scenario.sprite));
 }
 
 // A note on what the picture does not show; empty if it shows all.
@@ -162,7 +51,7 @@ std::string run_note(const Scenario& scenario, const Columns& rows, const RunSce
   if (rows.size() > 0)
     if (const std::string text = non_finite_text(scenario, rows.row(rows.size() - 1)); !text.empty())
       return text;
-  if (scene.path.cut_at_s) return fmt::format("path drawn up to {:.4g} s", *scene.path.cut_at_s);
+  if (scene.path.cut_at_s) return fmt::format("path drawn up to {} s", rounded(*scene.path.cut_at_s));
   if (rows.size() > 0 && rows.step.back() < steps)
     return fmt::format("the first {} of {} steps", rows.step.back(), steps);
   if (is_outside(scene.start, scene.view)) return "starts far outside, at " + place(*scene.start);
@@ -170,187 +59,371 @@ std::string run_note(const Scenario& scenario, const Columns& rows, const RunSce
   return "";
 }
 
-// The commands that draw the labels of start, end and inputs, and the arrows of the throws.
-std::string run_labels(const RunPlot& plot, const RunScene& scene) {
-  LabelPlacer placer = placer_of(plot, scene);
-  const std::string labels =
-      captions(placer, plot, scene) + not_finite(placer, plot, scene) + times_of_inputs(placer, plot, scene);
-  return arrows(plot, scene) + labels;
-}
+// One sheet with the scene on it.
+class RunDrawing {
+ public:
+  static constexpr double kWidth = 960.0;  // All in px of the SVG.
+  static constexpr double kNarrow = 420.0;
+  static constexpr double kLeft = 62.0;   // Room for the ticks of y,
+  static constexpr double kRight = 86.0;  // for the scale of speeds,
+  static constexpr double kBelow = 30.0;  // and for the ticks of x.
 
-std::string block(std::string_view name, std::string_view lines) {
-  return fmt::format("${} << EOD\n{}EOD\n", name, lines.empty() ? "NaN NaN NaN\n" : lines);
-}
+  RunDrawing(const Scenario& scenario, const Columns& rows, const RunScene& scene)
+      : scenario_(scenario), rows_(rows), scene_(scene) {}
 
-std::string point(double x_px, double y_px) { return fmt::format("{:.7g} {:.7g}\n", x_px, y_px); }
+  /// @param height of the sheet, or 0: as high as the scene needs.
+  [[nodiscard]] Sheet sheet(double width, double height) {
+    Svg head;
+    is_narrow_ = height > 0.0;
+    left_ = is_narrow_ ? kLeft - 14 : kLeft;
+    const double top =
+        draw_head(head, width, scenario_.name, is_narrow_ ? std::string() : run_subtitle(scenario_, rows_),
+                  run_note(scenario_, rows_, scene_), Tone::vermilion) +
+        14;
+    const double legend_height = draw_legend(scratch_, legend(), width, 0.0);
+    const double below = kBelow + legend_height + 16;
+    const Box& view = scene_.view;
+    const double room = width - left_ - kRight;
+    const double height_max = height > 0.0 ? height - top - below : kPlotHeightMax;
+    scale_ = std::min(room / view.width_px(), height_max / view.height_px());
+    const double shown = std::max(view.height_px() * scale_, height > 0.0 ? height_max : kPlotHeightMin);
+    room_ = {left_, top, left_ + room, top + shown};
+    plot_ = {left_, room_.bottom - view.height_px() * scale_, left_ + view.width_px() * scale_, room_.bottom};
+    Sheet sheet{width, height > 0.0 ? height : room_.bottom + below, std::move(head)};
+    draw(sheet.svg);
+    draw_legend(sheet.svg, legend(), width, room_.bottom + kBelow);
+    return sheet;
+  }
 
-// Zero has no logarithm.
-std::string point(const PathPoint& at, const RunPath& path) {
-  return fmt::format("{:.7g} {:.7g} {:.4g}\n", at.x_px, at.y_px,
-                     std::max(at.speed_px_per_s, path.speed_px_per_s_low));
-}
+ private:
+  [[nodiscard]] SvgPoint at(double x_px, double y_px) const {
+    return {plot_.left + (x_px - scene_.view.left_px) * scale_,
+            plot_.top + (y_px - scene_.view.top_px) * scale_};
+  }
+  [[nodiscard]] SvgBox at(const Box& box) const {
+    const SvgPoint low = at(box.left_px, box.top_px), high = at(box.right_px, box.bottom_px);
+    return {low.x, low.y, high.x, high.y};
+  }
+  [[nodiscard]] SvgBox at(const Size& window) const {
+    return at(Box{0.0, 0.0, static_cast<double>(window.width_px), static_cast<double>(window.height_px)});
+  }
 
-std::string rectangle(const Size& window) {
-  const double right_px = window.width_px;
-  const double bottom_px = window.height_px;
-  return point(0, 0) + point(right_px, 0) + point(right_px, bottom_px) + point(0, bottom_px) + point(0, 0) +
-         "\n";
-}
+  void draw(Svg& svg) {
+    draw_axes(svg);
+    svg.begin_clip({plot_.left - 2, plot_.top - 2, plot_.right + 2, plot_.bottom + 2});
+    draw_windows(svg);
+    draw_sprites(svg);
+    draw_path(svg);
+    draw_bounces(svg);
+    svg.end_clip();
+    draw_speeds(svg);
+    LabelPlacer placer({room_.left, room_.top, room_.right, room_.bottom});
+    avoid_all(placer);
+    draw_throws(svg, placer);
+    draw_labels(svg, placer);
+  }
 
-// A sprite's outline with round corners, so that it is not taken for a window.
-std::string outline(const Box& box, const Box& view) {
-  constexpr int kPointsPerCorner = 5;
-  const double radius_px = std::min(0.18 * std::min(box.width_px(), box.height_px()),
-                                    0.015 * std::max(view.width_px(), view.height_px()));
-  const double left_px = box.left_px + radius_px, right_px = box.right_px - radius_px;
-  const double top_px = box.top_px + radius_px, bottom_px = box.bottom_px - radius_px;
-  const std::array<std::array<double, 2>, 4> centres = {
-      {{right_px, bottom_px}, {left_px, bottom_px}, {left_px, top_px}, {right_px, top_px}}};
-  std::string lines;
-  for (std::size_t corner = 0; corner < centres.size(); ++corner)
-    for (int i = 0; i <= kPointsPerCorner; ++i) {
-      const double quarters = static_cast<double>(corner) + static_cast<double>(i) / kPointsPerCorner;
-      const double angle = std::numbers::pi / 2 * quarters;
-      lines += point(centres[corner][0] + radius_px * std::cos(angle),
-                     centres[corner][1] + radius_px * std::sin(angle));
+  // Ticks within the windows only.
+  void draw_axes(Svg& svg) const {
+    double right_px = 0.0, bottom_px = 0.0;
+    for (const Size& window : scene_.windows) {
+      right_px = std::max(right_px, static_cast<double>(window.width_px));
+      bottom_px = std::max(bottom_px, static_cast<double>(window.height_px));
     }
-  return lines + lines.substr(0, lines.find('\n') + 1) + "\n";
-}
-
-std::string outline(const std::optional<Box>& box, const Box& view) { return box ? outline(*box, view) : ""; }
-
-std::string touching_side(const Bounce& bounce) {
-  const Box& box = bounce.sprite;
-  switch (bounce.wall) {
-    case Wall::left:
-      return point(box.left_px, box.top_px) + point(box.left_px, box.bottom_px) + "\n";
-    case Wall::right:
-      return point(box.right_px, box.top_px) + point(box.right_px, box.bottom_px) + "\n";
-    case Wall::top:
-      return point(box.left_px, box.top_px) + point(box.right_px, box.top_px) + "\n";
-    case Wall::ground:
-      return point(box.left_px, box.bottom_px) + point(box.right_px, box.bottom_px) + "\n";
-  }
-  return "";
-}
-
-std::string strokes(const RunPath& path, StrokeKind kind) {
-  std::string lines;
-  for (const Stroke& stroke : path.strokes) {
-    if (stroke.kind != kind) continue;
-    for (const PathPoint& at : stroke.points) lines += point(at, path);
-    lines += "\n";
-  }
-  return lines;
-}
-
-// All windows share their upper left corner: of a later one only what the earlier ones do not show.
-std::string windows(const RunScene& scene) {
-  double widest_px = scene.windows.front().width_px, highest_px = scene.windows.front().height_px;
-  std::string later;
-  for (std::size_t i = 1; i < scene.windows.size(); ++i) {
-    const double right_px = scene.windows[i].width_px, bottom_px = scene.windows[i].height_px;
-    later += point(std::min(right_px, widest_px), 0) + point(right_px, 0) + point(right_px, bottom_px) +
-             point(0, bottom_px) + point(0, std::min(bottom_px, highest_px)) + "\n";
-    widest_px = std::max(widest_px, right_px);
-    highest_px = std::max(highest_px, bottom_px);
-  }
-  return block("window", rectangle(scene.windows.front())) + block("later_windows", later);
-}
-
-std::string bounces(const RunScene& scene) {
-  std::string ghosts;
-  std::array<std::string, 4> sides, dots;
-  // Contacts at rest would pile up: one dot for those that nearly cover one another.
-  const double apart_px = std::max(scene.view.width_px(), scene.view.height_px()) / 80;
-  std::vector<std::pair<Wall, PathPoint>> drawn;
-  for (const Bounce& bounce : scene.bounces) {
-    const Box& box = bounce.sprite;
-    sides[wall_index(bounce.wall)] += touching_side(bounce);
-    const PathPoint centre{(box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2, 0.0};
-    const auto covers = [&](const std::pair<Wall, PathPoint>& other) {
-      return other.first == bounce.wall &&
-             std::hypot(other.second.x_px - centre.x_px, other.second.y_px - centre.y_px) < apart_px;
+    const auto scale = [](double low, double high) {
+      const Axis axis{.low = std::max(low, 0.0), .high = high};
+      return std::pair(axis, std::vector<double>{axis.low, axis.high});
     };
-    if (std::any_of(drawn.begin(), drawn.end(), covers)) continue;
-    drawn.emplace_back(bounce.wall, centre);
-    dots[wall_index(bounce.wall)] += point(centre.x_px, centre.y_px);
+    const auto draw_ticks = [&](const std::pair<Axis, std::vector<double>>& axis, double apart,
+                                const auto& draw_one) {
+      PlotScale ticks(axis.first, axis.second);
+      const double length = (axis.first.high - axis.first.low) * scale_;
+      ticks.place(0.0, length, std::max(kTick + 3, std::min(apart, length / 2)));
+      for (const Tick& tick : ticks.ticks()) draw_one(tick);
+    };
+    double end = -HUGE_VAL;
+    draw_ticks(scale(scene_.view.left_px, std::min(right_px, scene_.view.right_px)), 75.0,
+               [&](const Tick& tick) {
+                 const double x = at(tick.at, 0.0).x, half = text_width(tick.text, kTick) / 2;
+                 if (x - half < end + 6) return;
+                 end = x + half;
+                 svg.line({{x, plot_.bottom + 3}, {x, plot_.bottom + 7}}, {colour_of(Tone::faint), 1.0});
+                 svg.text({x, plot_.bottom + 16}, tick.text, {.size = kTick, .side = Side::middle});
+               });
+    draw_ticks(scale(scene_.view.top_px, std::min(bottom_px, scene_.view.bottom_px)), 45.0,
+               [&](const Tick& tick) {
+                 const double y = at(0.0, tick.at).y;
+                 svg.line({{plot_.left - 7, y}, {plot_.left - 3, y}}, {colour_of(Tone::faint), 1.0});
+                 svg.text({plot_.left - 11, y}, tick.text, {.size = kTick, .side = Side::right});
+               });
+    svg.text({plot_.left - 11, plot_.bottom + 16}, "px", {.size = kTick, .side = Side::right});
   }
-  for (const Box& ghost : scene.ghosts) ghosts += outline(ghost, scene.view);
-  std::string blocks = block("ghosts", ghosts);
-  for (std::size_t i = 0; i < kWalls.size(); ++i)
-    blocks += block(fmt::format("{}_sides", kWallNames[i]), sides[i]) +
-              block(fmt::format("{}_dots", kWallNames[i]), dots[i]);
-  return blocks;
-}
 
-// The data blocks $window, $later_windows, $ghosts, $start, $end, $moved, $unrecorded (x and y in px), $flown
-// and $beads (x, y in px, speed in px/s), and for each wall $WALL_sides, where the sprite touched it, and
-// $WALL_dots, where its centre was. A blank line ends an outline or a line.
-std::string run_data(const RunScene& scene) {
-  std::string beads;
-  for (const PathPoint& bead : scene.path.beads) beads += point(bead, scene.path);
-  return windows(scene) + bounces(scene) + block("start", outline(scene.start, scene.view)) +
-         block("end", outline(scene.end, scene.view)) +
-         block("flown", strokes(scene.path, StrokeKind::flown)) +
-         block("moved", strokes(scene.path, StrokeKind::moved)) +
-         block("unrecorded", strokes(scene.path, StrokeKind::unrecorded)) + block("beads", beads) +
-         (scene.not_finite ? block("not_finite", point(scene.not_finite->x_px, scene.not_finite->y_px)) : "");
-}
+  // All windows share their upper left corner.
+  void draw_windows(Svg& svg) const {
+    svg.begin("window");
+    svg.box(at(scene_.windows.front()), colour_named("screen"));
+    for (std::size_t i = 1; i < scene_.windows.size(); ++i)
+      svg.outline(at(scene_.windows[i]), {colour_of(Tone::quiet), 1.25, Dash::long_dashes});
+    svg.outline(at(scene_.windows.front()), {colour_of(Tone::ink), 1.5});
+    svg.end();
+  }
 
-constexpr double kDetail = 1.25;  // px of the SVG: what is smaller, the path need not show.
+  // Round corners, so that an outline is not taken for a window.
+  [[nodiscard]] static double corner_of(const SvgBox& box) {
+    return std::min({0.18 * box.width(), 0.18 * box.height(), 12.0});
+  }
 
-// What is drawn later covers what is drawn before.
-std::string plot_command(const RunScene& scene) {
-  std::string command = fmt::format(
-      "plot $window title 'window' with filledcurves closed fs solid 1 noborder fc rgb '{paper}', "
-      "$later_windows title 'later windows' with lines lw 1.5 dt (8,5) lc rgb '{quiet}', "
-      "$window title 'window' with lines lw 1.5 lc rgb '{ink}', "
-      "$ghosts title 'sprite at contacts' with filledcurves closed fs transparent solid 0.12 noborder fc rgb "
-      "'{faint}', "
-      "$ghosts title 'sprite at contacts' with lines lw 1 lc rgb '{faint}', "
-      "$end title 'sprite at the end' with filledcurves closed fs solid 1 noborder fc rgb '{hairline}', "
-      "$start title 'sprite at the start' with lines lw 1.5 lc rgb '{ink}', $end title 'sprite at the end' "
-      "with lines lw 1.5 lc rgb '{ink}', "
-      "$moved title 'not flown' with lines lw 1.5 dt {moved} lc rgb '{quiet}', $unrecorded title 'not "
-      "recorded' with lines lw 1.5 dt {unrecorded} "
-      "lc rgb '{quiet}', "
-      "$flown title 'path of the centre' with lines lw 2.5 lc palette, $beads title 'steps at equal "
-      "intervals' with points pt 7 ps 0.5 lc palette",
-      fmt::arg("paper", style::kPaper), fmt::arg("ink", style::kInk), fmt::arg("quiet", style::kQuietInk),
-      fmt::arg("faint", style::kFaintInk), fmt::arg("hairline", style::kHairline),
-      fmt::arg("moved", kMovedDashes), fmt::arg("unrecorded", kUnrecordedDashes));
-  for (std::size_t i = 0; i < kWalls.size(); ++i)
-    if (scene.contacts[kWalls[i]] > 0)
-      command += fmt::format(
-          ", ${0}_sides title 'contacts: {0}' with lines lw 5 lc rgb '{1}', ${0}_dots title 'contacts: {0}' "
-          "with points pt 7 ps 1.0 lc rgb '{2}', "
-          "${0}_dots title 'contacts: {0}' with points pt 7 ps 0.7 lc rgb '{1}'",
-          kWallNames[i], colour_of(kWallTones[i]), style::kPaper);
-  if (scene.not_finite)
-    command +=
-        fmt::format(", $not_finite title 'not finite' with points pt 2 ps 2 lc rgb '{}'", style::kVermilion);
-  return command + "\n";
-}
+  void draw_sprites(Svg& svg) const {
+    svg.begin("sprite at contacts");
+    for (const Box& ghost : scene_.ghosts) {
+      svg.box(at(ghost), colour_of(Tone::faint), corner_of(at(ghost)), 0.12);
+      svg.outline(at(ghost), {colour_of(Tone::faint), 1.0}, corner_of(at(ghost)));
+    }
+    svg.end();
+    svg.begin("sprite at start and end");
+    if (scene_.end) svg.box(at(*scene_.end), colour_of(Tone::hairline), corner_of(at(*scene_.end)));
+    for (const std::optional<Box>& sprite : {scene_.start, scene_.end})
+      if (sprite) svg.outline(at(*sprite), {colour_of(Tone::ink), 1.5}, corner_of(at(*sprite)));
+    svg.end();
+  }
+
+  [[nodiscard]] double part_of(double speed) const {
+    const RunPath& path = scene_.path;
+    if (!(path.speed_px_per_s_max > 0.0)) return 0.0;
+    const double low = path.speed_px_per_s_low;
+    return low > 0.0 ? std::log(std::max(speed, low) / low) / std::log(path.speed_px_per_s_max / low)
+                     : speed / path.speed_px_per_s_max;
+  }
+
+  // Pieces of one colour, each as long as it can be.
+  void draw_flown(Svg& svg, const std::vector<PathPoint>& points) const {
+    std::vector<SvgPoint> piece;
+    const std::string* colour = nullptr;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const std::string& its = speed_colour(part_of(points[i].speed_px_per_s));
+      if (&its != colour) {
+        if (colour != nullptr) svg.line(piece, {*colour, 2.5});
+        piece = {at(points[i - 1].x_px, points[i - 1].y_px)};
+        colour = &its;
+      }
+      piece.push_back(at(points[i].x_px, points[i].y_px));
+    }
+    if (colour != nullptr) svg.line(piece, {*colour, 2.5});
+  }
+
+  void draw_path(Svg& svg) const {
+    svg.begin("path of the centre");
+    for (const Stroke& stroke : scene_.path.strokes)
+      if (stroke.kind == StrokeKind::flown)
+        draw_flown(svg, stroke.points);
+      else
+        svg.line(line_of(stroke), {colour_of(Tone::quiet), 1.5, dash_of(stroke.kind)});
+    for (const PathPoint& bead : is_narrow_ ? std::vector<PathPoint>() : scene_.path.beads)
+      svg.sign(at(bead.x_px, bead.y_px), Marker::dot, 0.75, speed_colour(part_of(bead.speed_px_per_s)));
+    if (scene_.not_finite)
+      svg.cross(at(scene_.not_finite->x_px, scene_.not_finite->y_px), kArm,
+                {colour_of(Tone::vermilion), 3.0});
+    svg.end();
+  }
+
+  [[nodiscard]] static Dash dash_of(StrokeKind kind) {
+    return kind == StrokeKind::moved ? Dash::short_dashes : Dash::dots;
+  }
+
+  [[nodiscard]] std::vector<SvgPoint> line_of(const Stroke& stroke) const {
+    std::vector<SvgPoint> line;
+    for (const PathPoint& point : stroke.points) line.push_back(at(point.x_px, point.y_px));
+    return line;
+  }
+
+  // Where it touched the wall, and a dot at the centre; in a corner each dot is nearer to its wall.
+  void draw_bounces(Svg& svg) const {
+    constexpr double kPile =
+        10.0;  // Contacts at rest would pile up: one dot for those that nearly cover one another.
+    constexpr double kAside = 5.0;
+    std::vector<std::pair<Wall, SvgPoint>> drawn;
+    for (std::size_t i = 0; i < scene_.bounces.size(); ++i) {
+      const Bounce& bounce = scene_.bounces[i];
+      const auto has_place_of = [&](const Bounce& other) {
+        return other.wall != bounce.wall && other.sprite.left_px == bounce.sprite.left_px &&
+               other.sprite.top_px == bounce.sprite.top_px;
+      };
+      const bool is_corner = std::any_of(scene_.bounces.begin(), scene_.bounces.end(), has_place_of);
+      const SvgBox box = at(bounce.sprite);
+      const bool is_level = bounce.wall == Wall::top || bounce.wall == Wall::ground;
+      const double toward = bounce.wall == Wall::left || bounce.wall == Wall::top ? -1.0 : 1.0;
+      const double x = toward < 0 ? box.left : box.right, y = toward < 0 ? box.top : box.bottom;
+      const std::string& colour = colour_of(kWallTones[wall_index(bounce.wall)]);
+      const bool is_new = std::none_of(drawn.begin(), drawn.end(), [&](const auto& other) {
+        return other.first == bounce.wall &&
+               std::hypot(other.second.x - box.centre().x, other.second.y - box.centre().y) < kPile;
+      });
+      if (is_new) drawn.emplace_back(bounce.wall, box.centre());
+      svg.begin(fmt::format("contact: {}", kWallNames[wall_index(bounce.wall)]));
+      svg.line(is_level ? std::vector<SvgPoint>{{box.left, y}, {box.right, y}}
+                        : std::vector<SvgPoint>{{x, box.top}, {x, box.bottom}},
+               {colour, 5.0});
+      const double aside = is_corner ? toward * kAside : 0.0;
+      const SvgPoint dot{box.centre().x + (is_level ? 0.0 : aside),
+                         box.centre().y + (is_level ? aside : 0.0)};
+      if (is_new) {
+        svg.sign(dot, Marker::dot, 1.1, colour_named("screen"));
+        svg.sign(dot, Marker::dot, 0.8, colour);
+      }
+      svg.end();
+    }
+  }
+
+  void draw_speeds(Svg& svg) const {
+    constexpr double kBarWidth = 10.0, kSteps = 24.0;
+    const RunPath& path = scene_.path;
+    if (!(path.speed_px_per_s_max > 0.0)) return;
+    const SvgBox bar{room_.right + 14, room_.top + 24, room_.right + 14 + kBarWidth, room_.bottom};
+    for (double step = 0.0; step < kSteps; step += 1.0)
+      svg.box({bar.left, bar.bottom - (step + 1) / kSteps * bar.height(), bar.right,
+               bar.bottom - step / kSteps * bar.height() + 0.5},
+              speed_colour(step / (kSteps - 1)));
+    const bool is_logarithmic = path.speed_px_per_s_low > 0.0;
+    const Axis axis{
+        .is_logarithmic = is_logarithmic, .low = path.speed_px_per_s_low, .high = path.speed_px_per_s_max};
+    PlotScale scale(axis, {});
+    scale.place(bar.bottom, bar.top, 40.0);
+    for (const Tick& tick : scale.ticks())
+      svg.text({bar.right + 5, scale.at(tick.at)}, tick.text, {.size = kTick});
+    svg.text({room_.right + kRight - 8, room_.top + 4}, "speed, px/s", {.size = kTick, .side = Side::right});
+  }
+
+  void avoid_all(LabelPlacer& placer) const {
+    for (const Stroke& stroke : scene_.path.strokes) placer.avoid_line(line_of(stroke));
+    if (scene_.not_finite) {
+      const auto [x, y] = at(scene_.not_finite->x_px, scene_.not_finite->y_px);
+      for (const double side : {-kArm, kArm}) placer.avoid({x - kArm, y - side}, {x + kArm, y + side});
+    }
+    for (const std::optional<Box>& sprite : {scene_.start, scene_.end})
+      if (sprite) placer.avoid_outline(at(*sprite));
+    for (const Size& window : scene_.windows) placer.avoid_outline(at(window));
+  }
+
+  // Short, and beside the path: behind the sprite, or at one of its sides.
+  void draw_throws(Svg& svg, LabelPlacer& placer) const {
+    constexpr double kLengthMin = 20.0, kLengthMax = 44.0, kAside = 9.0, kInto = 4.0;
+    for (const Throw& one : scene_.throws) {
+      const double speed = speed_px_per_s(one.velocity);
+      const double dx = one.velocity.vx_px_per_s / speed, dy = one.velocity.vy_px_per_s / speed;
+      const double length =
+          kLengthMin + (kLengthMax - kLengthMin) * std::min(1.0, speed / scene_.path.speed_px_per_s_max);
+      const SvgPoint centre = at(one.x_px, one.y_px);
+      const auto arrow_from = [&](double along, double aside) {
+        const SvgPoint from{centre.x + along * dx - aside * dy, centre.y + along * dy + aside * dx};
+        return std::pair(from, SvgPoint{from.x + length * dx, from.y + length * dy});
+      };
+      const std::array candidates = {arrow_from(-length - kInto, 0.0), arrow_from(0.0, kAside),
+                                     arrow_from(0.0, -kAside), arrow_from(-length - kInto, kAside),
+                                     arrow_from(-length - kInto, -kAside)};
+      const auto cost = [&](const std::pair<SvgPoint, SvgPoint>& arrow) {
+        double sum = placer.covered_by(arrow.first, arrow.second);
+        for (const SvgPoint& end : {arrow.first, arrow.second})
+          if (end.x < plot_.left || end.x > plot_.right || end.y < plot_.top || end.y > plot_.bottom)
+            sum += 1e4;
+        return sum;
+      };
+      const auto [from, to] = *std::ranges::min_element(candidates, {}, cost);
+      svg.arrow(from, to, colour_of(Tone::ink));
+      placer.avoid(from, to);
+      if (scene_.throws.size() == 1) placer.draw_beside(svg, from, rounded(speed) + " px/s", Tone::ink);
+    }
+  }
+
+  // Inside the sprite's outline if the label fits, else beside it.
+  void draw_caption(Svg& svg, LabelPlacer& placer, const std::optional<Box>& sprite,
+                    std::string_view label) const {
+    constexpr double kLine = 9.0;
+    if (!sprite || is_outside(sprite, scene_.view)) return;
+    const SvgBox box = at(*sprite);
+    const auto [x, y] = box.centre();
+    const double half = LabelPlacer::width(label) / 2 + 2;
+    std::vector<SvgPoint> centres;
+    if (box.width() >= 2 * half && box.height() >= 4 * kLine)
+      centres = {{x, box.bottom - kLine}, {x, box.top + kLine}};
+    centres.insert(
+        centres.end(),
+        {{x, box.top - kLine}, {x, box.bottom + kLine}, {box.left - half, y}, {box.right + half, y}});
+    svg.text(placer.place(label, centres), label, LabelPlacer::lettering(Tone::ink));
+  }
+
+  void draw_labels(Svg& svg, LabelPlacer& placer) const {
+    if (scene_.start && scene_.end && nearly_cover(*scene_.start, *scene_.end, 0.5)) {
+      draw_caption(svg, placer, scene_.end, "start, end");
+    } else {
+      draw_caption(svg, placer, scene_.start, "start");
+      draw_caption(svg, placer, scene_.end, "end");
+    }
+    if (scene_.not_finite)
+      placer.draw_beside(svg, at(scene_.not_finite->x_px, scene_.not_finite->y_px), "not finite", Tone::ink);
+    for (const TimedInput& input : scene_.inputs) {
+      const SvgPoint place = at(input.x_px, input.y_px);
+      svg.sign(place, Marker::ring, 1.0, colour_of(Tone::ink));
+      placer.draw_beside(svg, place, fmt::format("{} {} s", input.what, rounded(input.t_s, 3)), Tone::ink);
+    }
+  }
+
+  // Entries only for what the picture shows.
+  [[nodiscard]] std::vector<LegendEntry> legend() const {
+    std::vector<LegendEntry> entries;
+    for (const Wall wall : kWalls)
+      if (const std::int64_t count = scene_.contacts[wall]; count > 0)
+        entries.push_back(
+            {fmt::format("{} {}", kWallNames[wall_index(wall)], with_decimals(static_cast<double>(count), 0)),
+             {.form = Form::points, .tone = kWallTones[wall_index(wall)]}});
+    if (!entries.empty()) entries.front().text = "contacts: " + entries.front().text;
+    const auto has = [this](StrokeKind kind) {
+      return std::ranges::any_of(scene_.path.strokes,
+                                 [kind](const Stroke& stroke) { return stroke.kind == kind; });
+    };
+    const auto add_line = [&](const char* text, Dash dash) {
+      entries.push_back({text, {.tone = Tone::quiet, .width_px = 1.5, .dash = dash}});
+    };
+    if (has(StrokeKind::moved)) add_line("not flown", dash_of(StrokeKind::moved));
+    if (has(StrokeKind::unrecorded)) add_line("not recorded", dash_of(StrokeKind::unrecorded));
+    if (scene_.windows.size() > 1) add_line("resized window", Dash::long_dashes);
+    if (!scene_.path.beads.empty() && !is_narrow_)
+      entries.push_back({scene_.path.frames_per_bead == 1
+                             ? "every frame"
+                             : fmt::format("every {} frames", scene_.path.frames_per_bead),
+                         {.form = Form::points, .tone = Tone::green, .marker_size = 0.75}});
+    return entries;
+  }
+
+  static constexpr double kPlotHeightMax = 600.0;
+  static constexpr double kPlotHeightMin = 220.0;
+  static constexpr double kTick = 12.0;  // Of letters.
+  static constexpr double kArm = 10.0;   // Of the cross.
+
+  const Scenario& scenario_;
+  const Columns& rows_;
+  const RunScene& scene_;
+  bool is_narrow_ = false;
+  double left_ = 0.0;   // Of plot and room.
+  double scale_ = 0.0;  // px of the SVG for one px of the window, in x and in y.
+  SvgBox room_;         // For the plot and its labels.
+  SvgBox plot_;         // What shows the view.
+  Svg scratch_;
+};
 
 }  // namespace
 
-std::string run_figure_script(const Scenario& scenario, const Columns& rows,
-                              const std::vector<Contact>& contacts,
-                              const std::optional<WallCounts>& contacts_counted) {
-  RunScene scene = make_run_scene(scenario, rows, contacts, RunPlot::kWidth / kDetail);
+std::string run_svg(const Scenario& scenario, const Columns& rows, const std::vector<Contact>& contacts,
+                    const std::optional<WallCounts>& contacts_counted) {
+  constexpr double kDetail_px = 1.25;  // What is smaller, the path need not show.
+  RunScene scene = make_run_scene(scenario, rows, contacts,
+                                  (RunDrawing::kWidth - RunDrawing::kLeft - RunDrawing::kRight) / kDetail_px);
   if (contacts_counted) scene.contacts = *contacts_counted;
-  const RunPlot plot(scene.view);
-  return figure_head(plot.canvas, scenario.name, run_subtitle(scenario, rows),
-                     run_note(scenario, rows, scene)) +
-         run_axes(plot) + viridis() + run_colour_bar(plot, scene.path) + run_data(scene) +
-         run_labels(plot, scene) + run_legend(plot, scene) + plot_command(scene);
-}
-
-void draw_run_figure(const std::string& path, const Scenario& scenario, const Columns& rows,
-                     const std::vector<Contact>& contacts,
-                     const std::optional<WallCounts>& contacts_counted) {
-  draw_figure(path, run_figure_script(scenario, rows, contacts, contacts_counted));
+  RunDrawing drawing(scenario, rows, scene);
+  const Sheet wide = drawing.sheet(RunDrawing::kWidth, 0.0);
+  const Sheet narrow =
+      drawing.sheet(RunDrawing::kNarrow, RunDrawing::kNarrow / RunDrawing::kWidth * wide.height);
+  return svg_text(scenario.name, wide, &narrow);
 }
 
 }  // namespace hyrax

@@ -38,6 +38,23 @@ std::vector<Size> shown(const std::vector<Size>& windows) {
   return some;
 }
 
+// Of a view that is much longer than wide only what is visited along its longer side, and some space.
+Box cropped(const Box& view, const Box& visited) {
+  constexpr double kOdd = 4.0;
+  const double shorter_px = std::min(view.width_px(), view.height_px());
+  if (longer_side_px(view) < kOdd * shorter_px || !(visited.left_px <= visited.right_px)) return view;
+  const Box part = grown(visited, 0.5 * shorter_px);
+  Box kept = view;
+  if (view.width_px() > view.height_px()) {
+    kept.left_px = std::max(view.left_px, part.left_px);
+    kept.right_px = std::min(view.right_px, part.right_px);
+  } else {
+    kept.top_px = std::max(view.top_px, part.top_px);
+    kept.bottom_px = std::min(view.bottom_px, part.bottom_px);
+  }
+  return kept;
+}
+
 // The windows, with the sprite wherever it is no farther from them than half their longer side: a
 // start a million px away must not make the window a dot.
 Box view_of(const std::vector<Size>& windows, const Columns& rows, const SizesInForce& sizes) {
@@ -48,13 +65,14 @@ Box view_of(const std::vector<Size>& windows, const Columns& rows, const SizesIn
   const Size& sprite = sizes.changes().front().sprite;
   const Box near = grown(room, longer_side_px(room) / 2 + std::max(sprite.width_px, sprite.height_px));
 
-  Box view = room;
+  Box view = room, visited = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Box outline = sprite_box(rows.x_px[i], rows.y_px[i], sizes.at(rows.step[i]).sprite);
     if (near.holds(outline.left_px, outline.top_px) && near.holds(outline.right_px, outline.bottom_px))
-      view = around(view, outline);
+      visited = around(visited, outline);
   }
-  return grown(view, 0.015 * std::max(longer_side_px(view), 1.0));
+  view = around(view, visited.left_px <= visited.right_px ? visited : view);
+  return grown(cropped(view, visited), 0.015 * std::max(longer_side_px(view), 1.0));
 }
 
 // The first throws that can be seen.

@@ -83,7 +83,7 @@ struct Throw {
 [[nodiscard]] std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::int64_t>& frames,
                                            const Columns& rows, const SizesInForce& sizes);
 
-/// What the picture labels with its time: a grab, a release or a resize.
+/// What the picture labels with its time: an input of any kind.
 struct TimedInput {
   std::string_view what;
   double t_s = 0.0;
@@ -91,8 +91,8 @@ struct TimedInput {
   double y_px = 0.0;  ///< and half its height.
 };
 
-/// In order of time; those in rows that are not recorded are left out, and of many resizes all but the first
-/// and the last.
+/// In order of time; those in rows that are not recorded are left out, and of many of one kind all but the
+/// first and the last.
 /// @param frames the frame of each of the scenario's events.
 [[nodiscard]] std::vector<TimedInput> timed_inputs_of(const Scenario& scenario,
                                                       const std::vector<std::int64_t>& frames,
@@ -132,7 +132,9 @@ struct RunScene {
   std::vector<Throw> throws;            ///< The first kThrowsShownMax.
   std::vector<TimedInput> inputs;       ///< The first kInputsLabelledMax.
   RunPath path;
-  Box view;  ///< Contains the windows, and the sprite while it is near them.
+  /// Contains the windows, and the sprite while it is near them; of a window that is much longer than wide,
+  /// the part that the sprite visits.
+  Box view;
 };
 
 inline constexpr std::size_t kBouncesShownMax = 30;

@@ -1,6 +1,7 @@
 #include "tools/report/run_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -54,22 +55,22 @@ std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::in
 
 std::vector<TimedInput> timed_inputs_of(const Scenario& scenario, const std::vector<std::int64_t>& frames,
                                         const Columns& rows, const SizesInForce& sizes) {
-  constexpr std::ptrdiff_t kResizesMax = 4;
-  const auto is_resize = [](const Event& event) { return std::holds_alternative<Resize>(event.action); };
-  const auto resizes = std::count_if(scenario.events.begin(), scenario.events.end(), is_resize);
-  std::ptrdiff_t resize_number = 0;
+  constexpr std::int64_t kOfAKindMax = 4;
+  std::array<std::int64_t, kActionNames.size()> counts{}, numbers{};
+  for (const Event& event : scenario.events) ++counts[event.action.index()];
   std::vector<TimedInput> inputs;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Action& action = scenario.events[i].action;
+    const std::int64_t count = counts[action.index()], number = ++numbers[action.index()];
     const auto row = row_at(rows, frames[i]);
-    const bool is_between = is_resize(scenario.events[i]) && ++resize_number > 1 && resize_number < resizes &&
-                            resizes > kResizesMax;
-    if (!row || is_between) continue;
-    const auto& size = sizes.at(frames[i]);
-    TimedInput input{"", row->t_s, row->x_px + size.sprite.width_px / 2.0,
-                     row->y_px + size.sprite.height_px / 2.0};
-    if (std::holds_alternative<Grab>(action)) input.what = "grab";
-    if (std::holds_alternative<Release>(action)) input.what = "release";
+    if (!row || (count > kOfAKindMax && number > 1 && number < count)) continue;
+    const Size& sprite = sizes.at(frames[i]).sprite;
+    TimedInput input{name_of(action), row->t_s, row->x_px + sprite.width_px / 2.0,
+                     row->y_px + sprite.height_px / 2.0};
+    if (const auto* const place = std::get_if<Place>(&action)) {
+      input.x_px = place->position.x_px + sprite.width_px / 2.0;
+      input.y_px = place->position.y_px + sprite.height_px / 2.0;
+    }
     if (const auto* const resize = std::get_if<Resize>(&action)) {
       input.what = resize->window ? "window" : "sprite";
       if (resize->window) {
@@ -77,7 +78,7 @@ std::vector<TimedInput> timed_inputs_of(const Scenario& scenario, const std::vec
         input.y_px = resize->window->height_px / 2.0;
       }
     }
-    if (!input.what.empty()) inputs.push_back(input);
+    inputs.push_back(input);
   }
   return inputs;
 }

@@ -44,12 +44,26 @@ Series share_series(const RestResults& results, FinalState state, Tone tone) {
   return series;
 }
 
+// The name of an area, in its middle where it is highest.
+PointText name_in(const Series& band) {
+  std::size_t first = 0, last = 0;
+  const auto height = [&](std::size_t row) { return band.y[row] - band.y_low[row]; };
+  for (std::size_t row = 0; row < band.x.size(); ++row) {
+    if (height(row) > height(first)) first = row;
+    if (height(row) >= height(first)) last = row;
+  }
+  if (band.x.empty() || height(first) <= 0.0) return {kNotGiven, kNotGiven};
+  return {std::sqrt(band.x[first] * band.x[last]), (band.y[first] + band.y_low[first]) / 2, band.name,
+          Tone::ink};
+}
+
 Figure state_figure(const RestResults& results) {
   Plot plot{.x = display_rate_axis(20, 1000),
             .y = {.label = "flings, %; dashed: analytic boundaries, Hz", .low = 0, .high = 100},
-            .series = {share_series(results, FinalState::residual_speed, Tone::vermilion),
-                       share_series(results, FinalState::two_cycle, Tone::orange),
-                       share_series(results, FinalState::zero_speed, Tone::green)}};
+            .series = {share_series(results, FinalState::residual_speed, Tone::blue),
+                       share_series(results, FinalState::two_cycle, Tone::sky_blue),
+                       share_series(results, FinalState::zero_speed, Tone::hairline)}};
+  for (const Series& series : plot.series) plot.texts.push_back(name_in(series));
   for (const RestBoundary& boundary : results.boundaries)
     plot.marks.push_back({.at = boundary.analytic_hz, .text = fmt::format("{:.2f}", boundary.analytic_hz)});
   Figure figure{.title = "How a fling ends on the floor",

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/study/speed_error/speed_error.h"
 
 namespace hyrax {
@@ -23,14 +24,16 @@ constexpr std::array<Look, 9> kLooks = {
      {.tone = Tone::ink, .width_px = 2.0, .dash = Dash::long_dashes}}};
 constexpr Look kAdaptiveLook{
     .form = Form::line_and_points, .tone = Tone::faint, .width_px = 1.5, .marker_size = 0.25};
-// Of a width of its own: where only the dash changes, gnuplot's SVG goes on with the last one.
 constexpr Look kEndOnlyLook{.form = Form::line_and_points,
                             .tone = Tone::faint,
                             .width_px = 1.25,
                             .dash = Dash::short_dashes,
                             .marker_size = 0.25};
 constexpr Look kFrontLook{
-    .form = Form::points, .tone = Tone::ink, .marker = Marker::ring, .marker_size = 1.4};
+    .form = Form::points, .tone = Tone::ink, .marker = Marker::square, .marker_size = 1.5};
+// The rate for which the laws are defined, on every method's line.
+constexpr double kRinged_hz = 60.0;
+constexpr Look kRingLook{.form = Form::points, .tone = Tone::ink, .marker = Marker::ring, .marker_size = 1.2};
 
 // The points that one line joins: a method at all rates, or a family at all tolerances.
 struct Curve {
@@ -63,10 +66,9 @@ class Diagram {
     Plot plot{
         .x = {.label = "cost, ns per simulated second of 60 rows, without set-up", .is_logarithmic = true},
         .y = error_axis(),
-        .when_empty = unsteady_text(study_.probe),
-        .share = 1.3};
+        .when_empty = unsteady_text(study_.probe)};
     if (!study_.probe.is_steady()) return plot;
-    Series front{.name = "Pareto front", .look = kFrontLook};
+    Series front{.name = "Pareto front", .look = kFrontLook}, ring = ring_series();
     for (const Curve* const curve : in_drawing_order()) {
       const MethodKind& method = study_.methods[curve->method];
       if (method.is_reference()) {
@@ -82,6 +84,9 @@ class Diagram {
         series.x.push_back(point->cost.time_ns.median);
         series.x_low.push_back(point->cost.time_ns.low);
         series.x_high.push_back(point->cost.time_ns.high);
+        if (!is_adaptive(*curve)) add_ringed(ring, *point, point->cost.time_ns.median);
+        if (curve->method == 0)
+          plot.texts.push_back({point->cost.time_ns.median, point->errors.position_px, rate_text(*point)});
         if (!point->is_pareto) continue;
         front.x.push_back(point->cost.time_ns.median);
         front.y.push_back(point->errors.position_px);
@@ -89,35 +94,42 @@ class Diagram {
       plot.series.push_back(std::move(series));
     }
     plot.series.push_back(std::move(front));
-    plot.texts = texts();
+    plot.series.push_back(std::move(ring));
+    const std::vector<PointText> names = texts();
+    plot.texts.insert(plot.texts.end(), names.begin(), names.end());
     return plot;
   }
 
   [[nodiscard]] Plot dt_plot() const {
     Plot plot{.x = {.label = "dt, s", .is_logarithmic = true},
               .y = error_axis(),
-              .marks = {{.at = 1.0 / 60.0, .text = "laws defined at 60 Hz", .tone = Tone::quiet}}};
+              .marks = {{.at = 1.0 / kRinged_hz, .text = "laws defined at 60 Hz", .tone = Tone::quiet}}};
+    double longest_s = 0.0;
+    Series ring = ring_series();
     for (const int rate_hz : {15, 60, 240, 960, 3840})
       plot.x.ticks.push_back({1.0 / rate_hz, fmt::format("1/{}", rate_hz)});
     for (const Curve* const curve : in_drawing_order()) {
       if (is_adaptive(*curve) || study_.methods[curve->method].is_reference()) continue;
       Series series = series_of(*curve);
-      for (const WorkPoint* const point : curve->points) series.x.push_back(1.0 / point->rate_hz);
+      for (const WorkPoint* const point : curve->points) {
+        series.x.push_back(1.0 / point->rate_hz);
+        longest_s = std::max(longest_s, series.x.back());
+        add_ringed(ring, *point, series.x.back());
+      }
+      plot.texts.push_back(name_beside(*curve, series));
       plot.series.push_back(std::move(series));
     }
+    plot.series.push_back(std::move(ring));
+    constexpr double kRoomForNames = 250.0;
+    plot.x.high = longest_s * kRoomForNames;
     return plot;
   }
 
   [[nodiscard]] std::vector<LegendEntry> legend() const {
-    std::vector<LegendEntry> entries;
+    std::vector<LegendEntry> entries = {{"60 Hz", kRingLook}};
     bool has_adaptive = false, has_end_only = false;
-    for (const Curve& curve : curves_) {
-      if (is_adaptive(curve))
-        (is_end_only(curve) ? has_end_only : has_adaptive) = true;
-      else if (!study_.methods[curve.method].is_reference())
-        entries.push_back(
-            {study_.methods[curve.method].label + ": " + order_text(curve), series_of(curve).look});
-    }
+    for (const Curve& curve : curves_)
+      if (is_adaptive(curve)) (is_end_only(curve) ? has_end_only : has_adaptive) = true;
     if (!study_.probe.is_steady()) return entries;
     if (has_adaptive) entries.push_back({"GSL's steppers, over tolerances", kAdaptiveLook});
     if (has_end_only) entries.push_back({"the same without rows: their end only", kEndOnlyLook});
@@ -155,22 +167,46 @@ class Diagram {
       series.look.form = Form::line_and_points;
       series.look.marker_size = 0.5;
     }
-    for (const WorkPoint* const point : curve.points)
-      if (point->rate_hz >= from_hz)
-        series.y.push_back(point->errors.is_failed ? kNotGiven : point->errors.position_px);
+    for (const WorkPoint* const point : curve.points) {
+      if (point->rate_hz < from_hz) continue;
+      series.y.push_back(point->errors.is_failed ? kNotGiven : point->errors.position_px);
+      series.point_names.push_back(method.is_adaptive() ? study_.methods[point->method].label
+                                                        : rate_text(*point));
+    }
     return series;
+  }
+
+  static Series ring_series() { return {.name = "60 Hz", .look = kRingLook}; }
+
+  static void add_ringed(Series& ring, const WorkPoint& point, double x) {
+    if (point.rate_hz != kRinged_hz || point.errors.is_failed) return;
+    ring.x.push_back(x);
+    ring.y.push_back(point.errors.position_px);
+  }
+
+  static std::string rate_text(const WorkPoint& point) { return rounded(point.rate_hz) + " Hz"; }
+
+  // A method's name and order, at the end of its line where frames are longest.
+  [[nodiscard]] PointText name_beside(const Curve& curve, const Series& series) const {
+    std::size_t last = 0;
+    for (std::size_t row = 0; row < series.x.size(); ++row)
+      if (!std::isnan(series.y[row]) && series.x[row] >= series.x[last]) last = row;
+    return {series.x[last], series.y[last], series.name + ": " + order_text(curve), series.look.tone};
   }
 
   // No error at all is drawn below the least error, or low enough that large errors do not lie flat.
   [[nodiscard]] Axis error_axis() const {
     constexpr double kLeastAmongLarge_px = 1e-2;
+    constexpr double kRounding_px = 1e-8;
     double least_px = kLeastAmongLarge_px;
     for (const Curve& curve : curves_)
       for (const WorkPoint* const point : curve.points)
         if (point->errors.position_px > 0.0) least_px = std::min(least_px, point->errors.position_px);
     return {.label = "distance, px (largest over the run)",
             .is_logarithmic = true,
-            .zero_at = std::pow(10.0, std::floor(std::log10(least_px)) - 2.0)};
+            .zero_at = std::pow(10.0, std::floor(std::log10(least_px)) - 2.0),
+            .strip_below = kRounding_px,
+            .strip_name = "rounding"};
   }
 
   // The names of GSL's steppers, each at its most accurate point, and what the line of zeros is.
@@ -200,12 +236,11 @@ class Diagram {
     const bool is_exact = std::all_of(curve.points.begin(), curve.points.end(), [](const WorkPoint* point) {
       return point->errors.position_px <= rounding_px(point->errors);
     });
-    if (is_exact) return "exact to rounding";
+    if (is_exact) return "exact";
     for (const OrderFit& fit : study_.orders)
       if (fit.problem == curve.points.front()->problem && fit.method == curve.method)
-        return fmt::format("order {}{:.2f} ± {:.2f}", fit.fit.order < 0.0 ? "−" : "",
-                           std::fabs(fit.fit.order), fit.fit.standard_error);
-    return "too few points for an order";
+        return fmt::format("order {}{:.2f}", fit.fit.order < 0.0 ? "−" : "", std::fabs(fit.fit.order));
+    return "no order";
   }
 
   const SpeedError& study_;
@@ -235,7 +270,8 @@ std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem)
   constexpr double kRounding_px = 0.1;  // All below is drawn as 0.
   Plot plot{.x = {.label = "largest distance from the exact fling, px",
                   .is_logarithmic = true,
-                  .zero_at = kRounding_px}};
+                  .zero_at = kRounding_px,
+                  .zero_text = "≤ 0.1"}};
   Series series{.name = "median", .look = {.form = Form::points, .tone = Tone::blue, .marker_size = 1.0}};
   Share flings;
   for (const MethodBands& bands : study.bands) {

@@ -12,8 +12,7 @@
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/temporary_folder.h"
-#include "tools/report/figure_script.h"
-#include "tools/report/gnuplot.h"
+#include "tools/report/figure_svg.h"
 #include "tools/report/page_template.h"
 
 namespace hyrax {
@@ -51,7 +50,7 @@ void draw(const PairVerdict& scenario, const std::string& path) {
                                         .a = "golden file",
                                         .b = "this program",
                                         .bounds = bounds_of(played.window, played.sprite)});
-  draw_figure(path, figure_script(figure));
+  draw_figure(path, figure);
 }
 
 // The run is written for the page only, which holds all that it needs of it.

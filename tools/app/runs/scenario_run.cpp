@@ -16,6 +16,7 @@
 #include "tools/app/golden/golden_pair.h"
 #include "tools/app/play/play_with_progress.h"
 #include "tools/files/path.h"
+#include "tools/files/text_file.h"
 #include "tools/report/run_figure.h"
 #include "tools/store/drift_tables.h"
 #include "tools/store/trajectory_format.h"
@@ -177,7 +178,7 @@ void RunPicture::contact_ended(std::int64_t index, std::int64_t last_step) {
 }
 
 void RunPicture::draw(const std::string& path, const ScenarioRun& run) const {
-  draw_run_figure(path, run.scenario, rows_, contacts_, run.summary.contacts);
+  write_text_file(path, run_svg(run.scenario, rows_, contacts_, run.summary.contacts));
 }
 
 }  // namespace hyrax

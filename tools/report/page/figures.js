@@ -5,7 +5,7 @@ import { rounded } from './numbers.js';
 
 const svgSpace = 'http://www.w3.org/2000/svg';
 const tone = name => `var(--${name.replaceAll('_', '-')})`;
-const dashes = { solid: null, short_dashes: 'var(--short-dashes)', long_dashes: 'var(--long-dashes)' };
+const dashes = { solid: null, short_dashes: 'var(--short-dashes)', long_dashes: 'var(--long-dashes)', dots: 'var(--dots)' };
 const finite = value => typeof value === 'number' && Number.isFinite(value);
 
 // Points of a series that can be drawn on these axes; `zero_at` holds what is at most that large.
@@ -23,10 +23,10 @@ function axisText(axis, value) {
   const given = axis.ticks.find(each => each.at === value);
   if (given) return given.text;
   if (axis.is_logarithmic) {
-    if (value === axis.zero_at) return '0';
+    if (value === axis.zero_at) return axis.zero_text;
     const exponent = Math.log10(value);
     if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return '';
-    return Math.abs(exponent) <= 3.01 ? rounded(value) : `10${power(Math.round(exponent))}`;
+    return exponent > -3.01 && exponent < 4.01 ? rounded(value) : `10${power(Math.round(exponent))}`;
   }
   if (value !== 0 && Math.abs(value) < 1e-3) return rounded(value, 2);
   return axis.decimals >= 0 ? value.toFixed(axis.decimals).replace('-', '−') : value.toLocaleString('en', { maximumSignificantDigits: 6 }).replace('-', '−');

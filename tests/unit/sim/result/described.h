@@ -107,7 +107,7 @@ inline std::string described(Tone tone) {
 
 inline std::string described(const Look& look) {
   constexpr const char* kForms[] = {"line", "points", "line and points", "band", "bars"};
-  constexpr const char* kDashes[] = {"", " short dashes", " long dashes"};
+  constexpr const char* kDashes[] = {"", " short dashes", " long dashes", " dots"};
   constexpr const char* kMarkers[] = {"dot", "ring", "square"};
   return described(look.tone) + " " + kForms[static_cast<std::size_t>(look.form)] +
          kDashes[static_cast<std::size_t>(look.dash)] + " " + six_digits(look.width_px) + " " +
@@ -120,7 +120,9 @@ inline std::string described(const Axis& axis) {
                      (axis.decimals < 0 ? "" : " decimals " + std::to_string(axis.decimals));
   if (!std::isnan(axis.low) || !std::isnan(axis.high))
     text += " " + six_digits(axis.low) + " .. " + six_digits(axis.high);
-  if (!std::isnan(axis.zero_at)) text += " zero at " + six_digits(axis.zero_at);
+  if (!std::isnan(axis.zero_at)) text += " '" + axis.zero_text + "' at " + six_digits(axis.zero_at);
+  if (!std::isnan(axis.strip_below))
+    text += " strip '" + axis.strip_name + "' below " + six_digits(axis.strip_below);
   for (const Tick& tick : axis.ticks) text += " " + six_digits(tick.at) + "=" + tick.text;
   return axis.categories.empty() ? text : text + " " + described(axis.categories);
 }
@@ -137,6 +139,7 @@ inline std::string described(const std::vector<Plot>& plots) {
       if (!series.y_low.empty()) text += "      y_low " + described(series.y_low) + "\n";
       if (!series.x_low.empty())
         text += "      x_low " + described(series.x_low) + "; x_high " + described(series.x_high) + "\n";
+      if (!series.point_names.empty()) text += "      points " + described(series.point_names) + "\n";
     }
     for (const Mark& mark : plot.marks)
       text += std::string("    mark ") + (mark.is_vertical ? "x " : "y ") + six_digits(mark.at) + " '" +

@@ -1,4 +1,5 @@
-// Everything that each study gives, as data: tables, figures, verdict and summary, against the approved text.
+// Everything that each study gives, as data: tables, figures, verdict and summary, against the approved text;
+// its pictures have no faults.
 #include "tests/unit/sim/result/described.h"
 
 #include "sim/study/study.h"
@@ -6,6 +7,8 @@
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/tools/report/picture_faults.h"
+#include "tools/report/figure_svg.h"
 
 namespace hyrax {
 namespace {
@@ -38,7 +41,13 @@ TEST(Results, OfEveryStudyAreThoseApproved) {
     const Result result = quick(study);
     std::string text;
     for (const Table& table : result.tables) text += described(table);
-    for (const Figure& figure : result.figures) text += described(figure);
+    for (const Figure& figure : result.figures) {
+      text += described(figure);
+      SCOPED_TRACE(study.name + ": " + figure.title);
+      EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{});
+      if (const auto* const plots = std::get_if<std::vector<Plot>>(&figure.body))
+        for (const Plot& plot : *plots) EXPECT_EQ(shared_looks(plot.series), std::vector<std::string>{});
+    }
     text += described(result.verdict) + "summary\n";
     for (const Table& table : result.summary) text += described(table, "  ");
     expect_approved("tests/unit/sim/study/approved/" + study.name + ".txt", text);

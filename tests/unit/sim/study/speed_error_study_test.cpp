@@ -43,10 +43,15 @@ const Series& series_named(const Plot& plot, const std::string& name) {
                        [&](const Series& series) { return series.name == name; });
 }
 
-TEST(SpeedErrorFigure, ItsLegendHasOrdersAndItsSubtitleTheMachine) {
+TEST(SpeedErrorFigure, EachLineHasItsNameAndOrderAndTheSubtitleTheMachine) {
   const Figure figure = speed_error_figure(some_study(), 0, "some machine");
-  EXPECT_EQ(figure.legend[0].text, "the paper's step: order −1.00 ± 0.04");
-  EXPECT_EQ(figure.legend[1].text, "velocity Verlet: order 1.00 ± 0.00");
+  const std::vector<PointText>& names = std::get<std::vector<Plot>>(figure.body)[1].texts;
+  ASSERT_EQ(names.size(), 2u);
+  for (const PointText& name : names) {
+    EXPECT_EQ(name.x, 1.0 / 30.0) << "the end of the line, where frames are longest";
+  }
+  EXPECT_EQ(names[0].text, "velocity Verlet: order 1.00");
+  EXPECT_EQ(names[1].text, "the paper's step: order −1.00") << "over the others";
   EXPECT_TRUE(has(figure.subtitle, "20 repetitions on some machine"));
 }
 
@@ -76,15 +81,25 @@ TEST(SpeedErrorFigure, AFailureIsAGapInItsLine) {
 
 TEST(SpeedErrorFigure, WithoutASteadyClockItHasNoCosts) {
   SpeedError study = some_study();
-  EXPECT_EQ(speed_error_figure(study, 0, "m").legend.size(), 3u);
+  EXPECT_EQ(speed_error_figure(study, 0, "m").legend.size(), 2u);
   study.probe.drift_rel = 0.4;
   const Figure figure = speed_error_figure(study, 0, "m");
   EXPECT_FALSE(has(figure.subtitle, "median"));
-  EXPECT_EQ(figure.legend.size(), 2u) << "no Pareto front";
+  EXPECT_EQ(figure.legend.size(), 1u) << "no Pareto front";
   const std::vector<Plot> plots = plots_of(study);
   EXPECT_TRUE(plots[0].series.empty());
   EXPECT_EQ(plots[0].when_empty, "not measured: clock unsteady (drift 40 %, at most 25 %)");
-  EXPECT_EQ(plots[1].series.size(), 2u);
+  EXPECT_EQ(plots[1].series.size(), 3u) << "two methods and the rings";
+}
+
+TEST(SpeedErrorFigure, SixtyHertzIsRingedInBothPlotsAndPointsHaveTheirRates) {
+  for (const Plot& plot : plots_of(some_study())) {
+    const Series& ring = series_named(plot, "60 Hz");
+    EXPECT_EQ(ring.look.marker, Marker::ring);
+    EXPECT_EQ(ring.x.size(), 2u) << "one on each method's line";
+  }
+  EXPECT_EQ(series_named(plots_of(some_study())[1], "velocity Verlet").point_names,
+            (std::vector<std::string>{"30 Hz", "60 Hz", "240 Hz"}));
 }
 
 TEST(SpeedErrorFigure, TheTruthIsALimitAndNoCurve) {
@@ -95,8 +110,8 @@ TEST(SpeedErrorFigure, TheTruthIsALimitAndNoCurve) {
   ASSERT_EQ(plots[0].marks.size(), 1u);
   EXPECT_EQ(plots[0].marks[0].at, 700.0);
   EXPECT_EQ(plots[0].marks[0].text, "the reference: event-driven");
-  EXPECT_EQ(plots[0].series.size(), 3u) << "two methods and the front";
-  EXPECT_EQ(plots[1].series.size(), 2u);
+  EXPECT_EQ(plots[0].series.size(), 4u) << "two methods, the front and the rings";
+  EXPECT_EQ(plots[1].series.size(), 3u);
 }
 
 TEST(BandsFigure, HasALineForEachMethod) {
@@ -126,13 +141,16 @@ TEST(SpeedErrorFigure, RingsTheParetoFront) {
 
 TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
   SpeedError study = some_study();
-  EXPECT_TRUE(plots_of(study)[0].texts.empty());
+  const auto has_text = [&](const std::string& text) {
+    return std::ranges::any_of(plots_of(study)[0].texts,
+                               [&](const PointText& each) { return each.text == text; });
+  };
+  EXPECT_FALSE(has_text("no error at all"));
   study.points[4].errors.position_px = 0.0;
   study.points[5].errors.position_px = 2e-15;
   const std::vector<Plot> plots = plots_of(study);
   for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17);
-  ASSERT_EQ(plots[0].texts.size(), 1u);
-  EXPECT_EQ(plots[0].texts[0].text, "no error at all");
+  EXPECT_TRUE(has_text("no error at all"));
 }
 
 TEST(SpeedErrorFigure, TheSentencesOnFreeFlightAreOnlyOnItsFigure) {
@@ -160,13 +178,13 @@ TEST(SpeedErrorFigure, NamesEveryStepperAtItsMostAccuratePoint) {
       study.points.push_back(point);
     }
   const std::vector<Plot> plots = plots_of(study);
-  ASSERT_EQ(plots[0].texts.size(), 2u);
-  EXPECT_EQ(plots[0].texts[0].text, "rkck");
-  EXPECT_EQ(plots[0].texts[1].text, "rk4imp");
-  EXPECT_EQ(plots[0].texts[1].y, 1e-6);
+  ASSERT_EQ(plots[0].texts.size(), 4u) << "two rates of the paper's step before them";
+  EXPECT_EQ(plots[0].texts[2].text, "rkck");
+  EXPECT_EQ(plots[0].texts[3].text, "rk4imp");
+  EXPECT_EQ(plots[0].texts[3].y, 1e-6);
   EXPECT_EQ(series_named(plots[0], "GSL rkck").x.size(), 2u);
   EXPECT_EQ(series_named(plots[0], "GSL rkck, end only").x.size(), 2u);
-  EXPECT_EQ(plots[1].series.size(), 2u) << "no adaptive method is drawn against dt";
+  EXPECT_EQ(plots[1].series.size(), 3u) << "no adaptive method is drawn against dt";
 }
 
 TEST(ConvergenceSentences, HaveTheValuesOfTheStudy) {

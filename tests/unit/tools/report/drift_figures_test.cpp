@@ -6,8 +6,8 @@
 #include <string>
 
 #include "tools/report/drift_figures.h"
-#include "tools/report/figure_body.h"
-#include "tools/report/figure_script.h"
+#include "tools/report/figure_svg.h"
+#include "tools/report/look.h"
 
 namespace hyrax {
 namespace {
@@ -53,12 +53,6 @@ double value_at(const Series& series, double x) {
   for (std::size_t row = 0; row < series.x.size(); ++row)
     if (std::fabs(series.x[row] - x) < 1e-9 && !std::isnan(series.y[row])) return series.y[row];
   return std::nan("");
-}
-
-TEST(PowerOfTen, IsWrittenAsPeopleDo) {
-  EXPECT_EQ(power_of_ten(6), "10⁶");
-  EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
-  EXPECT_EQ(power_of_ten(0), "10⁰");
 }
 
 TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
@@ -108,12 +102,45 @@ TEST(EnergyDriftFigure, IsInPercentOfAPixelOfHeightAtLeast) {
   EXPECT_NEAR(value_at(plot_of(energy_drift_of(run)).series[0], 0.15), -750.0, 1e-9);
 }
 
-TEST(ErrorsFigure, CoversEvenDecadesAndHasNoLogarithmOfZero) {
-  const Figure figure = errors_of(MeasuredRun(1));
+TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {
+  MeasuredRun run(1);
+  const Figure figure = errors_of(run);
   const Plot& plot = plot_of(figure);
-  EXPECT_NEAR(std::log10(plot.y.low), -14.0, 1e-9);
-  EXPECT_NEAR(std::log10(plot.y.high), 2.0, 1e-9);
+  EXPECT_DOUBLE_EQ(plot.y.strip_below, 2.0 * 9e-13);
   for (const Series& series : plot.series) EXPECT_TRUE(std::isnan(series.y.front()));
+  for (DrawnRow& row : run.rows) row.errors.implementation_px *= 1e9;
+  EXPECT_TRUE(std::isnan(plot_of(errors_of(run)).y.strip_below)) << "more than rounding";
+}
+
+TEST(ErrorsFigure, ErrorsThatAreTheSameAreOneLine) {
+  MeasuredRun run(1);
+  EXPECT_EQ(plot_of(errors_of(run)).series.size(), 3u);
+  for (DrawnRow& row : run.rows) row.errors.model_px = row.errors.truncation_px;
+  const Figure figure = errors_of(run);
+  ASSERT_EQ(plot_of(figure).series.size(), 2u);
+  EXPECT_EQ(plot_of(figure).series[0].name, "model and truncation error: the same at this dt");
+}
+
+TEST(EnergyFigure, IsLogarithmicUnlessEnergyIsNegative) {
+  MeasuredRun run(2);
+  EXPECT_TRUE(plot_of(energy_of(run)).y.is_logarithmic);
+  run.rows[3].errors.energy_px2_per_s2 = -1.0;
+  EXPECT_FALSE(plot_of(energy_of(run)).y.is_logarithmic);
+}
+
+TEST(DriftFigures, MarkEachInputButWhereAHandLeads) {
+  MeasuredRun run(2);
+  EXPECT_TRUE(plot_of(errors_of(run)).marks.empty());
+  run.scenario.clock.base = FixedRate{60};
+  run.scenario.length = std::int64_t{20};
+  run.scenario.events = {
+      {std::int64_t{6}, Hitch{0.5}}, {std::int64_t{9}, Place{{1, 2}}}, {std::int64_t{12}, Stop{}}};
+  const Figure figure = errors_of(run);
+  const Plot& plot = plot_of(figure);
+  ASSERT_EQ(plot.marks.size(), 2u);
+  EXPECT_EQ(plot.marks[0].text, "hitch");
+  EXPECT_DOUBLE_EQ(plot.marks[0].at, 0.1);
+  EXPECT_EQ(plot.marks[1].text, "stop");
 }
 
 TEST(ErrorsFigure, NoErrorHasTheColourOfAWall) {
@@ -140,8 +167,8 @@ TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
 TEST(DriftFigures, NoteWhereThereIsNoData) {
   const std::vector<Figure> figures = drift_figures(MeasuredRun(0));
   for (std::size_t figure = 1; figure < 4; ++figure)
-    EXPECT_NE(figure_script(figures[figure]).find("no flight of two steps or more"), std::string::npos);
-  EXPECT_NE(figure_script(figures[4]).find("no contact that ends a flight"), std::string::npos);
+    EXPECT_NE(figure_svg(figures[figure]).find("no flight of two steps or more"), std::string::npos);
+  EXPECT_NE(figure_svg(figures[4]).find("no contact that ends a flight"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+// Numbers for people: in pictures and in printed text, and on the pages (numbers.js) by the same rules.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace hyrax {
+
+/// A number with so many decimals at least 0, its thousands apart: "11,400", "-0.50".
+[[nodiscard]] inline std::string with_decimals(double value, int decimals) {
+  char letters[400];
+  // Of two equally near numbers the one farther from 0, as JavaScript does.
+  const double size = std::nextafter(std::fabs(value), HUGE_VAL);
+  std::snprintf(letters, sizeof letters, "%.*f", decimals, value == 0.0 ? 0.0 : size);
+  std::string text = letters;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  for (std::size_t at = point; at > 3; at -= 3) text.insert(at - 3, ",");
+  const bool is_zero = text.find_first_not_of("0.,") == text.npos;
+  return value < 0.0 && !is_zero ? "-" + text : text;
+}
+
+/// `digits` significant digits at least of what is before the point, without needless zeros: "1,234.5",
+/// "0.0312"; below 0.001 and from ten million on with a power of ten, "3.2e-12". A NaN is "–".
+[[nodiscard]] inline std::string rounded(double value, int digits = 4) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value < 0.0 ? "-Infinity" : "Infinity";
+  if (value == 0.0) return "0";
+  const double size = std::fabs(value);
+  if (size >= 1e7 || size < 1e-3) {
+    char letters[40];
+    std::snprintf(letters, sizeof letters, "%.*e", std::min(digits, 2) - 1, value);
+    const std::string text = letters;
+    const std::size_t e = text.find('e');
+    return text.substr(0, e) + "e" + std::to_string(std::stoi(text.substr(e + 1)));
+  }
+  const int decimals = std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 8);
+  std::string text = with_decimals(value, decimals);
+  if (text.find('.') != text.npos) text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+/// "1 step", "11,400 steps".
+[[nodiscard]] inline std::string counted(double count, const std::string& noun) {
+  return with_decimals(count, 0) + " " + noun + (count == 1.0 ? "" : "s");
+}
+
+}  // namespace hyrax

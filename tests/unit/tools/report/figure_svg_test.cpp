@@ -1,0 +1,275 @@
+// Figures made by hand, as SVG.
+#include "tools/report/figure_svg.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <regex>
+
+#include "tests/unit/tools/report/picture_faults.h"
+#include "tools/report/figure_body.h"
+#include "tools/report/plot_scale.h"
+
+namespace hyrax {
+namespace {
+
+bool has(const std::string& svg, const std::string& part) { return svg.find(part) != svg.npos; }
+
+std::string svg_of(Plot plot) { return figure_svg({.title = "t", .body = std::vector{std::move(plot)}}); }
+
+std::optional<SvgBox> box_of(const std::string& svg, const std::string& text) {
+  for (const ShownText& shown : texts_in(svg))
+    if (shown.text == text) return shown.box;
+  return std::nullopt;
+}
+
+SvgPoint place_of(const std::string& svg, const std::string& text) {
+  const std::optional<SvgBox> box = box_of(svg, text);
+  EXPECT_TRUE(box) << text;
+  return box.value_or(SvgBox{}).centre();
+}
+
+// The parts of lines of that colour, each from its own M.
+std::vector<std::string> lines_of_colour(const std::string& svg, Tone tone) {
+  std::vector<std::string> lines;
+  const std::regex path("<path d=\"(M[^\"]*)\" fill=\"none\" stroke=\"" + colour_of(tone) + "\"");
+  for (std::sregex_iterator found(svg.begin(), svg.end(), path), end; found != end; ++found)
+    lines.push_back((*found)[1]);
+  return lines;
+}
+
+std::vector<std::string> texts_of(const PlotScale& scale) {
+  std::vector<std::string> texts;
+  for (const Tick& tick : scale.ticks()) texts.push_back(tick.text);
+  return texts;
+}
+
+PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
+  PlotScale scale(axis, values);
+  scale.place(0.0, length_px, 80.0);
+  return scale;
+}
+
+TEST(PlotScale, TicksAreRoundDistinctAndWithinTheEnds) {
+  const Axis thousands{.low = 0.0, .high = 11'000.0};
+  EXPECT_EQ(texts_of(scale_of(thousands, {})), (std::vector<std::string>{"0", "5,000", "10,000"}));
+  const Axis close{.low = 0.5996, .high = 0.6004, .decimals = 2};
+  EXPECT_EQ(texts_of(scale_of(close, {})),
+            (std::vector<std::string>{"0.5996", "0.5998", "0.6000", "0.6002", "0.6004"}))
+      << "more decimals than asked for, or two were the same";
+  const Axis signs{.low = -3.0, .high = 3.0};
+  EXPECT_EQ(texts_of(scale_of(signs, {})), (std::vector<std::string>{"−2", "0", "2"}));
+}
+
+TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
+  const Axis axis{.is_logarithmic = true, .zero_at = 1e-4};
+  EXPECT_EQ(texts_of(scale_of(axis, {0.0, 1.0})),
+            (std::vector<std::string>{"0", "0.001", "0.01", "0.1", "1"}));
+  EXPECT_EQ(texts_of(scale_of(axis, {0.05, 1.0})), (std::vector<std::string>{"0.1", "1"})) << "no data is 0";
+  const Axis rounding{.is_logarithmic = true, .zero_at = 0.1, .zero_text = "≤ 0.1"};
+  EXPECT_EQ(texts_of(scale_of(rounding, {1e-14, 100.0})).front(), "≤ 0.1");
+  EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
+}
+
+TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
+  const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
+  const PlotScale scale = scale_of(axis, {1e-12, 1e-11, 1.0, 10.0});
+  ASSERT_TRUE(scale.gap());
+  EXPECT_LT(scale.at(1e-11), scale.gap()->to_px);
+  EXPECT_GT(scale.at(1.0), scale.gap()->from_px);
+  EXPECT_GT(scale.at(10.0) - scale.at(1.0), 0.4 * 400.0) << "one decade has most of the axis";
+  for (const Tick& tick : scale.ticks()) EXPECT_TRUE(tick.at < 1e-10 || tick.at > 0.1) << tick.text;
+  EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).gap());
+  EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).gap()) << "nothing is empty between them";
+}
+
+TEST(PlotScale, APowerOfTenIsWrittenAsPeopleDo) {
+  EXPECT_EQ(power_of_ten(6), "10⁶");
+  EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
+  EXPECT_EQ(power_of_ten(0), "10⁰");
+}
+
+TEST(PlotSvg, AMissingValueIsAGapInTheLine) {
+  const Series series{
+      .look = {.tone = Tone::blue}, .x = {1.0, 2.0, 3.0, 4.0}, .y = {1.0, std::nan(""), 3.0, 4.0}};
+  const std::vector<std::string> lines = lines_of_colour(svg_of({.series = {series}}), Tone::blue);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(std::count(lines[0].begin(), lines[0].end(), 'M'), 2);
+}
+
+TEST(PlotSvg, SpreadIsDrawnAsBarsThroughThePoints) {
+  Plot plot{
+      .series = {{.look = {.form = Form::points, .tone = Tone::blue}, .x = {1.0, 2.0}, .y = {3.0, 4.0}}}};
+  EXPECT_TRUE(lines_of_colour(svg_of(plot), Tone::blue).empty());
+  plot.series[0].x_low = {0.5, 1.5};
+  plot.series[0].x_high = {1.25, 2.25};
+  EXPECT_EQ(lines_of_colour(svg_of(plot), Tone::blue).size(), 2u);
+}
+
+TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
+  Plot plot{.x = {.low = 0.0, .high = 10.0},
+            .y = {.low = 0.0, .high = 10.0},
+            .texts = {{5.0, 5.0, "first"}, {5.0, 5.0, "second"}}};
+  plot.series = {{.x = {5.0}, .y = {5.0}}};
+  const std::string free = svg_of(plot);
+  EXPECT_GT(place_of(free, "first").x, place_of(free, "second").x) << "the right of the point is taken";
+  plot.series = {{.x = {5.0, 9.0}, .y = {5.0, 5.0}}};
+  EXPECT_LT(place_of(svg_of(plot), "first").x, place_of(free, "first").x) << "a curve goes to the right";
+}
+
+TEST(PlotSvg, ALineLeadsToALabelThatIsNotBesideItsPoint) {
+  Plot plot{.x = {.low = 0.0, .high = 10.0},
+            .y = {.low = 0.0, .high = 10.0},
+            .series = {{.x = {5.0}, .y = {5.0}}},
+            .texts = {{5.0, 5.0, "first"}}};
+  EXPECT_TRUE(lines_of_colour(svg_of(plot), Tone::quiet).empty());
+  plot.texts.resize(6, plot.texts.front());
+  EXPECT_FALSE(lines_of_colour(svg_of(plot), Tone::quiet).empty())
+      << "right, left, above and below are taken";
+}
+
+TEST(PlotSvg, PlotsShareTheWidthAsTheyAsk) {
+  const Plot plot{.y = {.label = "y"}, .series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
+  Plot wide = plot;
+  wide.share = 3.0;
+  Plot other = plot;
+  other.y.label = "other";
+  const auto left = [&](const Plot& first) {
+    return place_of(figure_svg({.title = "t", .body = std::vector{first, other}}), "other").x;
+  };
+  EXPECT_NEAR(left(wide) - left(plot), 0.25 * sheet_width(std::vector{plot, plot}), 0.1);
+}
+
+TEST(PlotSvg, APlotWithoutPointsSaysWhyAndHasNoAxes) {
+  const Plot drawn{.y = {.label = "distance, px"}, .series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
+  const Plot empty{.y = {.label = "cost, ns"}, .when_empty = "not measured"};
+  for (const std::vector<Plot>& plots : {std::vector{empty, drawn}, {drawn, empty}}) {
+    const std::string svg = figure_svg({.title = "t", .body = plots});
+    EXPECT_TRUE(has(svg, ">not measured</text>"));
+    EXPECT_TRUE(has(svg, ">distance, px</text>"));
+    EXPECT_FALSE(has(svg, "cost, ns"));
+  }
+  EXPECT_TRUE(has(figure_svg({.title = "t", .body = std::vector<Plot>{}}), "nothing to show"));
+}
+
+TEST(PlotSvg, BarsGoFromTheLowEndOfTheAxisInTheirColour) {
+  Plot plot{.x = {.is_logarithmic = true, .low = 0.1, .high = 1000.0},
+            .y = {.categories = {"gravity", "Runge-Kutta"}}};
+  plot.series = {{.look = {.form = Form::bars, .tone = Tone::blue}, .x = {941.0}, .y = {0.0}},
+                 {.look = {.form = Form::bars, .tone = Tone::orange}, .x = {1e-3}, .y = {1.0}}};
+  plot.texts = {{1e-3, 1.0, "below"}};
+  const std::string svg = svg_of(plot);
+  const auto bar = [&](Tone tone) {
+    std::smatch found;
+    EXPECT_TRUE(
+        std::regex_search(svg, found,
+                          std::regex("<rect x=\"([0-9.]+)\" y=\"([0-9.]+)\" width=\"([0-9.]+)\"[^>]*fill=\"" +
+                                     colour_of(tone) + "\"")));
+    return std::array{std::stod(found[1]), std::stod(found[2]), std::stod(found[3])};
+  };
+  EXPECT_EQ(bar(Tone::blue)[0], bar(Tone::orange)[0]);
+  EXPECT_GT(bar(Tone::blue)[2], 700.0);
+  EXPECT_EQ(bar(Tone::orange)[2], 0.0) << "no bar left of the axis";
+  EXPECT_GT(box_of(svg, "below")->left, bar(Tone::orange)[0]) << "no label left of the axis";
+  EXPECT_LT(bar(Tone::blue)[1], bar(Tone::orange)[1]) << "the first category is on top";
+  EXPECT_TRUE(has(svg, ">Runge-Kutta</text>")) << "a hyphen is no minus";
+}
+
+TEST(PlotSvg, ABandIsTheAreaBetweenItsEnds) {
+  Plot plot{.x = {.low = 0, .high = 10}, .y = {.low = 0, .high = 10}};
+  plot.series = {
+      {.look = {.form = Form::band, .tone = Tone::blue}, .x = {1, 2, 2}, .y = {5, 5, 7}, .y_low = {0, 0, 3}}};
+  std::smatch found;
+  const std::string svg = svg_of(plot);
+  ASSERT_TRUE(std::regex_search(svg, found,
+                                std::regex("<path d=\"M([^\"]*)Z\" fill=\"" + colour_of(Tone::blue) + "\"")));
+  const std::string corners = found[1];
+  EXPECT_EQ(std::count(corners.begin(), corners.end(), ','), 6);
+}
+
+TEST(PlotSvg, APointHasItsNameForThePointer) {
+  Plot plot{.series = {{.name = "Verlet",
+                        .look = {.form = Form::points},
+                        .x = {1.0},
+                        .y = {1.0},
+                        .point_names = {"60 Hz"}}}};
+  EXPECT_TRUE(has(svg_of(plot), "<title>Verlet, 60 Hz</title>"));
+}
+
+TEST(Legend, IsARowIfItFitsAndElseLines) {
+  Figure figure{.title = "t", .body = std::vector<Plot>{{.series = {{.x = {1.0}, .y = {1.0}}}}}};
+  figure.legend = {{"one", {}}, {"two", {}}, {"three", {}}};
+  const std::string row = figure_svg(figure);
+  EXPECT_EQ(place_of(row, "one").y, place_of(row, "three").y);
+  const std::string long_end(60, '.');
+  for (LegendEntry& entry : figure.legend) entry.text += long_end;
+  const std::string lines = figure_svg(figure);
+  EXPECT_LT(place_of(lines, "one" + long_end).y, place_of(lines, "three" + long_end).y);
+  EXPECT_TRUE(picture_faults(lines).empty());
+}
+
+TEST(GridSvg, APartOfAFieldHasItsColourAndText) {
+  Grid grid{.rows = {"rest"}, .columns = {{"comes-to-rest", Tone::ink}}};
+  grid.cells = {{0, 0, Tone::good, "7", 0.0, 0.5}, {0, 0, Tone::bad, "17", 0.5, 1.0}};
+  const std::string svg = figure_svg({.title = "Grid", .body = grid});
+  for (const std::string& part : {"fill=\"" + colour_of(Tone::good), "fill=\"" + colour_of(Tone::bad),
+                                  std::string(">7<"), std::string(">17<")})
+    EXPECT_TRUE(has(svg, part)) << part;
+  EXPECT_FALSE(has(svg, colour_of(Tone::notable)));
+}
+
+TEST(FigureSvg, HasADarkPictureOfTheSameColoursAsThePage) {
+  const std::string svg =
+      svg_of({.series = {{.look = {.tone = Tone::blue}, .x = {1.0, 2.0}, .y = {1.0, 2.0}}}});
+  const std::string blue = colour_of(Tone::blue);
+  EXPECT_TRUE(has(svg, "[stroke=\"" + blue + "\"]{stroke:" + dark_of(blue) + "}"));
+  EXPECT_TRUE(
+      has(svg, "[fill=\"" + colour_named("card") + "\"]{fill:" + dark_of(colour_named("card")) + "}"));
+  EXPECT_NE(dark_of(blue), blue);
+}
+
+TEST(FigureSvg, AnAwkwardTextStaysText) {
+  const std::string svg = figure_svg({.title = "it's <b> & \"q\"\n\\", .body = std::vector<Plot>{}});
+  EXPECT_TRUE(has(svg, "<title>it's &lt;b> &amp; &quot;q&quot; \\</title>"));
+}
+
+TEST(Look, TextHasContrastAndSeriesDiffer) {
+  for (const Tone tone : {Tone::ink, Tone::quiet, Tone::vermilion, Tone::orange, Tone::blue, Tone::green,
+                          Tone::purple, Tone::sky_blue, Tone::lavender}) {
+    const std::string colour = colour_of(tone), card = colour_named("card");
+    EXPECT_GE(contrast_of(colour, card), 4.5) << name_of(tone);
+    EXPECT_GE(contrast_of(dark_of(colour), dark_of(card)), 4.5) << name_of(tone);
+  }
+  EXPECT_LT(contrast_of(colour_of(Tone::hairline), colour_named("card")), 4.5) << "a colour that is too pale";
+}
+
+// Each fault is found in a picture that has it.
+TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
+  const auto faults_of = [](const auto& draw) {
+    Sheet sheet{200, 100};
+    draw(sheet.svg);
+    return picture_faults(svg_text("t", sheet));
+  };
+  const Lettering letters{.tone = Tone::ink};
+  EXPECT_TRUE(faults_of([&](Svg& svg) {
+                svg.text({20, 20}, "one", letters), svg.text({20, 50}, "two", letters);
+              }).empty());
+  EXPECT_EQ(faults_of([&](Svg& svg) {
+              svg.text({20, 20}, "one", letters), svg.text({25, 24}, "two", letters);
+            }),
+            std::vector<std::string>{"overlap: one and two"});
+  EXPECT_EQ(faults_of([&](Svg& svg) {
+              svg.text({180, 20}, "long text", letters);
+            }),
+            std::vector<std::string>{"cut: long text"});
+  EXPECT_EQ(faults_of([&](Svg& svg) {
+              svg.text({20, 20}, "pale", {.tone = Tone::hairline});
+            }).front(),
+            "pale: pale");
+  const Series one{.name = "a", .x = {1}, .y = {1}};
+  EXPECT_EQ(shared_looks({one, one}).size(), 1u);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,109 @@
+// What a reader would stumble over in an SVG picture: texts that overlap or are cut, colours too pale to
+// read.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tools/report/look.h"
+#include "tools/report/svg.h"
+
+namespace hyrax {
+
+struct ShownText {
+  std::string text = {};
+  std::string colour = {};
+  SvgBox box = {};
+  bool is_turned = false;
+};
+
+inline std::vector<ShownText> texts_in(const std::string& sheet) {
+  static const std::regex kText(
+      "<text x=\"([-0-9.e]+)\" y=\"([-0-9.e]+)\" font-size=\"([0-9.]+)\"( text-anchor=\"(middle|end)\")?"
+      "( font-weight=\"600\")? fill=\"([^\"]+)\"([^>]*)>([^<]*)</text>");
+  constexpr double kNarrower = 0.95;  // Than the widest font.
+  std::vector<ShownText> texts;
+  for (std::sregex_iterator found(sheet.begin(), sheet.end(), kText), end; found != end; ++found) {
+    const double x = std::stod((*found)[1]), y = std::stod((*found)[2]), size = std::stod((*found)[3]);
+    const double width = kNarrower * text_width((*found)[9].str(), size);
+    const double left = (*found)[5] == "middle" ? x - width / 2 : (*found)[5] == "end" ? x - width : x;
+    texts.push_back({(*found)[9],
+                     (*found)[7],
+                     {left, y - 0.75 * size, left + width, y + 0.2 * size},
+                     (*found)[8].str().find("rotate") != std::string::npos});
+  }
+  return texts;
+}
+
+/// The relative luminance of "#rrggbb" by WCAG 2.
+inline double luminance_of(const std::string& colour) {
+  double sum = 0.0;
+  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double value =
+        static_cast<double>(std::strtol(colour.substr(1 + 2 * channel, 2).c_str(), nullptr, 16)) / 255.0;
+    sum += kWeights[channel] * (value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+
+inline double contrast_of(const std::string& a, const std::string& b) {
+  const auto [low, high] = std::minmax({luminance_of(a), luminance_of(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+inline std::string dark_of(const std::string& light) {
+  for (const auto& [from, to] : light_and_dark())
+    if (from == light) return to;
+  return light;
+}
+
+inline void add_faults(std::vector<std::string>& faults, const std::string& sheet, double width,
+                       double height) {
+  constexpr double kContrast = 4.5;
+  const std::vector<ShownText> texts = texts_in(sheet);
+  for (const ShownText& text : texts) {
+    const SvgBox& box = text.box;
+    if (!text.is_turned && (box.left < 0 || box.top < 0 || box.right > width || box.bottom > height))
+      faults.push_back("cut: " + text.text);
+    for (const auto& [colour, card] : {std::pair(text.colour, colour_named("card")),
+                                       std::pair(dark_of(text.colour), dark_of(colour_named("card")))})
+      if (contrast_of(colour, card) < kContrast) faults.push_back("pale: " + text.text);
+    for (const ShownText& other : texts)
+      if (&text < &other && !text.is_turned && !other.is_turned && box.left < other.box.right - 0.5 &&
+          other.box.left < box.right - 0.5 && box.top < other.box.bottom - 1 &&
+          other.box.top < box.bottom - 1)
+        faults.push_back("overlap: " + text.text + " and " + other.text);
+  }
+}
+
+/// A sentence for each fault, of the picture and of the one that small viewers show.
+inline std::vector<std::string> picture_faults(const std::string& svg) {
+  static const std::regex kSize("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"");
+  const std::size_t narrow = std::min(svg.find("<svg class=\"narrow\""), svg.size());
+  std::vector<std::string> faults;
+  for (const std::string& sheet : {svg.substr(0, narrow), svg.substr(narrow)}) {
+    std::smatch size;
+    if (std::regex_search(sheet, size, kSize))
+      add_faults(faults, sheet, std::stod(size[1]), std::stod(size[2]));
+  }
+  return faults;
+}
+
+/// Pairs of series that no reader can tell apart, but for faint ones, which have their names beside them.
+inline std::vector<std::string> shared_looks(const std::vector<Series>& series) {
+  std::vector<std::string> faults;
+  for (const Series& one : series)
+    for (const Series& other : series)
+      if (&one < &other && one.look.tone != Tone::faint && !one.x.empty() && !other.x.empty() &&
+          one.look.tone == other.look.tone && one.look.form == other.look.form &&
+          one.look.dash == other.look.dash && one.look.marker == other.look.marker)
+        faults.push_back(one.name + " looks like " + other.name);
+  return faults;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,167 @@
+#include "tools/report/plot_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/result/number_text.h"
+#include "tools/report/look.h"
+
+namespace hyrax {
+namespace {
+
+bool is_given(double value) { return !std::isnan(value); }
+
+// 1, 2 or 5 times a power of ten, at least `least`.
+double round_step(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double times : {1.0, 2.0, 5.0})
+    if (times * power >= least * (1.0 - 1e-12)) return times * power;
+  return 10.0 * power;
+}
+
+std::string tick_text(double value, int decimals) {
+  std::string text =
+      std::fabs(value) >= 1e7 || decimals > 6 ? rounded(value, 6) : with_decimals(value, decimals);
+  for (std::size_t at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
+  return text;
+}
+
+}  // namespace
+
+PlotScale::PlotScale(const Axis& axis, const std::vector<double>& values) : axis_(axis) {
+  if (!axis.categories.empty()) {
+    parts_ = {{-0.5, static_cast<double>(axis.categories.size()) - 0.5}};
+    return;
+  }
+  const double split = is_given(axis.strip_below) ? axis.strip_below : -HUGE_VAL;
+  Part strip{HUGE_VAL, -HUGE_VAL}, rest = strip;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    const bool is_zero = is_given(axis.zero_at) && value <= axis.zero_at;
+    has_zeros_ = has_zeros_ || is_zero;
+    const double shown = is_zero ? axis.zero_at : value;
+    if (axis.is_logarithmic && shown <= 0.0) continue;
+    Part& part = shown <= split ? strip : rest;
+    part.low = std::min(part.low, shown);
+    part.high = std::max(part.high, shown);
+  }
+  const bool has_rest = rest.low <= rest.high, has_strip = strip.low <= strip.high;
+  constexpr double kEmptyTimes = 100.0;  // Decades that a strip is for.
+  if (has_strip && has_rest && rest.low > kEmptyTimes * strip.high)
+    parts_ = {ends_of(strip.low, strip.high), ends_of(rest.low, rest.high)};
+  else if (has_strip || has_rest)
+    parts_ = {ends_of(std::min(strip.low, rest.low), std::max(strip.high, rest.high))};
+  else
+    parts_ = {axis.is_logarithmic ? Part{1.0, 10.0} : Part{0.0, 1.0}};
+  if (is_given(axis.low)) parts_.front().low = axis.low;
+  if (is_given(axis.high)) parts_.back().high = axis.high;
+}
+
+PlotScale::Part PlotScale::ends_of(double low, double high) const {
+  constexpr double kSpace = 0.05;
+  if (axis_.is_logarithmic) {
+    const double factor = std::max(1.4, std::pow(high / low, kSpace));
+    return {low / factor, high * factor};
+  }
+  const double space = high > low ? kSpace * (high - low) : 0.5 * std::max(std::fabs(low), 1.0);
+  return {low - space, high + space};
+}
+
+void PlotScale::place(double low_px, double high_px, double apart_px) {
+  constexpr double kStrip = 0.27;  // Of the axis's length.
+  constexpr double kGap_px = 10.0;
+  apart_px_ = apart_px;
+  if (axis_.is_reversed) std::swap(low_px, high_px);
+  parts_.front().low_px = low_px;
+  parts_.back().high_px = high_px;
+  if (parts_.size() == 1) return;
+  const double direction = high_px > low_px ? 1.0 : -1.0;
+  parts_.front().high_px = low_px + kStrip * (high_px - low_px);
+  parts_.back().low_px = parts_.front().high_px + direction * kGap_px;
+}
+
+void PlotScale::make_equal(PlotScale& x, PlotScale& y) {
+  const auto per_px = [](const Part& part) {
+    return (part.high - part.low) / std::fabs(part.high_px - part.low_px);
+  };
+  const double factor = per_px(y.parts_.front()) / per_px(x.parts_.front());
+  PlotScale& widened = factor > 1.0 ? x : y;
+  if (is_given(widened.axis_.low)) return;
+  Part& part = widened.parts_.front();
+  const double space = 0.5 * (std::max(factor, 1.0 / factor) - 1.0) * (part.high - part.low);
+  part.low -= space;
+  part.high += space;
+}
+
+const PlotScale::Part& PlotScale::part_of(double value) const {
+  return value <= axis_.strip_below ? parts_.front() : parts_.back();
+}
+
+double PlotScale::at(double value) const {
+  if (is_given(axis_.zero_at) && value <= axis_.zero_at) value = axis_.zero_at;
+  if (axis_.is_logarithmic && value <= 0.0) return NAN;
+  const Part& part = part_of(value);
+  const double place = axis_.is_logarithmic ? std::log(value / part.low) / std::log(part.high / part.low)
+                                            : (value - part.low) / (part.high - part.low);
+  return part.low_px + place * (part.high_px - part.low_px);
+}
+
+double PlotScale::clamped(double value) const {
+  const Part& part = part_of(value);
+  return at(std::clamp(value, part.low, part.high));
+}
+
+std::optional<PlotScale::Gap> PlotScale::gap() const {
+  if (parts_.size() == 1) return std::nullopt;
+  return Gap{parts_.back().low_px, parts_.front().high_px};
+}
+
+void PlotScale::add_powers_of_ten(std::vector<Tick>& ticks, const Part& part) const {
+  const auto is_plain = [](int exponent) { return exponent >= -3 && exponent <= 4; };  // Read more easily.
+  const int low = static_cast<int>(std::ceil(std::log10(part.low) - 1e-9));
+  const int high = static_cast<int>(std::floor(std::log10(part.high) + 1e-9));
+  const double px_a_decade = std::fabs(part.high_px - part.low_px) / std::log10(part.high / part.low);
+  const int every = std::max(1, static_cast<int>(std::ceil(0.6 * apart_px_ / px_a_decade)));
+  const auto add = [&](double at, const std::string& text) {
+    const bool is_inside = at >= part.low * (1.0 - 1e-9) && at <= part.high * (1.0 + 1e-9);
+    if (is_inside && !(at <= axis_.zero_at * 1.01)) ticks.push_back({at, text});
+  };
+  const bool has_between = high - low < 1;
+  for (int exponent = low - 1; exponent <= high; ++exponent) {
+    const double power = std::pow(10.0, exponent);
+    if (exponent % every == 0) add(power, is_plain(exponent) ? rounded(power) : power_of_ten(exponent));
+    for (const double times : {2.0, 5.0})
+      if (has_between) add(times * power, rounded(times * power));
+  }
+}
+
+void PlotScale::add_round_numbers(std::vector<Tick>& ticks) const {
+  const Part& part = parts_.front();
+  const double span = part.high - part.low;
+  const double step = round_step(span * apart_px_ / std::fabs(part.high_px - part.low_px));
+  const int needed = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  for (double number = std::ceil(part.low / step - 1e-9); number * step <= part.high + 1e-9 * span;
+       number += 1.0)
+    ticks.push_back({number * step, tick_text(number * step, std::max(axis_.decimals, needed))});
+}
+
+std::vector<Tick> PlotScale::ticks() const {
+  std::vector<Tick> ticks;
+  if (!axis_.categories.empty()) {
+    for (const std::string& category : axis_.categories)
+      ticks.push_back({static_cast<double>(ticks.size()), category});
+    return ticks;
+  }
+  if (has_zeros_) ticks.push_back({axis_.zero_at, axis_.zero_text});
+  for (const Tick& tick : axis_.ticks)
+    if (tick.at >= parts_.front().low && tick.at <= parts_.back().high) ticks.push_back(tick);
+  std::ranges::sort(ticks, {}, &Tick::at);
+  if (!axis_.ticks.empty()) return ticks;
+  if (!axis_.is_logarithmic) add_round_numbers(ticks);
+  for (const Part& part : parts_)
+    if (axis_.is_logarithmic) add_powers_of_ten(ticks, part);
+  return ticks;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,90 @@
+// An SVG picture: lines, areas, signs and text in px from its upper left corner.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/report/look.h"
+
+namespace hyrax {
+
+struct SvgPoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+struct SvgBox {
+  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+
+  [[nodiscard]] double width() const { return right - left; }
+  [[nodiscard]] double height() const { return bottom - top; }
+  [[nodiscard]] SvgPoint centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
+};
+
+struct Pen {
+  std::string_view colour;  ///< As of look.h.
+  double width = 1.5;
+  Dash dash = Dash::solid;
+};
+
+enum class Side : std::uint8_t { left, middle, right };
+
+struct Lettering {
+  double size = 13.0;
+  Tone tone = Tone::quiet;
+  Side side = Side::left;  ///< Which part of the text is at its place.
+  bool is_bold = false;
+  bool has_edge = false;    ///< Of the card's colour, by which it is readable over a line.
+  double turned_deg = 0.0;  ///< Upwards.
+};
+
+class Svg {
+ public:
+  /// A point that is not finite interrupts the line.
+  void line(const std::vector<SvgPoint>& points, const Pen& pen);
+  void area(const std::vector<SvgPoint>& corners, std::string_view colour, double opacity = 1.0);
+  void box(const SvgBox& box, std::string_view colour, double corner = 0.0, double opacity = 1.0);
+  void outline(const SvgBox& box, const Pen& pen, double corner = 0.0);
+  /// @param tip what a viewer shows of it under the pointer; may be empty.
+  void sign(SvgPoint at, Marker marker, double size, std::string_view colour, std::string_view tip = {});
+  void cross(SvgPoint at, double arm, const Pen& pen);
+  void arrow(SvgPoint from, SvgPoint to, std::string_view colour);
+  /// The place is at half the height of its letters. Control characters become blanks.
+  void text(SvgPoint at, std::string_view text, const Lettering& lettering);
+
+  /// What follows belongs to something with a name, until `end`.
+  void begin(std::string_view name);
+  void end() { body_ += "</g>\n"; }
+  /// What follows is drawn inside the box only, until `end_clip`.
+  void begin_clip(const SvgBox& box);
+  void end_clip() { body_ += "</svg>\n"; }
+
+  [[nodiscard]] const std::string& body() const { return body_; }
+
+ private:
+  std::string body_;
+};
+
+/// What is drawn, with its size.
+struct Sheet {
+  double width = 0.0;
+  double height = 0.0;
+  Svg svg = {};
+};
+
+/// The text of an SVG file: a card with the sheet on it, light or dark as its reader prefers.
+/// @param narrow of the same proportions: takes the first one's place where that would be too small to read.
+[[nodiscard]] std::string svg_text(std::string_view title, const Sheet& sheet, const Sheet* narrow = nullptr);
+
+/// Lines of text no wider than `width`, broken at blanks.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view text, double width, double size);
+
+/// Draws title, subtitle and note at the top of a sheet of that width; returns where they end.
+double draw_head(Svg& svg, double width, std::string_view title, std::string_view subtitle,
+                 std::string_view note, Tone note_tone);
+
+inline constexpr double kSheetMargin = 26.0;  ///< From the card's edge to text, in px.
+
+}  // namespace hyrax
