@@ -89,7 +89,7 @@ class RunPicture final : public RowSink {
   void contact_began(const Contact& contact) override;
   void contact_ended(std::int64_t index, std::int64_t last_step) override;
 
-  /// ERRORS: those of draw_run_figure.
+  /// ERRORS: those of write_text_file.
   void draw(const std::string& path, const ScenarioRun& run) const;
 
  private:

@@ -1,12 +1,12 @@
-// Numbers for people.
+// Numbers for people, by the rules of sim/result/number_text.h.
 
-/** `digits` significant digits, without needless zeros: 1234.5, 3.2e-12. */
+/** `digits` significant digits, without needless zeros: 1,234.5, 3.2e−12. */
 export function rounded(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';
   if (typeof value === 'string' || !Number.isFinite(value)) return String(value);
   if (value === 0) return '0';
   const size = Math.abs(value);
-  if (size >= 1e7 || size < 1e-3) return value.toExponential(Math.min(digits, 2) - 1).replace('-', '−').replace('e−', 'e−').replace('e+', 'e');
+  if (size >= 1e7 || size < 1e-3) return value.toExponential(Math.min(digits, 2) - 1).replaceAll('-', '−').replace('e+', 'e');
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   return grouped(Number(value.toFixed(Math.min(decimals, 8))), 8);
 }
