@@ -33,7 +33,8 @@ namespace hyrax {
     std::snprintf(letters, sizeof letters, "%.*e", std::min(digits, 2) - 1, value);
     const std::string text = letters;
     const std::size_t e = text.find('e');
-    return text.substr(0, e) + "e" + std::to_string(std::stoi(text.substr(e + 1)));
+    return text.substr(0, text.substr(0, e).ends_with(".0") ? e - 2 : e) + "e" +
+           std::to_string(std::stoi(text.substr(e + 1)));
   }
   const int decimals = std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 8);
   std::string text = with_decimals(value, decimals);

@@ -222,7 +222,7 @@ class Figures(DriftTest):
         self.assertEqual(self.names("out"), ["fling-drift-causes.svg", "fling-energy-drift.svg", "fling-energy.svg",
                                              "fling-errors.svg", "fling-restitution.svg", "fling-whole.svg"])
         for name, texts in (("whole", ("time, s", "distance, px")), ("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
-                            ("errors", ("time, s", "distance, px", "10⁻¹²")), ("restitution", ("0.60", "0.6, the paper")),
+                            ("errors", ("time, s", "distance, px", "10⁻¹³")), ("restitution", ("0.60", "0.6, the paper")),
                             ("drift-causes", ("time, s", "px of height", "lift out of walls"))):
             for text in texts:
                 self.assertIn(text, self.texts(f"out/fling-{name}.svg"))

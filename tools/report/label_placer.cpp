@@ -94,7 +94,7 @@ std::vector<SvgPoint> LabelPlacer::centres_around(SvgPoint at, std::string_view 
   const double half = width(text) / 2 + 6;
   std::vector<SvgPoint> centres;
   constexpr double kNearest = 14.0;
-  for (const double away : {kNearest, 28.0, 42.0, 56.0, 70.0})
+  for (const double away : {kNearest, 28.0, 42.0, 56.0, 70.0, 84.0, 98.0})
     centres.insert(centres.end(), {{at.x + half + away - kNearest, at.y},
                                    {at.x - half - away + kNearest, at.y},
                                    {at.x, at.y - away},

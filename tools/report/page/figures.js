@@ -83,7 +83,7 @@ const scaleOf = (axis, domain, isY) => ({ type: axis.is_logarithmic ? 'log' : 'l
 // What a reader sees of one point: names and values with their units.
 function tipText(point, plot) {
   const value = (axis, number) => (axis.categories.length ? (axis.categories[Math.round(number)] ?? '') : rounded(number, 5));
-  const lines = [point.series.name, `${plot.x.label || 'x'}: ${value(plot.x, point.series.x[point.i])}`, `${plot.y.label || 'y'}: ${value(plot.y, point.series.y[point.i])}`];
+  const lines = [[point.series.name, point.series.point_names?.[point.i]].filter(Boolean).join(', '), `${plot.x.label || 'x'}: ${value(plot.x, point.series.x[point.i])}`, `${plot.y.label || 'y'}: ${value(plot.y, point.series.y[point.i])}`];
   if (finite(point.y_low)) lines.push(`from ${rounded(point.y_low, 5)}`);
   if (finite(point.x_low)) lines.push(`spread: ${rounded(point.x_low, 4)} .. ${rounded(point.x_high, 4)}`);
   return lines.filter(Boolean).join('\n');
