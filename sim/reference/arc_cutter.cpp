@@ -61,6 +61,7 @@ void ArcCutter::row(const Row& row) {
     else
       close(end_at(row.contact), &row);
   }
+  if (row.step != 0 && row.contact == 0 && !playback_.has_inputs_after(row.step)) return;
   Row start = row;
   const InputChange change = playback_.apply(start);
   if (is_open_ && change.ends_arc) close(change.grabs ? ArcEnd::hold : ArcEnd::input, nullptr);

@@ -2,8 +2,11 @@
 
 namespace hyrax {
 
-ArcSolution::ArcSolution(const Model& model) : gravity_(model.gravity_px_per_s2), powers_(model) {
-  model_rate_per_s_ = -powers_.log_air_drag() * model.model_rate_hz;
+ArcSolution::ArcSolution(const Model& model)
+    : gravity_(model.gravity_px_per_s2),
+      model_rate_hz_(model.model_rate_hz),
+      powers_(FramePowers::of(model)) {
+  model_rate_per_s_ = -powers_->log_air_drag() * model_rate_hz_;
 }
 
 void ArcSolution::start(const Velocity& velocity, bool solves_x) {
@@ -16,9 +19,10 @@ void ArcSolution::start(const Velocity& velocity, bool solves_x) {
   }
   dt_s_ = 0.0;
   frames_ = 0;
+  was_at_model_rate_ = true;
 }
 
-Position ArcSolution::model() const {
+Position ArcSolution::model_at_other_rates() const {
   const double t_s = elapsed_s();
   const Phi p = phi(-model_rate_per_s_ * t_s);
   return {solves_x_ ? t_s * (first_.vx_px_per_s * p.one) : 0.0,
@@ -28,9 +32,10 @@ Position ArcSolution::model() const {
 void ArcSolution::open_segment(double dt_s) {
   if (frames_ > 0) {
     start_.t = start_.t + two_product(frames(), dt_s_);
-    move_on(start_.discrete, powers_.wide_discrete(frames_));
-    move_on(start_.matched, powers_.wide_matched(frames_));
-    move_on(start_.exact_law, powers_.wide_exact_law(frames_));
+    move_on(start_.discrete, powers_->wide_discrete(frames_));
+    move_on(start_.matched, powers_->wide_matched(frames_));
+    move_on(start_.exact_law, powers_->wide_exact_law(frames_));
+    was_at_model_rate_ = was_at_model_rate_ && is_at_model_rate();
     start_.dt_squares = start_.dt_squares + two_product(dt_s_, dt_s_) * frames();
   }
   dt_s_ = dt_s;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sim/reference/double_double.h"
@@ -46,8 +47,10 @@ class FramePowers {
 
   /// REQUIRES: 0.5 <= model.air_drag <= 1.
   explicit FramePowers(const Model& model);
+  /// Those of the paper's drag are made once.
+  [[nodiscard]] static std::shared_ptr<const FramePowers> of(const Model& model);
 
-  /// REQUIRES: n <= kFramesMax, and reach(n) was called.
+  /// REQUIRES: n <= kFramesMax.
   [[nodiscard]] const FramePower<double>& discrete(std::size_t n) const { return rounded_[n].discrete; }
   [[nodiscard]] const FramePower<double>& matched(std::size_t n) const { return rounded_[n].matched; }
   [[nodiscard]] const FramePower<double>& exact_law(std::size_t n) const { return rounded_[n].exact_law; }
@@ -57,11 +60,6 @@ class FramePowers {
   [[nodiscard]] const FramePower<DoubleDouble>& wide_matched(std::size_t n) const { return wide_[n].matched; }
   [[nodiscard]] const FramePower<DoubleDouble>& wide_exact_law(std::size_t n) const {
     return wide_[n].exact_law;
-  }
-
-  /// Makes the coefficients up to n.
-  void reach(std::size_t n) {
-    while (rounded_.size() <= n) extend();
   }
 
   /// ln(a); the matched drag rate of a frame is -ln(a) / dt.
@@ -109,27 +107,32 @@ class ArcSolution {
   /// Flies one frame on. REQUIRES: dt_s >= 0.
   void advance(double dt_s) {
     if (frames_ == FramePowers::kFramesMax || !is_equal(dt_s)) open_segment(dt_s);
-    powers_.reach(++frames_);
+    ++frames_;
   }
 
   /// Since the arc's first row.
   [[nodiscard]] double elapsed_s() const { return start_.t.hi + (frames() * dt_s_ + start_.t.lo); }
   [[nodiscard]] bool solves_x() const { return solves_x_; }
 
-  [[nodiscard]] Flight discrete() const { return flight(powers_.discrete(frames_), start_.discrete); }
-  [[nodiscard]] Flight matched() const { return flight(powers_.matched(frames_), start_.matched); }
-  [[nodiscard]] Flight exact_law() const { return flight(powers_.exact_law(frames_), start_.exact_law); }
+  [[nodiscard]] Flight discrete() const { return flight(powers_->discrete(frames_), start_.discrete); }
+  [[nodiscard]] Flight matched() const { return flight(powers_->matched(frames_), start_.matched); }
+  [[nodiscard]] Flight exact_law() const { return flight(powers_->exact_law(frames_), start_.exact_law); }
   /// What the discretisation of gravity did to the energy since the arc's first row, px^2/s^2: along the
   /// exact law de/dt = -k v^2 - g eta, so it is -sum of g eta_i dt_i over the frames, whatever the speed.
   [[nodiscard]] double gravity_energy_px2_per_s2() const {
     const double dt_squares = start_.dt_squares.hi + (frames() * (dt_s_ * dt_s_) + start_.dt_squares.lo);
-    return -gravity_ * gravity_ * powers_.shift() * dt_squares;
+    return -gravity_ * gravity_ * powers_->shift() * dt_squares;
   }
-  /// Displacement alone; of its speeds nothing is asked.
-  [[nodiscard]] Position model() const;
+  /// Displacement alone; of its speeds nothing is asked. The matched ODE's where all frames of the arc had
+  /// the model's rate.
+  [[nodiscard]] Position model() const {
+    if (!was_at_model_rate_ || !is_at_model_rate()) return model_at_other_rates();
+    const Flight same = matched();
+    return {same.dx_px, same.dy_px};
+  }
 
   /// ln(a); the matched drag rate of a frame is -ln(a) / dt.
-  [[nodiscard]] double log_air_drag() const { return powers_.log_air_drag(); }
+  [[nodiscard]] double log_air_drag() const { return powers_->log_air_drag(); }
 
  private:
   struct WideAxis {
@@ -152,6 +155,8 @@ class ArcSolution {
   [[nodiscard]] double frames() const { return static_cast<double>(frames_); }
   [[nodiscard]] bool is_equal(double dt_s) const { return same_bits(dt_s, dt_s_); }
   void open_segment(double dt_s);
+  [[nodiscard]] bool is_at_model_rate() const { return dt_s_ * model_rate_hz_ == 1.0; }
+  [[nodiscard]] Position model_at_other_rates() const;
   void move_on(WideFlight& flight, const FramePower<DoubleDouble>& power) const;
 
   [[nodiscard]] Flight flight(const FramePower<double>& power, const WideFlight& from) const {
@@ -166,13 +171,15 @@ class ArcSolution {
   }
 
   double gravity_;
+  double model_rate_hz_;
   double model_rate_per_s_;
-  FramePowers powers_;
+  std::shared_ptr<const FramePowers> powers_;
   bool solves_x_ = true;
   Velocity first_;
   Segment start_;
   double dt_s_ = 0.0;
   std::size_t frames_ = 0;
+  bool was_at_model_rate_ = true;  // In all frames before the segment.
 };
 
 }  // namespace hyrax

@@ -32,6 +32,12 @@ FramePowers::FramePowers(const Model& model) : air_drag_(model.air_drag), log_(w
   wide_.reserve(kFramesMax + 1);
   constexpr DoubleDouble kOne{1.0, 0.0};
   push({{kOne, {}, {}}, {kOne, {}, {}}, {kOne, {}, {}}});
+  while (rounded_.size() <= kFramesMax) extend();
+}
+
+std::shared_ptr<const FramePowers> FramePowers::of(const Model& model) {
+  static const auto kPaper = std::make_shared<const FramePowers>(Model{});
+  return model.air_drag == Model{}.air_drag ? kPaper : std::make_shared<const FramePowers>(model);
 }
 
 void FramePowers::extend() {

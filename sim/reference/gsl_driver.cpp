@@ -42,7 +42,9 @@ const gsl_odeiv2_step_type* type_of(GslStepper stepper) {
 }  // namespace
 
 GslDriver::GslDriver(const GslOptions& options, std::size_t axes)
-    : force_{.axes = axes},
+    : tolerance_(options.tolerance),
+      is_rk8pd_(options.stepper == GslStepper::rk8pd),
+      force_{.axes = axes},
       system_{axes == 1 ? derivatives<1> : derivatives<2>, jacobian, 2 * axes, &force_} {
   driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, type_of(options.stepper), kFirstStep_frames,
                                               options.tolerance, options.tolerance));
@@ -61,8 +63,27 @@ bool GslDriver::advance(double frame_s, double drag) {
   if (!(frame_s >= 0.0) || !std::isfinite(frame_s)) return false;
   if (frames_ == kFramesPerPiece || frame_s != force_.frame_s || drag != force_.drag) restart(frame_s, drag);
   ++frames_;
-  const int status = gsl_odeiv2_driver_apply(driver_.get(), &time_frames_, frames_, state_.data());
-  return status == GSL_SUCCESS && is_sound();
+  if (!takes_whole_frame() &&
+      gsl_odeiv2_driver_apply(driver_.get(), &time_frames_, frames_, state_.data()) != GSL_SUCCESS)
+    return false;
+  return is_sound();
+}
+
+// The driver's own first step, and its judgement, without what it does to choose the length of the next one.
+bool GslDriver::takes_whole_frame() {
+  if (!tries_whole_frames_) return false;
+  const std::array<double, 2 * kAxesMax> before = state_;
+  std::array<double, 2 * kAxesMax> errors{};
+  const int status = gsl_odeiv2_step_apply(driver_->s, time_frames_, kFirstStep_frames, state_.data(),
+                                           errors.data(), nullptr, nullptr, &system_);
+  for (std::size_t index = 0; index < 2 * force_.axes; ++index)
+    tries_whole_frames_ = tries_whole_frames_ && status == GSL_SUCCESS &&
+                          std::fabs(errors[index]) <= 1.1 * tolerance_ * (1.0 + std::fabs(state_[index]));
+  if (tries_whole_frames_)
+    time_frames_ += kFirstStep_frames;
+  else
+    state_ = before;
+  return tries_whole_frames_;
 }
 
 AxisMotion GslDriver::at(std::size_t axis) const {
@@ -87,15 +108,13 @@ void GslDriver::restart(double frame_s, double drag) {
   }
   time_frames_ = 0.0;
   frames_ = 0;
+  tries_whole_frames_ = is_rk8pd_;
   gsl_odeiv2_driver_reset_hstart(driver_.get(), kFirstStep_frames);
 }
 
 bool GslDriver::is_sound() const {
   double sum = 0.0;
-  for (std::size_t axis = 0; axis < force_.axes; ++axis) {
-    const AxisMotion now = at(axis);
-    sum += (now.displacement_px - now.displacement_px) + (now.speed_px_per_s - now.speed_px_per_s);
-  }
+  for (const double value : state_) sum += value - value;
   return sum == 0.0;  // Not so where a value is infinite or NaN.
 }
 

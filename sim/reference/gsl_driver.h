@@ -58,8 +58,12 @@ class GslDriver {
   static int derivatives(double time, const double state[], double rates[], void* force);
   static int jacobian(double time, const double state[], double by_state[], double by_time[], void* force);
   void restart(double frame_s, double drag);
+  [[nodiscard]] bool takes_whole_frame();
   [[nodiscard]] bool is_sound() const;
 
+  double tolerance_;
+  bool is_rk8pd_;
+  bool tries_whole_frames_ = false;  // Until one is not accurate enough.
   Force force_;
   gsl_odeiv2_system system_;
   std::unique_ptr<gsl_odeiv2_driver, Free> driver_;

@@ -25,9 +25,9 @@ class InputPlayback {
 
   /// Applies the inputs of frame `row.step`, the frame after the row, to the row's state.
   /// REQUIRES: called for every row in order.
-  InputChange apply(Row& row) {
-    if (next_ == inputs_.size() || inputs_[next_].frame > row.step) return {};
-    return apply_due(row);
+  InputChange apply(Row& row) { return has_inputs_after(row.step) ? apply_due(row) : InputChange{}; }
+  [[nodiscard]] bool has_inputs_after(std::int64_t step) const {
+    return next_ < inputs_.size() && inputs_[next_].frame <= step;
   }
 
   [[nodiscard]] bool is_held() const { return is_held_; }

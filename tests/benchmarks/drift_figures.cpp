@@ -148,7 +148,7 @@ void drift_ratios(const std::string& what, const Scenario& scenario, std::vector
                          repeat([&] { measure(scenario, &gsl); })},
                         kRounds);
   figures.push_back(
-      ratio("drift of " + what + ", closed form, every row, times naive", timings[1], timings[0], 20.0));
+      ratio("drift of " + what + ", closed form, every row, times naive", timings[1], timings[0], 15.0));
   figures.push_back(ratio("drift of " + what + ", GSL beside it, times naive", timings[2], timings[0], 60.0));
 }
 

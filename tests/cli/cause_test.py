@@ -196,6 +196,11 @@ class Causes(CauseTest):
 class Text(CauseTest):
     """What is printed."""
 
+    def test_names_of_the_program_s_own_are_not(self):
+        for core in ("gravity_stronger", "side_walls_softer", "right_does_not_turn", "frames_longer", "bounce_explodes"):
+            text = self.altered(core, "--verbose").out
+            self.assertEqual(re.findall(r"\b[a-z]+_\w+", text.replace(f"ALTERED_CORE {core};", "")), [])
+
     def test_one_paragraph_says_cause_distance_contacts_and_rest(self):
         text = self.altered("gravity_stronger").out
         self.assertRegex(text, r"^core: changed\n  line \d+ +constant: GRAVITY 1200 -> 1250; alone reproduces 3\n"

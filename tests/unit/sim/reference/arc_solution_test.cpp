@@ -126,8 +126,7 @@ TEST(ExactLaw, IsWhatTheStepDoesToSixtyDigits) {
 // As functions of z = n ln a, and as sums over n frames: nothing but a and a^n is common to both.
 TEST(ExactLaw, HasTheCoefficientsOfTheStepInEveryFrame) {
   for (const double air_drag : {0.5, 0.9, 0.999, 1.0 - 1e-4, 1.0 - 1e-5, 1.0 - 1e-9, 1.0}) {
-    FramePowers powers(Model{.air_drag = air_drag});
-    powers.reach(FramePowers::kFramesMax);
+    const FramePowers powers(Model{.air_drag = air_drag});
     for (std::size_t n = 1; n <= FramePowers::kFramesMax; ++n) {
       const FramePower<DoubleDouble>&law = powers.wide_exact_law(n), &step = powers.wide_discrete(n);
       EXPECT_LT(std::fabs((law.sum + -step.sum).hi), 1e-21 * step.sum.hi) << air_drag << ", " << n;
@@ -236,12 +235,19 @@ TEST(ModelFlight, KeepsTheDragRateOf60HzAtAnyFrameRate) {
   }
 }
 
-TEST(ModelFlight, IsTheMatchedOneAt60Hz) {
-  ArcSolution solution((Model()));
-  solution.start({500.0, -900.0}, true);
-  for (int i = 0; i < 600; ++i) solution.advance(1.0 / 60);
-  EXPECT_NEAR(solution.model().y_px, solution.matched().dy_px, 1e-10);  // Of 46,000 px.
-  EXPECT_NEAR(solution.model().x_px, solution.matched().dx_px, 1e-11);
+TEST(ModelFlight, KeepsItWhereFramesOf60HzFollowOthersOrAreFollowedByThem) {
+  for (const double other_s : {0.0, 0.5, 1.0 / 60})
+    for (const bool is_first : {false, true}) {
+      ArcSolution solution((Model()));
+      solution.start({500.0, -900.0}, true);
+      if (is_first) solution.advance(other_s);
+      for (int i = 0; i < 200; ++i) solution.advance(1.0 / 60);
+      if (!is_first) solution.advance(other_s);
+      const double k = -std::log(kAirDrag) * 60;
+      const double t_s = 200.0 / 60 + other_s;
+      EXPECT_NEAR(solution.model().y_px, fly(-900.0, kGravity, k, t_s).displacement_px, 1e-11) << other_s;
+      EXPECT_NEAR(solution.model().x_px, fly(500.0, 0.0, k, t_s).displacement_px, 1e-12) << other_s;
+    }
 }
 
 TEST(ArcSolution, WithoutDragIsNewtonsParabolaAndItsSums) {
