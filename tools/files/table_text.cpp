@@ -173,11 +173,10 @@ std::string key_of(const Column& column) {
 }
 
 std::string aligned_text(const Table& table) {
-  const auto fits = [](const std::string& text) { return letters(text.substr(0, text.find('\n'))) <= 100; };
-  const std::string text = aligned_lines(table, false);
-  if (fits(text)) return text;
-  const std::string with_units_below = aligned_lines(table, true);
-  return fits(with_units_below) ? with_units_below : text;
+  std::size_t heads_width = 0;  // The values, which may be measured, do not decide.
+  for (const Column& column : table.columns)
+    heads_width += letters(column.name) + (column.unit.empty() ? 2 : letters(column.unit) + 4);
+  return aligned_lines(table, heads_width > 100);
 }
 
 std::string csv_text(const Table& table) {

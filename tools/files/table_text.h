@@ -9,7 +9,7 @@
 namespace hyrax {
 
 /// Aligned columns under their names and units, each line indented by two blanks; the units have a line of
-/// their own where only that makes the heads fit into 100 columns. Numbers have the column's
+/// their own where heads in one line would take more than 100 columns. Numbers have the column's
 /// significant digits, a missing one is "-". REQUIRES: no column of tables.
 [[nodiscard]] std::string aligned_text(const Table& table);
 
