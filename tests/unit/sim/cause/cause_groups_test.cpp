@@ -79,8 +79,7 @@ TEST(Cause, IsUnknownWithoutAnAcceptedCore) {
   EXPECT_EQ(program.cause_of(golden, fresh), (Cause{CauseKind::unknown, "no accepted core"}));
   program.has_accepted_core = true;
   program.names_accepted_core = false;
-  EXPECT_EQ(program.cause_of(golden, fresh).detail,
-            "blessed with another core than the accepted one");
+  EXPECT_EQ(program.cause_of(golden, fresh).detail, "blessed with another core than the accepted one");
 }
 
 // The golden file's program had another clock, or other inputs.
