@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "sim/reference/exact_fling.h"
 #include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method.h"
+#include "sim/study/reference_model.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
 
@@ -99,6 +101,10 @@ class DisplayFlings {
     const auto nearest =
         std::ranges::min_element(rates_hz, {}, [](double rate_hz) { return std::fabs(rate_hz - 60.0); });
     near_60_ = static_cast<std::size_t>(nearest - rates_hz.begin());
+    exact_px_.push_back(exact_place_px(kDrawnFling));
+    const ManyFlings random({FixedRate{*nearest}, {}}, kUntil_s, flings_);
+    for (std::int64_t number = 0; number < flings_; ++number)
+      exact_px_.push_back(exact_place_px(random.start(number)));
   }
 
   void play(const MethodKind& kind, std::size_t method, DisplayClock clock) {
@@ -116,6 +122,8 @@ class DisplayFlings {
                                                            by_core[static_cast<std::size_t>(number)]));
       }
     }
+    for (Landing& landing : landings_)
+      landing.off_px = std::fabs(landing.x_px - exact_px_[static_cast<std::size_t>(landing.fling)]);
     study_.landings.insert(study_.landings.end(), landings_.begin(), landings_.end());
     study_.scores.push_back(independence(method, clock));
     for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate)
@@ -137,6 +145,12 @@ class DisplayFlings {
   }
 
  private:
+  [[nodiscard]] static double exact_place_px(const State& start) {
+    ExactFling exact{FixedLaws(reference_model())};
+    exact.start(start, kDrawnBounds);
+    return exact.at(kUntil_s).x_px;
+  }
+
   void play_drawn(const MethodKind& kind, const Landing& landing, const ManyFlings& flings) {
     const bool has_path =
         landing.clock == DisplayClock::steady &&
@@ -188,12 +202,14 @@ class DisplayFlings {
 
   [[nodiscard]] DisplayShift shift(std::size_t method, DisplayClock clock, std::size_t rate) const {
     DisplayShift result{.method = method, .clock = clock, .rate_hz = rates_hz_[rate]};
-    std::vector<double> shifts_px;
+    std::vector<double> shifts_px, offs_px;
     for (std::int64_t fling = 0; fling <= flings_; ++fling) {
       shifts_px.push_back(std::fabs(at(rate, fling).x_px - near_60(fling).x_px));
+      offs_px.push_back(at(rate, fling).off_px);
       result.other_contacts.add(has_other_contacts(rate, fling));
     }
     result.shift_px = *band_of(shifts_px);
+    result.off_px = *band_of(offs_px);
     return result;
   }
 
@@ -201,6 +217,7 @@ class DisplayFlings {
   const std::vector<double>& rates_hz_;
   std::int64_t flings_;
   std::size_t near_60_ = 0;        // The rate nearest to 60 Hz.
+  std::vector<double> exact_px_;   // By fling: where the exact one settles.
   std::vector<Landing> landings_;  // By rate, then by fling; the drawn one first.
 };
 

@@ -33,6 +33,7 @@ struct Landing {
   double rate_hz = 0.0;
   std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random (ManyFlings).
   double x_px = 0.0;       ///< Where it settles.
+  double off_px = 0.0;     ///< Distance of that place from the one where the exact fling settles.
   double time_s = 0.0;     ///< Since when it has stayed there within half a pixel.
   /// Length of its path; NaN where the fling is played by sim/ensemble, which keeps no path: a random one by
   /// the paper's step, at a rate that is not nearest to 60 Hz.
@@ -66,12 +67,13 @@ struct Independence {
   Share other_contacts = {};  ///< Flings that have other contacts (DisplayShift) at some rate.
 };
 
-/// A method on one display against the same flings at the rate nearest to 60 Hz.
+/// A method on one display against the same flings at the rate nearest to 60 Hz, and against the exact ones.
 struct DisplayShift {
   std::size_t method = 0;
   DisplayClock clock = DisplayClock::steady;
   double rate_hz = 0.0;
   Band shift_px = {};  ///< Distance of the places where a fling settles.
+  Band off_px = {};    ///< Landing's.
   Share other_contacts =
       {};  ///< Flings with another number of contacts with the left wall, right wall or top.
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "sim/reference/exact_fling.h"
 #include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/frame_rate/frame_rate.h"
@@ -53,6 +54,23 @@ TEST(FrameRate, AShiftIsFromSixtyHertzAndItsContactsAreCounted) {
   EXPECT_EQ(study.shifts[1].shift_px.median, quantile(shifts_px, 0.5));
   EXPECT_GT(other.count, 0);
   EXPECT_EQ(study.shifts[1].other_contacts.count, other.count);
+}
+
+// The drawn fling, flown here in steps of a second: whatever the rate, its place is one.
+TEST(FrameRate, TheExactFlingSettlesAtOnePlace) {
+  ExactFling exact;
+  exact.start(kDrawnFling, kDrawnBounds);
+  for (double t_s = 1.0; t_s < 16.0; t_s += 1.0) (void)exact.at(t_s);
+  const double place_px = exact.at(16.0).x_px;
+  const FrameRateStudy study = study_frame_rate({24.0, 240.0}, 4);
+  for (const Landing& landing : study.landings) {
+    if (landing.fling != 0) continue;
+    EXPECT_NEAR(landing.off_px, std::fabs(landing.x_px - place_px), 1e-9);
+  }
+  std::vector<double> offs_px;
+  for (std::size_t fling = 0; fling <= 4; ++fling) offs_px.push_back(study.landings[5 + fling].off_px);
+  EXPECT_EQ(study.shifts[1].off_px.median, quantile(offs_px, 0.5)) << "at 240 Hz";
+  EXPECT_GT(study.shifts[1].off_px.low, 0.0);
 }
 
 TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
