@@ -45,8 +45,9 @@ TEST(Results, OfEveryStudyAreThoseApproved) {
       text += described(figure);
       SCOPED_TRACE(study.name + ": " + figure.title);
       EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{});
-      if (const auto* const plots = std::get_if<std::vector<Plot>>(&figure.body))
+      if (const auto* const plots = std::get_if<std::vector<Plot>>(&figure.body)) {
         for (const Plot& plot : *plots) EXPECT_EQ(shared_looks(plot.series), std::vector<std::string>{});
+      }
     }
     text += described(result.verdict) + "summary\n";
     for (const Table& table : result.summary) text += described(table, "  ");
