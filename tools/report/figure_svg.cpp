@@ -22,7 +22,7 @@ void draw_sign(Svg& svg, const Look& look, double x, double y) {
 }
 
 double draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, double width, double top) {
-  constexpr double kLine = 20.0, kBelow = 8.0, kGap = 20.0, kSpace = 7.0, kSize = 13.0;
+  constexpr double kLine = 20.0, kUnder = 8.0, kGap = 20.0, kSpace = 7.0, kSize = 13.0;
   if (entries.empty()) return top;
   double x = kSheetMargin, y = top + kLine / 2;
   for (const LegendEntry& entry : entries) {
@@ -35,7 +35,7 @@ double draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, double wid
     svg.text({x + kLegendSign + kSpace, y}, entry.text, {.size = kSize});
     x += kLegendSign + kSpace + text_width(entry.text, kSize) + kGap;
   }
-  return y + kLine / 2 + kBelow;
+  return y + kLine / 2 + kUnder;
 }
 
 std::string figure_svg(const Figure& figure) {

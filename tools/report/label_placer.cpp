@@ -7,11 +7,11 @@
 namespace hyrax {
 
 void LabelPlacer::avoid(SvgPoint from, SvgPoint to) {
-  constexpr double kApart = 3.0;
+  constexpr double kPartLength = 3.0;
   constexpr double kPartsMax = 1000.0;  // Of a line that leads far outside.
   if (!std::isfinite(from.x + from.y + to.x + to.y)) return;
   const double parts =
-      std::clamp(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / kApart), 1.0, kPartsMax);
+      std::clamp(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / kPartLength), 1.0, kPartsMax);
   for (double part = 0.0; part <= parts; part += 1.0)
     avoided_.push_back({from.x + (to.x - from.x) * part / parts, from.y + (to.y - from.y) * part / parts});
 }

@@ -100,7 +100,7 @@ const PlotScale::Part& PlotScale::part_of(double value) const {
 
 double PlotScale::at(double value) const {
   if (is_given(axis_.zero_at) && value <= axis_.zero_at) value = axis_.zero_at;
-  if (axis_.is_logarithmic && value <= 0.0) return NAN;
+  if (axis_.is_logarithmic && value <= 0.0) return kNotGiven;
   const Part& part = part_of(value);
   const double place = axis_.is_logarithmic ? std::log(value / part.low) / std::log(part.high / part.low)
                                             : (value - part.low) / (part.high - part.low);

@@ -116,7 +116,7 @@ void Svg::sign(SvgPoint at, Marker marker, double size, std::string_view colour,
 void Svg::cross(SvgPoint at, double arm, const Pen& pen) {
   line({{at.x - arm, at.y - arm},
         {at.x + arm, at.y + arm},
-        {NAN, NAN},
+        {kNotGiven, kNotGiven},
         {at.x - arm, at.y + arm},
         {at.x + arm, at.y - arm}},
        pen);
