@@ -122,7 +122,7 @@ std::vector<SvgPoint> path_points(const std::string& svg, const std::string& das
   return points;
 }
 
-SvgPoint place_of(const std::string& svg, const std::string& text) {
+SvgPoint place_in_picture(const std::string& svg, const std::string& text) {
   for (const ShownText& shown : texts_in(wide(svg)))
     if (shown.text == text) return shown.box.centre();
   ADD_FAILURE() << text;
@@ -268,7 +268,7 @@ TEST(RunSvg, TheWordAtTheStartKeepsOffThePath) {
   scenario.start = {900, 100};
   scenario.start_velocity = {0, 0};
   const std::string svg = run_svg(scenario, dropped_rows(60), {});
-  EXPECT_LT(place_of(svg, "start").y, path_points(svg).front().y) << "the path leads down";
+  EXPECT_LT(place_in_picture(svg, "start").y, path_points(svg).front().y) << "the path leads down";
 }
 
 TEST(RunSvg, EveryKindOfInputHasItsTime) {
@@ -334,7 +334,7 @@ TEST(RunSvg, TheArrowOfTheThrowIsShortAndInsideTheWindow) {
       std::regex("<path d=\"M([-0-9.]+),([-0-9.]+) ([-0-9.]+),([-0-9.]+)\" fill=\"none\" stroke=\"" +
                  colour_of(Tone::ink) + "\" stroke-width=\"2\"")));
   const SvgBox window = window_of(svg);
-  for (const std::size_t end : {1, 3}) {
+  for (const std::size_t end : {1u, 3u}) {
     EXPECT_GE(std::stod(shaft[end]), window.left);
     EXPECT_LE(std::stod(shaft[end]), window.right);
     EXPECT_GE(std::stod(shaft[end + 1]), window.top);

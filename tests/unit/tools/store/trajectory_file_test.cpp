@@ -33,10 +33,10 @@ TEST_F(StoredRunFile, HoldsRowsContactsAndInputsBitForBit) {
 }
 
 TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
-  constexpr auto kBatch = static_cast<std::int64_t>(RowTable::kBatch);
+  constexpr auto kBatchRows = static_cast<std::int64_t>(RowTable::kBatch);
   std::vector<std::int64_t> ends;  // Of the batches.
   for (const std::int64_t rows :
-       {std::int64_t{1}, kBatch, kBatch - 1, std::int64_t{2}, kBatch + 1, std::int64_t{3}})
+       {std::int64_t{1}, kBatchRows, kBatchRows - 1, std::int64_t{2}, kBatchRows + 1, std::int64_t{3}})
     ends.push_back(rows + (ends.empty() ? 0 : ends.back()));
   const std::int64_t steps = ends.back() - 1;
   const Scenario scenario = fling_at(60.0, steps);
