@@ -154,6 +154,7 @@ std::vector<std::int32_t> number_expressions(const TracedStep& unique, const std
   std::vector<std::int32_t> numbers(count, -1);
   for (const std::vector<std::size_t>& level : levels) {
     std::vector<std::pair<Expression, std::size_t>> ordered;
+    ordered.reserve(level.size());
     for (const std::size_t index : level)
       ordered.emplace_back(with_operands(unique.expressions[index], numbers), index);
     std::sort(ordered.begin(), ordered.end());
