@@ -46,7 +46,7 @@ class MemberNumbers {
   [[nodiscard]] double smallest() const;
   [[nodiscard]] double largest() const;
   [[nodiscard]] double mean() const;
-  /// Whether it is the same in all members that have it, but for rounding: 1e-9.
+  /// Whether it is the same in all members that have it, within rounding: 1e-9.
   [[nodiscard]] bool is_constant() const;
   /// Of the sample's values, linear between neighbours.
   [[nodiscard]] double quantile(double part) const;

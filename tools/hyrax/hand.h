@@ -48,7 +48,7 @@ class Hold {
 
   /// Whether the hand was elsewhere before. REQUIRES: ticks do not go backwards.
   bool move(ScreenPoint to, std::int64_t ticks);
-  /// Where the corner follows the hand to; nothing if the hand has not moved since the last call.
+  /// Where the hand puts the corner; nothing if the hand has not moved since the last call.
   [[nodiscard]] std::optional<Position> follow(ScreenPoint origin);
   [[nodiscard]] Velocity velocity(std::int64_t ticks) const { return hand_.velocity(ticks); }
 

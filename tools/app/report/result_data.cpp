@@ -157,7 +157,7 @@ Json members_json(const EnsembleReader& reader, const std::vector<MemberNumbers>
                       {"results", std::move(results)}};
 }
 
-// Results that are the same in all members, but for rounding.
+// Results that are the same in all members within rounding.
 std::string constants_text(const std::vector<MemberNumbers>& numbers) {
   std::string text;
   for (const MemberNumbers& each : numbers) {

@@ -94,7 +94,7 @@ inline std::vector<std::string> picture_faults(const std::string& svg) {
   return faults;
 }
 
-/// Pairs of series that no reader can tell apart, but for faint ones, which have their names beside them.
+/// Pairs of series that no reader can tell apart. Faint ones have their names beside them and do not count.
 inline std::vector<std::string> shared_looks(const std::vector<Series>& series) {
   std::vector<std::string> faults;
   for (const Series& one : series)
