@@ -2,6 +2,7 @@
 """`bless` with --accept, --update-hash and --prune."""
 
 import json
+import os
 import shutil
 
 import h5py
@@ -275,11 +276,15 @@ class Prune(ProgramTest):
         with h5py.File(self.folder / "golden/foreign.h5", "w") as file:
             file["x"] = [1, 2]
         (self.folder / "golden/away.h5").symlink_to("/no/such/file.h5")
+        os.mkfifo(self.folder / "pipe")
+        for suffix in ("h5", "txt"):
+            (self.folder / f"golden/pipe.{suffix}").symlink_to("../pipe")
         before = self.state_of("golden")
         (self.folder / "scenarios/fling.json").unlink()
         outcome = self.expect(AGREED, "bless", "--prune",
                               says=[f"golden/{name}: has no scenario; left" for name in
-                                    ("README.txt", "away.h5", "data.h5", "foreign.h5")])
+                                    ("README.txt", "away.h5", "data.h5", "foreign.h5", "pipe.h5", "pipe.txt")])
+        self.assertTrue((self.folder / "golden/pipe.h5").is_symlink())
         self.assertIn("golden/fling.h5: removed\ngolden/fling.txt: removed\n", outcome.out)
         self.assertEqual(self.state_of("golden"),
                          {path: state for path, state in before.items() if "golden/fling." not in path})

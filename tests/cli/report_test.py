@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 
 import h5py
@@ -99,9 +100,9 @@ class ReportTest(ProgramTest):
 class Numbers(ProgramTest):
     """Columns in the page, by the program with it."""
 
-    def page_of(self, path):
-        """The document in the page of a run; skips where the program was built without the page."""
-        outcome = run(os.environ["HYRAX_SIM"], "report", path, "-o", "page.html", cwd=self.folder)
+    def page_by(self, *arguments):
+        """The document in page.html, which the command writes; skips where the program was built without the page."""
+        outcome = run(os.environ["HYRAX_SIM"], *arguments, cwd=self.folder)
         if outcome.exit_code == CANNOT_ACCESS and "HYRAX_PAGE" in outcome.err:
             self.skipTest("this program has no page; tools/test --all builds it")
         self.assertEqual(outcome.exit_code, AGREED, outcome)
@@ -111,11 +112,18 @@ class Numbers(ProgramTest):
         for steps in (300, 301, 302):  # Of any length modulo three bytes.
             self.write("fling.json", program.fling(steps=steps))
             self.expect(AGREED, "run", "fling.json")
-            rows = self.page_of("fling.h5")["runs"][0]["rows"]
+            rows = self.page_by("report", "fling.h5", "-o", "page.html")["runs"][0]["rows"]
             with h5py.File(self.folder / "fling.h5") as file:
                 for name, text in rows.items():
                     wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
+
+    def test_the_command_in_the_page_writes_it_again(self):
+        self.write("fling.json", program.fling())
+        page = self.page_by("run", "fling.json", "--set", "/steps=200", "--set", "/clock/rate_hz=144", "--report", "page.html")
+        called, *arguments = shlex.split(page["command"])
+        self.assertEqual(called, "hyrax-sim")
+        self.assertEqual(self.page_by(*arguments), page)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,9 @@
 """sweep in parts, and interrupted: the file is that of one process."""
 
 import os
+import pty
 import random
+import re
 import resource
 import signal
 import time
@@ -187,6 +189,22 @@ class Interrupted(SweepTest):
         self.assertEqual((self.folder / "out.h5").read_bytes(), (self.folder / "whole.h5").read_bytes())
         self.assertRegex(said, r"^out.h5.partial: \d+ of 6000 members are done, [\d.]+ [KM]iB; the same command with "
                                r"`--resume` continues\n$")
+
+    def test_the_progress_of_a_resumed_sweep_is_of_what_is_left(self):
+        self.partial(document(members=400_000, keep=ALL))
+        with h5py.File(self.folder / "out.h5.partial", "a") as file:
+            file.attrs["rows_done"] = numpy.int64(250_000)
+        keeper, terminal = pty.openpty()
+        self.addCleanup(os.close, keeper)
+        process = self.begin("sweep", "sweep.json", "--resume", "-o", "out.h5", "--threads=1", env=NO_CLUSTER, stderr=terminal)
+        os.close(terminal)
+        shown = b""
+        while b" members, " not in shown:
+            shown += os.read(keeper, 65536)
+        process.end()
+        done, members = map(int, re.search(r"(\d+) of (\d+) members, ", shown.decode()).groups())
+        self.assertEqual(members, 150_000)
+        self.assertLess(done, members)
 
     def test_what_is_left_is_neither_discarded_nor_another_file_unsaid(self):
         self.computed(document())

@@ -1,6 +1,7 @@
 // Cases, their families and their verdicts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -179,10 +180,18 @@ TEST(HardCasesStudy, AnExpectationThatDoesNotHoldIsBroken) {
             std::vector<std::string>{"fling: expectations: final_x_px: wanted -2 .. -1"});
 }
 
-TEST(HardCasesStudy, AFieldOfTheGridHasAPartForEachVerdict) {
+TEST(HardCasesStudy, AFieldOfTheGridHasAPartForEachVerdictAndThreeCasesAreNamed) {
   Scenario broken = fling_at(60.0, 200);
   broken.expect.emplace().final_x_px = Interval{-2.0, -1.0};
   const Result result = studied({named("rest"), broken});
+  EXPECT_NE(
+      std::ranges::find_if(result.verdict.text,
+                           [](const auto& part) {
+                             const auto* const text = std::get_if<std::string>(&part);
+                             return text != nullptr &&
+                                    text->ends_with("\n    rest/20-hz, rest/24-hz, rest/25-hz and 14 more");
+                           }),
+      result.verdict.text.end());
   const Grid& grid = std::get<Grid>(result.figures.front().body);
   EXPECT_EQ(grid.rows, (std::vector<std::string>{"rest ×25", "fling"}));
   std::vector<Cell> rest, expectations;

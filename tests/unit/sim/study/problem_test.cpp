@@ -77,6 +77,28 @@ TEST(ProblemOfScenario, ALongOneIsCutWithANote) {
   EXPECT_NE(problem.remark, "");
 }
 
+TEST(ProblemOfScenario, IsCutOnlyAboveItsLimits) {
+  Scenario scenario = fling();
+  scenario.clock.base = FixedStep{0.5};
+  const auto steps = static_cast<std::int64_t>(2.0 * kProblemMax_s);
+  for (const std::int64_t more : {0, 1}) {
+    scenario.length = steps + more;
+    const Problem problem = problem_of(scenario).problem.value();
+    EXPECT_EQ(problem.duration_s(), kProblemMax_s + 0.5 * static_cast<double>(more));
+    EXPECT_EQ(problem.remark.empty(), more == 0);
+  }
+  scenario.length = std::int64_t{1};
+  for (const double longest_s : {2.0 * kProblemMax_s, std::nextafter(2.0 * kProblemMax_s, HUGE_VAL)}) {
+    scenario.clock.base = FixedStep{longest_s};
+    EXPECT_EQ(problem_of(scenario).problem.has_value(), longest_s == 2.0 * kProblemMax_s);
+  }
+  scenario.clock.base = FixedRate{60.0};
+  for (const std::int32_t height_px : {1080, 1081}) {
+    scenario.sprite = {1920, height_px};
+    EXPECT_EQ(problem_of(scenario).problem.has_value(), height_px == 1080) << "it just fits";
+  }
+}
+
 TEST(ProblemOfScenario, WithoutTimeOrRoomIsRefused) {
   Scenario scenario = fling();
   scenario.length = std::int64_t{0};

@@ -29,10 +29,12 @@ Result quick(const Study& study) {
                        .core_step = make_step_program(read_step(core_record().step).value()),
                        .machine = "some machine",
                        .now_ns = nearly_steady_ns};
-  if (study.takes_scenarios)
+  if (study.takes_scenarios) {
     request.scenarios = {named("calm", fling_at(60.0, 300)), named("eventful", fling_at(144.0, 500))};
-  if (request.scenarios.size() > 1)
     request.scenarios[1].scenario.events = {{std::int64_t{40}, Hitch{0.1}}, {2.5, Fling{{-700.0, -300.0}}}};
+  }
+  if (study.name == "needs")  // More parts than are printed and drawn.
+    request.scenarios.push_back(named("busy", fling_at(60.0, 120, {33, {std::int64_t{60}, Stop{}}})));
   return study.run(request);
 }
 
