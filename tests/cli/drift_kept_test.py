@@ -3,7 +3,6 @@
 
 import itertools
 import json
-import xml.etree.ElementTree
 
 import h5py
 import numpy
@@ -213,23 +212,10 @@ class Margin(DriftTest):
 class Figures(DriftTest):
     """--figures."""
 
-    def texts(self, name):
-        tree = xml.etree.ElementTree.parse(self.folder / name)
-        return " ".join("".join(text.itertext()) for text in tree.iter("{http://www.w3.org/2000/svg}text"))
-
-    def test_six_pictures_with_units_on_their_axes(self):
+    def test_six_pictures_are_drawn(self):
         self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out")
         self.assertEqual(self.names("out"), ["fling-drift-causes.svg", "fling-energy-drift.svg", "fling-energy.svg",
                                              "fling-errors.svg", "fling-restitution.svg", "fling-whole.svg"])
-        for name, texts in (("whole", ("time, s", "distance, px")), ("energy", ("time, s", "px²/s²")), ("energy-drift", ("time, s", "%")),
-                            ("errors", ("time, s", "distance, px", "10⁻¹³")), ("restitution", ("0.60", "0.6, the paper")),
-                            ("drift-causes", ("time, s", "px of height", "lift out of walls"))):
-            for text in texts:
-                self.assertIn(text, self.texts(f"out/fling-{name}.svg"))
-
-    def test_a_run_without_arcs_says_so(self):
-        self.expect(AGREED, "drift", self.write("fling.json", fling(steps=1)), "--figures", "out")
-        self.assertIn("no flight of two steps or more", self.texts("out/fling-energy.svg"))
 
     def test_equal_names_are_refused(self):
         self.write("a.json", fling())

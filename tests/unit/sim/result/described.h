@@ -195,6 +195,7 @@ inline std::string described(const Verdict& verdict) {
     const Table* const table = std::get_if<Table>(&part);
     text += table != nullptr ? described(*table, "  ") : "  " + std::get<std::string>(part) + "\n";
   }
+  if (!verdict.brief.empty()) text += "  brief: " + verdict.brief + "\n";
   for (const std::string& sentence : verdict.broken) text += "  broken: " + sentence + "\n";
   return text;
 }

@@ -1,13 +1,9 @@
-#include "tools/report/drift_figures.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "tools/report/drift_figures.h"
-#include "tools/report/figure_svg.h"
-#include "tools/report/look.h"
 
 namespace hyrax {
 namespace {
@@ -64,23 +60,6 @@ TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
   const Series series = plot_of(drift_figures(run)[0]).series[0];
   EXPECT_EQ(series.x, (std::vector{1.0, 2.0, 10.0}));
   EXPECT_EQ(series.y, (std::vector{5.0, 7.0, 3.0}));
-}
-
-TEST(EnergyFigure, ShowsRunAndReferenceInReadableUnits) {
-  const Figure figure = energy_of(MeasuredRun(2));
-  const Plot& plot = plot_of(figure);
-  EXPECT_EQ(plot.y.label, "specific energy, 10⁶ px²/s²");
-  EXPECT_NEAR(value_at(plot.series[0], 0.15), 0.991, 1e-12);  // The run, in the arc's last row.
-  EXPECT_EQ(value_at(plot.series[1], 0.15), 1.0);
-}
-
-TEST(EnergyFigure, MarksEveryOtherArcAndTheWallsThatEndThem) {
-  const Figure figure = energy_of(MeasuredRun(3));
-  const Plot& plot = plot_of(figure);
-  ASSERT_EQ(plot.spans.size(), 1u);
-  EXPECT_NEAR(plot.spans[0].from, 10.0 / 60.0, 1e-12);
-  EXPECT_NEAR(plot.spans[0].to, 19.0 / 60.0, 1e-12);
-  EXPECT_EQ(plot.top_dots.size(), 3u);
 }
 
 TEST(EnergyFigure, MarksNoMoreArcsThanReadersCanDistinguish) {
@@ -143,32 +122,10 @@ TEST(DriftFigures, MarkEachInputButWhereAHandLeads) {
   EXPECT_EQ(plot.marks[1].text, "stop");
 }
 
-TEST(ErrorsFigure, NoErrorHasTheColourOfAWall) {
-  const Figure figure = errors_of(MeasuredRun(2));
-  for (const Series& series : plot_of(figure).series)
-    for (const TopDot& dot : plot_of(figure).top_dots) EXPECT_NE(series.look.tone, dot.tone);
-}
-
-TEST(RestitutionFigure, DrawsThePapersValueAndPrintsTheMean) {
-  const Figure figure = restitution_of(MeasuredRun(4));
-  const Plot& plot = plot_of(figure);
-  ASSERT_EQ(plot.marks.size(), 1u);
-  EXPECT_EQ(plot.marks[0].at, 0.6);
-  EXPECT_NE(figure.subtitle.find("median 0.590, from 0.59 to 0.59"), std::string::npos);
-  EXPECT_EQ(value_at(plot.series[0], 4.0), 0.59);
-}
-
 TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
   MeasuredRun run(2);
   run.contacts[1].effective_restitution = 0.0;
   EXPECT_EQ(plot_of(restitution_of(run)).series[0].x, std::vector<double>{1.0});
-}
-
-TEST(DriftFigures, NoteWhereThereIsNoData) {
-  const std::vector<Figure> figures = drift_figures(MeasuredRun(0));
-  for (std::size_t figure = 1; figure < 4; ++figure)
-    EXPECT_NE(figure_svg(figures[figure]).find("no flight of two steps or more"), std::string::npos);
-  EXPECT_NE(figure_svg(figures[4]).find("no contact that ends a flight"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+// A measured run as its text, its members and its pictures.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/result/described.h"
+#include "tests/unit/tools/report/picture_faults.h"
+#include "tools/app/drift/drift.h"
+#include "tools/report/drift_figures.h"
+#include "tools/report/figure_svg.h"
+
+namespace hyrax {
+namespace {
+
+std::string text_of(const DriftReport& report, bool lists_all) {
+  const Result result = drift_result(report, lists_all);
+  std::string text = described(result.verdict) + "members\n";
+  for (const Table& table : result.summary) text += described(table, "  ");
+  return std::regex_replace(text, std::regex("[0-9.]+e-1[0-9]"), "rounding");
+}
+
+std::string pictures_of(const DriftRun& run) {
+  std::string text;
+  for (const Figure& figure : drift_figures(run)) {
+    text += described(figure);
+    EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{}) << figure.title;
+  }
+  return text;
+}
+
+TEST(DriftResult, OfRunsAreThoseApproved) {
+  std::string text = "A run with everything\n";
+  DriftReport report{.run = measure_drift(eventful_fling(), {.gsl = GslOptions{}, .keeps_rows = true}),
+                     .has_rows_stored = true,
+                     .step_ns = 5.25,
+                     .contact_chance = ContactChance{.drawn_part = 0.5, .changed = {30, 200}, .steps = 330}};
+  const DriftRun half = measure_drift(fling_at(120.0, 40));
+  report.half_dt.half = HalfDt{660, 6.5, half.summary, half.longest_arc};
+  text += text_of(report, false) + pictures_of(report.run);
+
+  text += "\nA long one, all of it listed\n";
+  std::vector<Event> flings;
+  for (std::int64_t frame = 5; frame < 200; frame += 5) flings.push_back({frame, Fling{{10.0, -100.0}}});
+  report = {.run = measure_drift(fling_at(60.0, 200, flings))};
+  report.step_ns = 4.0;
+  report.half_dt.why_not = "a reason";
+  const std::string shortened = text_of(report, false);
+  EXPECT_NE(shortened.find("  ... 20 more; --verbose lists them\n"), std::string::npos) << shortened;
+  text += text_of(report, true);
+
+  text += "\nNo flight\n";
+  report = {.run = measure_drift(fling_at(60.0, 1))};
+  text += text_of(report, false) + pictures_of(report.run);
+
+  text += "\nBounces, and faults\n";
+  report = {.run = measure_drift(fling_at(60.0, 900))};
+  report.run.note = "a note";
+  report.run.summary.differing_steps = 2;
+  report.run.summary.non_finite_step = 7;
+  report.run.summary.reference_faults = 1;
+  report.run.summary.first_reference_fault_step = 3;
+  report.run.summary.first_reference_fault = "a fault";
+  text += text_of(report, false);
+  expect_approved("tests/unit/tools/app/drift.txt", text);
+}
+
+}  // namespace
+}  // namespace hyrax
