@@ -2,6 +2,8 @@
 
 import itertools
 
+import numpy
+
 import clock
 import replay
 
@@ -131,6 +133,22 @@ def at_s_vectors():
     return result
 
 
+def rounded(value):
+    """To 12 digits: the last ones depend on the version of numpy."""
+    return float(f"{value:.12g}")
+
+
+def statistics_vectors():
+    """Samples with quantiles, mean and histogram by numpy. The histogram has 40 bins from the smallest to the largest."""
+    parts = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0]
+    result = []
+    for seed, size in enumerate((2, 3, 10, 41, 200)):
+        values = [1000.0 * clock.unit(seed, k) ** 3 - 50.0 for k in range(size)]
+        result.append({"values": hexes(values), "parts": hexes(parts), "quantiles": hexes(map(rounded, numpy.quantile(values, parts))),
+                       "mean": rounded(numpy.mean(values)).hex(), "counts": numpy.histogram(values, 40)[0].tolist()})
+    return result
+
+
 def all_vectors():
     """The complete document."""
     return {
@@ -142,4 +160,5 @@ def all_vectors():
         "state_hash": state_hash_vectors(),
         "steps": steps_vectors(),
         "at_s": at_s_vectors(),
+        "statistics": statistics_vectors(),
     }

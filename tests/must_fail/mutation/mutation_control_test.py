@@ -176,6 +176,10 @@ class Mutators(unittest.TestCase):
         text = "class A : public B {\n public:\n  void f() { a(); }\n};\n"
         self.assertEqual(self.names(text, "dropped"), ["f: without a();"])
 
+    def test_a_constructor_whose_members_take_braces(self):
+        text = "A::A(int b) : c_(b), d_(e({0, 0})), f_([this] { g(); }) {\n  h();\n}\n"
+        self.assertEqual(self.names(text, "dropped"), ["A: without h();"])
+
     def test_no_text_within_a_literal(self):
         self.assertEqual(self.names('void f() {\n  a(R"({"b": 1, "c": 2 < 3})");\n}\n', "constant"), [])
 

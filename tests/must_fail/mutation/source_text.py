@@ -112,6 +112,8 @@ class SourceText:
         while index < end:
             if self._is(index, ";"):
                 header = index + 1
+            elif self._is(index, "("):
+                index = self.partner[index]  # A brace in it opens no body.
             elif self._is(index, "{"):
                 texts = _without_template([token.text for token in self.tokens[header:index]])
                 if texts and texts[0] in ("namespace", "class", "struct"):

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/ensemble/member_numbers.h"
+#include "tests/oracle/vectors.h"
 #include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
@@ -40,6 +41,34 @@ TEST(MemberFigures, LeaveOutWhatIsConstantButForRounding) {
   const std::vector<Figure> figures = member_figures(numbers, 3);
   ASSERT_EQ(figures.size(), 1u);
   EXPECT_EQ(std::get<std::vector<Plot>>(figures[0].body).size(), 1u);
+}
+
+// By numpy: tests/oracle/vectors.py.
+TEST(MemberNumbers, HaveTheStatisticsOfASecondProgram) {
+  for (const Json& entry : vectors("statistics")) {
+    const std::vector<double> values = exact_list(entry, "values"), parts = exact_list(entry, "parts"),
+                              quantiles = exact_list(entry, "quantiles");
+    const MemberNumbers numbers = numbers_of(values);
+    for (std::size_t each = 0; each < parts.size(); ++each)
+      EXPECT_NEAR(numbers.quantile(parts[each]), quantiles[each], 1e-9);
+    const Table table = member_table({numbers});
+    for (const auto& [name, value] : {std::pair("smallest", quantiles[0]),
+                                      {"p10", quantiles[1]},
+                                      {"median", quantiles[3]},
+                                      {"mean", exact(entry, "mean")},
+                                      {"p90", quantiles[5]},
+                                      {"largest", quantiles[6]}}) {
+      const auto column = std::ranges::find(table.columns, name, &Column::name);
+      ASSERT_NE(column, table.columns.end()) << name;
+      EXPECT_NEAR(std::get<std::vector<double>>(column->values).front(), value, 1e-9) << name;
+    }
+    const Figure figure = member_figures({numbers}, std::ssize(values)).front();
+    const Series& bars = std::get<std::vector<Plot>>(figure.body).front().series.front();
+    const Json::Array& counts = *entry.find("counts")->get<Json::Array>();
+    ASSERT_EQ(bars.y.size(), 2 * counts.size());
+    for (std::size_t bin = 0; bin < counts.size(); ++bin)
+      EXPECT_NEAR(bars.y[2 * bin], 100.0 * counts[bin].number() / static_cast<double>(values.size()), 1e-9);
+  }
 }
 
 // Two grids of 6 x 2 fields, two members each, an input, and results: real, whole, with members that have

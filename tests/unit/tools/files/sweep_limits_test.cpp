@@ -8,6 +8,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/sweep_reader.h"
 
 namespace hyrax {
 namespace {
@@ -80,6 +81,18 @@ TEST(SweepLimits, OfClocksAreTheReaders) {
   set_at(fixed, "/clock", Json::Object{{"dt_s", Json::Array{0.5, 0.25}}});
   set_at(fixed, "/steps", 2);
   expect_same_limits(fixed, "/clock/dt_s/1");
+}
+
+TEST(SweepNames, AreCutToWhatAScenarioMayHave) {
+  const std::string stem(70, 'a');
+  const std::string text = R"({"format": "hyrax-sweep/1", "members": 1000000, "seed": 1,
+    "vary": {"/start/x_px": {"uniform": [0, 1]}}, "base": {"format": "hyrax-scenario/1",
+    "window": {"width_px": 8, "height_px": 6}, "sprite": {"width_px": 6, "height_px": 3},
+    "start": {"x_px": 1, "y_px": 2}, "clock": {"rate_hz": 60}, "steps": 1}})";
+  const SweepFile file = parse_sweep(text, "folder/" + stem + ".json");
+  EXPECT_EQ(member_scenario(file.sweep, 7).name, std::string(64 - 9, 'a') + "-member-7");
+  EXPECT_EQ(member_scenario(file.sweep, 999'999).name, std::string(64 - 14, 'a') + "-member-999999");
+  EXPECT_EQ(member_scenario(parse_sweep(text, "Two B.json").sweep, 7).name, "-wo---member-7");
 }
 
 TEST(SweepLimits, AreOfEveryNumberOfAScenario) {
