@@ -12,6 +12,7 @@
 #include "sim/replay/core.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
+#include "sim/result/result.h"
 
 namespace hyrax {
 
@@ -81,5 +82,9 @@ struct RestResults {
 /// Final states against the display rate, time to settle against the display rate, effective restitution
 /// against the phase of the contact.
 [[nodiscard]] std::vector<Figure> rest_figures(const RestResults& results);
+
+/// What is printed of them. Broken: boundaries elsewhere than derived, and final states that they do not
+/// allow.
+[[nodiscard]] Verdict rest_verdict(const RestResults& results);
 
 }  // namespace hyrax

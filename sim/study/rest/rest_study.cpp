@@ -167,7 +167,18 @@ std::string stillness_text(const std::vector<RateEnds>& map) {
       all);
 }
 
-Verdict verdict_of(const RestResults& results) {
+Result run_rest(const StudyRequest& request) {
+  const RestResults results = measure(request.is_quick);
+  return {
+      .tables = {map_table(results.map), boundary_table(results.boundaries), bounce_table(results.bounces)},
+      .figures = rest_figures(results),
+      .verdict = rest_verdict(results),
+      .summary = summary_of(results)};
+}
+
+}  // namespace
+
+Verdict rest_verdict(const RestResults& results) {
   Verdict verdict{
       {fmt::format("rest: how a fling ends on the floor, at {} display rates", results.map.size()),
        stillness_text(results.map), shown_boundaries(results.boundaries),
@@ -189,17 +200,6 @@ Verdict verdict_of(const RestResults& results) {
                       ends.unforeseen));
   return verdict;
 }
-
-Result run_rest(const StudyRequest& request) {
-  const RestResults results = measure(request.is_quick);
-  return {
-      .tables = {map_table(results.map), boundary_table(results.boundaries), bounce_table(results.bounces)},
-      .figures = rest_figures(results),
-      .verdict = verdict_of(results),
-      .summary = summary_of(results)};
-}
-
-}  // namespace
 
 Study rest_study() {
   return {

@@ -164,6 +164,7 @@ TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   EXPECT_EQ(std::get<std::vector<std::int64_t>>(coverage.columns[2].values)[0], 5) << "need gravity";
   ASSERT_EQ(result.figures.size(), 1u);
   EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
+  EXPECT_EQ(studied(std::vector<std::string>(4, "flings/first-fling")).figures.size(), 4u);
 }
 
 TEST(NeedsStudy, CountsThePathsOfTheStepThatScenariosTake) {

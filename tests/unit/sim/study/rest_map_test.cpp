@@ -79,5 +79,16 @@ TEST(Bounces, KeepTheCoresRestitutionOnAverage) {
   EXPECT_NEAR(sum / 50.0, core_constants().restitution, 1e-3);
 }
 
+TEST(RestVerdict, SaysWhatMovesAndWhatIsBroken) {
+  RateEnds ends{.rate_hz = 60.0, .flings = {1, 0, 0, 2}, .unforeseen = 2};
+  const Verdict verdict =
+      rest_verdict({.boundaries = {{"a", "first", 100.0, 100.5}, {"b", "second", 50.0, {}}}, .map = {ends}});
+  EXPECT_EQ(std::get<std::string>(verdict.text[1]), "2 of 3 flings still move in the end.");
+  EXPECT_EQ(verdict.broken,
+            (std::vector<std::string>{"first: analytic 100 Hz, measured 100.5 Hz",
+                                      "second: analytic 50 Hz, measured none",
+                                      "60 Hz: 2 flings end in a way that the boundaries do not allow"}));
+}
+
 }  // namespace
 }  // namespace hyrax
