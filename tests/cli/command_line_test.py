@@ -132,6 +132,21 @@ class Number(ProgramTest):
         for number in ("1e999", "-1e-999", "nan", "inf", "0x1p3", "1px", "1,5"):
             self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", "--abs", number, says="--abs")
 
+    def test_a_limit_is_allowed_and_the_next_number_is_not(self):
+        self.write("fling.json", fling())
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": fling(), "vary": {"/start/x_px": {"grid": [0, 9, 2]}}})
+        self.expect(AGREED, "run", "fling.json")
+        same = "diff", "fling.h5", "fling.h5"
+        for arguments, limit, past in ((same + ("--abs",), "0", "-1e-300"), (same + ("--rel",), "0", "-1e-300"),
+                                       (same + ("--ulps",), "0", "-1"), (("drift", "fling.json", "--tolerance"), "0.1", "0.11"),
+                                       (("drift", "fling.json", "--tolerance"), "1e-14", "9e-15"),
+                                       (("fuzz", "--runs"), "1", "0"), (("fuzz", "--runs", "1", "--seed"), "0", "-1"),
+                                       (("sweep", "sweep.json", "--force", "--threads"), "1", "0"),
+                                       (("sweep", "sweep.json", "-o", "m.json", "--member"), "1", "2"),
+                                       (("sweep", "sweep.json", "-o", "n.json", "--member"), "0", "-1")):
+            self.expect(AGREED, *arguments[:-1], f"{arguments[-1]}={limit}")
+            self.expect(BAD_INPUT, *arguments[:-1], f"{arguments[-1]}={past}", says=arguments[-1])
+
     def test_a_leading_zero_does_not_mean_octal(self):
         self.project("fling")
         self.expect(AGREED, "check", "--jobs", "08")

@@ -44,18 +44,6 @@ class Diff(ProgramTest):
         self.assertEqual(document, {"agree": True, "class": None, "first_divergence": None, "worst": {},
                                     "contacts": {"moved": 0, "only_a": 0, "only_b": 0}})
 
-    def test_one_ulp_is_found_in_every_field_and_row(self):
-        for field in ("t", "dt", "x", "y", "vx", "vy"):
-            for row in (0, 123, 300):
-                self.change(f"trajectory/{field}", row, lambda value: numpy.nextafter(value, numpy.inf))
-                document = self.diff(DISAGREED)
-                first = document["first_divergence"]
-                self.assertEqual((document["class"], first["step"], first["field"], first["ulps"]),
-                                 ("rounding", row, field, 1))
-                self.assertEqual(list(document["worst"]), [field])
-                self.diff(AGREED, "--ulps", "1")
-                self.diff(DISAGREED, "--ulps", "0")
-
     def test_the_worst_value_is_reported_beside_the_first(self):
         self.change("trajectory/x", 100, lambda value: value + 0.25)
         with h5py.File(self.folder / "b.h5", "r+") as file:
@@ -75,41 +63,17 @@ class Diff(ProgramTest):
         self.diff(DISAGREED, "--rel", "1e-6")
         self.diff(AGREED, "--abs", "0", "--rel", "1e-3", "--ulps", "0")
         self.assertEqual(self.diff(AGREED, "--abs", "1")["worst"]["x"]["abs"], 0.25)
+        self.change("trajectory/vx", 300, lambda value: numpy.nextafter(value, numpy.inf))
+        self.diff(AGREED, "--ulps", "1")
+        document = self.diff(DISAGREED, "--ulps", "0")
+        self.assertEqual((document["class"], document["worst"]["vx"]["ulps"]), ("rounding", 1))
 
-    def test_zeros_of_both_signs_differ_in_bits_and_agree_within_any_tolerance(self):
-        self.change("trajectory/dt", 0, -0.0)
-        first = self.diff(DISAGREED)["first_divergence"]
-        self.assertEqual((first["step"], first["field"], first["ulps"]), (0, "dt", 0))
-        for option in ("--abs", "--rel", "--ulps"):
-            self.diff(AGREED, option, "0")
-
-    def test_nan_is_always_a_failure_even_in_both(self):
-        self.change("trajectory/vy", 50, numpy.nan)
-        first = self.diff(DISAGREED, "--abs", "1e300")["first_divergence"]
-        self.assertEqual((first["step"], first["actual"], first["ulps"]), (50, "NaN", None))
-        shutil.copyfile(self.folder / "b.h5", self.folder / "a.h5")
-        self.assertEqual(self.diff(DISAGREED, "--abs", "1e300", "--ulps", "9000000")["class"], "values")
-
-    def test_infinity_is_a_string(self):
-        self.change("trajectory/vy", 50, -numpy.inf)
-        document = self.diff(DISAGREED)
-        self.assertEqual(document["first_divergence"]["actual"], "-Infinity")
-        self.assertEqual(document["worst"]["vy"]["abs"], "Infinity")
-
-    def test_infinity_agrees_with_no_number_at_any_tolerance(self):
-        self.change("trajectory/vy", 50, numpy.inf)
-        for option in (("--rel", "1"), ("--abs", "1e308"), ("--ulps", "9223372036854775807")):
-            self.assertEqual(self.diff(DISAGREED, *option)["first_divergence"]["actual"], "Infinity", option)
-        shutil.copyfile(self.folder / "b.h5", self.folder / "a.h5")
-        self.diff(AGREED)
-
-    def test_nothing_is_worse_than_nan(self):
-        self.change("trajectory/vy", 50, numpy.nan)
-        with h5py.File(self.folder / "b.h5", "r+") as file:
-            file["trajectory/vy"][40] += 1e9
-            file["trajectory/vy"][60] += 1e-9
-        worst = self.diff(DISAGREED)["worst"]["vy"]
-        self.assertEqual((worst["step"], worst["abs"], worst["ulps"]), (50, "NaN", None))
+    def test_what_is_not_finite_is_a_string(self):
+        for value, text, distance in ((-numpy.inf, "-Infinity", "Infinity"), (numpy.nan, "NaN", "NaN")):
+            self.change("trajectory/vy", 50, value)
+            document = self.diff(DISAGREED, "--abs", "1e300")
+            self.assertEqual(document["first_divergence"]["actual"], text)
+            self.assertEqual(document["worst"]["vy"]["abs"], distance)
 
     def test_contacts_have_names(self):
         self.change("trajectory/contact", 100, 1 + 8 + 16)
@@ -162,6 +126,10 @@ class Diff(ProgramTest):
                                    f"y {last['y']:.6g} px; settled since 4 s")
         self.assertEqual(lines[3:6], ["  contacts   no contact moved",
                                       "  energy     at most -4.8e+03 px²/s², at step 100", "  class      values"])
+
+    def test_energy_that_is_gained_has_a_sign(self):
+        self.change("trajectory/y", 100, lambda value: value - 1.0)
+        self.assertIn("  energy     at most +1.2e+03 px²/s², at step 100\n", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
 
     def test_a_run_that_does_not_settle_ends_somewhere(self):
         self.change("trajectory/x", 299, lambda value: value + 9.0)
@@ -224,18 +192,6 @@ class Diff(ProgramTest):
             file["trajectory/x"][100] += 0.25
         self.assertEqual(self.diff(DISAGREED)["class"], "values")
         self.assertIn("hyrax-physics/2", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
-
-    def test_the_class_has_a_limit_for_every_quantity(self):
-        for field, limit in (("t", 1e-9), ("dt", 1e-9), ("x", 1e-6), ("y", 1e-6), ("vx", 1e-6), ("vy", 1e-6)):
-            for factor, kind in ((0.99, "rounding"), (1.01, "values")):
-                self.change(f"trajectory/{field}", 60, lambda value: value + factor * limit)
-                self.assertEqual(self.diff(DISAGREED)["class"], kind, field)
-
-    def test_a_wall_in_one_run_only_is_of_class_contacts(self):
-        self.change("trajectory/contact", 100, 1)
-        self.assertEqual(self.diff(DISAGREED)["class"], "contacts")
-        self.change("trajectory/contact", 300, lambda value: value ^ 16)
-        self.assertEqual(self.diff(DISAGREED)["class"], "values")  # The rest bit alone.
 
     def test_the_constants_are_recorded(self):
         with h5py.File(self.folder / "a.h5") as file:
