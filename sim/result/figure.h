@@ -134,7 +134,6 @@ struct Plot {
   std::string when_empty = "nothing to show";  ///< Instead of a plot whose series have no points.
   /// One px of x is as long as one px of y; an axis is widened for that unless its ends are given.
   bool has_equal_scales = false;
-  double share = 1.0;  ///< Of the figure's width, relative to the plots beside it.
 };
 
 /// A part of a field of a grid, from `left` to `right` (0 .. 1 of its width).

@@ -4,118 +4,221 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
 
+#include "tools/files/failure.h"
 #include "tools/report/look.h"
 
 namespace hyrax {
 namespace {
 
-template <class Values, class Get>
-Json::Array list_of(const Values& values, const Get& get) {
-  Json::Array list;
-  list.reserve(values.size());
-  for (const auto& value : values) list.push_back(get(value));
-  return list;
+template <class Of, class Value>
+struct Field {
+  const char* key;
+  Value Of::*member;
+};
+template <class Of, class Value>
+Field(const char*, Value Of::*) -> Field<Of, Value>;
+
+// What each part of a figure has, by key: written and read by the same list.
+constexpr auto fields_of(const Tick*) {
+  return std::tuple{Field{"at", &Tick::at}, Field{"text", &Tick::text}};
 }
+constexpr auto fields_of(const Axis*) {
+  return std::tuple{Field{"label", &Axis::label},
+                    Field{"is_logarithmic", &Axis::is_logarithmic},
+                    Field{"is_reversed", &Axis::is_reversed},
+                    Field{"low", &Axis::low},
+                    Field{"high", &Axis::high},
+                    Field{"ticks", &Axis::ticks},
+                    Field{"decimals", &Axis::decimals},
+                    Field{"categories", &Axis::categories},
+                    Field{"zero_at", &Axis::zero_at},
+                    Field{"zero_text", &Axis::zero_text},
+                    Field{"strip_below", &Axis::strip_below},
+                    Field{"strip_name", &Axis::strip_name}};
+}
+constexpr auto fields_of(const Look*) {
+  return std::tuple{Field{"form", &Look::form},      Field{"tone", &Look::tone},
+                    Field{"width", &Look::width_px}, Field{"dash", &Look::dash},
+                    Field{"marker", &Look::marker},  Field{"marker_size", &Look::marker_size}};
+}
+constexpr auto fields_of(const Series*) {
+  return std::tuple{Field{"name", &Series::name},     Field{"look", &Series::look},
+                    Field{"x", &Series::x},           Field{"y", &Series::y},
+                    Field{"y_low", &Series::y_low},   Field{"x_low", &Series::x_low},
+                    Field{"x_high", &Series::x_high}, Field{"point_names", &Series::point_names}};
+}
+constexpr auto fields_of(const Mark*) {
+  return std::tuple{Field{"is_vertical", &Mark::is_vertical}, Field{"at", &Mark::at},
+                    Field{"text", &Mark::text}, Field{"tone", &Mark::tone}};
+}
+constexpr auto fields_of(const PointText*) {
+  return std::tuple{Field{"x", &PointText::x}, Field{"y", &PointText::y}, Field{"text", &PointText::text},
+                    Field{"tone", &PointText::tone}};
+}
+constexpr auto fields_of(const TopDot*) {
+  return std::tuple{Field{"x", &TopDot::x}, Field{"tone", &TopDot::tone}};
+}
+constexpr auto fields_of(const Span*) {
+  return std::tuple{Field{"from", &Span::from}, Field{"to", &Span::to}};
+}
+constexpr auto fields_of(const Plot*) {
+  return std::tuple{Field{"x", &Plot::x},
+                    Field{"y", &Plot::y},
+                    Field{"series", &Plot::series},
+                    Field{"marks", &Plot::marks},
+                    Field{"texts", &Plot::texts},
+                    Field{"spans", &Plot::spans},
+                    Field{"top_dots", &Plot::top_dots},
+                    Field{"when_empty", &Plot::when_empty},
+                    Field{"has_equal_scales", &Plot::has_equal_scales}};
+}
+using GridColumn = std::pair<std::string, Tone>;
+constexpr auto fields_of(const GridColumn*) {
+  return std::tuple{Field{"text", &GridColumn::first}, Field{"tone", &GridColumn::second}};
+}
+constexpr auto fields_of(const Cell*) {
+  return std::tuple{Field{"row", &Cell::row},   Field{"column", &Cell::column}, Field{"tone", &Cell::tone},
+                    Field{"text", &Cell::text}, Field{"left", &Cell::left},     Field{"right", &Cell::right}};
+}
+constexpr auto fields_of(const Grid*) {
+  return std::tuple{Field{"rows", &Grid::rows}, Field{"columns", &Grid::columns},
+                    Field{"cells", &Grid::cells}};
+}
+constexpr auto fields_of(const ListColumn*) {
+  return std::tuple{Field{"title", &ListColumn::title}, Field{"width", &ListColumn::width_px},
+                    Field{"is_right", &ListColumn::is_right}, Field{"letters_max", &ListColumn::letters_max}};
+}
+constexpr auto fields_of(const ListField*) {
+  return std::tuple{Field{"text", &ListField::text}, Field{"detail", &ListField::detail},
+                    Field{"fill", &ListField::fill}};
+}
+constexpr auto fields_of(const Listing*) {
+  return std::tuple{Field{"list_columns", &Listing::columns}, Field{"list_rows", &Listing::rows}};
+}
+constexpr auto fields_of(const LegendEntry*) {
+  return std::tuple{Field{"text", &LegendEntry::text}, Field{"look", &LegendEntry::look}};
+}
+constexpr auto fields_of(const Figure*) {
+  return std::tuple{Field{"suffix", &Figure::suffix},       Field{"title", &Figure::title},
+                    Field{"subtitle", &Figure::subtitle},   Field{"note", &Figure::note},
+                    Field{"note_tone", &Figure::note_tone}, Field{"body", &Figure::body},
+                    Field{"legend", &Figure::legend},       Field{"remarks", &Figure::remarks}};
+}
+
+constexpr const auto& names_of(const Tone*) { return kToneNames; }
+constexpr auto names_of(const Form*) {
+  return std::to_array<std::string_view>({"line", "points", "line_and_points", "band", "bars"});
+}
+constexpr auto names_of(const Dash*) {
+  return std::to_array<std::string_view>({"solid", "short_dashes", "long_dashes", "dots"});
+}
+constexpr auto names_of(const Marker*) { return std::to_array<std::string_view>({"dot", "ring", "square"}); }
+
+template <class Value>
+constexpr const Value* kA = nullptr;
 
 Json number(double value) { return std::isnan(value) ? Json() : Json(value); }
-Json::Array numbers(const std::vector<double>& values) { return list_of(values, number); }
 
-Json look_json(const Look& look) {
-  constexpr std::array kForms = {"line", "points", "line_and_points", "band", "bars"};
-  constexpr std::array kDashes = {"solid", "short_dashes", "long_dashes", "dots"};
-  constexpr std::array kMarkers = {"dot", "ring", "square"};
-  return Json::Object{{"form", kForms.at(static_cast<std::size_t>(look.form))},
-                      {"tone", name_of(look.tone)},
-                      {"width", look.width_px},
-                      {"dash", kDashes.at(static_cast<std::size_t>(look.dash))},
-                      {"marker", kMarkers.at(static_cast<std::size_t>(look.marker))},
-                      {"marker_size", look.marker_size}};
+template <class Value>
+Json json_of(const Value& value) {
+  if constexpr (std::is_same_v<Value, double>) {
+    return number(value);
+  } else if constexpr (std::is_same_v<Value, std::size_t>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::is_enum_v<Value>) {
+    return names_of(kA<Value>).at(static_cast<std::size_t>(value));
+  } else if constexpr (std::is_same_v<Value, decltype(Figure::body)>) {
+    const auto* const plots = std::get_if<std::vector<Plot>>(&value);
+    if (plots != nullptr) return Json::Object{{"plots", json_of(*plots)}};
+    const auto* const grid = std::get_if<Grid>(&value);
+    return grid != nullptr ? json_of(*grid) : json_of(std::get<Listing>(value));
+  } else if constexpr (std::is_constructible_v<Json, Value>) {
+    return value;
+  } else if constexpr (requires { value.begin(); }) {
+    Json::Array list;
+    list.reserve(value.size());
+    for (const auto& each : value) list.push_back(json_of(each));
+    return list;
+  } else {
+    return std::apply(
+        [&](const auto&... field) {
+          return Json::Object{{field.key, json_of(value.*field.member)}...};
+        },
+        fields_of(&value));
+  }
 }
 
-Json axis_json(const Axis& axis) {
-  const auto tick = [](const Tick& each) { return Json::Object{{"at", each.at}, {"text", each.text}}; };
-  return Json::Object{{"label", axis.label},
-                      {"is_logarithmic", axis.is_logarithmic},
-                      {"is_reversed", axis.is_reversed},
-                      {"low", number(axis.low)},
-                      {"high", number(axis.high)},
-                      {"ticks", list_of(axis.ticks, tick)},
-                      {"decimals", axis.decimals},
-                      {"categories", Json::Array(axis.categories.begin(), axis.categories.end())},
-                      {"zero_at", number(axis.zero_at)},
-                      {"zero_text", axis.zero_text},
-                      {"strip_below", number(axis.strip_below)},
-                      {"strip_name", axis.strip_name}};
+template <class Value>
+const Value& as(const Json& json, const std::string& place, const char* what) {
+  const auto* const found = json.get<Value>();
+  if (found == nullptr) refuse_input(place + ": must be " + what);
+  return *found;
 }
 
-Json series_json(const Series& series) {
-  return Json::Object{{"name", series.name},
-                      {"look", look_json(series.look)},
-                      {"x", numbers(series.x)},
-                      {"y", numbers(series.y)},
-                      {"y_low", numbers(series.y_low)},
-                      {"x_low", numbers(series.x_low)},
-                      {"x_high", numbers(series.x_high)},
-                      {"point_names", Json::Array(series.point_names.begin(), series.point_names.end())}};
+double number_of(const Json& json, const std::string& place) {
+  if (json.is_number()) return json.number();
+  if (json.is_null()) return kNotGiven;
+  const auto& text = as<std::string>(json, place, "a number or null");
+  if (!text.ends_with("Infinity")) refuse_input(place + ": must be a number or null");
+  return text.front() == '-' ? -HUGE_VAL : HUGE_VAL;
 }
 
-Json plot_json(const Plot& plot) {
-  const auto mark = [](const Mark& each) {
-    return Json::Object{{"is_vertical", each.is_vertical},
-                        {"at", number(each.at)},
-                        {"text", each.text},
-                        {"tone", name_of(each.tone)}};
-  };
-  const auto text = [](const PointText& each) {
-    return Json::Object{
-        {"x", number(each.x)}, {"y", number(each.y)}, {"text", each.text}, {"tone", name_of(each.tone)}};
-  };
-  const auto span = [](const Span& each) { return Json::Array{each.from, each.to}; };
-  const auto dot = [](const TopDot& each) {
-    return Json::Object{{"x", number(each.x)}, {"tone", name_of(each.tone)}};
-  };
-  return Json::Object{{"x", axis_json(plot.x)},
-                      {"y", axis_json(plot.y)},
-                      {"series", list_of(plot.series, series_json)},
-                      {"marks", list_of(plot.marks, mark)},
-                      {"texts", list_of(plot.texts, text)},
-                      {"spans", list_of(plot.spans, span)},
-                      {"top_dots", list_of(plot.top_dots, dot)},
-                      {"when_empty", plot.when_empty},
-                      {"has_equal_scales", plot.has_equal_scales},
-                      {"share", plot.share}};
+void require_whole(const auto& /*value*/, const std::string& /*place*/) {}
+void require_whole(const Series& series, const std::string& place) {
+  const std::size_t count = series.x.size();
+  const auto is_whole = [&](const auto& list) { return list.empty() || list.size() == count; };
+  if (series.y.size() != count || !is_whole(series.y_low) || !is_whole(series.x_low) ||
+      series.x_low.size() != series.x_high.size() || !is_whole(series.point_names) ||
+      (series.look.form == Form::band && series.y_low.size() != count))
+    refuse_input(place + ": its lists must have equal lengths");
+}
+void require_whole(const Listing& listing, const std::string& place) {
+  for (const std::vector<ListField>& row : listing.rows)
+    if (row.size() != listing.columns.size()) refuse_input(place + ": list_rows: each needs all columns");
 }
 
-Json body_json(const std::vector<Plot>& plots) { return Json::Object{{"plots", list_of(plots, plot_json)}}; }
-
-Json body_json(const Grid& grid) {
-  const auto column = [](const std::pair<std::string, Tone>& each) {
-    return Json::Object{{"text", each.first}, {"tone", name_of(each.second)}};
-  };
-  const auto cell = [](const Cell& each) {
-    return Json::Object{{"row", static_cast<std::int64_t>(each.row)},
-                        {"column", static_cast<std::int64_t>(each.column)},
-                        {"tone", name_of(each.tone)},
-                        {"text", each.text},
-                        {"left", each.left},
-                        {"right", each.right}};
-  };
-  return Json::Object{{"rows", Json::Array(grid.rows.begin(), grid.rows.end())},
-                      {"columns", list_of(grid.columns, column)},
-                      {"cells", list_of(grid.cells, cell)}};
-}
-
-Json body_json(const Listing& listing) {
-  const auto column = [](const ListColumn& each) {
-    return Json::Object{{"title", each.title}, {"is_right", each.is_right}};
-  };
-  const auto field = [](const ListField& each) {
-    return Json::Object{{"text", each.text}, {"detail", each.detail}, {"fill", name_of(each.fill)}};
-  };
-  const auto row = [&](const std::vector<ListField>& each) { return list_of(each, field); };
-  return Json::Object{{"list_columns", list_of(listing.columns, column)},
-                      {"list_rows", list_of(listing.rows, row)}};
+// A key that is missing leaves the value as it is.
+template <class Value>
+void read(const Json& json, const std::string& place, Value& value) {
+  if constexpr (std::is_same_v<Value, double>) {
+    value = number_of(json, place);
+  } else if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, std::string>) {
+    value = as<Value>(json, place, std::is_same_v<Value, bool> ? "true or false" : "a text");
+  } else if constexpr (std::is_integral_v<Value>) {
+    const double number = number_of(json, place);
+    constexpr double kLeast = std::is_signed_v<Value> ? -1.0 : 0.0, kMost = 1e6;
+    if (!(number >= kLeast && number <= kMost)) refuse_input(place + ": must be a count");
+    value = static_cast<Value>(number);
+  } else if constexpr (std::is_enum_v<Value>) {
+    const auto& names = names_of(kA<Value>);
+    const auto name = std::ranges::find(names, std::string_view(as<std::string>(json, place, "a name")));
+    if (name == names.end()) refuse_input(place + ": unknown name (found " + to_text(json) + ")");
+    value = static_cast<Value>(name - names.begin());
+  } else if constexpr (std::is_same_v<Value, decltype(Figure::body)>) {
+    if (const Json* const plots = json.find("plots"))
+      read(*plots, place + "/plots", value.template emplace<std::vector<Plot>>());
+    else if (json.find("cells") != nullptr)
+      read(json, place, value.template emplace<Grid>());
+    else
+      read(json, place, value.template emplace<Listing>());
+  } else if constexpr (requires { value.emplace_back(); }) {
+    for (const Json& each : as<Json::Array>(json, place, "a list")) {
+      const std::string its_place = place + "/" + std::to_string(value.size());
+      read(each, its_place, value.emplace_back());
+    }
+  } else {
+    as<Json::Object>(json, place, "an object");
+    const auto take = [&](const auto& field) {
+      if (const Json* const found = json.find(field.key))
+        read(*found, place + "/" + field.key, value.*field.member);
+    };
+    std::apply([&](const auto&... field) { (take(field), ...); }, fields_of(&value));
+    require_whole(value, place);
+  }
 }
 
 Json value_json(double value) { return number(value); }
@@ -149,35 +252,30 @@ Json column_json(const Column& column, std::size_t rows_max) {
 
 }  // namespace
 
-Json figure_json(const Figure& figure) {
-  const auto entry = [](const LegendEntry& each) {
-    return Json::Object{{"text", each.text}, {"look", look_json(each.look)}};
-  };
-  return Json::Object{{"suffix", figure.suffix},
-                      {"title", figure.title},
-                      {"subtitle", figure.subtitle},
-                      {"note", figure.note},
-                      {"note_tone", name_of(figure.note_tone)},
-                      {"body", std::visit([](const auto& body) { return body_json(body); }, figure.body)},
-                      {"legend", list_of(figure.legend, entry)},
-                      {"remarks", Json::Array(figure.remarks.begin(), figure.remarks.end())}};
+Json figure_json(const Figure& figure) { return json_of(figure); }
+
+std::vector<Figure> figures_of(const Json& json, const std::string& place) {
+  std::vector<Figure> figures;
+  read(json, place, figures);
+  return figures;
 }
 
 Json table_json(const Table& table, std::size_t rows_max) {
-  const auto column = [&](const Column& each) { return column_json(each, rows_max); };
+  Json::Array columns;
+  for (const Column& column : table.columns) columns.push_back(column_json(column, rows_max));
   return Json::Object{{"name", table.name},
                       {"long_name", table.long_name},
                       {"row_count", static_cast<std::int64_t>(row_count(table))},
-                      {"columns", list_of(table.columns, column)}};
+                      {"columns", std::move(columns)}};
 }
 
 Json verdict_json(const Verdict& verdict) {
-  const auto part = [](const auto& each) {
-    const auto* const table = std::get_if<Table>(&each);
-    return table ? table_json(*table) : Json(std::get<std::string>(each));
-  };
-  return Json::Object{{"text", list_of(verdict.text, part)},
-                      {"broken", Json::Array(verdict.broken.begin(), verdict.broken.end())}};
+  Json::Array text;
+  for (const auto& part : verdict.text) {
+    const auto* const table = std::get_if<Table>(&part);
+    text.push_back(table ? table_json(*table) : Json(std::get<std::string>(part)));
+  }
+  return Json::Object{{"text", std::move(text)}, {"broken", json_of(verdict.broken)}};
 }
 
 }  // namespace hyrax

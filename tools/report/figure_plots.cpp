@@ -2,7 +2,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -18,11 +17,15 @@ constexpr double kWidth = 960.0;  // All in px of the SVG.
 constexpr double kWidthOfSeveral = 1180.0;
 constexpr double kHeight = 300.0;
 constexpr double kHeightOfSeveral = 420.0;
+constexpr double kPlotMin = 380.0;  // Of plots side by side.
 constexpr double kCategory = 26.0;
+constexpr double kCategoryWithText = 60.0;  // Its name above, texts at its points below.
 constexpr double kRight = 26.0;
-constexpr double kLabelLine = 17.0;  // Of the y axis's label, and of each line of texts at marks.
+constexpr double kBetween = 12.0;    // Plots and those below them.
+constexpr double kLabelLine = 19.0;  // Of the y axis's label, and of each line of texts at marks.
 constexpr double kBelow = 50.0;      // Ticks and label of the x axis.
 constexpr double kTickSize = 12.0;
+constexpr double kTextLine = 15.0;
 constexpr double kApart = 85.0;    // Between ticks of x,
 constexpr double kApartUp = 40.0;  // and of y.
 
@@ -54,20 +57,31 @@ std::vector<double> y_values(const Plot& plot) {
 // One plot in its place on the sheet.
 class PlotDrawing {
  public:
+  /// @param height of a plot whose axes do not give it.
   PlotDrawing(Svg& svg, const Plot& plot, double left, double right, double top, double height)
       : svg_(svg), plot_(plot), left_(left), x_(plot.x, x_values(plot)), y_(plot.y, y_values(plot)) {
+    constexpr double kNamesMax = 0.42;  // Of the width; wider names are above their points.
+    double names_width = 0.0;
+    for (const std::string& name : plot.y.categories)
+      names_width = std::max(names_width, text_width(name, kTickSize));
+    has_names_above_ = names_width > kNamesMax * (right - left);
     box_ = {left, top + kLabelLine + marks_height() + 4, right, 0.0};
-    box_.bottom = box_.top + height;
+    box_.bottom = box_.top + height_of(right - left, height);
     const bool is_downwards = !plot.y.categories.empty();
     y_.place(is_downwards ? box_.top : box_.bottom, is_downwards ? box_.bottom : box_.top, kApartUp);
     double ticks_width = 0.0;
     for (const Tick& tick : y_.ticks()) ticks_width = std::max(ticks_width, text_width(tick.text, kTickSize));
-    box_.left += ticks_width + 10;
+    box_.left += 10 + (has_names_above_ ? 0.0 : ticks_width);
     x_.place(box_.left, box_.right, kApart);
     if (plot.has_equal_scales) PlotScale::make_equal(x_, y_);
+    x_label_ = lines_of(plot.x.label, box_.right - left, kTickSize);
   }
 
-  [[nodiscard]] double bottom() const { return box_.bottom; }
+  /// Of the plot with what is below its axis.
+  [[nodiscard]] double bottom() const {
+    const auto lines = static_cast<double>(std::max(x_label_.size(), std::size_t{1}));
+    return box_.bottom + kBelow - 8 + (lines - 1) * kTextLine;
+  }
 
   void draw() {
     if (is_empty(plot_)) {
@@ -84,6 +98,15 @@ class PlotDrawing {
 
  private:
   [[nodiscard]] SvgPoint at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
+
+  [[nodiscard]] double height_of(double width, double height) const {
+    if (!plot_.y.categories.empty())
+      return (has_names_above_ ? kCategoryWithText : kCategory) *
+             static_cast<double>(plot_.y.categories.size());
+    if (plot_.has_equal_scales && !std::isnan(plot_.x.low))
+      return (width - kSheetMargin) * (plot_.y.high - plot_.y.low) / (plot_.x.high - plot_.x.low);
+    return height;
+  }
 
   // Texts at vertical marks and dots are above the plot.
   [[nodiscard]] double marks_height() const {
@@ -108,17 +131,23 @@ class PlotDrawing {
     for (const Tick& tick : x_.ticks()) {
       const double x = x_.at(tick.at), half = text_width(tick.text, kTickSize) / 2;
       if (has_columns) svg_.line({{x, box_.top}, {x, box_.bottom}}, rule);
-      if (x - half < end + 6) continue;
-      end = x + half;
-      svg_.text({x, box_.bottom + 16}, tick.text, {.size = kTickSize, .side = Side::middle});
+      const double middle = std::clamp(x, left_ + half, box_.right + kRight - 4 - half);  // Not cut.
+      if (middle - half < end + 6) continue;
+      end = middle + half;
+      svg_.text({middle, box_.bottom + 16}, tick.text, {.size = kTickSize, .side = Side::middle});
     }
     for (const Tick& tick : y_.ticks()) {
       const double y = y_.at(tick.at);
       if (plot_.y.categories.empty()) svg_.line({{box_.left, y}, {box_.right, y}}, rule);
-      svg_.text({box_.left - 8, y}, tick.text, {.size = kTickSize, .side = Side::right});
+      if (has_names_above_)
+        svg_.text({left_, y - 18}, tick.text, {.size = kTickSize, .has_edge = true});
+      else
+        svg_.text({box_.left - 8, y}, tick.text, {.size = kTickSize, .side = Side::right});
     }
-    svg_.text({left_, box_.top - marks_height() - 12}, plot_.y.label, {.size = kTickSize});
-    svg_.text({box_.right, box_.bottom + 36}, plot_.x.label, {.size = kTickSize, .side = Side::right});
+    svg_.text({left_, box_.top - marks_height() - 14}, plot_.y.label, {.size = kTickSize});
+    for (std::size_t line = 0; line < x_label_.size(); ++line)
+      svg_.text({box_.right, box_.bottom + 36 + kTextLine * static_cast<double>(line)}, x_label_[line],
+                {.size = kTickSize, .side = Side::right});
   }
 
   void draw_series(const Series& series) {
@@ -145,9 +174,19 @@ class PlotDrawing {
       svg_.line(points, {colour, look.width_px, look.dash});
     if (look.form == Form::points || look.form == Form::line_and_points)
       for (std::size_t row = 0; row < points.size(); ++row)
-        svg_.sign(points[row], look.marker, look.marker_size, colour,
-                  series.point_names.empty() ? std::string() : series.name + ", " + series.point_names[row]);
+        svg_.sign(points[row], look.marker, look.marker_size, colour, tip(series, row));
     svg_.end();
+  }
+
+  // What a point is: its name, and its place in the words of the axes.
+  [[nodiscard]] std::string tip(const Series& series, std::size_t row) const {
+    const auto part = [](const Axis& axis, double value) {
+      const auto category = static_cast<std::size_t>(value);
+      if (category < axis.categories.size()) return "; " + axis.categories[category];
+      return "; " + (axis.label.empty() ? "" : axis.label + ": ") + rounded(value, 5);
+    };
+    return series.name + (series.point_names.empty() ? "" : ", " + series.point_names[row]) +
+           part(plot_.x, series.x[row]) + part(plot_.y, series.y[row]);
   }
 
   void draw_marks() {
@@ -196,7 +235,8 @@ class PlotDrawing {
   }
 
   void draw_texts() {
-    LabelPlacer placer({box_.left + 2, box_.top + 2, box_.right + kRight - 4, box_.bottom - 2});
+    const double end = box_.right + kRight - 4;
+    LabelPlacer placer({box_.left + 2, box_.top + 2, end, box_.bottom - 2});
     for (const Series& series : plot_.series) avoid_series(placer, series);
     for (const Mark& mark : plot_.marks)
       if (mark.is_vertical)
@@ -207,9 +247,10 @@ class PlotDrawing {
       const SvgPoint point{x_.clamped(text.x), y_.clamped(text.y)};
       if (plot_.y.categories.empty())
         placer.draw_beside(svg_, point, text.text, text.tone);
-      else  // In its row, whatever is beside it.
-        svg_.text({point.x + 8, point.y}, text.text,
-                  {.size = LabelPlacer::kSize, .tone = text.tone, .has_edge = true});
+      else  // In its row, whatever is beside it; where names are above, below.
+        svg_.text({std::min(point.x + 8, end - text_width(text.text, LabelPlacer::kSize)),
+                   point.y + (has_names_above_ ? 18 : 0)},
+                  text.text, {.size = LabelPlacer::kSize, .tone = text.tone, .has_edge = true});
     }
   }
 
@@ -218,16 +259,9 @@ class PlotDrawing {
   double left_;  // Of the place.
   PlotScale x_, y_;
   SvgBox box_;
+  bool has_names_above_ = false;
+  std::vector<std::string> x_label_;  // Its lines.
 };
-
-double height_of(const std::vector<Plot>& plots, double width) {
-  if (plots.size() > 1) return kHeightOfSeveral;
-  const Plot& plot = plots.front();
-  if (!plot.y.categories.empty()) return kCategory * static_cast<double>(plot.y.categories.size());
-  if (plot.has_equal_scales && !std::isnan(plot.x.low))
-    return (width - 3 * kSheetMargin - kRight) * (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
-  return kHeight;
-}
 
 }  // namespace
 
@@ -238,15 +272,18 @@ double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double 
     svg.text({width / 2, top + kHeight / 2}, "nothing to show", {.side = Side::middle});
     return top + kHeight;
   }
-  const double shares = std::accumulate(plots.begin(), plots.end(), 0.0,
-                                        [](double sum, const Plot& plot) { return sum + plot.share; });
-  double start = 0.0, end = top;
-  for (const Plot& plot : plots) {
-    const double part = width * plot.share / shares;
-    PlotDrawing drawing(svg, plot, start + kSheetMargin, start + part - kRight, top, height_of(plots, width));
+  // As many side by side as are wide enough.
+  const std::size_t beside =
+      std::clamp(static_cast<std::size_t>(width / kPlotMin), std::size_t{1}, plots.size());
+  const double part = width / static_cast<double>(beside), height = beside > 1 ? kHeightOfSeveral : kHeight;
+  double end = top;
+  for (std::size_t index = 0; index < plots.size(); ++index) {
+    const std::size_t column = index % beside;
+    if (column == 0 && index > 0) top = end + kBetween;
+    const double start = static_cast<double>(column) * part;
+    PlotDrawing drawing(svg, plots[index], start + kSheetMargin, start + part - kRight, top, height);
     drawing.draw();
-    end = std::max(end, drawing.bottom() + kBelow - 8);
-    start += part;
+    end = std::max(end, drawing.bottom());
   }
   return end;
 }

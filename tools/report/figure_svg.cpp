@@ -21,6 +21,16 @@ void draw_sign(Svg& svg, const Look& look, double x, double y) {
   if (look.form != Form::line) svg.sign(middle, look.marker, std::max(look.marker_size, 0.8), colour);
 }
 
+namespace {
+
+// Draws legend and body from `top` on; returns where they end.
+double draw_data(Svg& svg, const Figure& figure, double width, double top) {
+  const double start = draw_legend(svg, figure.legend, width, top);
+  return std::visit([&](const auto& body) { return draw_body(svg, body, width, start); }, figure.body);
+}
+
+}  // namespace
+
 double draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, double width, double top) {
   constexpr double kLine = 20.0, kUnder = 8.0, kGap = 20.0, kSpace = 7.0, kSize = 13.0;
   if (entries.empty()) return top;
@@ -31,9 +41,18 @@ double draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, double wid
       x = kSheetMargin;
       y += kLine;
     }
+    svg.begin(entry.text);
     draw_sign(svg, entry.look, x, y);
-    svg.text({x + kLegendSign + kSpace, y}, entry.text, {.size = kSize});
-    x += kLegendSign + kSpace + text_width(entry.text, kSize) + kGap;
+    x += kLegendSign + kSpace;
+    double widest = 0.0;
+    const std::vector<std::string> lines = lines_of(entry.text, width - kSheetMargin - x, kSize);
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      if (line > 0) y += kSize + 2;
+      svg.text({x, y}, lines[line], {.size = kSize});
+      widest = std::max(widest, text_width(lines[line], kSize));
+    }
+    svg.end();
+    x += widest + kGap;
   }
   return y + kLine / 2 + kUnder;
 }
@@ -44,8 +63,7 @@ std::string figure_svg(const Figure& figure) {
   Svg& svg = sheet.svg;
   sheet.width = std::visit([](const auto& body) { return sheet_width(body); }, figure.body);
   double y = draw_head(svg, sheet.width, figure.title, figure.subtitle, figure.note, figure.note_tone) + kGap;
-  y = draw_legend(svg, figure.legend, sheet.width, y);
-  y = std::visit([&](const auto& body) { return draw_body(svg, body, sheet.width, y); }, figure.body);
+  y = draw_data(svg, figure, sheet.width, y);
   for (const std::string& remark : figure.remarks)
     for (const std::string& line : lines_of(remark, sheet.width - 2 * kSheetMargin, kSize)) {
       y += kRemark;
@@ -53,6 +71,25 @@ std::string figure_svg(const Figure& figure) {
     }
   sheet.height = y + kSheetMargin;
   return svg_text(figure.title, sheet);
+}
+
+std::string figure_html(const Figure& figure) {
+  constexpr double kLeft = kSheetMargin - 4;  // Where a sheet's texts begin.
+  const bool is_plots = std::holds_alternative<std::vector<Plot>>(figure.body);
+  std::string html = is_plots ? "<div class=\"picture\">\n" : "<div class=\"picture\" tabindex=\"0\">\n";
+  const auto add = [&](const char* css_class, double width) {
+    Sheet sheet{.width = width};
+    sheet.height = draw_data(sheet.svg, figure, width, 0.0) + 4;
+    html += svg_element(figure.title, css_class, sheet, kLeft);
+  };
+  if (is_plots) {
+    add("narrow", 320 + kLeft);
+    add("medium", 680 + kLeft);
+    add("wide", 1080 + kLeft);
+  } else {
+    add("whole", std::visit([](const auto& body) { return sheet_width(body); }, figure.body));
+  }
+  return html + "<style>" + dark_rules(html) + "</style>\n</div>\n";
 }
 
 void draw_figure(const std::string& path, const Figure& figure) { write_text_file(path, figure_svg(figure)); }

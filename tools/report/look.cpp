@@ -82,13 +82,6 @@ const std::string& speed_colour(double part) {
   return light_and_dark()[light_and_dark().size() - kSpeedColours + step].first;
 }
 
-std::string_view name_of(Tone tone) {
-  constexpr std::array<std::string_view, 16> kNames = {
-      "ink",    "quiet",    "faint",    "hairline", "vermilion", "orange", "blue",  "green",
-      "purple", "sky_blue", "lavender", "good",     "notable",   "bad",    "shade", "none"};
-  return kNames.at(static_cast<std::size_t>(tone));
-}
-
 const std::string& colour_of(Tone tone) {
   const bool is_fill = tone == Tone::good || tone == Tone::notable || tone == Tone::bad;
   std::string name = (is_fill ? "fill-" : "") + std::string(name_of(tone));

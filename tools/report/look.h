@@ -2,6 +2,7 @@
 // width.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,8 +26,13 @@ namespace hyrax {
 /// Of a line, as SVG's stroke-dasharray; empty: solid.
 [[nodiscard]] const std::string& dashes_of(Dash dash);
 
-/// The name of a tone, as page/look.css and the pages' data have it.
-[[nodiscard]] std::string_view name_of(Tone tone);
+/// Names of tones, as page/look.css and the pages' data have them.
+inline constexpr std::array<std::string_view, 16> kToneNames = {
+    "ink",    "quiet",    "faint",    "hairline", "vermilion", "orange", "blue",  "green",
+    "purple", "sky_blue", "lavender", "good",     "notable",   "bad",    "shade", "none"};
+[[nodiscard]] constexpr std::string_view name_of(Tone tone) {
+  return kToneNames.at(static_cast<std::size_t>(tone));
+}
 
 /// The width of UTF-8 text of that size in px, in Arial's letters or in a wider font that takes its place.
 [[nodiscard]] double text_width(std::string_view text, double size_px);

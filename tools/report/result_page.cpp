@@ -4,6 +4,7 @@
 
 #include "tools/files/build_info.h"
 #include "tools/report/figure_json.h"
+#include "tools/report/figure_svg.h"
 #include "tools/report/page_file.h"
 
 namespace hyrax {
@@ -22,7 +23,7 @@ Json result_json(const ShownResult& result) {
 
 namespace {
 
-// Title and verdict.
+// Title, verdict and figures.
 std::string still_html(const Json::Array& results) {
   std::string html;
   const auto add = [&html](const char* tag, const Json* text) {
@@ -41,6 +42,11 @@ std::string still_html(const Json::Array& results) {
       for (const Json& line : *list) add("pre", &line);
     }
     add("p", result.find("judgement"));
+    const Json* const figures = result.find("figures");
+    if (figures == nullptr) continue;
+    for (const Figure& figure : figures_of(*figures, "figures"))
+      html += "<h2>" + html_text(figure.title) + "</h2>\n<p>" + html_text(figure.subtitle) + "</p>\n" +
+              figure_html(figure);
   }
   return html;
 }

@@ -29,8 +29,8 @@ struct ShownResult {
 /// Whether a result is a sweep's with members that the page replays.
 [[nodiscard]] bool has_members(const Json& result);
 
-/// Writes one HTML file with these results, each as of result_json. Without JavaScript it shows their titles
-/// and verdicts. It needs no network and no other file;
+/// Writes one HTML file with these results, each as of result_json. Without JavaScript it shows their titles,
+/// verdicts and figures. It needs no network and no other file;
 /// every text in it stays text.
 /// @param command what made the page.
 /// ERRORS: Failure(cannot_access) if this program was built without the page, or `path` cannot be written.

@@ -24,6 +24,9 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+constexpr std::string_view kLetters =
+    "font-family=\"Helvetica Neue,Helvetica,Arial,Liberation Sans,sans-serif\" stroke-linejoin=\"round\"";
+
 // A length of the picture, to a twentieth of a px.
 std::string px(double length) {
   const double rounded = std::round(length * 20.0) / 20.0;
@@ -66,17 +69,6 @@ std::string place_of(const SvgBox& box) {
 
 std::string rounded_by(double corner) {
   return corner > 0.0 ? fmt::format(" rx=\"{}\"", px(corner)) : std::string();
-}
-
-// Rules that put each dark colour in its light one's place.
-std::string dark_rules(const std::string& body) {
-  std::string rules;
-  for (const auto& [light, dark] : light_and_dark())
-    for (const std::string_view use : {"fill", "stroke"})
-      if (const std::string place = fmt::format("{}=\"{}\"", use, light);
-          body.find(place) != body.npos && rules.find(place) == rules.npos)
-        rules += fmt::format("[{}]{{{}:{}}}", place, use, dark);
-  return rules;
 }
 
 }  // namespace
@@ -151,11 +143,32 @@ void Svg::text(SvgPoint at, std::string_view text, const Lettering& lettering) {
       escaped(text));
 }
 
-void Svg::begin(std::string_view name) { body_ += fmt::format("<g><title>{}</title>\n", escaped(name)); }
+void Svg::begin(std::string_view name) {
+  body_ += fmt::format("<g data-series=\"{0}\"><title>{0}</title>\n", escaped(name));
+}
 
 void Svg::begin_clip(const SvgBox& box) {
   body_ += fmt::format("<svg {} viewBox=\"{} {} {} {}\">\n", place_of(box), px(box.left), px(box.top),
                        px(box.width()), px(box.height()));
+}
+
+std::string dark_rules(const std::string& svg) {
+  std::string rules;
+  for (const auto& [light, dark] : light_and_dark())
+    for (const std::string_view use : {"fill", "stroke"})
+      if (const std::string place = fmt::format("{}=\"{}\"", use, light);
+          svg.find(place) != svg.npos && rules.find(place) == rules.npos)
+        rules += fmt::format("[{}]{{{}:{}}}", place, use, dark);
+  return "@media screen and (prefers-color-scheme:dark){" + rules + "}";
+}
+
+std::string svg_element(std::string_view name, std::string_view css_class, const Sheet& sheet, double left) {
+  return fmt::format(
+      "<svg class=\"{0}\" width=\"{1}\" height=\"{2}\" viewBox=\"{3} 0 {1} {2}\" role=\"group\" "
+      "aria-label=\"{4}\" "
+      "{5}>\n{6}</svg>\n",
+      css_class, px(sheet.width - left), px(sheet.height), px(left), escaped(name), kLetters,
+      sheet.svg.body());
 }
 
 std::string svg_text(std::string_view title, const Sheet& sheet, const Sheet* narrow) {
@@ -175,11 +188,8 @@ std::string svg_text(std::string_view title, const Sheet& sheet, const Sheet* na
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" "
-      "font-family=\"Helvetica Neue,Helvetica,Arial,Liberation Sans,sans-serif\" "
-      "stroke-linejoin=\"round\">\n<title>{2}</title>\n"
-      "<style>svg{{max-width:100%;height:auto}}{3}@media "
-      "(prefers-color-scheme:dark){{{4}}}</style>\n{5}</svg>\n",
-      px(sheet.width), px(sheet.height), escaped(title), style, dark_rules(body), body);
+      "{3}>\n<title>{2}</title>\n<style>svg{{max-width:100%;height:auto}}{4}{5}</style>\n{6}</svg>\n",
+      px(sheet.width), px(sheet.height), escaped(title), kLetters, style, dark_rules(body), body);
 }
 
 std::vector<std::string> lines_of(std::string_view text, double width, double size) {

@@ -54,7 +54,8 @@ class Svg {
   /// The place is at half the height of its letters. Control characters become blanks.
   void text(SvgPoint at, std::string_view text, const Lettering& lettering);
 
-  /// What follows belongs to something with a name, until `end`.
+  /// What follows belongs to a series of that name, until `end`: a viewer shows the name under the pointer, a
+  /// page lights all that is of it.
   void begin(std::string_view name);
   void end() { body_ += "</g>\n"; }
   /// What follows is drawn inside the box only, until `end_clip`.
@@ -77,6 +78,13 @@ struct Sheet {
 /// The text of an SVG file: a card with the sheet on it, light or dark as its reader prefers.
 /// @param narrow of the same proportions: takes the first one's place where that would be too small to read.
 [[nodiscard]] std::string svg_text(std::string_view title, const Sheet& sheet, const Sheet* narrow = nullptr);
+
+/// A sheet as an element of an HTML page that has the rules of dark_rules for it, from `left` on.
+[[nodiscard]] std::string svg_element(std::string_view name, std::string_view css_class, const Sheet& sheet,
+                                      double left);
+
+/// CSS that puts each dark colour in the place of its light one, as look.css does.
+[[nodiscard]] std::string dark_rules(const std::string& svg);
 
 /// Lines of text no wider than `width`, broken at blanks.
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view text, double width, double size);

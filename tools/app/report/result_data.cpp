@@ -13,6 +13,7 @@
 #include "tools/app/report/report_page.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/report/figure_json.h"
 #include "tools/report/result_page.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/store/ensemble_file.h"
@@ -46,6 +47,7 @@ Json study_result(const std::string& path) {
       const std::string place = path + ": " + report->name + "/" + column.name;
       if (texts == nullptr || texts->size() != 1) refuse_input(place + ": must be one text");
       parts.emplace_back(column.name, parse_json(texts->front(), place));
+      if (column.name == "figures") result.figures = figures_of(parts.back().second, place);
     }
     study.tables.erase(report);
   }
@@ -58,7 +60,8 @@ Json study_result(const std::string& path) {
   for (const auto& [key, value] : parts)
     if (key == "verdict" && broken_of(value) != nullptr && broken_of(value)->empty())
       set_member(json, "judgement", "no rule of the study is broken");
-  for (auto& [key, value] : parts) set_member(json, key, std::move(value));
+  for (auto& [key, value] : parts)
+    if (key != "figures") set_member(json, key, std::move(value));
   return json;
 }
 

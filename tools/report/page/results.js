@@ -1,8 +1,7 @@
 // The page of results: verdicts, figures and tables of studies, sweeps and comparisons.
 import { element, make, report, root, save } from './data.js';
-import { csvOf, showFigure } from './figures.js';
 import { count } from './numbers.js';
-import { csvOfTable, tableOf } from './tables.js';
+import { csvOfTable, tableOf, tableOfFigure } from './tables.js';
 
 const slug = text => text.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '') || 'result';
 const linkButton = (text, label, onclick) => make('button', { type: 'button', class: 'link', 'aria-label': label, onclick }, text);
@@ -26,20 +25,26 @@ function verdictOf({ judgement: given, verdict: { broken, text } }) {
     make('div', { class: tables.length > 1 && tables.every(table => table.row_count <= 20) ? 'findings columns-2' : 'findings' }, ...text.map(part => (typeof part === 'string' ? make('pre', { class: part.length < 60 && !part.trim().endsWith('.') ? 'before' : null }, part.trim()) : tableOf(part)))))];
 }
 
-function figureOf(figure, name, index) {
-  const place = make('div', { class: 'body' });
+// The pictures that hyrax-sim drew, in order.
+const pictures = [...document.querySelectorAll('.picture')];
+
+function figureOf(figure, name) {
   const heading = make('h3', { id: `${name}-heading` }, figure.title);
-  const stem = `${name}${figure.suffix}`;
   const table = make('details', { class: 'data' }, make('summary', {}, 'Data as a table'));
-  table.addEventListener('toggle', () => table.children.length === 1 && table.append(tableOf(csvOf(figure))), { once: true });
-  const made = make('figure', { class: 'figure', id: name, 'aria-labelledby': `${name}-heading` },
+  table.addEventListener('toggle', () => table.children.length === 1 && table.append(tableOf(tableOfFigure(figure))), { once: true });
+  return make('figure', { class: 'figure', id: name, 'aria-labelledby': `${name}-heading` },
     make('div', { class: 'head' }, make('div', {}, heading, make('p', { class: 'quiet' }, figure.subtitle)),
       make('p', { class: `note tone-${figure.note_tone} quiet` }, figure.note)),
-    place, ...figure.remarks.map(remark => make('p', { class: 'remarks' }, remark)),
+    pictures.shift(), ...figure.remarks.map(remark => make('p', { class: 'remarks' }, remark)),
     make('div', { class: 'actions' },
-      linkButton('Save as CSV', `Save as CSV: ${figure.title}`, () => save(`${stem}.csv`, 'text/csv', csvOfTable(csvOf(figure)))), table));
-  place.append(shown('This figure', () => showFigure(figure, `figure-${index}`)));
-  return made;
+      linkButton('Save as CSV', `Save as CSV: ${figure.title}`, () => save(`${name}${figure.suffix}.csv`, 'text/csv', csvOfTable(tableOfFigure(figure)))), table));
+}
+
+// What is under the pointer or has the focus is lit in all pictures, where a series has its name.
+function light({ target }) {
+  const name = target.closest?.('[data-series]')?.dataset.series, all = [...document.querySelectorAll('[data-series]')];
+  const isShared = all.some(each => each.dataset.series === name);
+  for (const each of all) each.classList.toggle('dim', isShared && each.dataset.series !== name);
 }
 
 function tablesOf(tables, name) {
@@ -65,7 +70,7 @@ function resultOf(result, at, isOnly) {
       ...result.figures.map((figure, i) => make('a', { href: `#${name}-figure-${i + 1}` }, figure.title)))] : []),
     ...[shown('The verdict', () => verdictOf(result))].flat(),
     ...(result.figures.length ? [make('h2', { class: 'unseen' }, 'Figures')] : []),
-    ...result.figures.map((figure, i) => shown('This figure', () => figureOf(figure, `${name}-figure-${i + 1}`, i))),
+    ...result.figures.map((figure, i) => figureOf(figure, `${name}-figure-${i + 1}`)),
     ...tablesOf(result.tables, name),
     originOf(result.origin));
 }
@@ -74,7 +79,11 @@ function resultOf(result, at, isOnly) {
 export async function showResults(showMore = async () => {}) {
   document.title = `${report.results.map(each => each.title).join(', ')} · hyrax-sim report`;
   const shown = report.results.map((result, at) => resultOf(result, at, report.results.length === 1));
-  element('results').append(...shown);
+  element('results').replaceChildren(...shown);
+  for (const event of ['pointerover', 'focusin']) addEventListener(event, light);
+  for (const picture of document.querySelectorAll('.picture > svg'))
+    for (const each of [...picture.querySelectorAll('[data-series]')].filter(({ dataset }, i, all) => i === all.findIndex(other => other.dataset.series === dataset.series)))
+      each.tabIndex = 0;
   root.dataset.replay = 'none';
   for (const [at, result] of report.results.entries()) await showMore(result, shown[at]);
   root.dataset.ready = '';

@@ -130,9 +130,8 @@ inline std::string described(const Axis& axis) {
 inline std::string described(const std::vector<Plot>& plots) {
   std::string text;
   for (const Plot& plot : plots) {
-    text += "  plot of width " + six_digits(plot.share) + (plot.has_equal_scales ? ", equal scales" : "") +
-            ", if empty '" + plot.when_empty + "'\n    x " + described(plot.x) + "\n    y " +
-            described(plot.y) + "\n";
+    text += std::string("  plot") + (plot.has_equal_scales ? ", equal scales" : "") + ", if empty '" +
+            plot.when_empty + "'\n    x " + described(plot.x) + "\n    y " + described(plot.y) + "\n";
     for (const Series& series : plot.series) {
       text += "    series '" + series.name + "': " + described(series.look) + "\n      x " +
               described(series.x) + "\n      y " + described(series.y) + "\n";

@@ -8,6 +8,7 @@
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/tools/report/picture_faults.h"
+#include "tools/report/figure_json.h"
 #include "tools/report/figure_svg.h"
 
 namespace hyrax {
@@ -50,6 +51,12 @@ TEST(Results, OfEveryStudyAreThoseApproved) {
       text += described(figure);
       SCOPED_TRACE(study.name + ": " + figure.title);
       EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{});
+      EXPECT_EQ(picture_faults(figure_html(figure)), std::vector<std::string>{});
+      EXPECT_EQ(
+          figure_svg(
+              figures_of(parse_json(to_text(Json::Array{figure_json(figure)}), "file"), "figures").front()),
+          figure_svg(figure))
+          << "the figure in the study's file";
       if (const auto* const plots = std::get_if<std::vector<Plot>>(&figure.body)) {
         for (const Plot& plot : *plots) EXPECT_EQ(shared_looks(plot.series), std::vector<std::string>{});
       }

@@ -3,6 +3,7 @@
 
 #include <regex>
 
+#include "tools/files/failure.h"
 #include "tools/files/text_file.h"
 #include "tools/report/figure_json.h"
 
@@ -56,6 +57,33 @@ TEST(FigureJson, HoldsGridsAndLists) {
   const Listing listing{.columns = {{.title = "t"}}, .rows = {{{.text = "x", .fill = Tone::bad}}}};
   EXPECT_NE(compact(figure_json({.body = listing})).find(R"("text":"x","detail":"","fill":"bad")"),
             std::string::npos);
+}
+
+TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
+  const auto refused = [](const std::string& text) -> std::string {
+    try {
+      (void)figures_of(parse_json(text, "text"), "figures");
+    } catch (const Failure& failure) {
+      return failure.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+      refused(R"([{"title": "t", "new": 1, "body": {"plots": [{"series": [{"x": [1], "y": [null]}]}]}}])"),
+      "");
+  EXPECT_EQ(refused(R"([{"title": 3}])"), "figures/0/title: must be a text");
+  EXPECT_EQ(refused(R"([{}, {"body": {"plots": [{"x": 3}]}}])"),
+            "figures/1/body/plots/0/x: must be an object");
+  EXPECT_EQ(refused(R"([{"note_tone": "pink"}])"), "figures/0/note_tone: unknown name (found \"pink\")");
+  EXPECT_EQ(refused(R"([{"body": {"cells": [{"row": -1}]}}])"),
+            "figures/0/body/cells/0/row: must be a count");
+  for (const char* const series :
+       {R"({"x": [1], "y": []})", R"({"x": [1], "y": [1], "look": {"form": "band"}})",
+        R"({"x": [1], "y": [1], "x_low": [1]})", R"({"x": [1], "y": [1], "point_names": ["a", "b"]})"})
+    EXPECT_EQ(refused(R"([{"body": {"plots": [{"series": [)" + std::string(series) + "]}]}}]"),
+              "figures/0/body/plots/0/series/0: its lists must have equal lengths");
+  EXPECT_EQ(refused(R"([{"body": {"list_columns": [{}], "list_rows": [[]]}}])"),
+            "figures/0/body: list_rows: each needs all columns");
 }
 
 TEST(TableJson, HasTheFirstRowsAndCountsAll) {

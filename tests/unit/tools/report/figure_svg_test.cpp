@@ -129,16 +129,19 @@ TEST(PlotSvg, ALineLeadsToALabelThatIsNotBesideItsPoint) {
       << "right, left, above and below are taken";
 }
 
-TEST(PlotSvg, PlotsShareTheWidthAsTheyAsk) {
-  const Plot plot{.y = {.label = "y"}, .series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
-  Plot wide = plot;
-  wide.share = 3.0;
+TEST(PlotSvg, PlotsAreSideBySideWhereThereIsRoom) {
+  const Plot plot{.y = {.label = "first"}, .series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
   Plot other = plot;
   other.y.label = "other";
-  const auto left = [&](const Plot& first) {
-    return place_of(figure_svg({.title = "t", .body = std::vector{first, other}}), "other").x;
+  const std::string html = figure_html({.title = "t", .body = std::vector{plot, other}});
+  const std::size_t medium = html.find("class=\"medium\""), wide = html.find("class=\"wide\"");
+  const auto is_below = [](const std::string& svg) {
+    return place_of(svg, "other").y > place_of(svg, "first").y + 200.0;
   };
-  EXPECT_NEAR(left(wide) - left(plot), 0.25 * sheet_width(std::vector{plot, plot}), 0.1);
+  EXPECT_TRUE(is_below(html.substr(0, medium)));
+  EXPECT_TRUE(is_below(html.substr(medium, wide - medium)));
+  EXPECT_FALSE(is_below(html.substr(wide)));
+  EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
 }
 
 TEST(PlotSvg, APlotWithoutPointsSaysWhyAndHasNoAxes) {
@@ -194,7 +197,9 @@ TEST(PlotSvg, APointHasItsNameForThePointer) {
                         .x = {1.0},
                         .y = {1.0},
                         .point_names = {"60 Hz"}}}};
-  EXPECT_TRUE(has(svg_of(plot), "<title>Verlet, 60 Hz</title>"));
+  plot.x.label = "cost, ns";
+  plot.y.categories = {"a", "b"};
+  EXPECT_TRUE(has(svg_of(plot), "<title>Verlet, 60 Hz; cost, ns: 1; b</title>"));
 }
 
 TEST(Legend, IsARowIfItFitsAndElseLines) {

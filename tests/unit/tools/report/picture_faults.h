@@ -62,13 +62,13 @@ inline std::string dark_of(const std::string& light) {
   return light;
 }
 
-inline void add_faults(std::vector<std::string>& faults, const std::string& sheet, double width,
-                       double height) {
+inline void add_faults(std::vector<std::string>& faults, const std::string& sheet, const SvgBox& whole) {
   constexpr double kContrast = 4.5;
   const std::vector<ShownText> texts = texts_in(sheet);
   for (const ShownText& text : texts) {
     const SvgBox& box = text.box;
-    if (!text.is_turned && (box.left < 0 || box.top < 0 || box.right > width || box.bottom > height))
+    if (!text.is_turned && (box.left < whole.left || box.top < whole.top || box.right > whole.right ||
+                            box.bottom > whole.bottom))
       faults.push_back("cut: " + text.text);
     for (const auto& [colour, card] : {std::pair(text.colour, colour_named("card")),
                                        std::pair(dark_of(text.colour), dark_of(colour_named("card")))})
@@ -81,15 +81,17 @@ inline void add_faults(std::vector<std::string>& faults, const std::string& shee
   }
 }
 
-/// A sentence for each fault, of the picture and of the one that small viewers show.
-inline std::vector<std::string> picture_faults(const std::string& svg) {
-  static const std::regex kSize("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"");
-  const std::size_t narrow = std::min(svg.find("<svg class=\"narrow\""), svg.size());
+/// A sentence for each fault, of the picture and of those that other viewers show instead.
+inline std::vector<std::string> picture_faults(std::string svg) {
+  static const std::regex kSize("viewBox=\"([0-9.]+) 0 ([0-9.]+) ([0-9.]+)\"");
   std::vector<std::string> faults;
-  for (const std::string& sheet : {svg.substr(0, narrow), svg.substr(narrow)}) {
-    std::smatch size;
-    if (std::regex_search(sheet, size, kSize))
-      add_faults(faults, sheet, std::stod(size[1]), std::stod(size[2]));
+  while (!svg.empty()) {
+    const std::string sheet = svg.substr(0, svg.find("<svg class=", 1));
+    svg.erase(0, sheet.size());
+    std::smatch found;
+    if (!std::regex_search(sheet, found, kSize)) continue;
+    const double left = std::stod(found[1]);
+    add_faults(faults, sheet, {left, 0.0, left + std::stod(found[2]), std::stod(found[3])});
   }
   return faults;
 }

@@ -83,7 +83,7 @@ bool has_text(const std::string& svg, const std::string& text) {
 
 // The part of the picture with this name.
 std::string part_of(const std::string& svg, const std::string& name) {
-  const std::string begin = "<g><title>" + name + "</title>";
+  const std::string begin = "\"><title>" + name + "</title>";
   const std::size_t at = wide(svg).find(begin);
   return at == std::string::npos ? "" : svg.substr(at, svg.find("</g>", at) - at);
 }
