@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "sim/card/core_in_use.h"
+#include "sim/card/compared_core.h"
 #include "sim/card/flings.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
@@ -20,30 +20,33 @@ constexpr std::uint64_t kRandomRuns = 500;
 
 std::string place_of(const NamedScenario& named) { return "scenario " + named.path; }
 
-void add_rows(const CoreFunctions& core, const Scenario& scenario, const std::string& place,
-              StateHash& hash) {
-  for (const Row& row : play_by(core, scenario, place).rows) hash.add(row);
+// Without contacts, which are each core's own.
+void add_rows(const Core& core, const Scenario& scenario, StateHash& hash) {
+  for (Row row : play_by(core, scenario).rows) {
+    row.contact = 0;
+    hash.add(row);
+  }
 }
 
 }  // namespace
 
-std::string rows_hash(const CoreFunctions& core, const CardRequest& request) {
+std::string rows_hash(const ComparedCore& core, const CardRequest& request) {
   StateHash hash;
-  for (const NamedScenario& named : request.library) add_rows(core, named.scenario, place_of(named), hash);
+  for (const NamedScenario& named : request.library) add_rows(core.at(place_of(named)), named.scenario, hash);
   return hex(hash.value());
 }
 
 namespace {
 
-void measure_library(const CoreFunctions& base, const CoreFunctions& candidate, const CardRequest& request,
+void measure_library(const ComparedCore& base, const ComparedCore& candidate, const CardRequest& request,
                      Card& card) {
   for (const NamedScenario& named : request.library) {
     const std::string place = place_of(named);
-    CoreRun from = play_by(base, named.scenario, place);
-    CoreRun to = play_by(candidate, named.scenario, place);
+    CoreRun from = play_by(base.at(place), named.scenario);
+    CoreRun to = play_by(candidate.at(place), named.scenario);
     RunChange change = compare_runs(named.scenario, from, to);
     change.no_longer_settles =
-        !settles(candidate, named.scenario, to, place) && settles(base, named.scenario, from, place);
+        !settles(candidate.at(place), named.scenario, to) && settles(base.at(place), named.scenario, from);
     card.library.classes.add(change);
     if (change.is_cut) ++card.library.cut;
     card.contacts.contacts.before += change.contacts_before;
@@ -83,24 +86,22 @@ struct HeldRun {
   }
 };
 
-HeldRun unjudged_run(const CoreFunctions& core, const Scenario& scenario, const std::string& name,
-                     const std::string& place) {
+HeldRun unjudged_run(const Core& core, const Scenario& scenario, const std::string& name) {
   StateHash hash;
-  add_rows(core, scenario, place, hash);
+  add_rows(core, scenario, hash);
   return {.name = name, .state_hash = hash.value()};
 }
 
-std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<HardCase>& cases,
+std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vector<HardCase>& cases,
                                   bool is_judged) {
   std::vector<HeldRun> runs;
   for (const HardCase& hard_case : cases) {
-    const std::string place = "hard case " + hard_case.name;
+    const Core& core = compared.at("hard case " + hard_case.name);
     if (!is_judged) {
-      runs.push_back(unjudged_run(core, hard_case.scenario, hard_case.name, place));
+      runs.push_back(unjudged_run(core, hard_case.scenario, hard_case.name));
       continue;
     }
-    const CoreInUse in_use(core, place);
-    const HardCaseResult result = play_hard_case(hard_case);
+    const HardCaseResult result = play_hard_case(core, hard_case);
     HeldRun run{.name = hard_case.name, .state_hash = result.state_hash};
     for (std::size_t index = 0; index < kInvariantCount; ++index) {
       const auto invariant = static_cast<Invariant>(index);
@@ -112,17 +113,16 @@ std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<H
   return runs;
 }
 
-std::vector<HeldRun> held_runs_of(const CoreFunctions& core, const std::vector<RandomRun>& random,
+std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vector<RandomRun>& random,
                                   bool is_judged) {
   std::vector<HeldRun> runs;
   for (const RandomRun& each : random) {
-    const std::string place = "random run " + each.scenario.name;
+    const Core& core = compared.at("random run " + each.scenario.name);
     if (!is_judged) {
-      runs.push_back(unjudged_run(core, each.scenario, each.scenario.name, place));
+      runs.push_back(unjudged_run(core, each.scenario, each.scenario.name));
       continue;
     }
-    const CoreInUse in_use(core, place);
-    const CheckedRun checked = check_run(each.scenario, each.stops);
+    const CheckedRun checked = check_run(core, each.scenario, each.stops);
     HeldRun run{.name = each.scenario.name, .state_hash = checked.summary.state_hash};
     for (std::size_t index = 0; index < kInvariantCount; ++index) {
       const auto invariant = static_cast<Invariant>(index);
@@ -168,14 +168,16 @@ InvariantLine invariant_line(bool is_general, const HeldRuns& cases, const HeldR
   return line;
 }
 
-HardCaseLine measure_hard_cases(const CoreFunctions& base, const CoreFunctions& candidate,
+HardCaseLine measure_hard_cases(const ComparedCore& base, const ComparedCore& candidate,
                                 const CardRequest& request, bool is_judged) {
+  // Both cores play those that are made by the constants of the base.
+  const Core& core = base.at("the hard cases");
   std::vector<HardCase> cases;
   for (const NamedScenario& named : request.hard)
-    for (HardCase& hard_case : hard_cases_of(named.scenario))
+    for (HardCase& hard_case : hard_cases_of(core, named.scenario))
       if (!hard_case.is_long) cases.push_back(std::move(hard_case));
   std::vector<RandomRun> runs;
-  for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(request.seed, run));
+  for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(core, request.seed, run));
   const HeldRuns held{held_runs_of(base, cases, is_judged), held_runs_of(candidate, cases, is_judged)};
   const HeldRuns random{held_runs_of(base, runs, is_judged), held_runs_of(candidate, runs, is_judged)};
   return {.cases = std::ssize(cases),
@@ -190,12 +192,11 @@ struct Claims {
   std::vector<Claim> timings;
 };
 
-Claims claims_by(const CoreFunctions& core, double step_s) {
-  const CoreInUse in_use(core, "the paper's claims");
-  return {paper_claims(step_s), speed_claims(step_s)};
+Claims claims_by(const ComparedCore& core, double step_s) {
+  return {paper_claims(core.at("the paper's claims"), step_s), speed_claims(step_s)};
 }
 
-ClaimLine measure_claims(const CoreFunctions& base, const CoreFunctions& candidate, const CostLine& cost) {
+ClaimLine measure_claims(const ComparedCore& base, const ComparedCore& candidate, const CostLine& cost) {
   constexpr double kNanosecond_s = 1e-9;
   const auto [before, timings] = claims_by(base, cost.step_ns.before.median * kNanosecond_s);
   const auto after = claims_by(candidate, cost.step_ns.after.median * kNanosecond_s).all;
@@ -222,11 +223,11 @@ ClaimLine measure_claims(const CoreFunctions& base, const CoreFunctions& candida
   return line;
 }
 
-std::string lacking_text(const CoreFunctions& base, const CoreFunctions& candidate) {
+std::string lacking_text(const ComparedCore& base, const ComparedCore& candidate) {
   std::string text;
   for (const auto& [core, name] : {std::pair(&base, "the base"), {&candidate, "the candidate"}})
-    if (const char* const names = core->lacking())
-      text += (text.empty() ? "" : "; ") + std::string(name) + " has no " + names;
+    if (!core->lacking.empty())
+      text += (text.empty() ? "" : "; ") + std::string(name) + " has no " + core->lacking;
   return text;
 }
 
@@ -257,10 +258,7 @@ std::int64_t ClassCounts::total() const {
   return std::accumulate(of_class.begin(), of_class.end(), same_bits);
 }
 
-Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate, const CardRequest& request) {
-  const CoreInUse in_use(
-      base,
-      "the hard cases");  // Random runs and hard cases depend on a core: both cores play those of the base.
+Card measure_card(const ComparedCore& base, const ComparedCore& candidate, const CardRequest& request) {
   Card card{.seed = request.seed,
             .flings = request.flings,
             .scenarios = std::ssize(request.library),

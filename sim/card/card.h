@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/card/core_functions.h"
+#include "sim/card/compared_core.h"
 #include "sim/card/core_run.h"
 #include "sim/cause/header_change.h"
 #include "sim/reference/model.h"
@@ -210,12 +210,12 @@ struct Card {
 };
 
 /// Of all rows of the library. ERRORS: CoreRefused.
-[[nodiscard]] std::string rows_hash(const CoreFunctions& core, const CardRequest& request);
+[[nodiscard]] std::string rows_hash(const ComparedCore& core, const CardRequest& request);
 
 /// Measures both cores. Everything but the cost is the same on every machine.
-/// REQUIRES: cores without CoreFunctions::defect.
+/// REQUIRES: cores without LibraryCore::defect.
 /// ERRORS: CoreRefused.
-[[nodiscard]] Card measure_card(const CoreFunctions& base, const CoreFunctions& candidate,
+[[nodiscard]] Card measure_card(const ComparedCore& base, const ComparedCore& candidate,
                                 const CardRequest& request);
 
 /// The largest consequence for a user, one sentence.

@@ -9,7 +9,7 @@
 
 namespace hyrax {
 
-/// Plays the same flings in different ways that must give the same rows.
+/// See LibraryCore::defect. Plays the same flings in different ways that must give the same rows.
 template <class Core>
 class DefectSearch {
  public:
@@ -107,12 +107,5 @@ class DefectSearch {
   }
   static std::string at(std::ptrdiff_t row) { return " from step " + std::to_string(row % kSteps + 1); }
 };
-
-/// See CoreFunctions::defect. Searched for once.
-template <class Core>
-[[nodiscard]] const char* defect_of() {
-  static const std::string defect = DefectSearch<Core>().search();
-  return defect.empty() ? nullptr : defect.c_str();
-}
 
 }  // namespace hyrax

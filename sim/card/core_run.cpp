@@ -1,17 +1,14 @@
 #include "sim/card/core_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
-#include "sim/card/core_in_use.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/row_walls.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/trajectory/input_playback.h"
 
 namespace hyrax {
 namespace {
@@ -24,9 +21,8 @@ class RowCollector final : public RowSink {
   [[nodiscard]] Wants wants() const override { return {.rows_every = is_complete() ? 0 : 1}; }
   void rows(const Columns& batch) override {
     for (std::size_t index = 0; index < batch.size(); ++index) {
-      Row row = batch.row(index);
+      const Row row = batch.row(index);
       if (row.step != std::ssize(run_.rows) || is_complete()) continue;  // The last one.
-      row.contact = 0;
       run_.rows.push_back(row);
     }
   }
@@ -70,6 +66,24 @@ std::optional<Scenario> played_on(const Scenario& scenario) {
   return longer;
 }
 
+// Walls, first and last steps of the contacts that the rows' contact bytes tell.
+std::vector<Contact> contacts_of(const std::vector<Row>& rows) {
+  std::vector<Contact> contacts;
+  std::array<std::size_t, kWalls.size()> open{};  // Index of the wall's latest contact.
+  for (std::size_t index = 1; index < rows.size(); ++index)
+    for (const Wall wall : kWalls) {
+      if (!touches(rows[index].contact, wall)) continue;
+      const std::int64_t step = rows[index].step;
+      if (touches(rows[index - 1].contact, wall)) {
+        contacts[open[wall_index(wall)]].last_step = step;
+        continue;
+      }
+      open[wall_index(wall)] = contacts.size();
+      contacts.push_back({.step = step, .last_step = step, .wall = wall});
+    }
+  return contacts;
+}
+
 bool is_same_row(const Row& a, const Row& b) {
   return same_bits(a.dt_s, b.dt_s) && same_bits(state_of(a), state_of(b));
 }
@@ -86,11 +100,10 @@ void CoreRun::extend(std::size_t length) {
   }
 }
 
-CoreRun play_by(const CoreFunctions& core, const Scenario& scenario, const std::string& place) {
-  const CoreInUse in_use(core, place);
+CoreRun play_by(const Core& core, const Scenario& scenario) {
   CoreRun run;
   RowCollector collector(run);
-  Replay replay(scenario, collector);
+  Replay replay(core, scenario, collector);
   replay.play_to(std::min(replay.steps(), kCoreRunStepsMax));
   const RunSummary summary = replay.finish();
   run.final = summary.final;
@@ -103,47 +116,11 @@ CoreRun play_by(const CoreFunctions& core, const Scenario& scenario, const std::
   return run;
 }
 
-bool settles(const CoreFunctions& core, const Scenario& scenario, const CoreRun& run,
-             const std::string& place) {
+bool settles(const Core& core, const Scenario& scenario, const CoreRun& run) {
   if (run.at_rest_since_s || !run.is_finite) return run.at_rest_since_s.has_value();
   const std::optional<Scenario> longer = played_on(scenario);
   if (!longer) return false;
-  const CoreInUse in_use(core, place);
-  return replay(*longer).at_rest_since_s.has_value();
-}
-
-std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows) {
-  InputPlayback inputs(scenario, inputs_of(scenario, step_count(scenario)));
-  std::vector<Contact> contacts;
-  std::array<std::size_t, kWalls.size()> open{};  // Index of the wall's latest contact.
-  for (std::size_t index = 1; index < rows.size(); ++index) {
-    Row& row = rows[index];
-    Row from = rows[index - 1];
-    inputs.apply(from);
-    row.contact = inputs.is_held()
-                      ? std::uint8_t{0}
-                      : RowWalls(inputs.bounds()).contact_of(state_of(from), row.dt_s, state_of(row));
-    for (const Wall wall : kWalls) {
-      if (!touches(row.contact, wall)) continue;
-      if (touches(rows[index - 1].contact, wall)) {
-        contacts[open[wall_index(wall)]].last_step = row.step;
-        continue;
-      }
-      open[wall_index(wall)] = contacts.size();
-      contacts.push_back({.step = row.step,
-                          .last_step = row.step,
-                          .wall = wall,
-                          .t_s = row.t_s,
-                          .x_px = row.x_px,
-                          .y_px = row.y_px,
-                          .vx_before_px_per_s = from.vx_px_per_s,
-                          .vy_before_px_per_s = from.vy_px_per_s,
-                          .vx_after_px_per_s = row.vx_px_per_s,
-                          .vy_after_px_per_s = row.vy_px_per_s,
-                          .overshoot_px = std::numeric_limits<double>::quiet_NaN()});
-    }
-  }
-  return contacts;
+  return replay(core, *longer).at_rest_since_s.has_value();
 }
 
 RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candidate) {
@@ -151,8 +128,8 @@ RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candida
   for (CoreRun* const run : {&base, &candidate})
     if (run->repetition) run->extend(length);
   RunChange change{.became_non_finite = base.is_finite && !candidate.is_finite};
-  const std::vector<Contact> before = set_contacts(scenario, base.rows);
-  const std::vector<Contact> after = set_contacts(scenario, candidate.rows);
+  const std::vector<Contact> before = contacts_of(base.rows);
+  const std::vector<Contact> after = contacts_of(candidate.rows);
   change.contacts_before = std::ssize(before);
   change.contacts_after = std::ssize(after);
   change.contacts = contact_changes(before, after);

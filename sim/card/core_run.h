@@ -1,4 +1,4 @@
-// A run of any core as its rows, with contacts that follow from the rows alone.
+// A run of any core as its rows.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/card/core_functions.h"
 #include "sim/compare/comparison.h"
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
@@ -22,8 +22,7 @@ inline constexpr std::int64_t kCoreRunStepsMax = 20'000'000;
 
 /// Row k, for any k of the run, is rows[k], or where the run repeats itself one of its last period.
 struct CoreRun {
-  std::vector<Row>
-      rows;  ///< From row 0. Their contact byte is that of set_contacts once it was called, else 0.
+  std::vector<Row> rows;                 ///< From row 0.
   std::optional<Repetition> repetition;  ///< If its first period is kept.
   Row final;                             ///< The last one that was played, kept or not.
   Digest state_hash{};
@@ -35,21 +34,12 @@ struct CoreRun {
   void extend(std::size_t length);
 };
 
-/// Plays the scenario. @param place what it is called where the core is refused (core_in_use.h).
-/// ERRORS: CoreRefused.
-[[nodiscard]] CoreRun play_by(const CoreFunctions& core, const Scenario& scenario,
-                              const std::string& place = "");
+[[nodiscard]] CoreRun play_by(const Core& core, const Scenario& scenario);
 
 /// Whether a run settles, played on by the core for kPlayedOn_s where it moved within the last second of its
 /// file. Not if its clock adds no time.
-[[nodiscard]] bool settles(const CoreFunctions& core, const Scenario& scenario, const CoreRun& run,
-                           const std::string& place = "");
+[[nodiscard]] bool settles(const Core& core, const Scenario& scenario, const CoreRun& run);
 inline constexpr double kPlayedOn_s = 20.0;
-
-/// Sets every row's contact byte by one rule for all cores, which knows nothing of their step (RowWalls), and
-/// returns the contacts. `before` of a contact is the velocity of the row before (with the frame's inputs),
-/// `after` that of its first row; overshoot is NaN.
-std::vector<Contact> set_contacts(const Scenario& scenario, std::vector<Row>& rows);
 
 /// How a scenario's run by one core differs from that by another.
 struct RunChange {
@@ -65,7 +55,7 @@ struct RunChange {
   bool no_longer_settles = false;  ///< Played on as well (settles), but it does with the base.
 };
 
-/// Extends the runs to a common length and sets their contacts.
+/// Extends the runs to a common length.
 [[nodiscard]] RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candidate);
 
 }  // namespace hyrax

@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "sim/card/core_in_use.h"
+#include "sim/card/compared_core.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/model.h"
-#include "sim/replay/core.h"
 #include "sim/scenario/schedule.h"
 #include "sim/scenario/split_mix64.h"
 
@@ -117,7 +116,7 @@ State random_fling(std::uint64_t seed, std::int64_t number) {
           draw(3, -2000.0, 500.0)};
 }
 
-FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
+FlingLines measure_flings(const ComparedCore& base, const ComparedCore& candidate, std::uint64_t seed,
                           std::int64_t flings) {
   FlingLines lines;
   lines.random.changed_contacts.of = flings;
@@ -127,9 +126,9 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
     const Scenario scenario =
         scenario_from(random_fling(seed, number), kWindow, kSprite, kRate_hz, kRate_hz * kDuration_s);
     const std::string place = place_of(seed, number);
-    CoreRun from = play_by(base, scenario, place);
-    CoreRun to = play_by(candidate, scenario, place);
-    if (!is_same_run(to, play_by(candidate, scenario, place)))
+    CoreRun from = play_by(base.at(place), scenario);
+    CoreRun to = play_by(candidate.at(place), scenario);
+    if (!is_same_run(to, play_by(candidate.at(place), scenario)))
       throw CoreRefused(candidate.number, "does not repeat: " + place + " played twice differs");
     const RunChange change = compare_runs(scenario, from, to);
     lines.random.classes.add(change);
@@ -163,10 +162,10 @@ FlingLines measure_flings(const CoreFunctions& base, const CoreFunctions& candid
 namespace {
 
 // Where a fling is after kDuration_s, if it moved less than half a pixel in the last second.
-std::optional<double> landing_x_px(const State& start, double rate_hz) {
+std::optional<double> landing_x_px(const Core& core, const State& start, double rate_hz) {
   const Bounds bounds = bounds_of(kWindow, kSprite);
   const auto seconds = [&](const State& from, double duration_s) {
-    return core_steps(from, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(duration_s * rate_hz));
+    return core.steps(from, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(duration_s * rate_hz));
   };
   const State earlier = seconds(start, static_cast<double>(kDuration_s - 1));
   const State end = seconds(earlier, 1.0);
@@ -176,11 +175,11 @@ std::optional<double> landing_x_px(const State& start, double rate_hz) {
 
 // On each display.
 using Landings = std::array<std::optional<double>, kDisplayRates_hz.size()>;
-Landings landings_of(const CoreFunctions& core, const State& start, const std::string& place) {
-  const CoreInUse in_use(core, place + " on displays of 24 to 1000 Hz");
+Landings landings_of(const ComparedCore& compared, const State& start, const std::string& place) {
+  const Core& core = compared.at(place + " on displays of 24 to 1000 Hz");
   Landings landings_px;
   std::transform(kDisplayRates_hz.begin(), kDisplayRates_hz.end(), landings_px.begin(),
-                 [&](double rate_hz) { return landing_x_px(start, rate_hz); });
+                 [&](double rate_hz) { return landing_x_px(core, start, rate_hz); });
   return landings_px;
 }
 
@@ -192,7 +191,7 @@ std::optional<double> spread_of(const Landings& landings_px) {
 
 }  // namespace
 
-DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
+DisplayLine measure_displays(const ComparedCore& base, const ComparedCore& candidate, std::uint64_t seed,
                              std::int64_t flings) {
   DisplayLine line{.flings = std::min(flings, kDisplayFlings)};
   for (std::int64_t number = 0; number < line.flings; ++number) {
@@ -213,17 +212,17 @@ DisplayLine measure_displays(const CoreFunctions& base, const CoreFunctions& can
   return line;
 }
 
-RestLine measure_rest(const CoreFunctions& base, const CoreFunctions& candidate) {
+RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate) {
   constexpr double kHeight_px = 100.0;
   const Bounds bounds = bounds_of(kWindow, kSprite);
-  const auto moved_px = [&](const CoreFunctions& core, double rate_hz) {
-    const CoreInUse in_use(core, "a drop at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
+  const auto moved_px = [&](const ComparedCore& compared, double rate_hz) {
+    const Core& core = compared.at("a drop at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
     const auto second = static_cast<std::int64_t>(rate_hz);
     State body{0.5 * bounds.right_px, bounds.bottom_px - kHeight_px, 0.0, 0.0};
-    body = core_steps(body, 1.0 / rate_hz, bounds, (kDuration_s - 1) * second);
+    body = core.steps(body, 1.0 / rate_hz, bounds, (kDuration_s - 1) * second);
     double low_px = body.y_px, high_px = body.y_px;
     for (std::int64_t step = 0; step < second; ++step) {
-      body = core_step(body, 1.0 / rate_hz, bounds);
+      body = core.step(body, 1.0 / rate_hz, bounds);
       low_px = std::min(low_px, body.y_px);
       high_px = std::max(high_px, body.y_px);
     }
@@ -237,24 +236,25 @@ RestLine measure_rest(const CoreFunctions& base, const CoreFunctions& candidate)
   return line;
 }
 
-CostLine measure_cost(const CoreFunctions& base, const CoreFunctions& candidate, std::uint64_t seed,
+CostLine measure_cost(const ComparedCore& base, const ComparedCore& candidate, std::uint64_t seed,
                       const NanosecondClock& now_ns) {
   constexpr int kPairs = 40;
   constexpr int kFlings = 50;
   constexpr std::int64_t kSteps = 600;  // 10 s: flight, bounces and rest.
   const Bounds bounds = bounds_of(kWindow, kSprite);
   volatile double used = 0.0;  // So that no step is left out.
-  const auto sample_ns = [&](const CoreFunctions& core) {
+  const auto sample_ns = [&](const ComparedCore& core) {
     const std::int64_t from_ns = now_ns();
     for (int number = 0; number < kFlings; ++number)
-      used = core.timed_steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
+      used = core.timed.steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
     return static_cast<double>(now_ns() - from_ns) / static_cast<double>(kFlings * kSteps);
   };
   std::vector<double> before_ns, after_ns, ratios;
-  for (const CoreFunctions* const core : {&base, &candidate}) {
+  for (const ComparedCore* const core : {&base, &candidate}) {
     for (int number = 0; number < kFlings; ++number) {  // Counted: the fling is named if the core ends.
-      const CoreInUse in_use(*core, place_of(seed, number));
-      used = core_steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
+      used = core->at(place_of(seed, number))
+                 .steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps)
+                 .x_px;
     }
     sample_ns(*core);
   }

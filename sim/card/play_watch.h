@@ -10,7 +10,7 @@ namespace hyrax {
 
 /// All of it 0 at first.
 struct PlayWatch {
-  int core;                       ///< CoreFunctions::number of the core in use.
+  int core;                       ///< ComparedCore::number of the core that plays.
   std::array<char, 160> place;    ///< What is played, "scenario hard/corner.json"; ends with a 0.
   std::int64_t from_step;         ///< Row before the call that plays it,
   std::int64_t steps;             ///< and how many it plays; 0 where its updates are not those of a run.

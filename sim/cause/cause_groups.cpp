@@ -69,7 +69,7 @@ struct StepEvidence {
   bool gives_all = true;
 };
 
-StepEvidence evidence_of(const Kernel& core, const StoredRun& run, const StoredRun& other) {
+StepEvidence evidence_of(const Core& core, const StoredRun& run, const StoredRun& other) {
   StepEvidence evidence;
   StepJudge judge(core);
   for (const ObservedStep& step : observed_steps(run, other, core)) {
@@ -90,7 +90,7 @@ class CauseFinder {
     if (!is_repeated || !match(base_.program, fresh.scenario, fresh).rows)
       return {CauseKind::unknown, std::string(kNotRepeated)};
     const bool is_judged = base_.accepted != nullptr && names_accepted;
-    const Kernel& core = is_judged ? *base_.accepted : base_.program;
+    const Core& core = is_judged ? *base_.accepted : base_.program;
     const bool has_equal_rows = golden.state_hash == fresh.state_hash;
     if (is_judged && !(has_equal_rows && !scenario_change.empty()) &&
         match(core, fresh.scenario, golden).is_whole())
@@ -116,7 +116,7 @@ class CauseFinder {
     return names_accepted ? "" : "blessed with another core than the accepted one";
   }
 
-  [[nodiscard]] static Cause scenario_cause(const DifferingRun& run, const Kernel& core, bool is_judged) {
+  [[nodiscard]] static Cause scenario_cause(const DifferingRun& run, const Core& core, bool is_judged) {
     if (match(core, run.golden.scenario, run.golden).rows) return {CauseKind::scenario, run.scenario_change};
     if (!run.is_golden_as_blessed)
       return {CauseKind::golden, "the golden file was changed since it was blessed"};
@@ -129,7 +129,7 @@ class CauseFinder {
   // Frame times and inputs differ in the files themselves. With those of the golden file the core must give
   // its rows; the frame times of a long run are not kept, and nothing but the clock and hitches makes them.
   [[nodiscard]] static std::optional<Cause> playback_cause(const StoredRun& golden, const StoredRun& fresh,
-                                                           const Kernel& core) {
+                                                           const Core& core) {
     const auto time = time_difference(golden, fresh);
     const auto input = input_difference(golden, fresh);
     if (!time && !input) return std::nullopt;
@@ -141,7 +141,8 @@ class CauseFinder {
 
   // The scenario, its frame times and inputs are the golden file's, but the accepted step does not give its
   // rows.
-  [[nodiscard]] Cause step_cause(const StoredRun& golden, const StoredRun& fresh, const Kernel& core) const {
+  [[nodiscard]] Cause step_cause(const StoredRun& golden, const StoredRun& fresh, const Core& core) const {
+    if (base_.has_further_members) return {CauseKind::unknown, other_bits()};
     const StepEvidence kept = evidence_of(core, golden, fresh);
     if (!kept.has_steps || !kept.gives_free_steps) {
       if (base_.calls_libm || !kept.has_steps) return {CauseKind::unknown, other_bits()};

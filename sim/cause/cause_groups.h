@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/cause/cause.h"
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/stored_run.h"
 
 namespace hyrax {
@@ -24,8 +24,9 @@ struct DifferingRun {
 
 /// The cores that the runs are judged by.
 struct CauseBase {
-  const Kernel& program;             ///< Played the fresh runs.
-  const Kernel* accepted = nullptr;  ///< Plays the accepted core's step; nullptr: there is none to play.
+  const Core& program;               ///< Played the fresh runs.
+  const Core* accepted = nullptr;    ///< Plays the accepted core's step; nullptr: there is none to play.
+  bool has_further_members = false;  ///< The accepted core; then a row is not all of a state.
   std::string why_not_played;        ///< Why there is none, as a clause; else empty.
   bool is_same_core = false;         ///< Header and step are the accepted ones, or proved equal.
   std::string core_change;           ///< Else what changed, as "GRAVITY 1200 -> 1250".

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/core_record.h"
 #include "sim/result/table.h"
-#include "sim/trace/core_record.h"
 
 namespace hyrax {
 

@@ -92,11 +92,11 @@ Keyframe keyframe_of_block(const std::vector<StoredBlock>& blocks, std::int64_t 
   return {};
 }
 
-std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun& other, const Kernel& core) {
+std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun& other, const Core& core) {
   const std::int64_t differing = first_block_that_differs(run.blocks, other.blocks);
   const Keyframe from = keyframe_of_block(run.blocks, std::max<std::int64_t>(0, differing - 1));
   RowsSink sink;
-  Replay replay(run.scenario, from, sink, {.kernel = &core});
+  Replay replay(core, run.scenario, from, sink);
   replay.play_to(std::min(run.steps, from.row.step + 2 * kRows - 1));
   static_cast<void>(replay.finish());
   StepCollector collector(run.inputs, world_of(from), from.row.step);
@@ -106,7 +106,7 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
 
 }  // namespace
 
-std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other, const Kernel& core) {
+std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other, const Core& core) {
   if (!run.blocks.empty()) return steps_of_blocks(run, other, core);
   if (run.rows.size() == 0) return {};
   World start{state_of(run.rows.row(0)), run.scenario.window, run.scenario.sprite};
@@ -121,7 +121,7 @@ bool StepJudge::gives(const ObservedStep& observed) {
   CoreBody after{state};
   RestAnchor rest;
   rows_.shrink(0);
-  core_.play(stretch, after, rest, rows_, log_);
+  core_.kernel->play(stretch, after, rest, rows_, log_);
   return same_bits(after.state, observed.after);
 }
 

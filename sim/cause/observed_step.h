@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/motion/state.h"
-#include "sim/replay/kernel.h"
 #include "sim/trajectory/stored_run.h"
 
 namespace hyrax {
@@ -23,20 +23,20 @@ struct ObservedStep {
 /// whose digest is not the one in `other`, and of the block before it. Held frames have none.
 /// @param core plays the rows of a long run's blocks, from their keyframes. REQUIRES: as StepJudge.
 [[nodiscard]] std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other,
-                                                       const Kernel& core);
+                                                       const Core& core);
 
 /// Takes single steps by a core, to compare them with what was observed. REQUIRES: a core without members
-/// besides x, y, vx and vy, since a row is all that is known of its state (make_traced_kernel has no other).
+/// besides x, y, vx and vy, since a row is all that is known of its state.
 class StepJudge {
  public:
   /// Refers to the core.
-  explicit StepJudge(const Kernel& core) : core_(core) {}
+  explicit StepJudge(const Core& core) : core_(core) {}
 
   /// Whether the core makes of the state the bits that were observed.
   [[nodiscard]] bool gives(const ObservedStep& observed);
 
  private:
-  const Kernel& core_;
+  const Core& core_;
   RowBlock rows_;
   StretchLog log_;
 };

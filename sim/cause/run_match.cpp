@@ -91,9 +91,9 @@ Scenario playback_of(const StoredRun& golden) {
   return playback;
 }
 
-RunMatch match(const Kernel& core, const Scenario& scenario, const StoredRun& run) {
+RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run) {
   RunMatcher matcher(run);
-  Replay replay(scenario, matcher, {.kernel = &core});
+  Replay replay(core, scenario, matcher);
   if (replay.steps() < run.steps) return {};
   std::int64_t piece = 16 * static_cast<std::int64_t>(kBlockRows);
   for (std::int64_t at = -1; at < run.steps && !matcher.differs(); piece *= 2) {

@@ -1,7 +1,7 @@
 // A core's replay against a stored run: does it give the same rows?
 #pragma once
 
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/stored_run.h"
 
@@ -21,6 +21,6 @@ struct RunMatch {
 
 /// Plays the scenario by the core. Ends at the first block of rows that differs: times and contacts are then
 /// not compared to the end.
-[[nodiscard]] RunMatch match(const Kernel& core, const Scenario& scenario, const StoredRun& run);
+[[nodiscard]] RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run);
 
 }  // namespace hyrax

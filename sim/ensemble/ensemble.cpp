@@ -210,10 +210,11 @@ class EnsemblePlayer::Batch {
   std::vector<Leg> legs_;
 };
 
-EnsemblePlayer::EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options) : sweep_(sweep) {
-  if (!options.listing || needs_replay(sweep)) return;
+EnsemblePlayer::EnsemblePlayer(const Core& core, const Sweep& sweep, const EnsembleOptions& options)
+    : core_(core), sweep_(sweep) {
+  if (!core.shape.constants || needs_replay(sweep)) return;
   batch_ = std::make_unique<Batch>(
-      sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front(), *options.listing);
+      sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front(), *core.shape.constants);
 }
 EnsemblePlayer::~EnsemblePlayer() = default;
 EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;
@@ -224,7 +225,7 @@ StepTally EnsemblePlayer::play(const WorkPart& part, std::int64_t first_row,
   if (!batch_) {
     SweepMembers members(sweep_);
     for (MemberResult& result : results)
-      tally += play_member(members.scenario(part.member(first_row++)), sweep_.keep, result);
+      tally += play_member(core_, members.scenario(part.member(first_row++)), sweep_.keep, result);
     return tally;
   }
   constexpr std::size_t kBatch = 1024;  // Stays in the second-level cache.

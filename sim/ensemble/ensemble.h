@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "sim/core/core.h"
 #include "sim/motion/state.h"
 #include "sim/scenario/sweep.h"
 #include "sim/trajectory/state_hash.h"
@@ -42,19 +43,17 @@ struct StepTally {
   }
 };
 
-/// How members are played. All ways give the same bits.
+/// How members of a core of the paper's shape are played; those of any other are replayed, step by step. All
+/// ways give the same bits.
 struct EnsembleOptions {
-  /// Of a core whose step is proved to be the paper's (sim/replay/core_shape.h); of any other, and without,
-  /// each member is played by the replay, step by step.
-  std::optional<Constants> listing = {};
   const KernelSet* kernels = nullptr;  ///< The fastest that this machine can run, if it is not set.
 };
 
 /// Plays members of a sweep. One a thread.
 class EnsemblePlayer {
  public:
-  /// Refers to the sweep.
-  EnsemblePlayer(const Sweep& sweep, const EnsembleOptions& options);
+  /// Refers to the core and the sweep.
+  EnsemblePlayer(const Core& core, const Sweep& sweep, const EnsembleOptions& options = {});
   ~EnsemblePlayer();
   EnsemblePlayer(EnsemblePlayer&&) noexcept;
 
@@ -64,11 +63,12 @@ class EnsemblePlayer {
 
  private:
   class Batch;
+  const Core& core_;
   const Sweep& sweep_;
   std::unique_ptr<Batch> batch_;  // Nothing if the members are replayed.
 };
 
 /// Plays one scenario by the replay, step by step: the meaning of every result.
-StepTally play_member(const Scenario& scenario, const KeepSet& keep, MemberResult& result);
+StepTally play_member(const Core& core, const Scenario& scenario, const KeepSet& keep, MemberResult& result);
 
 }  // namespace hyrax

@@ -45,11 +45,11 @@ class ExtremesSink final : public RowSink {
 
 }  // namespace
 
-StepTally play_member(const Scenario& scenario, const KeepSet& keep, MemberResult& result) {
+StepTally play_member(const Core& core, const Scenario& scenario, const KeepSet& keep, MemberResult& result) {
   ExtremesSink extremes(scenario);
   std::vector<RowSink*> sinks;
   if (keep.has(Keep::extremes)) sinks.push_back(&extremes);
-  const RunSummary summary = replay(scenario, sinks);
+  const RunSummary summary = replay(core, scenario, sinks);
   result.final = state_of(summary.final);
   result.contacts = summary.contacts;
   result.at_rest_since_s = summary.at_rest_since_s.value_or(std::numeric_limits<double>::quiet_NaN());

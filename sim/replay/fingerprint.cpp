@@ -85,10 +85,10 @@ Scenario fling(double rate_hz, std::int64_t frames, const State& start) {
 
 }  // namespace
 
-Digest core_fingerprint(const Kernel* kernel) {
+Digest fingerprint_of(const Core& core) {
   ByteHash hash;
   const auto add = [&](const Scenario& scenario) {
-    const Digest played = replay(scenario, {}, {.kernel = kernel}).state_hash;
+    const Digest played = replay(core, scenario).state_hash;
     hash.add(std::as_bytes(std::span(played)));
   };
   for (std::uint64_t seed = 0; seed < kEdgeRuns; ++seed) add(edge_run(seed));

@@ -22,11 +22,11 @@ bool divides_a_block(std::int64_t period) { return static_cast<std::int64_t>(kBl
 
 }  // namespace
 
-Replay::Player::Player(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options,
-                       const Keyframe& from, std::int64_t first_step)
+Replay::Player::Player(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks,
+                       ReplayOptions options, const Keyframe& from, std::int64_t first_step)
     : scenario_(scenario),
       options_(options),
-      kernel_(options.kernel != nullptr ? *options.kernel : core_kernel()),
+      kernel_(core.kernel),
       clock_(scenario.clock),
       steps_(step_count(scenario)),
       event_frames_(schedule_events(scenario, steps_).frames),
@@ -75,7 +75,7 @@ Stretch Replay::Player::stretch(std::int64_t frames) const {
 void Replay::Player::apply_events() {
   for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_) {
     const Action& action = scenario_.events[next_event_].action;
-    kernel_.apply(action, now_);
+    kernel_->apply(action, now_);
     search_.reset();
     cycle_.reset();
     if (const auto* hitch = std::get_if<Hitch>(&action)) hitch_dt_s_ = hitch->dt_s;
@@ -143,7 +143,7 @@ void Replay::Player::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
   const RestAnchor rest_before = rest_;
   CoreBody moved = body();
-  kernel_.play(stretch, moved, rest_, block_, log_);
+  kernel_->play(stretch, moved, rest_, block_, log_);
   if (!is_finite(moved.state)) {
     rest_ = rest_before;
     cut_to_first_non_finite(stretch, rows_before);
@@ -166,7 +166,7 @@ void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_b
   block_.shrink(rows_before);
   stretch.frames = static_cast<std::int64_t>(row - rows_before) + 1;
   CoreBody moved = body();
-  kernel_.play(stretch, moved, rest_, block_, log_);
+  kernel_->play(stretch, moved, rest_, block_, log_);
   summary_.non_finite_step = step() + stretch.frames;
 }
 
@@ -252,10 +252,11 @@ RunSummary Replay::Player::finish() {
   return summary_;
 }
 
-Replay::Replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options)
-    : player_(std::make_unique<Player>(scenario, std::move(sinks), options, start_of(scenario), 0)) {}
-Replay::Replay(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options)
-    : player_(std::make_unique<Player>(scenario, std::vector<RowSink*>{&sink}, options, from,
+Replay::Replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options)
+    : player_(std::make_unique<Player>(core, scenario, std::move(sinks), options, start_of(scenario), 0)) {}
+Replay::Replay(const Core& core, const Scenario& scenario, const Keyframe& from, RowSink& sink,
+               ReplayOptions options)
+    : player_(std::make_unique<Player>(core, scenario, std::vector<RowSink*>{&sink}, options, from,
                                        from.row.step + 1)) {}
 Replay::~Replay() = default;
 Replay::Replay(Replay&&) noexcept = default;
@@ -265,13 +266,14 @@ const Keyframe& Replay::keyframe() const { return player_->now(); }
 void Replay::play_to(std::int64_t step) { player_->play_to(step); }
 RunSummary Replay::finish() { return player_->finish(); }
 
-RunSummary replay(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options) {
-  Replay run(scenario, std::move(sinks), options);
+RunSummary replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks,
+                  ReplayOptions options) {
+  Replay run(core, scenario, std::move(sinks), options);
   run.play_to(run.steps());
   return run.finish();
 }
-RunSummary replay(const Scenario& scenario, RowSink& sink, ReplayOptions options) {
-  return replay(scenario, std::vector<RowSink*>{&sink}, options);
+RunSummary replay(const Core& core, const Scenario& scenario, RowSink& sink, ReplayOptions options) {
+  return replay(core, scenario, std::vector<RowSink*>{&sink}, options);
 }
 
 }  // namespace hyrax

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/replay/contact_tracker.h"
-#include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
 #include "sim/replay/tee.h"
 #include "sim/scenario/frame_clock.h"
@@ -34,8 +34,8 @@ struct Cycle {
 class Replay::Player {
  public:
   /// @param first_step the first row that the sinks get.
-  Player(const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options, const Keyframe& from,
-         std::int64_t first_step);
+  Player(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options,
+         const Keyframe& from, std::int64_t first_step);
 
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] const Keyframe& now() const { return now_; }
@@ -85,7 +85,7 @@ class Replay::Player {
 
   const Scenario& scenario_;
   ReplayOptions options_;
-  const Kernel& kernel_;
+  std::shared_ptr<const Kernel> kernel_;
   FrameClock clock_;
   std::int64_t steps_;
   std::vector<std::int64_t> event_frames_;

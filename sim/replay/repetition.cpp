@@ -52,7 +52,7 @@ Cycle Replay::Player::make_cycle(std::int64_t period) const {
   cycle.before = body();
   CoreBody moving = cycle.before;
   RestAnchor unused;
-  kernel_.play(stretch(period), moving, unused, cycle.rows, cycle.log);
+  kernel_->play(stretch(period), moving, unused, cycle.rows, cycle.log);
   multiply(cycle.rows);
   return cycle;
 }
@@ -73,7 +73,7 @@ Keyframe Replay::Player::keyframe_in(const Cycle& cycle, std::int64_t at) const 
     RestAnchor rest;
     RowBlock rows;
     StretchLog log;
-    kernel_.play(stretch(cycle.phase(at) + 1), moved, rest, rows, log);
+    kernel_->play(stretch(cycle.phase(at) + 1), moved, rest, rows, log);
     keyframe.core_object = std::move(moved.object);
   }
   return keyframe;

@@ -1,23 +1,21 @@
-// A scenario through the exact physics::update, frame by frame, into any number of sinks.
+// A scenario through the exact step of a core, frame by frame, into any number of sinks.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
 
-class Kernel;
-
 struct ReplayOptions {
   /// Stop computing where the state repeats exactly at a fixed dt; the results are the same.
   bool skips_repetition = true;
-  bool checks_bounds = false;      ///< Fills RunSummary::out_of_bounds_step.
-  const Kernel* kernel = nullptr;  ///< Another core than class physics (sim/replay/kernel_of.h).
+  bool checks_bounds = false;  ///< Fills RunSummary::out_of_bounds_step.
 };
 
 /// Plays a scenario in constant memory. Rows, contacts, blocks and the whole summary are the same bits
@@ -27,14 +25,16 @@ class Replay {
  public:
   /// From the start. Refers to scenario and sinks.
   /// REQUIRES: a scenario within the limits of scenario.h whose events have frames.
-  explicit Replay(const Scenario& scenario, std::vector<RowSink*> sinks = {}, ReplayOptions options = {});
-  Replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {})
-      : Replay(scenario, std::vector<RowSink*>{&sink}, options) {}
+  Replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks = {},
+         ReplayOptions options = {});
+  Replay(const Core& core, const Scenario& scenario, RowSink& sink, ReplayOptions options = {})
+      : Replay(core, scenario, std::vector<RowSink*>{&sink}, options) {}
   /// Resumes after the keyframe's row, which the sink does not get again. Contacts that touch
   /// there go on uncounted; state_hash, at_rest_since_s and the search for repetition begin at the
   /// keyframe's row: periodic_from_step is never before it, and is that row if the whole run repeats
   /// there already.
-  Replay(const Scenario& scenario, const Keyframe& from, RowSink& sink, ReplayOptions options = {});
+  Replay(const Core& core, const Scenario& scenario, const Keyframe& from, RowSink& sink,
+         ReplayOptions options = {});
   ~Replay();
   Replay(Replay&&) noexcept;
 
@@ -52,7 +52,8 @@ class Replay {
 };
 
 /// Plays all of a scenario; without sinks for its summary alone.
-RunSummary replay(const Scenario& scenario, RowSink& sink, ReplayOptions options = {});
-RunSummary replay(const Scenario& scenario, std::vector<RowSink*> sinks = {}, ReplayOptions options = {});
+RunSummary replay(const Core& core, const Scenario& scenario, RowSink& sink, ReplayOptions options = {});
+RunSummary replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks = {},
+                  ReplayOptions options = {});
 
 }  // namespace hyrax

@@ -35,9 +35,9 @@ class ContactList final : public RowSink {
   std::vector<ContactSteps> contacts_;
 };
 
-std::vector<ContactSteps> contacts_of(const Scenario& scenario, std::int64_t steps) {
+std::vector<ContactSteps> contacts_of(const Core& core, const Scenario& scenario, std::int64_t steps) {
   ContactList list;
-  Replay run(scenario, {&list});
+  Replay run(core, scenario, {&list});
   run.play_to(steps);
   static_cast<void>(run.finish());
   return list.take();
@@ -63,7 +63,7 @@ Position between_squares(double inner, double outer, Draws& draws) {
 
 }  // namespace
 
-ContactChance contact_chance(const Scenario& scenario, double margin_px, std::uint64_t seed,
+ContactChance contact_chance(const Core& core, const Scenario& scenario, double margin_px, std::uint64_t seed,
                              std::int64_t starts) {
   constexpr std::int64_t kStepsCompared = 20'000;
   ContactChance chance;
@@ -73,12 +73,12 @@ ContactChance contact_chance(const Scenario& scenario, double margin_px, std::ui
   chance.drawn_part = 1.0 - kept * kept;
   if (kept >= 1.0) return chance;
   Scenario moved = scenario;
-  const std::vector<ContactSteps> contacts = contacts_of(moved, chance.steps);
+  const std::vector<ContactSteps> contacts = contacts_of(core, moved, chance.steps);
   Draws draws(seed);
   for (std::int64_t start = 0; start < starts; ++start) {
     const Position by = between_squares(margin_px, chance.within_px, draws);
     moved.start = {scenario.start.x_px + by.x_px, scenario.start.y_px + by.y_px};
-    chance.changed.count += contacts_of(moved, chance.steps) == contacts ? 0 : 1;
+    chance.changed.count += contacts_of(core, moved, chance.steps) == contacts ? 0 : 1;
     ++chance.changed.of;
   }
   return chance;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "sim/core/core.h"
 #include "sim/result/estimate.h"
 #include "sim/scenario/scenario.h"
 
@@ -33,7 +34,7 @@ struct ContactChance {
 /// Plays the scenario and `starts` others beside it, each for 20,000 steps at most: by then drag has taken
 /// all but 2e-9 of a change of the start.
 /// @param margin_px half-width of the box around the start within which no contact changes, 0 if not known.
-[[nodiscard]] ContactChance contact_chance(const Scenario& scenario, double margin_px, std::uint64_t seed = 1,
-                                           std::int64_t starts = 200);
+[[nodiscard]] ContactChance contact_chance(const Core& core, const Scenario& scenario, double margin_px,
+                                           std::uint64_t seed = 1, std::int64_t starts = 200);
 
 }  // namespace hyrax

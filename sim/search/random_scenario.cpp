@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "sim/core/core.h"
 #include "sim/motion/displays.h"
-#include "sim/replay/core_shape.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/draws.h"
 
@@ -19,7 +19,8 @@ constexpr double kLongFrames_s[] = {0.1, 0.25, 1.0, 10.0, 1e3, 1e6, 1e9};
 // order is the same with every compiler.
 class Maker {
  public:
-  explicit Maker(std::uint64_t seed) : draws_(seed), features_(draws_.bits()) {}
+  Maker(std::uint64_t seed, const std::optional<Constants>& constants)
+      : draws_(seed), constants_(constants), features_(draws_.bits()) {}
 
   [[nodiscard]] const Features& features() const { return features_; }
 
@@ -107,11 +108,10 @@ class Maker {
     return {vx_px_per_s, draws_.once_in(2) ? 0.0 : number(-20.0, 20.0)};
   }
   // From which a frame that ends on the ground leaves the rest rule's threshold, often to the bit.
-  static double threshold_speed(double dt_s) {
-    const std::optional<Constants> constants = measured_constants();
-    if (!constants) return 0.0;
-    const Constants& core = *constants;
-    return core.rest_threshold_px_per_s / core.restitution / core.air_drag - core.gravity_px_per_s2 * dt_s;
+  [[nodiscard]] double threshold_speed(double dt_s) const {
+    if (!constants_) return 0.0;
+    return constants_->rest_threshold_px_per_s / constants_->restitution / constants_->air_drag -
+           constants_->gravity_px_per_s2 * dt_s;
   }
   void start_at_a_corner(Scenario& scenario) {
     const Bounds bounds = bounds_of(window_, sprite_);
@@ -223,6 +223,7 @@ class Maker {
   }
 
   Draws draws_;
+  std::optional<Constants> constants_;
   Features features_;
   std::int64_t steps_ = 0;
   Size window_;  // In force after the events so far.
@@ -232,8 +233,8 @@ class Maker {
 
 }  // namespace
 
-RandomRun random_run(std::uint64_t seed, std::uint64_t run) {
-  Maker maker(split_mix64(seed, run));
+RandomRun random_run(const Core& core, std::uint64_t seed, std::uint64_t run) {
+  Maker maker(split_mix64(seed, run), core.constants);
   RandomRun random{.scenario = maker.scenario(), .stops = maker.stops(), .features = maker.features()};
   random.scenario.name = "fuzz-" + std::to_string(seed) + "-" + std::to_string(run);
   return random;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {
@@ -51,9 +52,8 @@ struct RandomRun {
   Features features;
 };
 
-/// Run `run` of a seed: the same on every machine with the same constants of the core, whichever runs come
-/// before it. The scenario is within all
-/// limits of the format; its name is "fuzz-SEED-RUN".
-[[nodiscard]] RandomRun random_run(std::uint64_t seed, std::uint64_t run);
+/// Run `run` of a seed: the same on every machine for cores of the same constants, whichever runs come before
+/// it. The scenario is within all limits of the format; its name is "fuzz-SEED-RUN".
+[[nodiscard]] RandomRun random_run(const Core& core, std::uint64_t seed, std::uint64_t run);
 
 }  // namespace hyrax

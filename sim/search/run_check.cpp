@@ -39,14 +39,14 @@ class ProgressSink : public RowSink {
   const std::function<void(std::int64_t)>& report_steps_;
 };
 
-Digest resumed_digest(const Scenario& scenario, std::span<const std::int64_t> stops) {
+Digest resumed_digest(const Core& core, const Scenario& scenario, std::span<const std::int64_t> stops) {
   DigestSink sink;
-  std::optional<Replay> run(std::in_place, scenario, sink);
+  std::optional<Replay> run(std::in_place, core, scenario, sink);
   for (const std::int64_t stop : stops) {
     run->play_to(stop);
     const Keyframe stopped = run->keyframe();
     run->finish();
-    run.emplace(scenario, stopped, sink);
+    run.emplace(core, scenario, stopped, sink);
   }
   run->play_to(run->steps());
   run->finish();
@@ -80,20 +80,21 @@ std::vector<std::int64_t> usual_stops(const Scenario& scenario) {
   return stops;
 }
 
-CheckedRun check_run(const Scenario& scenario, std::span<const std::int64_t> stops,
+CheckedRun check_run(const Core& core, const Scenario& scenario, std::span<const std::int64_t> stops,
                      const std::function<void(std::int64_t)>& report_steps) {
-  StepWatch watch(scenario);
+  StepWatch watch(core, scenario);
   ProgressSink counted(watch, report_steps);
-  CheckedRun run{.summary = replay(scenario, counted, {.skips_repetition = false, .checks_bounds = true}),
-                 .measures = watch.measures(),
-                 .last_speed_px_per_s = watch.last_speed_px_per_s(),
-                 .knife_edges = watch.knife_edges()};
+  CheckedRun run{
+      .summary = replay(core, scenario, counted, {.skips_repetition = false, .checks_bounds = true}),
+      .measures = watch.measures(),
+      .last_speed_px_per_s = watch.last_speed_px_per_s(),
+      .knife_edges = watch.knife_edges()};
   const auto record_equal = [&run](Invariant invariant, const Digest& hash) {
     const double slack = hash == run.summary.state_hash ? 0.0 : -1.0;
     run.measures[static_cast<std::size_t>(invariant)].add(slack, run.summary.steps);
   };
-  record_equal(Invariant::repeated, replay(scenario).state_hash);
-  record_equal(Invariant::resumed, resumed_digest(scenario, stops));
+  record_equal(Invariant::repeated, replay(core, scenario).state_hash);
+  record_equal(Invariant::resumed, resumed_digest(core, scenario, stops));
   return run;
 }
 

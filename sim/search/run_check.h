@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/search/invariant.h"
 #include "sim/trajectory/run_summary.h"
@@ -28,7 +29,8 @@ struct CheckedRun {
 /// @param stops rows 0 .. steps in order: the last run is stopped at each, and resumed from its keyframe.
 /// @param report_steps called with the number of steps checked, during the first run, the longest.
 /// REQUIRES: as Replay.
-[[nodiscard]] CheckedRun check_run(const Scenario& scenario, std::span<const std::int64_t> stops,
+[[nodiscard]] CheckedRun check_run(const Core& core, const Scenario& scenario,
+                                   std::span<const std::int64_t> stops,
                                    const std::function<void(std::int64_t)>& report_steps = {});
 
 /// Whether the paper's listing itself breaks the invariant in scenarios like this one: it applies drag in a

@@ -88,9 +88,9 @@ Scenario without_events(const Scenario& scenario, std::size_t first, std::size_t
   return simpler;
 }
 
-Scenario after_frames(const Scenario& scenario, std::int64_t frames) {
+Scenario after_frames(const Core& core, const Scenario& scenario, std::int64_t frames) {
   assert(0 <= frames && frames <= step_count(scenario));
-  Replay run(scenario);
+  Replay run(core, scenario);
   run.play_to(frames);
   const Keyframe& then = run.keyframe();
   Scenario later = without_frames(scenario, 0, frames);

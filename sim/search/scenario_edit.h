@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/core/core.h"
 #include "sim/scenario/numbers.h"
 #include "sim/scenario/scenario.h"
 
@@ -21,9 +22,9 @@ namespace hyrax {
 /// Without events first .. last - 1. REQUIRES: first <= last <= scenario.events.size().
 [[nodiscard]] Scenario without_events(const Scenario& scenario, std::size_t first, std::size_t last);
 
-/// What comes after the first `frames` frames, from the state that the replay has there: a jittered clock
+/// What comes after the first `frames` frames, from the state that the core has there: a jittered clock
 /// draws again from its first number. REQUIRES: 0 <= frames <= step_count(scenario).
-[[nodiscard]] Scenario after_frames(const Scenario& scenario, std::int64_t frames);
+[[nodiscard]] Scenario after_frames(const Core& core, const Scenario& scenario, std::int64_t frames);
 
 /// Every frame's dt recorded, its hitch too. REQUIRES: step_count(scenario) > 0.
 [[nodiscard]] Scenario recorded(const Scenario& scenario);

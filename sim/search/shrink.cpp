@@ -27,9 +27,9 @@ Scenario with_clock(const Scenario& scenario, const Clock& clock) {
 
 class Shrinker {
  public:
-  Shrinker(const Scenario& start, const std::function<bool(const Scenario&)>& fails,
+  Shrinker(const Core& core, const Scenario& start, const std::function<bool(const Scenario&)>& fails,
            const ShrinkOptions& options)
-      : fails_(fails), options_(options), best_(start), complexity_(complexity_of(start)) {}
+      : core_(core), fails_(fails), options_(options), best_(start), complexity_(complexity_of(start)) {}
 
   [[nodiscard]] bool starts_failing() { return is_failing(best_); }
 
@@ -90,7 +90,7 @@ class Shrinker {
 
   void start_later() {
     for (std::int64_t cut = steps(); cut > 0; cut /= 2)
-      while (cut <= steps() && accept(after_frames(best_, cut))) continue;
+      while (cut <= steps() && accept(after_frames(core_, best_, cut))) continue;
   }
 
   void leave_out_events() {
@@ -138,6 +138,7 @@ class Shrinker {
     }
   }
 
+  const Core& core_;
   const std::function<bool(const Scenario&)>& fails_;
   const ShrinkOptions& options_;
   Scenario best_;
@@ -160,9 +161,9 @@ Complexity complexity_of(const Scenario& scenario) {
           .digits = digits_of(scenario)};
 }
 
-Shrunk shrink(const Scenario& failing, const std::function<bool(const Scenario&)>& fails,
+Shrunk shrink(const Core& core, const Scenario& failing, const std::function<bool(const Scenario&)>& fails,
               const ShrinkOptions& options) {
-  Shrinker shrinker(plain(failing), fails, options);
+  Shrinker shrinker(core, plain(failing), fails, options);
   if (!shrinker.starts_failing()) return {.scenario = failing, .trials = 1};
   shrinker.run();
   return shrinker.take();

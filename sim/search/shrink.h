@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {
@@ -43,7 +44,8 @@ struct Shrunk {
 /// Deterministic if `fails` is. If `failing` does not fail when it is tried, it is returned as it is.
 /// @param fails whether a valid scenario still fails as `failing` does.
 /// REQUIRES: the events of `failing` have frames.
-[[nodiscard]] Shrunk shrink(const Scenario& failing, const std::function<bool(const Scenario&)>& fails,
+[[nodiscard]] Shrunk shrink(const Core& core, const Scenario& failing,
+                            const std::function<bool(const Scenario&)>& fails,
                             const ShrinkOptions& options = {});
 
 }  // namespace hyrax

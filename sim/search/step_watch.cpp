@@ -23,8 +23,10 @@ double minus_difference(double a, double b) {
 
 }  // namespace
 
-StepWatch::StepWatch(const Scenario& scenario)
-    : inputs_(scenario, inputs_of(scenario, step_count(scenario))) {}
+StepWatch::StepWatch(const Core& core, const Scenario& scenario)
+    : core_(core),
+      constants_(core.constants.value_or(Constants())),
+      inputs_(scenario, inputs_of(scenario, step_count(scenario))) {}
 
 void StepWatch::rows(const Columns& batch) {
   for (std::size_t row = 0; row < batch.size(); ++row) check(batch.row(row));
@@ -40,11 +42,11 @@ void StepWatch::check(const Row& row) {
     if (change.ends_arc || bounds != bounds_ || steps_ == 0) start_from(state_of(before_), bounds);
     if (!inputs_.is_held()) {
       const State from = state_of(before_);
-      const Step step{from, shape_ ? core_flight(from, row.dt_s) : from, row, bounds};
+      const Step step{from, core_.constants ? core_.flight(from, row.dt_s) : from, row, bounds};
       ++steps_;
       dt_max_s_ = std::max(dt_max_s_, row.dt_s);
       check_bounds(step);
-      if (shape_) check_laws(step);
+      if (core_.constants) check_laws(step);
     }
   }
   has_row_ = true;
@@ -68,8 +70,8 @@ void StepWatch::start_from(const State& body, Bounds bounds) {
   bounds_ = bounds;
   steps_ = 0;
   dt_max_s_ = 0.0;
-  energy_y_start_px2_per_s2_ =
-      square(body.vy_px_per_s) / 2 + core_.gravity_px_per_s2 * std::max(0.0, bounds.bottom_px - body.y_px);
+  energy_y_start_px2_per_s2_ = square(body.vy_px_per_s) / 2 +
+                               constants_.gravity_px_per_s2 * std::max(0.0, bounds.bottom_px - body.y_px);
   vx_max_px_per_s_ = std::fabs(body.vx_px_per_s);
   vy_max_px_per_s_ = std::fabs(body.vy_px_per_s);
   mirror(body, bounds);
@@ -112,7 +114,7 @@ void StepWatch::check_bounds(const Step& step) {
 // that covers the two energies.
 void StepWatch::check_step_energy(const Step& step) {
   const auto& [from, flight, row, bounds] = step;
-  const double gravity = core_.gravity_px_per_s2;
+  const double gravity = constants_.gravity_px_per_s2;
   const bool is_clamped = flight.y_px < 0.0 || flight.y_px > bounds.bottom_px;
   const double allowed = is_clamped ? gravity * (flight.y_px - row.y_px) : 0.0;
   const double gained = (row.vx_px_per_s - from.vx_px_per_s) * (row.vx_px_per_s + from.vx_px_per_s) / 2 +
@@ -131,8 +133,8 @@ void StepWatch::check_step_energy(const Step& step) {
 //   (c G h / (1 - c))^2 / 2, the energy of the residual speed, h the longest frame since.
 // A core of c >= 1 must stay below its start. Rounding adds up over the steps.
 void StepWatch::check_energy_ceiling(const Step& step) {
-  const double gravity = core_.gravity_px_per_s2;
-  const double c = core_.restitution * std::max(1.0, core_.air_drag);
+  const double gravity = constants_.gravity_px_per_s2;
+  const double c = constants_.restitution * std::max(1.0, constants_.air_drag);
   const double residual_px_per_s = c < 1.0 ? c * gravity * dt_max_s_ / (1.0 - c) : 0.0;
   const double ceiling = std::max(energy_y_start_px2_per_s2_, square(residual_px_per_s) / 2);
   const double energy = square(step.row.vy_px_per_s) / 2 +
@@ -146,9 +148,9 @@ void StepWatch::check_energy_ceiling(const Step& step) {
 // of a fling that falls freely for ever bounds both, and itself stays below max(|vy|, a G h / (1 - a)),
 // terminal speed. Rounding is monotone and symmetric, so this holds to the bit.
 void StepWatch::check_speed(const Step& step) {
-  const double drag = std::min(core_.air_drag, 1.0);
+  const double drag = std::min(constants_.air_drag, 1.0);
   vx_max_px_per_s_ *= drag;
-  vy_max_px_per_s_ += core_.gravity_px_per_s2 * step.row.dt_s;
+  vy_max_px_per_s_ += constants_.gravity_px_per_s2 * step.row.dt_s;
   vy_max_px_per_s_ *= drag;
   record(Invariant::speed,
          std::min(vx_max_px_per_s_ - std::fabs(step.row.vx_px_per_s),
@@ -160,8 +162,8 @@ void StepWatch::check_speed(const Step& step) {
 // also hold for a core that is slower than the listing.
 void StepWatch::check_velocity(const Step& step) {
   const auto& [from, flight, row, bounds] = step;
-  const double vx = from.vx_px_per_s * core_.air_drag;
-  const double vy = (from.vy_px_per_s + core_.gravity_px_per_s2 * row.dt_s) * core_.air_drag;
+  const double vx = from.vx_px_per_s * constants_.air_drag;
+  const double vy = (from.vy_px_per_s + constants_.gravity_px_per_s2 * row.dt_s) * constants_.air_drag;
   record(Invariant::velocity,
          std::min(minus_difference(flight.vx_px_per_s, vx), minus_difference(flight.vy_px_per_s, vy)),
          row.step);
@@ -193,7 +195,7 @@ void StepWatch::check_clamp(const Step& step) {
     return at_px == wall_px ? std::fabs(flight_px - wall_px) : -std::fabs(at_px - wall_px);
   };
   const bool is_ground = !(flight.y_px < 0.0) && flight.y_px > bounds.bottom_px;
-  const double vx_flight = is_ground ? flight.vx_px_per_s * core_.ground_friction : flight.vx_px_per_s;
+  const double vx_flight = is_ground ? flight.vx_px_per_s * constants_.ground_friction : flight.vx_px_per_s;
   const double slack = std::min(
       axis_slack(flight.x_px, bounds.right_px, row.x_px, minus_difference(row.vx_px_per_s, vx_flight)),
       axis_slack(flight.y_px, bounds.bottom_px, row.y_px,
@@ -209,11 +211,11 @@ void StepWatch::check_bounce(const Step& step) {
   const bool meets_top = flight.y_px < 0.0;
   const bool meets_ground = !meets_top && flight.y_px > bounds.bottom_px;
   if (!meets_x && !meets_top && !meets_ground) return;
-  double vx = meets_x ? -flight.vx_px_per_s * core_.restitution : flight.vx_px_per_s;
-  double vy = meets_top || meets_ground ? -flight.vy_px_per_s * core_.restitution : flight.vy_px_per_s;
+  double vx = meets_x ? -flight.vx_px_per_s * constants_.restitution : flight.vx_px_per_s;
+  double vy = meets_top || meets_ground ? -flight.vy_px_per_s * constants_.restitution : flight.vy_px_per_s;
   if (meets_ground) {
-    vx *= core_.ground_friction;
-    if (std::fabs(vy) < core_.rest_threshold_px_per_s) vy = 0.0;
+    vx *= constants_.ground_friction;
+    if (std::fabs(vy) < constants_.rest_threshold_px_per_s) vy = 0.0;
   }
   record(Invariant::bounce,
          std::min(minus_difference(row.vx_px_per_s, vx), minus_difference(row.vy_px_per_s, vy)), row.step);
@@ -233,7 +235,7 @@ void StepWatch::check_mirror(const Step& step) {
   mirror_slack_px_ +=
       2 * kRounding *
       (std::fabs(flight.x_px) + std::fabs(flight.vx_px_per_s * row.dt_s) + std::abs(bounds.right_px));
-  mirrored_ = core_step(mirrored_, row.dt_s, bounds);
+  mirrored_ = core_.step(mirrored_, row.dt_s, bounds);
   const double apart_px = std::fabs(mirrored_.x_px - (bounds.right_px - row.x_px));
   const double apart_px_per_s = std::fabs(mirrored_.vx_px_per_s + row.vx_px_per_s);
   const bool is_same_y =
@@ -254,7 +256,7 @@ void StepWatch::check_mirror(const Step& step) {
 
 // The same y and vy from another x, without motion in x: at every step the same bits.
 void StepWatch::check_y_alone(const Step& step) {
-  alone_ = core_step(alone_, step.row.dt_s, step.bounds);
+  alone_ = core_.step(alone_, step.row.dt_s, step.bounds);
   const double slack = std::min(minus_difference(alone_.y_px, step.row.y_px),
                                 minus_difference(alone_.vy_px_per_s, step.row.vy_px_per_s));
   record(Invariant::y_alone, slack, step.row.step);

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/replay/core.h"
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/search/invariant.h"
 #include "sim/trajectory/input_playback.h"
 #include "sim/trajectory/row_sink.h"
@@ -17,8 +16,8 @@ namespace hyrax {
 /// checks only that it stays finite and inside.
 class StepWatch : public RowSink {
  public:
-  /// Refers to the scenario.
-  explicit StepWatch(const Scenario& scenario);
+  /// Refers to the core and the scenario.
+  StepWatch(const Core& core, const Scenario& scenario);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   void rows(const Columns& batch) override;
@@ -60,8 +59,8 @@ class StepWatch : public RowSink {
   }
   void mirror(const State& body, Bounds bounds);
 
-  std::optional<Constants> shape_ = measured_constants();
-  Constants core_ = shape_.value_or(Constants());
+  const Core& core_;
+  Constants constants_;
   InputPlayback inputs_;
   InvariantMeasures measures_{};
   Row before_;

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
@@ -23,7 +22,7 @@ Model reference_model(std::string_view physics, const std::optional<Constants>& 
   return is_paper_model(physics) || !constants ? Model() : model_of(*constants);
 }
 
-Model reference_model() { return reference_model(core_model(), measured_constants()); }
+Model reference_model(const Core& core) { return reference_model(core.name, core.constants); }
 
 std::string why_not_measurable(const Constants& constants) {
   const auto fault = [](const char* name, double value, double low, double high) {

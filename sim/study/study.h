@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/result/result.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trace/step_player.h"
@@ -30,6 +31,7 @@ struct ExpectedVerdicts {
 
 /// What the user asked of a study, and what a study may not do itself.
 struct StudyRequest {
+  const Core& core;
   std::vector<NamedScenario> scenarios = {};  ///< Of different names.
   bool is_quick = false;                      ///< A smaller study, in seconds.
   std::optional<double> within_px = {};       ///< A tolerance.

@@ -29,7 +29,7 @@ struct StepInput {
 };
 
 /// A body moved by a traced step; has the interface of class physics, so that KernelOf plays it
-/// (sim/replay/kernel_of.h). Trivially copyable. REQUIRES: the program outlives it.
+/// (sim/core/kernel_of.h). Trivially copyable. REQUIRES: the program outlives it.
 class TracedBody {
  public:
   TracedBody(const StepProgram& program, const State& start);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
 #include "tests/benchmarks/figure.h"
@@ -129,8 +130,8 @@ void step_naively(const Scenario& scenario, std::int64_t steps) {
 Figure soak_figure() {
   constexpr std::int64_t kSteps = 10'000'000;
   const Scenario scenario = scene(kSteps);
-  const auto timings =
-      time_side_by_side({[&] { step_naively(scenario, kSteps); }, [&] { keep(replay(scenario)); }}, 5);
+  const auto timings = time_side_by_side(
+      {[&] { step_naively(scenario, kSteps); }, [&] { keep(replay(shipped_core(), scenario)); }}, 5);
   return ratio("a soak of 1e7 steps, hash included, times faster than naive", timings[0], timings[1], 1.0,
                1000.0, true);
 }
@@ -152,8 +153,8 @@ Figure hash_figure() {
       keep(body);
     }
   };
-  const auto timings =
-      time_side_by_side({[&] { keep(replay(scenario, {}, {.skips_repetition = false})); }, naive}, kRounds);
+  const auto timings = time_side_by_side(
+      {[&] { keep(replay(shipped_core(), scenario, {}, {.skips_repetition = false})); }, naive}, kRounds);
   return ratio("replay with the state hash of every row, of naive stepping", timings[0], timings[1], 100.0,
                140.0, false);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/gsl_flight.h"
@@ -65,7 +66,7 @@ void step_naively(const Scenario& scenario) {
 void measure(const Scenario& scenario, FlightSolver* solver) {
   EveryRow rows;
   DriftMeter meter(scenario, {}, rows, solver);
-  static_cast<void>(replay(scenario, meter));
+  static_cast<void>(replay(shipped_core(), scenario, meter));
   keep(meter.finish().arcs);
   keep(rows.sum);
 }

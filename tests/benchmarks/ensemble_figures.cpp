@@ -3,9 +3,10 @@
 
 #include <random>
 
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/ensemble/ensemble.h"
 #include "sim/ensemble/lanes.h"
-#include "sim/replay/core_constants.h"
 #include "tests/benchmarks/figure.h"
 #include "tests/benchmarks/naive_step.h"
 #include "tests/benchmarks/stopwatch.h"
@@ -104,7 +105,7 @@ void step_in_lanes(const KernelSet& kernels, const std::vector<State>& starts) {
 class SweepPlayer {
  public:
   explicit SweepPlayer(const Sweep& sweep)
-      : player_(sweep, {.listing = core_constants()}), results_(static_cast<std::size_t>(sweep.members)) {}
+      : player_(shipped_core(), sweep), results_(static_cast<std::size_t>(sweep.members)) {}
   void play() { keep(player_.play({}, 0, results_)); }
 
  private:

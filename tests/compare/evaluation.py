@@ -18,34 +18,18 @@ RIGHT_PX, BOTTOM_PX = 1920.0 - 128.0, 1080.0 - 128.0
 
 
 class Listing(replay.Sprite):
-    """The paper's step. `met` is the state that it began with."""
+    """The paper's step."""
+
+
+class Stepped(Listing):
+    """A step with walls that are noted as they are met: the contact is that of its comparisons."""
 
     __slots__ = ("met",)
 
     def update(self, dt_s, right_px, bottom_px):
-        self.met = (self.x, self.y, self.vx, self.vy)
+        self.met = 0
         self.step(dt_s, right_px, bottom_px)
-        return self.touched(dt_s, right_px, bottom_px)
-
-    def step(self, dt_s, right_px, bottom_px):
-        super().update(dt_s, right_px, bottom_px)
-
-    def touched(self, dt_s, right_px, bottom_px):
-        """The card's contact rule: on a bound or past it, or turned away from it within reach."""
-        x, y, vx, vy = self.met
-        reach_x, reach_y = max(abs(vx), abs(self.vx)) * dt_s, max(abs(vy), abs(self.vy)) * dt_s
-        contact = 0
-        if self.x <= 0.0 or (vx < 0.0 < self.vx and x <= reach_x):
-            contact |= LEFT
-        elif self.x >= right_px or (self.vx < 0.0 < vx and right_px - x <= reach_x):
-            contact |= RIGHT
-        if self.y <= 0.0 or (vy < 0.0 < self.vy and y <= reach_y):
-            contact |= TOP
-        elif self.y >= bottom_px or (self.vy < 0.0 < vy and bottom_px - y <= reach_y):
-            contact |= GROUND
-        if contact & GROUND and self.vy == 0.0:
-            contact |= REST
-        return contact
+        return self.met | (REST if self.met & GROUND and self.vy == 0.0 else 0)
 
     def meet(self, right_px, bottom_px):
         """The walls of the listing."""
@@ -54,19 +38,22 @@ class Listing(replay.Sprite):
 
     def meet_in_x(self, right_px):
         if self.x < 0.0 or self.x > right_px:
+            self.met |= LEFT if self.x < 0.0 else RIGHT
             self.x = 0.0 if self.x < 0.0 else right_px
             self.vx = -self.vx * 0.6
 
     def meet_in_y(self, bottom_px):
         if self.y < 0.0:
+            self.met |= TOP
             self.y, self.vy = 0.0, -self.vy * 0.6
         elif self.y > bottom_px:
+            self.met |= GROUND
             self.y, self.vy, self.vx = bottom_px, -self.vy * 0.6, self.vx * 0.8
             if abs(self.vy) < 5.0:
                 self.vy = 0.0
 
 
-class DragByTime(Listing):
+class DragByTime(Stepped):
     def step(self, dt_s, right_px, bottom_px):
         drag = math.pow(0.999, 60.0 * dt_s)
         self.vx, self.vy = self.vx * drag, (self.vy + G * dt_s) * drag
@@ -74,14 +61,14 @@ class DragByTime(Listing):
         self.meet(right_px, bottom_px)
 
 
-class PositionFirst(Listing):
+class PositionFirst(Stepped):
     def step(self, dt_s, right_px, bottom_px):
         self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
         self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
         self.meet(right_px, bottom_px)
 
 
-class Fused(Listing):
+class Fused(Stepped):
     def step(self, dt_s, right_px, bottom_px):
         exact = fractions.Fraction
         self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
@@ -90,15 +77,17 @@ class Fused(Listing):
         self.meet(right_px, bottom_px)
 
 
-class ImpactSolved(Listing):
+class ImpactSolved(Stepped):
     """A frame that passes a side wall ends where the sprite is after the impact, and keeps its speed there."""
 
     def step(self, dt_s, right_px, bottom_px):
         self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
         self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
         if self.x < 0.0:
+            self.met |= LEFT
             self.x, self.vx = -self.x * 0.6, -self.vx * 0.6
         elif self.x > right_px:
+            self.met |= RIGHT
             self.x, self.vx = right_px - (self.x - right_px) * 0.6, -self.vx * 0.6
         self.meet_in_y(bottom_px)
 

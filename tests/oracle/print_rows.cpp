@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tools/files/scenario_reader.h"
@@ -34,7 +35,7 @@ int main(int argument_count, char** arguments) try {
   for (int argument = 1; argument < argument_count; ++argument) {
     const hyrax::Scenario scenario = hyrax::load_scenario(arguments[argument]);
     hyrax::TraceSink trace;
-    const hyrax::RunSummary summary = hyrax::replay(scenario, trace);
+    const hyrax::RunSummary summary = hyrax::replay(hyrax::shipped_core(), scenario, trace);
     std::printf("scenario %s\n", arguments[argument]);
     for (const hyrax::Row& row : trace.rows()) print(row);
     for (const hyrax::Contact& contact : trace.contacts()) print(contact);

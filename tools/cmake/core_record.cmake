@@ -1,6 +1,5 @@
-# hyrax_core_record(TARGET CORE HEADER): the library TARGET, which has core_record() (sim/trace/core_record.h) of the
-# header that the target CORE compiles, and core_kernel() (sim/replay/kernel.h). Its step is traced when it is built;
-# whatever becomes of that, the build goes on.
+# hyrax_core_record(TARGET CORE HEADER): the library TARGET, which has built_core_record() (sim/core/core_record.h) of the
+# header that the target CORE compiles. Its step is traced when it is built; whatever becomes of that, the build goes on.
 #
 # hyrax_trace_root: the folder of sim/trace; hyrax_trace_libraries: what the host programs link.
 set(hyrax_record_script ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake)
@@ -32,15 +31,13 @@ set(libraries [==[${hyrax_trace_libraries}]==])
   file(GLOB headers ${hyrax_trace_root}/sim/trace/*.h ${hyrax_trace_root}/sim/trace/host/*.h
        ${hyrax_trace_root}/sim/trace/host/programs/*.cpp)
   add_custom_command(
-    OUTPUT ${folder}/core_record.cpp ${folder}/core_kernel.cpp
+    OUTPUT ${folder}/core_record.cpp
     COMMAND ${CMAKE_COMMAND} -D settings=${folder}/settings.cmake -P ${hyrax_record_script}
     DEPENDS ${header} ${headers} ${hyrax_trace_libraries} ${hyrax_record_script} ${folder}/settings.cmake
     DEPFILE ${folder}/core_record.d
     COMMENT "Tracing the step of ${header}"
     VERBATIM)
-  add_library(${target} STATIC ${folder}/core_record.cpp ${folder}/core_kernel.cpp)
+  add_library(${target} STATIC ${folder}/core_record.cpp)
   target_include_directories(${target} PRIVATE ${hyrax_trace_root})
   target_compile_features(${target} PRIVATE cxx_std_20)
-  # A program with a kernel of its own links only the record.
-  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endfunction()

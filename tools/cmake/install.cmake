@@ -25,22 +25,22 @@ install(FILES ${PROJECT_SOURCE_DIR}/sim/physics/physics.h ${PROJECT_SOURCE_DIR}/
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hyrax/sim/physics)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# hyrax-sim without its core, and with the libraries that it needs, as one object: who builds a program with another
-# core compiles two sources and needs no library but the compiler's own.
-set(hyrax_rooms physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
+# hyrax-sim without its `main` and core, and with the libraries that it needs, as one object: who builds a program with
+# another core compiles two sources and needs no library but the compiler's own.
+set(hyrax_rooms physics trace core replay compare expectations cause reference reference_gsl search study ensemble trajectory
                 scenario store golden report child_process page_record pages page files fmt)
 list(TRANSFORM hyrax_rooms PREPEND hyrax_)
-get_target_property(hyrax_app hyrax-sim LINK_LIBRARIES)
+get_target_property(hyrax_app hyrax_commands LINK_LIBRARIES)
 list(FILTER hyrax_app INCLUDE REGEX "^hyrax_app_")
 list(APPEND hyrax_rooms ${hyrax_app})
 list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_custom_command(
   OUTPUT ${hyrax_program_object}
   COMMAND
-    ${CMAKE_LINKER} -r -o ${hyrax_program_object} $<TARGET_OBJECTS:hyrax-sim> --start-group ${hyrax_rooms}
+    ${CMAKE_LINKER} -r -o ${hyrax_program_object} $<TARGET_OBJECTS:hyrax_commands> --start-group ${hyrax_rooms}
     ${HDF5_HL_STATIC} ${HDF5_STATIC} ${SZIP_STATIC} ${AEC_STATIC} ${ZLIB_STATIC} ${GSL_LIBRARY} ${GSL_CBLAS_LIBRARY}
     --end-group
-  DEPENDS hyrax-sim ${hyrax_rooms} $<TARGET_OBJECTS:hyrax-sim>
+  DEPENDS hyrax-sim ${hyrax_rooms} $<TARGET_OBJECTS:hyrax_commands>
   COMMAND_EXPAND_LISTS
   COMMENT "hyrax-sim without its core"
   VERBATIM)
@@ -49,12 +49,12 @@ add_dependencies(hyrax_program hyrax_trace_host)
 install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
 set(own_core_sources
         motion/paper_constants.h motion/state.h motion/step.h
-        replay/contact_log.h replay/core.cpp replay/core.h replay/core_constants.h replay/kernel.h replay/kernel_of.h
-        replay/stuck_speed.h result/table.h
+        core/contact_log.h core/core.h core/core_of.h core/core_record.h core/kernel.h core/kernel_of.h core/stuck_speed.h
+        result/table.h
         scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
         trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
         trajectory/state_hash.h
-        replay/core_shape.h trace/core_record.h trace/listing_step.h trace/operation.h trace/traced_step.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
+        trace/listing_step.h trace/operation.h trace/traced_step.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
         trace/host/number.h trace/host/number_functions.h
         trace/host/programs/check_core.cpp trace/host/programs/record_step.cpp)
 foreach(source IN LISTS own_core_sources)
@@ -67,8 +67,10 @@ foreach(source IN LISTS own_core_sources)
   cmake_path(GET source PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/sim/${source} DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/sim/${folder})
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/tools/own_core/own_kernel.cpp
+install(FILES ${PROJECT_SOURCE_DIR}/tools/own_core/own_main.cpp
         DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/tools/own_core)
+install(FILES ${PROJECT_SOURCE_DIR}/tools/hyrax-sim/program.h
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/tools/hyrax-sim)
 
 install(
   EXPORT hyrax

@@ -1,5 +1,5 @@
-# cmake -D settings=FILE -P record_core.cmake: traces the step of a core's header and writes core_record.cpp, and
-# core_kernel.cpp, which says whether it is the paper's, and so what tells the core's contacts (sim/replay/kernel.h).
+# cmake -D settings=FILE -P record_core.cmake: traces the step of a core's header and writes core_record.cpp
+# (sim/core/core_record.h).
 #
 # The settings are those of hyrax_core_record (core_record.cmake). Two host programs are built: one compiles the header
 # with numbers that record and writes its step; the other compiles it as it is, and holds it to that step.
@@ -147,44 +147,31 @@ endif()
 literal(header_bytes ${header})
 literal(step_bytes ${step})
 literal(why_bytes ${why})
+set(declaration "void complete_by_step(Core& core);
+
+")
+set(kind ".complete = complete_by_step")
+if(EXISTS ${listing})
+  set(declaration)
+  set(kind ".is_listing = true")
+endif()
 file(
   WRITE ${folder}/core_record.cpp
   "// Written by record_core.cmake.
-#include \"sim/trace/core_record.h\"
+#include \"sim/core/core_record.h\"
 
 #pragma GCC diagnostic ignored \"-Woverlength-strings\"
 
 namespace hyrax {
 
-const CoreRecord& core_record() {
+${declaration}const CoreRecord& built_core_record() {
   using namespace std::string_view_literals;
   static constexpr CoreRecord kRecord = {.header = ${header_bytes},
                                          .step = ${step_bytes},
-                                         .why_incomplete = ${why_bytes}};
+                                         .why_incomplete = ${why_bytes},
+                                         ${kind}};
   return kRecord;
 }
-
-}  // namespace hyrax
-")
-
-set(kernel core_with_recorded_contacts)
-set(is_listing false)
-if(EXISTS ${listing})
-  set(is_listing true)
-  set(kernel compiled_kernel)
-endif()
-file(
-  WRITE ${folder}/core_kernel.cpp
-  "// Written by record_core.cmake.
-namespace hyrax {
-
-class Kernel;
-const Kernel& ${kernel}();
-const Kernel& core_kernel();
-bool core_is_listing();
-
-bool core_is_listing() { return ${is_listing}; }
-const Kernel& core_kernel() { return ${kernel}(); }
 
 }  // namespace hyrax
 ")

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "compile_command.h"
-#include "sim/card/core_in_use.h"
 #include "tools/files/child_process.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
@@ -82,8 +81,7 @@ AcceptedCore traced_core(const std::string& header, const std::string& text, con
   return core;
 }
 
-CoreFile shipped_core() {
-  const CoreRecord& record = core_record();
+CoreFile shipped_file(const CoreRecord& record) {
   CoreFile shipped{.library = HYRAX_SHIPPED_CORE, .core = {}};
   shipped.core.header = record.header;
   shipped.core.step = record.step;
@@ -100,20 +98,19 @@ CoreFile make_core(const std::string& header, const TemporaryFolder& folder, con
   return {std::move(library), traced.get()};
 }
 
-CoreFile core_of_project(const TemporaryFolder& folder, const std::string& name) {
-  if (read_text_file(kProjectHeader) == core_record().header) return shipped_core();
+CoreFile core_of_project(const CoreRecord& shipped, const TemporaryFolder& folder, const std::string& name) {
+  if (read_text_file(kProjectHeader) == shipped.header) return shipped_file(shipped);
   return make_core(kProjectHeader, folder, name);
 }
 
-CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder& folder,
-                        const std::string& name) {
+CoreFile core_of_golden(const CoreRecord& shipped, const std::string& golden_folder,
+                        const TemporaryFolder& folder, const std::string& name) {
   std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
   if (!accepted)
     throw Failure(ExitCode::golden_missing,
                   fmt::format("{}: no accepted core; name a base, or accept this program's core: {}",
                               accepted_core_folder(golden_folder), core_commands({}, "").accept));
-  CoreFile shipped = shipped_core();
-  if (accepted->header == shipped.core.header && accepted->step == shipped.core.step) return shipped;
+  if (accepted->header == shipped.header && accepted->step == shipped.step) return shipped_file(shipped);
   const std::string header = accepted_core_folder(golden_folder) + "/physics.h";
   CoreFile base = make_core(header, folder, name);
   // The bytes of the header are those that were accepted; what they include, and the compiler's options, may
@@ -128,14 +125,18 @@ CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder&
   return base;
 }
 
-const CoreFunctions& load_core(const std::string& library, int number, PlayWatch& watch) {
+LibraryCore& load_library(const std::string& library, int number, PlayWatch& watch) {
   watch.core = number;
   watch.set_place("its initialisation");
   void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const entry = handle != nullptr ? dlsym(handle, kCoreEntry) : nullptr;
   if (entry == nullptr) throw Failure(ExitCode::cannot_access, library + ": cannot be loaded: " + dlerror());
   require_usual_arithmetic(number, watch.place.data());
-  return *reinterpret_cast<CoreEntry*>(entry)(number, &watch.updates);
+  return *reinterpret_cast<CoreEntry*>(entry)(&watch.updates);
+}
+
+ComparedCore load_core(const CoreFile& file, int number, PlayWatch& watch) {
+  return compared_core(number, load_library(file.library, number, watch), file.core.record(), watch);
 }
 
 }  // namespace hyrax

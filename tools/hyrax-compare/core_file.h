@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "sim/card/core_functions.h"
-#include "sim/card/play_watch.h"
+#include "sim/card/compared_core.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/temporary_folder.h"
 
@@ -22,18 +21,20 @@ struct CoreFile {
 [[nodiscard]] CoreFile make_core(const std::string& header, const TemporaryFolder& folder,
                                  const std::string& name);
 
-/// The project's sim/physics/physics.h; it was compiled and traced with this program, unless it has changed
-/// since. ERRORS: as make_core's.
-[[nodiscard]] CoreFile core_of_project(const TemporaryFolder& folder, const std::string& name);
+/// The project's sim/physics/physics.h, whose record is `shipped`; it was compiled and traced with this
+/// program, unless it has changed since. ERRORS: as make_core's.
+[[nodiscard]] CoreFile core_of_project(const CoreRecord& shipped, const TemporaryFolder& folder,
+                                       const std::string& name);
 
 /// The accepted core of a golden folder. ERRORS: as read_accepted_core's, and make_core's;
 /// Failure(golden_missing) if there is none; Failure(bad_input) if its header, compiled now, takes another
 /// step.
-[[nodiscard]] CoreFile core_of_golden(const std::string& golden_folder, const TemporaryFolder& folder,
-                                      const std::string& name);
+[[nodiscard]] CoreFile core_of_golden(const CoreRecord& shipped, const std::string& golden_folder,
+                                      const TemporaryFolder& folder, const std::string& name);
 
 /// Loads a core's library into a core process (core_process.h), for as long as it runs.
 /// ERRORS: Failure(cannot_access); CoreRefused.
-[[nodiscard]] const CoreFunctions& load_core(const std::string& library, int number, PlayWatch& watch);
+[[nodiscard]] LibraryCore& load_library(const std::string& library, int number, PlayWatch& watch);
+[[nodiscard]] ComparedCore load_core(const CoreFile& file, int number, PlayWatch& watch);
 
 }  // namespace hyrax

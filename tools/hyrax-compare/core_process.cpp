@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/card/core_in_use.h"
+#include "sim/card/compared_core.h"
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
 
@@ -87,7 +87,6 @@ std::string in_core_process(const std::vector<std::string>& headers, unsigned li
     // What a core prints is no part of the card.
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0)
       for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    watch_plays_in(watch);
     const Outcome outcome = outcome_of([&] { return work(watch); }, headers);
     watch.is_over =
         outcome_of([&] { return folder.write(name, outcome.text); }, headers).exit_code == ExitCode::agreed;

@@ -11,7 +11,7 @@
 namespace hyrax {
 
 /// Returns what `work` does, done in a process of its own. Cores may be loaded there alone.
-/// @param headers by CoreFunctions::number: they name a core in messages.
+/// @param headers by ComparedCore::number: they name a core in messages.
 /// @param folder for the text on its way back.
 /// ERRORS: what work throws, as a Failure; Failure(bad_input) "HEADER: refused: ...", with the place, if a
 /// core ends the process, is refused or takes longer than the limit. REQUIRES: no other thread runs.

@@ -98,11 +98,11 @@ CardRequest request_of(const Arguments& arguments) {
 }
 
 // The hash of the library's rows by a core without a defect. ERRORS: CoreRefused.
-std::string probed(const std::string& library, int number, const CardRequest& request, PlayWatch& watch) {
-  const CoreFunctions& core = load_core(library, number, watch);
-  std::string rows = rows_hash(core, request);
+std::string probed(const CoreFile& file, int number, const CardRequest& request, PlayWatch& watch) {
+  std::string rows = rows_hash(load_core(file, number, watch), request);
   watch.set_place("the search for hidden state");
-  if (const char* const defect = core.defect()) throw CoreRefused(number, defect);
+  if (const std::string defect = load_library(file.library, number, watch).defect(); !defect.empty())
+    throw CoreRefused(number, defect);
   return rows;
 }
 
@@ -122,11 +122,12 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   const TemporaryFolder folder;
   auto base_made = std::async(std::launch::async, [&] {
     return has_base ? make_core(headers[0], folder, "base")
-                    : core_of_golden(arguments.golden.empty() ? HYRAX_SOURCE_DIR "/golden" : arguments.golden,
+                    : core_of_golden(built_core_record(),
+                                     arguments.golden.empty() ? HYRAX_SOURCE_DIR "/golden" : arguments.golden,
                                      folder, "base");
   });
-  const CoreFile candidate =
-      has_candidate ? make_core(headers[1], folder, "candidate") : core_of_project(folder, "candidate");
+  const CoreFile candidate = has_candidate ? make_core(headers[1], folder, "candidate")
+                                           : core_of_project(built_core_record(), folder, "candidate");
   const CoreFile base = base_made.get();
   request.proof = prove_equal(headers[0], base.core.record(), candidate.core.record());
   request.changes = header_changes(base.core.header, candidate.core.header);
@@ -138,13 +139,12 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   const auto in_process = [&](const std::function<std::string(PlayWatch&)>& work) {
     return in_core_process(headers, static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
   };
-  request.rows_hash.before =
-      in_process([&](PlayWatch& watch) { return probed(base.library, 0, request, watch); });
+  request.rows_hash.before = in_process([&](PlayWatch& watch) { return probed(base, 0, request, watch); });
   request.rows_hash.after =
-      in_process([&](PlayWatch& watch) { return probed(candidate.library, 1, request, watch); });
+      in_process([&](PlayWatch& watch) { return probed(candidate, 1, request, watch); });
   print_text(in_process([&](PlayWatch& watch) {
-    const CoreFunctions& from = load_core(base.library, 0, watch);
-    const Card card = measure_card(from, load_core(candidate.library, 1, watch), request);
+    const ComparedCore from = load_core(base, 0, watch);
+    const Card card = measure_card(from, load_core(candidate, 1, watch), request);
     const CardTitle title{headers[1], headers[0]};
     if (!arguments.report.empty()) write_card_page(arguments.report, command, card, title);
     return arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"

@@ -73,10 +73,11 @@ void add_sentence(std::string& sentences, const std::string& sentence) {
   if (!sentence.empty()) sentences += (sentences.empty() ? "" : "; ") + sentence;
 }
 
-void judge_into(const Scenario& scenario, const std::string& golden_folder, ScenarioVerdict& verdict) {
+void judge_into(const Core& core, const Scenario& scenario, const std::string& golden_folder,
+                ScenarioVerdict& verdict) {
   const auto place = golden_place(verdict.path, golden_folder);
   const bool has_golden = place && has_golden_file(*place);
-  const RunSummary summary = play(scenario);
+  const RunSummary summary = play(core, scenario);
   verdict.sentence = non_finite_text(scenario, summary.final);
   if (!has_golden && !has_state_hash_only(scenario, place)) {
     verdict.status = CheckStatus::missing;
@@ -85,7 +86,7 @@ void judge_into(const Scenario& scenario, const std::string& golden_folder, Scen
     return;
   }
   if (has_golden) add_sentence(verdict.sentence, difference_from(place->txt_path, hex(summary.state_hash)));
-  add_sentence(verdict.sentence, broken_sentence(broken_expectations(scenario, summary)));
+  add_sentence(verdict.sentence, broken_sentence(broken_expectations(core, scenario, summary)));
   if (!verdict.sentence.empty()) verdict.status = CheckStatus::disagreed;
 }
 
@@ -94,10 +95,10 @@ ScenarioVerdict failed(const std::string& path, ExitCode exit_code, const std::s
   return {path, CheckStatus::failed, error, exit_code, is_folder};
 }
 
-ScenarioVerdict verdict_on(const std::string& path, const std::string& golden_folder) try {
+ScenarioVerdict verdict_on(const Core& core, const std::string& path, const std::string& golden_folder) try {
   ScenarioVerdict verdict{
       .path = path, .status = CheckStatus::agreed, .sentence = "", .exit_code = ExitCode::agreed};
-  judge_into(load_scenario(path), golden_folder, verdict);
+  judge_into(core, load_scenario(path), golden_folder, verdict);
   verdict.exit_code = exit_code_of(verdict.status);
   return verdict;
 } catch (const Failure& failure) {
@@ -116,7 +117,7 @@ ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
 
 }  // namespace
 
-ExitCode check(const std::vector<std::string>& arguments) {
+ExitCode check(const Core& core, const std::vector<std::string>& arguments) {
   CheckArguments request = parsed(arguments);
   set_default_folders(request.files, request.golden_folder);
   std::vector<UnlistedFolder> unlisted;
@@ -137,7 +138,7 @@ ExitCode check(const std::vector<std::string>& arguments) {
       print_text(printable(verdict.path) + ": " + std::string(name_of(verdict.status)) + ": " +
                  printable(verdict.sentence) + "\n");
   };
-  for (const std::string& path : paths) report(verdict_on(path, request.golden_folder));
+  for (const std::string& path : paths) report(verdict_on(core, path, request.golden_folder));
   for (const UnlistedFolder& folder : unlisted) {
     print_error(folder.failure.what());
     exit_code = more_serious(exit_code, folder.failure.exit_code());

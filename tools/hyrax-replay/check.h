@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
@@ -13,6 +14,6 @@ namespace hyrax {
 /// a golden file; here only its summary is read, of that only the state hash.
 /// @param arguments what follows `check`: scenarios, folders and options.
 /// ERRORS: Failure(bad_input) for bad usage; those of list_scenarios.
-[[nodiscard]] ExitCode check(const std::vector<std::string>& arguments);
+[[nodiscard]] ExitCode check(const Core& core, const std::vector<std::string>& arguments);
 
 }  // namespace hyrax

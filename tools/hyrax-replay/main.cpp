@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "help_text.h"
+#include "sim/core/shipped_core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/replay.h"
 #include "tools/files/build_info.h"
@@ -33,9 +34,9 @@ ExitCode judge_hash(const std::string& path, const Scenario& scenario, const Run
   return ExitCode::agreed;
 }
 
-ExitCode replay_file(const std::string& path) try {
+ExitCode replay_file(const Core& core, const std::string& path) try {
   const Scenario scenario = load_scenario(path);
-  const RunSummary summary = replay(scenario);
+  const RunSummary summary = replay(core, scenario);
   print_text(hex(summary.state_hash) + "  " + path + "\n");
   return judge_hash(path, scenario, summary);
 } catch (const Failure& failure) {
@@ -72,7 +73,7 @@ bool print_information(const std::vector<std::string>& arguments) {
   return false;
 }
 
-ExitCode print_hashes(const std::vector<std::string>& arguments) {
+ExitCode print_hashes(const Core& core, const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments)
     if (argument.starts_with('-'))
       refuse_input("hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
@@ -82,20 +83,22 @@ ExitCode print_hashes(const std::vector<std::string>& arguments) {
   require_strict_arithmetic();
   ExitCode exit_code = ExitCode::agreed;
   for (const std::string& path : list_scenarios(arguments))
-    exit_code = more_serious(exit_code, replay_file(path));
+    exit_code = more_serious(exit_code, replay_file(core, path));
   return exit_code;
 }
 
-ExitCode run(const std::vector<std::string>& arguments) {
+ExitCode run(const Core& core, const std::vector<std::string>& arguments) {
   if (print_information(arguments)) return ExitCode::agreed;
-  if (arguments.empty() || arguments.front() != "check") return print_hashes(arguments);
+  if (arguments.empty() || arguments.front() != "check") return print_hashes(core, arguments);
   require_strict_arithmetic();
-  return check({arguments.begin() + 1, arguments.end()});
+  return check(core, {arguments.begin() + 1, arguments.end()});
 }
 
 }  // namespace
 }  // namespace hyrax
 
 int main(int argument_count, char** arguments) {
-  return hyrax::run_program("hyrax-replay", argument_count, arguments, hyrax::run);
+  return hyrax::run_program(
+      "hyrax-replay", argument_count, arguments,
+      [](const std::vector<std::string>& words) { return hyrax::run(hyrax::shipped_core(), words); });
 }

@@ -40,27 +40,27 @@ void complete(BlessRequest& request) {
 }
 
 // All checks come before the first write: if one fails, no golden file is changed.
-ExitCode bless(BlessRequest& request) {
+ExitCode bless(const Core& core, BlessRequest& request) {
   complete(request);
   BlessReport report;
   if (request.prunes) report.pruning = find_prunable(request.files, request.options.golden_folder);
   const std::vector<std::string> paths =
       blesses(request) ? list_scenarios(request.files) : std::vector<std::string>{};
-  if (!request.accepts_core_only) report.blessings = plan_blessings(paths, request.options);
+  if (!request.accepts_core_only) report.blessings = plan_blessings(core, paths, request.options);
   if (refusal_sentence(report).empty())
-    report.cores =
-        plan_core_acceptances(blesses(request) ? request.files : paths, report.blessings, request.options);
+    report.cores = plan_core_acceptances(core, blesses(request) ? request.files : paths, report.blessings,
+                                         request.options);
   const bool is_refused = !refusal_sentence(report).empty();
-  CoreChecks cores(request.files, request.options.golden_folder);
+  CoreChecks cores(core, request.files, request.options.golden_folder);
   const std::vector<DifferenceGroup> groups = request.printing.is_quiet() && !request.printing.is_json
                                                   ? std::vector<DifferenceGroup>{}
                                                   : groups_of(report, cores);
-  if (!request.printing.is_json) print_plans(report, groups, cores, request.printing);
+  if (!request.printing.is_json) print_plans(core, report, groups, cores, request.printing);
   if (is_refused) print_error(refusal_sentence(report));
   report.is_written = !is_refused && !request.is_dry_run;
   if (report.is_written) {
     for (Blessing& blessing : report.blessings)
-      if (blessing.writes()) write(blessing, request.options);
+      if (blessing.writes()) write(core, blessing, request.options);
     if (const std::string sentence = unfinished_sentence(report); !sentence.empty()) {
       print_error(sentence);
       report.pruning.removed.clear();
@@ -88,8 +88,8 @@ ExitCode bless(BlessRequest& request) {
   ExitCode exit_code = ExitCode::agreed;
   for (const Blessing& blessing : report.blessings) exit_code = more_serious(exit_code, blessing.exit_code);
   if (request.accepts_core_only)
-    for (const CoreAcceptance& core : report.cores)
-      if (!core.why_not.empty()) exit_code = more_serious(exit_code, ExitCode::disagreed);
+    for (const CoreAcceptance& acceptance : report.cores)
+      if (!acceptance.why_not.empty()) exit_code = more_serious(exit_code, ExitCode::disagreed);
   return exit_code;
 }
 

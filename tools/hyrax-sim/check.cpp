@@ -49,15 +49,15 @@ void read_open_goldens(const std::vector<CheckVerdict>& verdicts) {
 // Each worker checks the next scenario until none is left; verdicts are in the order of the paths. Golden
 // files are read, in a child process first, only after the workers have ended; and so are scenarios played
 // again for which there was not enough memory.
-std::vector<CheckVerdict> check_all(const std::vector<std::string>& paths, CheckOptions options,
-                                    std::int64_t jobs) {
+std::vector<CheckVerdict> check_all(const Core& core, const std::vector<std::string>& paths,
+                                    CheckOptions options, std::int64_t jobs) {
   std::vector<CheckVerdict> verdicts(paths.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<std::int64_t> done = 0;
   options.reads_golden = jobs == 1;
   const auto check_one = [&](std::size_t index) {
     try {
-      verdicts[index] = check_scenario(paths[index], options);
+      verdicts[index] = check_scenario(core, paths[index], options);
     } catch (const std::bad_alloc&) {
       if (options.reads_golden) throw;
       verdicts[index].is_open = true;
@@ -190,28 +190,28 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
     cores.of(library.golden_folder).judge_differences(library.scenarios_folder);
   Json::Array documents;
   Outcomes outcomes;
-  for (const CoreVerdict* const core : cores.verdicts()) {
-    documents.push_back(core_json(*core));
-    outcomes.add(core->exit_code);
+  for (const CoreVerdict* const verdict : cores.verdicts()) {
+    documents.push_back(core_json(*verdict));
+    outcomes.add(verdict->exit_code);
     if (request.printing.is_json) continue;
     const bool is_alone = libraries.size() == 1;
-    if (core->status == CoreStatus::accepted)
-      print_text("core{}: the accepted one\n", is_alone ? "" : " of " + printable(core->golden_folder));
-    print_text("{}", core_text(*core, is_alone));
+    if (verdict->status == CoreStatus::accepted)
+      print_text("core{}: the accepted one\n", is_alone ? "" : " of " + printable(verdict->golden_folder));
+    print_text("{}", core_text(*verdict, is_alone));
   }
   if (request.printing.is_json) print_json(Json::Object{{"cores", std::move(documents)}});
   write_unnoticed(cores.verdicts(), request.unnoticed_folder);
   return outcomes.exit_code();
 }
 
-ExitCode check(CheckRequest& request) {
+ExitCode check(const Core& core, CheckRequest& request) {
   const std::vector<std::string> arguments = request.files;
   const std::string golden_folder = request.golden_folder;
   set_default_folders(request.files, request.golden_folder);
   if (!request.unnoticed_folder.empty())
     OutputGuard({}, request.golden_folder)
         .admit("hyrax-sim check: --unnoticed", request.unnoticed_folder + "/unnoticed.json");
-  if (request.judges_core_only) return check_core(request, CoreChecks(arguments, golden_folder));
+  if (request.judges_core_only) return check_core(request, CoreChecks(core, arguments, golden_folder));
   LastFailed last_failed;
   Selection selection = select(request, last_failed);
   if (request.lists) return list(selection, request);
@@ -225,13 +225,13 @@ ExitCode check(CheckRequest& request) {
   }
   const std::int64_t jobs = request.jobs.value_or(processors());
   std::vector<CheckVerdict> verdicts =
-      check_all(paths,
+      check_all(core, paths,
                 {.golden_folder = request.golden_folder,
-                 .watched_step = request.printing.is_json ? program_step() : nullptr},
+                 .watched_step = request.printing.is_json ? program_step(core) : nullptr},
                 jobs);
   std::ranges::move(selection.unreferenced, std::back_inserter(verdicts));
   last_failed.update(verdicts, guard);
-  CheckReport report(std::move(verdicts), arguments, golden_folder);
+  CheckReport report(core, std::move(verdicts), arguments, golden_folder);
   report.judge_cores(whole_libraries(request));
   if (request.printing.is_json)
     print_json(check_json(report));
@@ -240,7 +240,7 @@ ExitCode check(CheckRequest& request) {
   annotate(report, request);
   Outcomes outcomes;
   add_failures(selection, outcomes);
-  for (const CoreVerdict* const core : report.cores()) outcomes.add(core->exit_code);
+  for (const CoreVerdict* const verdict : report.cores()) outcomes.add(verdict->exit_code);
   outcomes.attempt_after([&] { write_unnoticed(report.cores(), request.unnoticed_folder); });
   for (const CheckVerdict& verdict : report.verdicts()) {
     if (!verdict.note.empty()) print_error(verdict.note);
@@ -250,7 +250,7 @@ ExitCode check(CheckRequest& request) {
     outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(report)); });
   if (!request.summary.empty())
     outcomes.attempt_after([&] {
-      write_text_file(request.summary, check_markdown(report, write_pictures(report, request.summary)));
+      write_text_file(request.summary, check_markdown(report, write_pictures(core, report, request.summary)));
     });
   return outcomes.exit_code();
 }

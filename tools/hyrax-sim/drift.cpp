@@ -57,11 +57,13 @@ DriftInput read_input(const std::string& path) {
   return input;
 }
 
-DriftRun measure(const DriftRequest& request, const DriftInput& input, const DriftOptions& options) {
+DriftRun measure(const Core& core, const DriftRequest& request, const DriftInput& input,
+                 const DriftOptions& options) {
   if (request.output.empty())
-    return input.is_file ? load_drift(input.path, options) : measure_drift(*input.scenario, options);
+    return input.is_file ? load_drift(core, input.path, options)
+                         : measure_drift(core, *input.scenario, options);
   if (input.is_file) refuse_input(input.path + ": is a trajectory; -o needs a scenario");
-  return *write_run(request.output, *input.scenario,
+  return *write_run(core, request.output, *input.scenario,
                     {.replay = {}, .drift = StoredDrift{options, request.stores_rows}})
               .drift;
 }
@@ -76,15 +78,17 @@ void report(const DriftRequest& request, const std::string& path, const DriftRep
   outcomes.add(Json(std::move(entry)));
 }
 
-void measure_one(const DriftRequest& request, const std::optional<GslOptions>& gsl, const DriftInput& input,
-                 Outcomes& outcomes) {
+void measure_one(const Core& core, const DriftRequest& request, const std::optional<GslOptions>& gsl,
+                 const DriftInput& input, Outcomes& outcomes) {
   if (input.failure) throw *input.failure;
-  DriftReport measured{.run = measure(request, input, {.gsl = gsl, .keeps_rows = !request.figures.empty()}),
-                       .has_rows_stored = request.stores_rows};
+  DriftReport measured{
+      .run = measure(core, request, input,
+                     {.gsl = gsl, .keeps_rows = !request.figures.empty(), .model = reference_model(core)}),
+      .has_rows_stored = request.stores_rows};
   const DriftRun& run = measured.run;
-  measured.step_ns = step_ns(run.scenario);
-  measured.half_dt = measure_half_dt(run.scenario);
-  measured.contact_chance = contact_chance_of(run.scenario, run.margin);
+  measured.step_ns = step_ns(core, run.scenario);
+  measured.half_dt = measure_half_dt(core, run.scenario);
+  measured.contact_chance = contact_chance_of(core, run.scenario, run.margin);
   outcomes.add(drift_exit_code(run.summary));
   report(request, input.path, measured, outcomes);
   if (request.figures.empty()) return;
@@ -106,7 +110,7 @@ void admit_outputs(const DriftRequest& request, const std::vector<std::string>& 
         guard.admit("hyrax-sim drift: --figures of " + input.path, figure);
 }
 
-ExitCode drift(const DriftRequest& request) {
+ExitCode drift(const Core& core, const DriftRequest& request) {
   const std::vector<std::string> paths = list_scenarios(request.files);
   if (request.stores_rows && request.output.empty())
     refuse_input("hyrax-sim drift: --rows: needs -o FILE.h5");
@@ -121,7 +125,7 @@ ExitCode drift(const DriftRequest& request) {
   admit_outputs(request, paths, inputs);
   Outcomes outcomes;
   for (const DriftInput& input : inputs)
-    outcomes.attempt(input.path, [&] { measure_one(request, gsl, input, outcomes); });
+    outcomes.attempt(input.path, [&] { measure_one(core, request, gsl, input, outcomes); });
   if (request.printing.is_json) print_json(outcomes.take_json("runs"), 4);
   return outcomes.exit_code();
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
@@ -129,9 +129,9 @@ void print_json(const FuzzRequest& request, const FuzzLimits& limits, const Fuzz
 }
 
 // Commands that show the failure again.
-std::string commands_for(const FuzzRequest& request, const Written& written) {
+std::string commands_for(const Core& core, const FuzzRequest& request, const Written& written) {
   const std::string path = as_argument(written.path);
-  if (request.against.empty() && !measured_constants())
+  if (request.against.empty() && !core.constants)
     return "  " + shell_command({"hyrax-sim", "run", path}) + "\n";
   if (request.against.empty())
     return "  " + shell_command({"hyrax-sim", "study", "hard-cases", path, "--gate", "--no-figures"}) + "\n";
@@ -146,7 +146,8 @@ void print_outcome(const FuzzRequest& request, const FuzzLimits& limits, const F
              outcome.elapsed_s, static_cast<double>(outcome.runs) / outcome.elapsed_s * 60.0);
 }
 
-void print_failure(const FuzzRequest& request, const FuzzFailure& failure, const Written& written) {
+void print_failure(const Core& core, const FuzzRequest& request, const FuzzFailure& failure,
+                   const Written& written) {
   const BrokenRule& broken = failure.broken;
   print_text("run {} {}: {} ({}): {}\n", failure.run,
              VerdictWord{broken.invariant ? "breaks an invariant" : "differs", false}, broken.name(),
@@ -155,10 +156,10 @@ void print_failure(const FuzzRequest& request, const FuzzFailure& failure, const
              written.events, step_count(failure.scenario), failure.scenario.events.size());
   if (!written.fails_again)
     print_text("it did not fail again: what it does depends on more than the scenario\n");
-  if (!request.printing.is_quiet()) print_text("{}", commands_for(request, written));
+  if (!request.printing.is_quiet()) print_text("{}", commands_for(core, request, written));
 }
 
-ExitCode run_fuzz(const FuzzRequest& request) {
+ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
   const FuzzLimits limits = limits_of(request);
   OutputGuard({}).admit("hyrax-sim fuzz: -o", (std::filesystem::path(request.folder) / "fuzz.json").string());
   std::optional<OtherProgram> other;
@@ -174,7 +175,7 @@ ExitCode run_fuzz(const FuzzRequest& request) {
                   limits.runs ? std::nullopt : std::optional(in_s(limits.time_s + kLastBatch_s)));
   }
   const OtherProgram* const against = other ? &*other : nullptr;
-  const FuzzOutcome outcome = fuzz(limits, against);
+  const FuzzOutcome outcome = fuzz(core, limits, against);
   if (outcome.not_compared > 0)
     print_error(fmt::format(
         "hyrax-sim fuzz: {} runs were not compared: {} did not end them in the time that was left",
@@ -184,10 +185,10 @@ ExitCode run_fuzz(const FuzzRequest& request) {
   Json::Array failures;
   if (outcome.failure) {
     const FuzzFailure& failure = *outcome.failure;
-    const Written written =
-        write_failure(request, limits, failure, shrink_broken(failure.scenario, failure.broken, against));
+    const Written written = write_failure(request, limits, failure,
+                                          shrink_broken(core, failure.scenario, failure.broken, against));
     failures.push_back(failure_json(failure, written));
-    if (!request.printing.is_json) print_failure(request, failure, written);
+    if (!request.printing.is_json) print_failure(core, request, failure, written);
   } else if (!request.printing.is_json) {
     print_text("{}\n", VerdictWord{request.against.empty() ? "all invariants hold"
                                    : outcome.not_compared == 0

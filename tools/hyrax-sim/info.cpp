@@ -2,10 +2,9 @@
 #include <hdf5.h>
 #include <xxhash.h>
 
+#include "sim/core/core.h"
+#include "sim/core/core_record.h"
 #include "sim/physics/strict_arithmetic.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_contacts.h"
-#include "sim/trace/core_record.h"
 #include "sim/trace/step_text.h"
 #include "tools/app/command_line/options.h"
 #include "tools/files/build_info.h"
@@ -36,14 +35,14 @@ std::string hdf5_version() {
 }
 
 // What the build could record of the core's step.
-std::string step_fact() {
-  const CoreRecord& record = core_record();
+std::string step_fact(const Core& core) {
+  const CoreRecord& record = core.record;
   if (!record.why_incomplete.empty()) return fmt::format("not complete: {}", record.why_incomplete);
   return fmt::format("complete, {} paths",
                      read_step(record.step).value().paths_of(CoreFunction::update).size());
 }
 
-Json::Object facts() {
+Json::Object facts(const Core& core) {
   const BuildInfo build = build_info();
   const auto fault = arithmetic_fault();
   return {{"version", build.version},
@@ -52,9 +51,9 @@ Json::Object facts() {
           {"target", build.target},
           {"instruction_set", build.instruction_set},
           {"processor", processor()},
-          {"physics", core_model()},
-          {"step", step_fact()},
-          {"contacts", why_contacts_from_rows().empty() ? "from the step's comparisons" : "from the rows"},
+          {"physics", core.name},
+          {"step", step_fact(core)},
+          {"contacts", core.record.why_incomplete.empty() ? "from the step's comparisons" : "from the rows"},
           {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
           {"hdf5", hdf5_version()},
           {"gsl", gsl_version},
@@ -62,8 +61,8 @@ Json::Object facts() {
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
 }
 
-ExitCode info(const Printing& printing) {
-  const Json::Object all = facts();
+ExitCode info(const Core& core, const Printing& printing) {
+  const Json::Object all = facts(core);
   if (printing.is_json)
     print_json(all, 1);
   else

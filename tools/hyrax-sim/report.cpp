@@ -19,7 +19,7 @@ std::string command_of(const ReportRequest& request) {
   return shell_command(words);
 }
 
-ExitCode write_page(const ReportArguments& arguments) {
+ExitCode write_page(const Core& core, const ReportArguments& arguments) {
   ReportRequest request = arguments.request;
   if (request.output.empty()) refuse_input("hyrax-sim report: -o FILE.html is missing");
   std::vector<std::string> inputs = request.files;
@@ -27,7 +27,7 @@ ExitCode write_page(const ReportArguments& arguments) {
   OutputGuard guard(inputs);
   guard.admit("hyrax-sim report: -o", request.output, {".html"});
   request.command = command_of(request);
-  write_report(request);
+  write_report(core, request);
   if (arguments.printing.is_json)
     print_text("{}\n", to_text(Json::Object{{"output", request.output}}));
   else

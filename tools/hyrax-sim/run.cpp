@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/outcomes.h"
@@ -109,31 +108,33 @@ void make_output_folder(const RunRequest& request, std::size_t scenarios) {
     throw Failure(ExitCode::cannot_access, request.output + ": cannot be created: " + error.message());
 }
 
-std::optional<StoredDrift> stored_drift(const RunRequest& request) {
-  if (request.measures_drift) require_paper_core("hyrax-sim run: --drift");
+std::optional<StoredDrift> stored_drift(const Core& core, const RunRequest& request) {
+  if (request.measures_drift) require_paper_core(core, "hyrax-sim run: --drift");
   if (request.measures_drift)
-    return StoredDrift{{.gsl = gsl_options(request.reference, "hyrax-sim run")}, request.stores_rows};
+    return StoredDrift{
+        {.gsl = gsl_options(request.reference, "hyrax-sim run"), .model = reference_model(core)},
+        request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
     refuse_input("hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
   return std::nullopt;
 }
 
-void report(const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
+void report(const Core& core, const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
   DriftReport drift;
   if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
   if (run.drift && request.printing.is_verbose())
-    drift.contact_chance = contact_chance_of(run.scenario, run.drift->margin);
+    drift.contact_chance = contact_chance_of(core, run.scenario, run.drift->margin);
   if (!request.printing.is_json) {
     if (run.output == kStandardOutput)
       print_error(run.scenario.name + ": " + run.status());
     else
-      print_run(run, request.printing);
+      print_run(core, run, request.printing);
     if (run.drift)
       print_verdict(run.scenario.name, drift_result(drift, request.printing.is_verbose()).verdict,
                     request.printing);
     return;
   }
-  Json entry = run_json(run);
+  Json entry = run_json(core, run);
   if (run.drift) {
     Json::Object measured;
     add_members(measured, drift_result(drift, false).summary);
@@ -150,36 +151,36 @@ void check_page_request(const RunRequest& request, std::size_t scenarios) {
                  "); allowed: .h5");
 }
 
-void write_page(const RunRequest& request, const ScenarioRun& run) {
+void write_page(const Core& core, const RunRequest& request, const ScenarioRun& run) {
   std::vector<std::string> command = {"hyrax-sim", "run", as_argument(run.path)};
   for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
   command.insert(command.end(), {"--report", request.page});
-  write_report({.files = {run.output},
-                .against = run.comparison ? run.golden_path : "",
-                .output = request.page,
-                .command = shell_command(command)});
+  write_report(core, {.files = {run.output},
+                      .against = run.comparison ? run.golden_path : "",
+                      .output = request.page,
+                      .command = shell_command(command)});
   if (!request.printing.is_json)
     print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.page);
 }
 
-void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift, const Candidate& candidate,
-             Outcomes& outcomes) {
+void run_one(const Core& core, const RunRequest& request, const std::optional<StoredDrift>& drift,
+             const Candidate& candidate, Outcomes& outcomes) {
   if (candidate.failure) throw *candidate.failure;
-  require_measurable(candidate.path, *candidate.scenario);
+  require_measurable(core, candidate.path, *candidate.scenario);
   std::optional<RunPicture> picture;
   if (!request.figure.empty()) picture.emplace(*candidate.scenario);
   const ScenarioRun run =
-      run_scenario(candidate.path, *candidate.scenario, candidate.output,
+      run_scenario(core, candidate.path, *candidate.scenario, candidate.output,
                    {.golden_folder = request.golden_folder,
                     .skips_repetition = !request.computes_all,
                     .compares = request.overrides.empty(),
                     .drift = drift,
-                    .measures_start = request.printing.is_verbose() && !drift && measured_constants(),
+                    .measures_start = request.printing.is_verbose() && !drift && core.constants,
                     .picture = picture ? &*picture : nullptr});
   if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
   if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
-  report(request, run, outcomes);
-  if (!request.page.empty()) outcomes.attempt_after([&] { write_page(request, run); });
+  report(core, request, run, outcomes);
+  if (!request.page.empty()) outcomes.attempt_after([&] { write_page(core, request, run); });
   if (!picture) return;
   outcomes.attempt_after([&] {
     picture->draw(request.figure, run);
@@ -188,7 +189,7 @@ void run_one(const RunRequest& request, const std::optional<StoredDrift>& drift,
   });
 }
 
-ExitCode run(RunRequest request) {
+ExitCode run(const Core& core, RunRequest request) {
   const std::vector<Override> overrides = overrides_of(request.overrides);
   const std::vector<std::string> paths = list_scenarios(request.files);
   constexpr std::size_t kPrintedInFullMax = 3;
@@ -207,12 +208,12 @@ ExitCode run(RunRequest request) {
     guard.admit("hyrax-sim run: --report", request.page, {".html"});
     require_page();
   }
-  const std::optional<StoredDrift> drift = stored_drift(request);
+  const std::optional<StoredDrift> drift = stored_drift(core, request);
   if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
     make_output_folder(request, candidates.size());
   Outcomes outcomes;
   for (const Candidate& candidate : candidates)
-    outcomes.attempt(candidate.path, [&] { run_one(request, drift, candidate, outcomes); });
+    outcomes.attempt(candidate.path, [&] { run_one(core, request, drift, candidate, outcomes); });
   if (request.printing.is_json) print_json(outcomes.take_json("runs"), 3);
   return outcomes.exit_code();
 }

@@ -86,7 +86,7 @@ struct ShrinkOutcome {
   Shrunk shrunk;
 };
 
-ShrinkOutcome shrink_by_command(const ShrinkRequest& request, const Scenario& scenario) {
+ShrinkOutcome shrink_by_command(const Core& core, const ShrinkRequest& request, const Scenario& scenario) {
   const UserCommand command(request.fails, request.limit_s.value_or(kLimit_s), request.files.front());
   const ChildEnd wanted = command.run(scenario);
   if (!wanted.is_timed_out && wanted.exit_code == 0)
@@ -102,18 +102,19 @@ ShrinkOutcome shrink_by_command(const ShrinkRequest& request, const Scenario& sc
     const ChildEnd end = command.run(simpler);
     return end.is_timed_out == wanted.is_timed_out && (end.is_timed_out || end.exit_code == wanted.exit_code);
   };
-  return {"the command's " + command.text_of(wanted), shrink_with_progress(scenario, fails, kTrialsMax)};
+  return {"the command's " + command.text_of(wanted),
+          shrink_with_progress(core, scenario, fails, kTrialsMax)};
 }
 
-ShrinkOutcome shrink_against(const ShrinkRequest& request, const Scenario& scenario) {
+ShrinkOutcome shrink_against(const Core& core, const ShrinkRequest& request, const Scenario& scenario) {
   const OtherProgram other(request.against, "hyrax-sim shrink: --against", std::nullopt,
                            request.limit_s.value_or(kProgramLimit_s));
-  const auto broken = different_hash(scenario, other);
+  const auto broken = different_hash(core, scenario, other);
   if (!broken)
     refuse_input(request.files.front() + ": has the same state hash in both programs (" + request.against +
                  "); nothing to shrink");
   return {broken->other_end.empty() ? "different state hashes" : "the other program's " + broken->other_end,
-          shrink_broken(scenario, *broken, &other)};
+          shrink_broken(core, scenario, *broken, &other)};
 }
 
 void admit_output(const ShrinkRequest& request) {
@@ -155,15 +156,15 @@ void print_shrunk(const ShrinkRequest& request, const Scenario& before, const Sh
              outcome.shrunk.is_complete ? "" : ", the limit; a smaller one may exist");
 }
 
-ExitCode run_shrink(const ShrinkRequest& request) {
+ExitCode run_shrink(const Core& core, const ShrinkRequest& request) {
   if (request.fails.empty() == request.against.empty())
     refuse_input("hyrax-sim shrink: --fails, --against: exactly one is needed");
   if (request.output.empty())
     refuse_input("hyrax-sim shrink: -o: is missing; name the file of the smaller scenario");
   admit_output(request);
   const Scenario scenario = load_scenario(request.files.front());
-  ShrinkOutcome outcome =
-      request.fails.empty() ? shrink_against(request, scenario) : shrink_by_command(request, scenario);
+  ShrinkOutcome outcome = request.fails.empty() ? shrink_against(core, request, scenario)
+                                                : shrink_by_command(core, request, scenario);
   if (!outcome.shrunk.fails_again)
     refuse_input(request.files.front() +
                  ": ended differently when it was tried again; only what fails every time can be shrunk");

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/study/study.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/options.h"
@@ -147,7 +147,7 @@ double parse_length_px(const std::string& text, const std::string& place) {
   return length_px;
 }
 
-void refuse_what_it_does_not_take(const Study& study, const StudyArguments& arguments) {
+void refuse_what_it_does_not_take(const Core& core, const Study& study, const StudyArguments& arguments) {
   const auto refuse = [&](const std::string& what) {
     refuse_input("hyrax-sim study " + study.name + ": " + what + "; see `hyrax-sim study --help`");
   };
@@ -157,8 +157,8 @@ void refuse_what_it_does_not_take(const Study& study, const StudyArguments& argu
   if (study.takes_expected && arguments.is_gate && arguments.expect_file.empty())
     refuse("--gate needs --expect FILE, the expected verdicts");
   if (!arguments.within.empty() && !study.takes_within) refuse("takes no --within");
-  if (study.is_of_paper && !is_paper_model(core_model()))
-    refuse("is about the paper's own constants (found the core " + std::string(core_model()) + ")");
+  if (study.is_of_paper && !is_paper_model(core.name))
+    refuse("is about the paper's own constants (found the core " + std::string(core.name) + ")");
 }
 
 // The scenario files that the study reads.
@@ -168,11 +168,12 @@ std::vector<std::string> scenario_files(const Study& study, const StudyArguments
   return list_scenarios(given);
 }
 
-StudyRequest request_of(const Study& study, const StudyArguments& arguments,
+StudyRequest request_of(const Core& core, const Study& study, const StudyArguments& arguments,
                         const std::vector<std::string>& scenarios) {
   std::set<std::string> names;
-  StudyRequest request{.is_quick = arguments.is_quick,
-                       .core_step = program_step(),
+  StudyRequest request{.core = core,
+                       .is_quick = arguments.is_quick,
+                       .core_step = program_step(core),
                        .machine = processor_name(),
                        .now_ns = steady_clock_ns};
   for (const std::string& path : scenarios) {
@@ -251,11 +252,11 @@ void print_json(const Study& study, const Result& result, const std::vector<std:
   print_json(std::move(document), 3);
 }
 
-ExitCode run_study_command(const StudyArguments& arguments) {
+ExitCode run_study_command(const Core& core, const StudyArguments& arguments) {
   const Study& study = find_study(arguments.files.front());
-  refuse_what_it_does_not_take(study, arguments);
+  refuse_what_it_does_not_take(core, study, arguments);
   std::vector<std::string> inputs = scenario_files(study, arguments);
-  const StudyRequest request = request_of(study, arguments, inputs);
+  const StudyRequest request = request_of(core, study, arguments, inputs);
   if (!arguments.expect_file.empty()) inputs.push_back(arguments.expect_file);
   const std::string stem = stem_of(study, arguments);
   OutputGuard guard(inputs);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/part.h"
 #include "tools/app/command_line/workers.h"
@@ -121,7 +121,7 @@ std::string summary_text(const SweepRequest& request, const SweepFile& file, con
   return text + "\nwritten: " + output;
 }
 
-ExitCode compute(const SweepRequest& request) {
+ExitCode compute(const Core& core, const SweepRequest& request) {
   const std::string& path = request.files.front();
   const auto part = choose_part(kName, request.part, request.parts);
   const SweepFile file = load_sweep(path);
@@ -131,7 +131,7 @@ ExitCode compute(const SweepRequest& request) {
   SweepJob job;
   job.head.sweep_text = file.text;
   job.head.members = file.sweep.members;
-  job.head.physics = core_model();
+  job.head.physics = core.name;
   job.head.is_part = part.has_value();
   if (part) job.head.part = part->part;
   job.output = output_of(request, part);
@@ -148,7 +148,7 @@ ExitCode compute(const SweepRequest& request) {
   if (request.resumes && is_complete(job.output, job.head))
     outcome.rows_resumed = outcome.rows;
   else
-    outcome = compute_sweep(file.sweep, job);
+    outcome = compute_sweep(core, file.sweep, job);
   Json::Object document{{"sweep", path},
                         {"members", file.sweep.members},
                         {"computed", outcome.rows - outcome.rows_resumed},
@@ -167,7 +167,7 @@ ExitCode compute(const SweepRequest& request) {
   return ExitCode::agreed;
 }
 
-ExitCode sweep(const SweepRequest& request) {
+ExitCode sweep(const Core& core, const SweepRequest& request) {
   if (request.merges) {
     if (request.member || !request.part.empty() || request.parts || request.resumes || request.threads ||
         request.is_forced)
@@ -179,7 +179,7 @@ ExitCode sweep(const SweepRequest& request) {
   if (request.member && (!request.part.empty() || request.parts || request.resumes))
     refuse_request("--member: not with --part, --parts or --resume");
   if (request.is_forced && request.resumes) refuse_request("--force: not with --resume");
-  return request.member ? write_member(request) : compute(request);
+  return request.member ? write_member(request) : compute(core, request);
 }
 
 void declare_options(Options& options, SweepRequest& request) {

@@ -27,9 +27,9 @@ Velocity random_throw(std::uint64_t seed) {
 
 }  // namespace
 
-App::App(const PetOptions& options, HINSTANCE instance)
+App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
     : monitor_(monitor_under({0, 0})),
-      pet_(monitor_.desk, clock_ticks_per_s(), clock_ticks()),
+      pet_(core, monitor_.desk, clock_ticks_per_s(), clock_ticks()),
       recorder_(pet_, [this](const std::string& sentence) { notify(sentence); }),
       log_(options.log_path ? std::optional<FrameLog>(*options.log_path) : std::nullopt),
       scenario_(options.replay_path ? std::optional(load_scenario(*options.replay_path)) : std::nullopt),
@@ -39,7 +39,7 @@ App::App(const PetOptions& options, HINSTANCE instance)
   use_monitor(monitor_);
   if (options.record_path) recorder_.start(*options.record_path);
   if (scenario_) {
-    playback_.emplace(*scenario_, clock_ticks_per_s(), clock_ticks());
+    playback_.emplace(core, *scenario_, clock_ticks_per_s(), clock_ticks());
     window_.show({Pose::fly, false, playback_->now().sprite},
                  on_screen(monitor_.desk, playback_->position()));
   } else {

@@ -25,7 +25,7 @@ class App {
  public:
   /// Opens the window. ERRORS: Failure: cannot_access if there is no screen, or a file cannot be used;
   /// bad_input for a scenario with errors.
-  App(const PetOptions& options, HINSTANCE instance);
+  App(const Core& core, const PetOptions& options, HINSTANCE instance);
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 

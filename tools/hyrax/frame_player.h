@@ -1,7 +1,7 @@
 // Plays frames that are not known beforehand, as a replay of them does.
 #pragma once
 
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 
@@ -10,7 +10,7 @@ namespace hyrax {
 /// Plays single frames with the step and the inputs of a replay.
 class FramePlayer {
  public:
-  explicit FramePlayer(const Keyframe& start) : now_(start) {}
+  FramePlayer(const Core& core, const Keyframe& start) : kernel_(core.kernel), now_(start) {}
 
   /// The state before the next frame.
   [[nodiscard]] const Keyframe& now() const { return now_; }
@@ -21,6 +21,7 @@ class FramePlayer {
   void advance(double dt_s);
 
  private:
+  std::shared_ptr<const Kernel> kernel_;
   Keyframe now_;
   RowBlock row_;  // Of the frame being played.
   StretchLog log_;

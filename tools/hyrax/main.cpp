@@ -7,6 +7,7 @@
 
 #include <shellapi.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
 #include "tools/files/scenario_reader.h"
@@ -25,7 +26,7 @@ std::vector<std::string> command_line() {
   return arguments;
 }
 
-ExitCode run(HINSTANCE instance) {
+ExitCode run(const Core& core, HINSTANCE instance) {
   const PetOptions options = parse_options(command_line());
   if (options.wants_help || options.wants_version) {
     report(options.wants_help ? std::string(help_text()) : "hyrax " + std::string(build_info().version));
@@ -34,11 +35,11 @@ ExitCode run(HINSTANCE instance) {
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
   if (options.only_exits) {
-    const PlaybackVerdict verdict = replayed(load_scenario(*options.replay_path));
+    const PlaybackVerdict verdict = replayed(core, load_scenario(*options.replay_path));
     report(verdict);
     return verdict.exit_code;
   }
-  return App(options, instance).run();
+  return App(core, options, instance).run();
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ ExitCode run(HINSTANCE instance) {
 int WINAPI wWinMain(HINSTANCE instance, HINSTANCE, wchar_t*, int) {
   using namespace hyrax;
   try {
-    return static_cast<int>(run(instance));
+    return static_cast<int>(run(shipped_core(), instance));
   } catch (const Failure& failure) {
     report_error(failure.what());
     return static_cast<int>(failure.exit_code());

@@ -23,8 +23,8 @@ Keyframe start_of(const Desk& desk) {
 
 }  // namespace
 
-Pet::Pet(const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
-    : desk_(desk), ticks_per_s_(ticks_per_s), timer_(ticks_per_s, ticks), session_(start_of(desk)) {}
+Pet::Pet(const Core& core, const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
+    : desk_(desk), ticks_per_s_(ticks_per_s), timer_(ticks_per_s, ticks), session_(core, start_of(desk)) {}
 
 void Pet::grab(ScreenPoint hand, std::int64_t ticks) {
   assert(!is_held());

@@ -44,7 +44,7 @@ class Pet {
  public:
   /// It starts at the top of its desk, in the middle, and falls.
   /// REQUIRES: ticks_per_s > 0.
-  Pet(const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks);
+  Pet(const Core& core, const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks);
 
   // The hand. REQUIRES: grab while not held, the others while held.
   void grab(ScreenPoint hand, std::int64_t ticks);

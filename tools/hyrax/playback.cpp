@@ -23,10 +23,12 @@ PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   return {ExitCode::agreed, name + "state hash " + hash + " agrees"};
 }
 
-PlaybackVerdict replayed(const Scenario& scenario) { return verdict_on(scenario, replay(scenario)); }
+PlaybackVerdict replayed(const Core& core, const Scenario& scenario) {
+  return verdict_on(scenario, replay(core, scenario));
+}
 
-Playback::Playback(const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks)
-    : scenario_(scenario), ticks_per_s_(ticks_per_s), begin_ticks_(ticks), replay_(scenario) {
+Playback::Playback(const Core& core, const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks)
+    : scenario_(scenario), ticks_per_s_(ticks_per_s), begin_ticks_(ticks), replay_(core, scenario) {
   assert(ticks_per_s > 0);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "tools/files/failure.h"
 
@@ -19,12 +20,12 @@ struct PlaybackVerdict {
 [[nodiscard]] PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run);
 
 /// Plays a scenario at once.
-[[nodiscard]] PlaybackVerdict replayed(const Scenario& scenario);
+[[nodiscard]] PlaybackVerdict replayed(const Core& core, const Scenario& scenario);
 
 class Playback {
  public:
   /// Refers to the scenario. REQUIRES: as Replay; ticks_per_s > 0.
-  Playback(const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks);
+  Playback(const Core& core, const Scenario& scenario, std::int64_t ticks_per_s, std::int64_t ticks);
 
   /// Plays the frames that are due, at most so many at once that the program stays responsive.
   void play(std::int64_t ticks);

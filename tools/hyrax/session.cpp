@@ -7,7 +7,7 @@
 
 namespace hyrax {
 
-Session::Session(const Keyframe& start) : player_(start), ring_(start) {}
+Session::Session(const Core& core, const Keyframe& start) : player_(core, start), ring_(start) {}
 
 void Session::apply(const Action& action) {
   player_.apply(action);

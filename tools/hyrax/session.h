@@ -16,7 +16,7 @@ class Session {
   /// After so many frames without motion the hyrax may sleep.
   static constexpr int kStillFrames = 60;
 
-  explicit Session(const Keyframe& start);
+  Session(const Core& core, const Keyframe& start);
 
   /// The state before the next frame.
   [[nodiscard]] const Keyframe& now() const { return player_.now(); }

@@ -8,7 +8,7 @@ set(hyrax_trace_root ${hyrax_own_core})
 set(hyrax_trace_libraries ${hyrax_prefix}/@CMAKE_INSTALL_LIBDIR@/hyrax/libhyrax_trace_host.a)
 include(${CMAKE_CURRENT_LIST_DIR}/core_record.cmake)
 
-# The program NAME-sim: hyrax-sim with the class physics of HEADER. Only two sources are compiled.
+# The program NAME-sim: hyrax-sim with the class physics of HEADER. Only its `main` and what the build records of the header are compiled.
 function(hyrax_add_simulator name header)
   cmake_path(ABSOLUTE_PATH header NORMALIZE)
   if(NOT EXISTS ${header})
@@ -26,7 +26,7 @@ function(hyrax_add_simulator name header)
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/hyrax/${name})
   file(CONFIGURE OUTPUT ${folder}/sim/physics/physics.h CONTENT "#include \"${header}\"\n")
-  add_executable(${name}-sim ${hyrax_own_core}/sim/replay/core.cpp ${hyrax_own_core}/tools/own_core/own_kernel.cpp)
+  add_executable(${name}-sim ${hyrax_own_core}/tools/own_core/own_main.cpp)
   set_target_properties(${name}-sim PROPERTIES HYRAX_PHYSICS ${header} UNITY_BUILD OFF)
   target_compile_options(${name}-sim PRIVATE $<$<CONFIG:>:-O2>)
   target_compile_definitions(${name}-sim PRIVATE HYRAX_OWN_CORE="${name}")

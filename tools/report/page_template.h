@@ -16,7 +16,7 @@ enum class PageKind {
 /// HYRAX_PAGE).
 [[nodiscard]] std::string_view page_template(PageKind kind);
 
-/// core_fingerprint of the core that the page of runs replays, as text. REQUIRES: the program has that page.
+/// fingerprint_of the core that the page of runs replays, as text. REQUIRES: the program has that page.
 [[nodiscard]] std::string_view page_core_fingerprint();
 
 }  // namespace hyrax

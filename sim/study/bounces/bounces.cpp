@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/core/core.h"
 #include "sim/motion/step.h"
 #include "sim/reference/exact_fling.h"
-#include "sim/replay/core_constants.h"
 #include "sim/study/methods/many_flings.h"
 #include "sim/study/reference_model.h"
 
@@ -22,8 +22,8 @@ State stepped_for(const Constants& laws, StepOrder order, State body, double rat
 
 }  // namespace
 
-Constants lossless() {
-  return {.gravity_px_per_s2 = core_constants().gravity_px_per_s2,
+Constants lossless(const Core& core) {
+  return {.gravity_px_per_s2 = core.constants->gravity_px_per_s2,
           .restitution = 1.0,
           .air_drag = 1.0,
           .ground_friction = 1.0,
@@ -35,9 +35,10 @@ double energy(const State& body, double gravity_px_per_s2, const Bounds& bounds)
          gravity_px_per_s2 * (bounds.bottom_px - body.y_px);
 }
 
-std::vector<KeptEnergy> kept_energies(const std::vector<double>& rates_hz, std::int64_t throws) {
+std::vector<KeptEnergy> kept_energies(const Core& core, const std::vector<double>& rates_hz,
+                                      std::int64_t throws) {
   const ManyFlings flings({FixedRate{60.0}, {}}, kTenMinutes_s, throws);
-  const Constants laws = lossless();
+  const Constants laws = lossless(core);
   std::vector<KeptEnergy> kept;
   const auto add = [&](BounceMethod method, double rate_hz, const auto& play) {
     for (std::int64_t number = 0; number < throws; ++number) {

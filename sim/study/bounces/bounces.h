@@ -6,13 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/motion/state.h"
 #include "sim/study/study.h"
 
 namespace hyrax {
 
 /// The core's laws without drag, friction and loss at walls.
-[[nodiscard]] Constants lossless();
+[[nodiscard]] Constants lossless(const Core& core);
 /// e = v^2 / 2 + G (bottom - y), in px^2/s^2.
 [[nodiscard]] double energy(const State& body, double gravity_px_per_s2, const Bounds& bounds);
 
@@ -35,7 +36,8 @@ struct KeptEnergy {
 };
 
 /// The first `throws` of kFlingSeed, by each method at each rate: in this order.
-[[nodiscard]] std::vector<KeptEnergy> kept_energies(const std::vector<double>& rates_hz, std::int64_t throws);
+[[nodiscard]] std::vector<KeptEnergy> kept_energies(const Core& core, const std::vector<double>& rates_hz,
+                                                    std::int64_t throws);
 
 /// What the study says of them. A rule: by exact impacts no throw changes its energy by more than 1e-9 of it.
 /// REQUIRES: not empty; of a method, those of one rate stand together.

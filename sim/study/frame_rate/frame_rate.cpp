@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/core/core.h"
 #include "sim/reference/exact_fling.h"
-#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/reference_model.h"
@@ -34,8 +34,8 @@ const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string
 // Plays one fling to its end, frame by frame.
 class FlingPlayer {
  public:
-  FlingPlayer(const MethodKind& kind, const Landing& landing, const State& start)
-      : runner_(kind.make()), start_(start), core_(start), landing_(landing) {
+  FlingPlayer(const Core& core, const MethodKind& kind, const Landing& landing, const State& start)
+      : core_(core), runner_(kind.make()), start_(start), by_core_(start), landing_(landing) {
     runner_->start(start, kDrawnBounds);
   }
 
@@ -67,7 +67,7 @@ class FlingPlayer {
     }
     landing_.x_px = last.x_px;
     landing_.time_s = rest.t_s;
-    landing_.is_core = landing_.method != 0 || same_bits(last, core_);
+    landing_.is_core = landing_.method != 0 || same_bits(last, by_core_);
     return landing_;
   }
   [[nodiscard]] State end() const { return runner_->motion(); }
@@ -84,20 +84,22 @@ class FlingPlayer {
 
   void step_core(double dt_s) {
     if (landing_.method != 0) return;
-    core_ = core_step(core_, dt_s, kDrawnBounds);
+    by_core_ = core_.step(by_core_, dt_s, kDrawnBounds);
   }
 
+  const Core& core_;
   std::unique_ptr<Method> runner_;
   State start_;
-  State core_;
+  State by_core_;
   Landing landing_;
 };
 
 // Flings of one method under one clock, on every display.
 class DisplayFlings {
  public:
-  DisplayFlings(FrameRateStudy& study, const std::vector<double>& rates_hz, std::int64_t flings)
-      : study_(study), rates_hz_(rates_hz), flings_(flings) {
+  DisplayFlings(const Core& core, FrameRateStudy& study, const std::vector<double>& rates_hz,
+                std::int64_t flings)
+      : core_(core), study_(study), rates_hz_(rates_hz), flings_(flings) {
     const auto nearest =
         std::ranges::min_element(rates_hz, {}, [](double rate_hz) { return std::fabs(rate_hz - 60.0); });
     near_60_ = static_cast<std::size_t>(nearest - rates_hz.begin());
@@ -113,10 +115,11 @@ class DisplayFlings {
       Landing landing{.method = method, .clock = clock, .rate_hz = rate_hz};
       const ManyFlings flings(clock_of(clock, rate_hz), kUntil_s, flings_);
       play_drawn(kind, landing, flings);
-      const std::vector<MemberResult> by_core = method == 0 ? flings.play() : std::vector<MemberResult>();
+      const std::vector<MemberResult> by_core =
+          method == 0 ? flings.play(core_) : std::vector<MemberResult>();
       for (std::int64_t number = 0; number < flings_; ++number) {
         landing.fling = number + 1;
-        landings_.push_back(by_core.empty() ? FlingPlayer(kind, landing, flings.start(number))
+        landings_.push_back(by_core.empty() ? FlingPlayer(core_, kind, landing, flings.start(number))
                                                   .play(flings.clock(number), flings.frames(), nullptr)
                                             : core_landing(kind, landing, flings, number,
                                                            by_core[static_cast<std::size_t>(number)]));
@@ -145,8 +148,8 @@ class DisplayFlings {
   }
 
  private:
-  [[nodiscard]] static double exact_place_px(const State& start) {
-    ExactFling exact{FixedLaws(reference_model())};
+  [[nodiscard]] double exact_place_px(const State& start) const {
+    ExactFling exact{FixedLaws(reference_model(core_))};
     exact.start(start, kDrawnBounds);
     return exact.at(kUntil_s).x_px;
   }
@@ -155,7 +158,7 @@ class DisplayFlings {
     const bool has_path =
         landing.clock == DisplayClock::steady &&
         std::find(kPathRates_hz.begin(), kPathRates_hz.end(), landing.rate_hz) != kPathRates_hz.end();
-    landings_.push_back(FlingPlayer(kind, landing, kDrawnFling)
+    landings_.push_back(FlingPlayer(core_, kind, landing, kDrawnFling)
                             .play(flings.clock(0), flings.frames(), has_path ? &study_.paths : nullptr));
   }
 
@@ -163,7 +166,7 @@ class DisplayFlings {
   [[nodiscard]] Landing core_landing(const MethodKind& kind, Landing landing, const ManyFlings& flings,
                                      std::int64_t number, const MemberResult& by_core) const {
     if (landing.rate_hz == rates_hz_[near_60_]) {
-      FlingPlayer played(kind, landing, flings.start(number));
+      FlingPlayer played(core_, kind, landing, flings.start(number));
       landing = played.play(flings.clock(number), flings.frames(), nullptr);
       landing.is_core &= same_bits(played.end(), by_core.final);
     }
@@ -213,6 +216,7 @@ class DisplayFlings {
     return result;
   }
 
+  const Core& core_;
   FrameRateStudy& study_;
   const std::vector<double>& rates_hz_;
   std::int64_t flings_;
@@ -223,10 +227,10 @@ class DisplayFlings {
 
 }  // namespace
 
-FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings) {
-  const std::vector<MethodKind> kinds = frame_methods();
+FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz, std::int64_t flings) {
+  const std::vector<MethodKind> kinds = frame_methods(core);
   FrameRateStudy study;
-  DisplayFlings displays(study, rates_hz, flings);
+  DisplayFlings displays(core, study, rates_hz, flings);
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;
   for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method)
     for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock) {

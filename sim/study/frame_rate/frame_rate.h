@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/motion/state.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
@@ -87,7 +88,8 @@ struct FrameRateStudy {
   std::array<Share, kDisplayClockNames.size()> steadier_by_time;
 };
 /// @param flings random ones, beside the one that is drawn. REQUIRES: at least one rate and one fling.
-[[nodiscard]] FrameRateStudy study_frame_rate(const std::vector<double>& rates_hz, std::int64_t flings);
+[[nodiscard]] FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz,
+                                              std::int64_t flings);
 
 /// The drawn fling's landings by one method under one clock.
 [[nodiscard]] std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method,

@@ -193,8 +193,9 @@ Verdict verdict_of(const FrameRateStudy& study) {
 
 Result run_frame_rate(const StudyRequest& request) {
   const FrameRateStudy study =
-      request.is_quick ? study_frame_rate({24.0, 60.0, 144.0, 240.0}, 100)
-                       : study_frame_rate({24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0,
+      request.is_quick ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, 100)
+                       : study_frame_rate(request.core,
+                                          {24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0,
                                            144.0, 165.0, 200.0, 240.0, 360.0, 500.0, 1000.0},
                                           120);
   return {.tables = {landing_table(study.landings), score_table("independence", study.scores),

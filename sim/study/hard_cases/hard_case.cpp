@@ -25,20 +25,21 @@ std::optional<double> value_of(const std::optional<Worst>& worst) {
 }
 
 // Against the closed form alone, in one more run.
-RunErrors errors_of(const Scenario& scenario, std::int64_t steps) {
+RunErrors errors_of(const Core& core, const Scenario& scenario, std::int64_t steps) {
   DriftSink discard;
-  DriftMeter meter(scenario, inputs_of(scenario, steps), discard, nullptr, reference_model());
-  replay(scenario, meter);
+  DriftMeter meter(scenario, inputs_of(scenario, steps), discard, nullptr, reference_model(core));
+  replay(core, scenario, meter);
   const DriftSummary drift = meter.finish();
   return {value_of(drift.implementation_px), value_of(drift.truncation_px),
           value_of(drift.energy_drift_rel_max)};
 }
 
-void judge_expectations(const HardCase& hard_case, const RunSummary& summary, HardCaseResult& result) {
+void judge_expectations(const Core& core, const HardCase& hard_case, const RunSummary& summary,
+                        HardCaseResult& result) {
   const std::optional<Expect>& expect = hard_case.scenario.expect;
   if (!expect) return;
   std::optional<RunErrors> errors;
-  if (bounds_errors(*expect)) errors = errors_of(hard_case.scenario, summary.steps);
+  if (bounds_errors(*expect)) errors = errors_of(core, hard_case.scenario, summary.steps);
   for (const Expectation& expectation : judge(*expect, summary, errors)) {
     result.measures[static_cast<std::size_t>(Invariant::expectations)].add(zero_or_less(expectation.holds),
                                                                            summary.steps);
@@ -49,10 +50,10 @@ void judge_expectations(const HardCase& hard_case, const RunSummary& summary, Ha
 
 }  // namespace
 
-HardCaseResult play_hard_case(const HardCase& hard_case,
+HardCaseResult play_hard_case(const Core& core, const HardCase& hard_case,
                               const std::function<void(std::int64_t)>& report_steps) {
   const Scenario& scenario = hard_case.scenario;
-  const CheckedRun run = check_run(scenario, usual_stops(scenario), report_steps);
+  const CheckedRun run = check_run(core, scenario, usual_stops(scenario), report_steps);
   HardCaseResult result{.measures = run.measures,
                         .state_hash = run.summary.state_hash,
                         .steps = run.summary.steps,
@@ -61,7 +62,7 @@ HardCaseResult play_hard_case(const HardCase& hard_case,
   if (hard_case.must_come_to_rest)
     result.measures[static_cast<std::size_t>(Invariant::comes_to_rest)].add(
         rest_slack(run.summary, run.last_speed_px_per_s), run.summary.steps);
-  judge_expectations(hard_case, run.summary, result);
+  judge_expectations(core, hard_case, run.summary, result);
   return result;
 }
 

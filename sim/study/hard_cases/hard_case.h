@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/search/invariant.h"
 #include "sim/trajectory/state_hash.h"
@@ -32,7 +33,7 @@ struct HardCase {
 
 /// The cases made from a scenario: itself with its expected failures, and the families of what it does
 /// (hard_families.cpp), whatever its name.
-[[nodiscard]] std::vector<HardCase> hard_cases_of(const Scenario& scenario);
+[[nodiscard]] std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario);
 
 enum class CaseVerdict { held, expected_failure, broken, expected_failure_gone };
 
@@ -48,7 +49,7 @@ struct HardCaseResult {
 
 /// Plays the case with every step checked, then once more, and once more stopped and resumed twice.
 /// `report_steps` is called with the number of steps checked, during the first of these, the longest.
-[[nodiscard]] HardCaseResult play_hard_case(const HardCase& hard_case,
+[[nodiscard]] HardCaseResult play_hard_case(const Core& core, const HardCase& hard_case,
                                             const std::function<void(std::int64_t)>& report_steps = {});
 
 /// Compares what was measured of an invariant with what is expected.

@@ -20,7 +20,7 @@ std::string_view name_of(CaseVerdict verdict) {
 std::vector<HardCase> cases_of(const StudyRequest& request) {
   std::vector<HardCase> cases;
   for (const NamedScenario& named : request.scenarios)
-    for (HardCase& hard_case : hard_cases_of(named.scenario))
+    for (HardCase& hard_case : hard_cases_of(request.core, named.scenario))
       if (!(hard_case.is_long && request.is_quick)) cases.push_back(std::move(hard_case));
   if (cases.empty())
     throw RequestRefused("hyrax-sim study hard-cases: no case is left with --quick; run it without");
@@ -32,7 +32,7 @@ std::vector<PlayedCase> play(std::vector<HardCase> cases, const StudyRequest& re
   for (const HardCase& hard_case : cases) steps += step_count(hard_case.scenario);
   std::vector<PlayedCase> played;
   for (HardCase& hard_case : cases) {
-    const HardCaseResult result = play_hard_case(hard_case, [&](std::int64_t checked) {
+    const HardCaseResult result = play_hard_case(request.core, hard_case, [&](std::int64_t checked) {
       if (request.report_progress) request.report_progress("steps", done + checked, steps);
     });
     done += step_count(hard_case.scenario);

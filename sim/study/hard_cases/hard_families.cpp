@@ -48,49 +48,49 @@ struct ScenarioForm {
   std::int64_t length = 0;  // In frames; 0: given in seconds, or by the clock.
 };
 
-bool is_throw_in_long_frames(const ScenarioForm& form) {
+bool is_throw_in_long_frames(const Core&, const ScenarioForm& form) {
   const auto* const step = std::get_if<FixedStep>(&form.scenario.clock.base);
   return step != nullptr && step->dt_s >= 0.1 && !form.scenario.clock.jitter && form.scenario.events.empty();
 }
-bool is_trace_with_a_billionth(const ScenarioForm& form) {
+bool is_trace_with_a_billionth(const Core&, const ScenarioForm& form) {
   const auto* const trace = std::get_if<RecordedSteps>(&form.scenario.clock.base);
   return trace != nullptr && std::count(trace->dt_s.begin(), trace->dt_s.end(), 1e-9) > 0;
 }
-bool lands_after_hitches(const ScenarioForm& form) {
+bool lands_after_hitches(const Core& core, const ScenarioForm& form) {
   return form.is_steady && form.length > kHitchAtRest && !form.scenario.events.empty() &&
-         has_only<Hitch>(form.scenario.events) && first_landing(form.scenario);
+         has_only<Hitch>(form.scenario.events) && first_landing(core, form.scenario);
 }
 bool is_drop(const ScenarioForm& form) {
   return form.is_left_alone && form.has_room && form.is_inside && form.is_still &&
          form.start.y_px < form.bounds.bottom_px && std::holds_alternative<double>(form.scenario.length);
 }
-bool is_drop_to_residual_speed(const ScenarioForm& form) {
-  return is_drop(form) && !ends_at_zero_speed(1.0 / base_dt_s(form.scenario.clock)) &&
-         std::get<double>(form.scenario.length) > time_to_rest_s(form.scenario, kRestFastest_hz);
+bool is_drop_to_residual_speed(const Core& core, const ScenarioForm& form) {
+  return is_drop(form) && !ends_at_zero_speed(core, 1.0 / base_dt_s(form.scenario.clock)) &&
+         std::get<double>(form.scenario.length) > time_to_rest_s(core, form.scenario, kRestFastest_hz);
 }
-bool is_drop_to_zero_speed(const ScenarioForm& form) {
-  return is_drop(form) && ends_at_zero_speed(1.0 / base_dt_s(form.scenario.clock)) &&
-         std::get<double>(form.scenario.length) > time_to_rest_s(form.scenario, kZenoFastest_hz);
+bool is_drop_to_zero_speed(const Core& core, const ScenarioForm& form) {
+  return is_drop(form) && ends_at_zero_speed(core, 1.0 / base_dt_s(form.scenario.clock)) &&
+         std::get<double>(form.scenario.length) > time_to_rest_s(core, form.scenario, kZenoFastest_hz);
 }
-bool is_flung_with_jitter(const ScenarioForm& form) {
+bool is_flung_with_jitter(const Core&, const ScenarioForm& form) {
   return form.has_jitter(Jitter::Kind::uniform) && form.length > 0 && has_only<Fling>(form.scenario.events);
 }
-bool is_flung_for_minutes(const ScenarioForm& form) {
+bool is_flung_for_minutes(const Core&, const ScenarioForm& form) {
   return form.has_jitter(Jitter::Kind::missed_frames) && form.length >= 10'000 && form.length <= 100'000 &&
          !form.scenario.events.empty() && has_only<Fling>(form.scenario.events);
 }
-bool is_left_alone_for_days(const ScenarioForm& form) {
+bool is_left_alone_for_days(const Core&, const ScenarioForm& form) {
   return form.is_left_alone && form.length >= 10'000'000;
 }
-bool lies_on_the_floor_and_is_flung(const ScenarioForm& form) {
+bool lies_on_the_floor_and_is_flung(const Core&, const ScenarioForm& form) {
   return form.is_steady && form.has_room && form.is_inside && form.is_still && form.length > 90 &&
          form.start.y_px == form.bounds.bottom_px && has_only<Fling>(form.scenario.events);
 }
-bool nearly_reaches_the_ceiling(const ScenarioForm& form) {
+bool nearly_reaches_the_ceiling(const Core& core, const ScenarioForm& form) {
   return form.is_left_alone && form.has_room && form.is_inside && form.start.vy_px_per_s < 0.0 &&
-         std::fabs(form.start.y_px + apex_px(form.scenario)) < 20.0;
+         std::fabs(form.start.y_px + apex_px(core, form.scenario)) < 20.0;
 }
-bool is_thrown_into_a_near_corner(const ScenarioForm& form) {
+bool is_thrown_into_a_near_corner(const Core&, const ScenarioForm& form) {
   const auto near = [](double at_px, double speed_px_per_s, double far_px) {
     return (speed_px_per_s > 0.0 ? far_px - at_px : at_px) <= 20.0;
   };
@@ -100,18 +100,18 @@ bool is_thrown_into_a_near_corner(const ScenarioForm& form) {
          near(s.x_px, s.vx_px_per_s, form.bounds.right_px) &&
          near(s.y_px, s.vy_px_per_s, form.bounds.bottom_px);
 }
-bool is_far_too_fast(const ScenarioForm& form) {
+bool is_far_too_fast(const Core&, const ScenarioForm& form) {
   return form.is_left_alone && form.has_room && form.is_inside &&
          std::max(std::fabs(form.start.vx_px_per_s), std::fabs(form.start.vy_px_per_s)) >= 1e5;
 }
-bool starts_far_outside(const ScenarioForm& form) {
+bool starts_far_outside(const Core&, const ScenarioForm& form) {
   return form.is_left_alone && form.has_room &&
          std::max(std::fabs(form.start.x_px), std::fabs(form.start.y_px)) >= 1e8;
 }
 
 struct FamilyOf {
-  bool (*fits)(const ScenarioForm& base);
-  std::vector<HardCase> (*make)(const Scenario& base);
+  bool (*fits)(const Core& core, const ScenarioForm& base);
+  std::vector<HardCase> (*make)(const Core& core, const Scenario& base);
 };
 
 constexpr FamilyOf kFamilies[] = {
@@ -147,7 +147,7 @@ bool slides_to_subnormal_speed(const ScenarioForm& form) {
 
 }  // namespace
 
-std::vector<HardCase> hard_cases_of(const Scenario& scenario) {
+std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario) {
   HardCase itself{.name = scenario.name,
                   .made_from = scenario.name,
                   .why = scenario.description.value_or(""),
@@ -164,8 +164,8 @@ std::vector<HardCase> hard_cases_of(const Scenario& scenario) {
   itself.is_long = form.length > 1'000'000;
   std::vector<HardCase> cases{std::move(itself)};
   for (const FamilyOf& family : kFamilies)
-    if (family.fits(form))
-      for (HardCase& member : family.make(scenario)) cases.push_back(std::move(member));
+    if (family.fits(core, form))
+      for (HardCase& member : family.make(core, scenario)) cases.push_back(std::move(member));
   return cases;
 }
 

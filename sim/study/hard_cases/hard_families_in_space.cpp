@@ -3,14 +3,14 @@
 #include <limits>
 #include <string_view>
 
-#include "sim/replay/core.h"
+#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_family.h"
 
 namespace hyrax {
 
 // On each bound, and one double to each side of it, moving away, along and into it.
-std::vector<HardCase> on_a_bound_family(const Scenario& base) {
+std::vector<HardCase> on_a_bound_family(const Core&, const Scenario& base) {
   Family family(base);
   const double right_px = base.window.width_px - base.sprite.width_px;
   const double bottom_px = base.window.height_px - base.sprite.height_px;
@@ -44,11 +44,11 @@ std::vector<HardCase> on_a_bound_family(const Scenario& base) {
   return family.take();
 }
 
-double apex_px(const Scenario& scenario) {
+double apex_px(const Core& core, const Scenario& scenario) {
   State body{0.0, 0.0, scenario.start_velocity.vx_px_per_s, scenario.start_velocity.vy_px_per_s};
   double apex_px = 0.0;
   for (int frame = 0; frame < 600; ++frame) {
-    body = core_flight(body, base_dt_s(scenario.clock));
+    body = core.flight(body, base_dt_s(scenario.clock));
     apex_px = std::fmin(apex_px, body.y_px);
   }
   return apex_px;
@@ -56,18 +56,18 @@ double apex_px(const Scenario& scenario) {
 
 // The apex of a throw at the ceiling: the start height at which the paper's step just reaches it, and doubles
 // around it.
-std::vector<HardCase> grazing_family(const Scenario& base) {
+std::vector<HardCase> grazing_family(const Core& core, const Scenario& base) {
   Family family(base);
   for (const double off_px : {-1e-3, -1e-9, -1e-13, 0.0, 1e-13, 1e-9, 1e-3}) {
     Scenario scenario = family.base();
-    scenario.start.y_px = off_px - apex_px(base);
+    scenario.start.y_px = off_px - apex_px(core, base);
     family.add("off-" + text_of(off_px) + "-px",
                "the ceiling is met with no speed left: a root of even order", scenario);
   }
   return family.take();
 }
 
-std::vector<HardCase> corners_family(const Scenario& base) {
+std::vector<HardCase> corners_family(const Core&, const Scenario& base) {
   Family family(base);
   const double right_px = base.window.width_px - base.sprite.width_px;
   const double bottom_px = base.window.height_px - base.sprite.height_px;
@@ -92,7 +92,7 @@ std::vector<HardCase> corners_family(const Scenario& base) {
   return family.take();
 }
 
-std::vector<HardCase> any_speed_family(const Scenario& base) {
+std::vector<HardCase> any_speed_family(const Core&, const Scenario& base) {
   Family family(base);
   for (const double speed_px_per_s :
        {4.9406564584124654e-324, 1e-310, 1e-300, 1e-150, 1e-9, 1.0, 1e4, 1e6, 1e9, kSpeedMax_px_per_s}) {
@@ -115,7 +115,7 @@ std::vector<HardCase> any_speed_family(const Scenario& base) {
   return family.take();
 }
 
-std::vector<HardCase> far_outside_family(const Scenario& base) {
+std::vector<HardCase> far_outside_family(const Core&, const Scenario& base) {
   Family family(base);
   for (const double away_px : {1e3, 1e9, kCoordinateMax_px})
     for (const int side : {0, 1, 2, 3}) {

@@ -2,8 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/replay/core.h"
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_family.h"
 
@@ -17,19 +16,21 @@ constexpr char kNoZeroSpeed[] =
 // Falling from rest takes t1 = sqrt(2 H / G); all bounces then 2 t1 b / (1 - b), with drag less. Where the
 // frames drag so often that it sinks instead of falling, H / terminal speed comes on top.
 struct DropTimes {
-  DropTimes(const Scenario& drop, double rate_hz) {
-    const Constants core = core_constants();
+  DropTimes(const Core& core, const Scenario& drop, double rate_hz) {
+    const Constants constants = core.constants.value();
     const double height_px = drop.window.height_px - drop.sprite.height_px - drop.start.y_px;
-    fall_s = std::sqrt(2.0 * height_px / core.gravity_px_per_s2);
-    sink_s = height_px * (1.0 - core.air_drag) / (core.air_drag * core.gravity_px_per_s2 / rate_hz);
+    fall_s = std::sqrt(2.0 * height_px / constants.gravity_px_per_s2);
+    sink_s =
+        height_px * (1.0 - constants.air_drag) / (constants.air_drag * constants.gravity_px_per_s2 / rate_hz);
   }
   double fall_s;
   double sink_s;
 };
 
-double zero_speed_hz() {
-  const Constants core = core_constants();
-  return core.restitution * core.air_drag * core.gravity_px_per_s2 / core.rest_threshold_px_per_s;
+double zero_speed_hz(const Core& core) {
+  const Constants constants = core.constants.value();
+  return constants.restitution * constants.air_drag * constants.gravity_px_per_s2 /
+         constants.rest_threshold_px_per_s;
 }
 
 }  // namespace
@@ -37,25 +38,25 @@ double zero_speed_hz() {
 // On the floor each step of gravity adds a = drag * G * h to vy, and the bounce keeps restitution * a of it.
 // The rest rule sets vy to 0 in every step if that is below its threshold; at other rates a two-cycle or
 // residual speed is left. The position stands still at every rate.
-bool ends_at_zero_speed(double rate_hz) { return rate_hz > zero_speed_hz(); }
+bool ends_at_zero_speed(const Core& core, double rate_hz) { return rate_hz > zero_speed_hz(core); }
 
-double time_to_rest_s(const Scenario& drop, double rate_max_hz) {
-  const double bounce = core_constants().restitution;
-  const DropTimes times(drop, rate_max_hz);
+double time_to_rest_s(const Core& core, const Scenario& drop, double rate_max_hz) {
+  const double bounce = core.constants->restitution;
+  const DropTimes times(core, drop, rate_max_hz);
   return times.fall_s * (1.0 + 2.0 * bounce / (1.0 - bounce)) + times.sink_s + 1.5;
 }
 
-std::optional<std::int64_t> first_landing(const Scenario& scenario) {
+std::optional<std::int64_t> first_landing(const Core& core, const Scenario& scenario) {
   const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
   State body = start_state(scenario);
   for (std::int64_t frame = 0; frame < kHitchAtRest - 1; ++frame) {
-    body = core_step(body, base_dt_s(scenario.clock), bounds);
+    body = core.step(body, base_dt_s(scenario.clock), bounds);
     if (body.y_px == bounds.bottom_px) return frame;
   }
   return std::nullopt;
 }
 
-std::vector<HardCase> any_frame_family(const Scenario& base) {
+std::vector<HardCase> any_frame_family(const Core&, const Scenario& base) {
   Family family(base);
   for (const double dt_s : {0.0, 4.9406564584124654e-324, 1e-310, 1e-9, 1e-6, 1e-3, 0.02, 0.25, 0.5, 10.0,
                             1e3, 1e6, kFrameMax_s}) {
@@ -68,13 +69,13 @@ std::vector<HardCase> any_frame_family(const Scenario& base) {
 }
 
 // A hitch of half a second at each kind of moment, and of the hours for which a machine is suspended.
-std::vector<HardCase> hitch_family(const Scenario& base) {
+std::vector<HardCase> hitch_family(const Core& core, const Scenario& base) {
   Family family(base);
   struct Moment {
     const char* name;
     std::int64_t frame;
   };
-  const std::optional<std::int64_t> landing = first_landing(base);
+  const std::optional<std::int64_t> landing = first_landing(core, base);
   if (!landing) return {};
   for (const Moment moment : {Moment{"in-flight", *landing * 2 / 5}, Moment{"before-contact", *landing - 1},
                               Moment{"at-contact", *landing}, Moment{"after-contact", *landing + 1},
@@ -88,7 +89,7 @@ std::vector<HardCase> hitch_family(const Scenario& base) {
   return family.take();
 }
 
-std::vector<HardCase> rest_family(const Scenario& base) {
+std::vector<HardCase> rest_family(const Core& core, const Scenario& base) {
   Family family(base);
   for (const double rate_hz :
        {20.0, 24.0, 25.0,  30.0,  48.0,  50.0,  57.5,  57.7,  60.0,  72.0,  75.0,  85.0,
@@ -98,18 +99,19 @@ std::vector<HardCase> rest_family(const Scenario& base) {
     HardCase& member =
         family.add(text_of(rate_hz) + "-hz", "gravity puts into each step what a bounce leaves", scenario);
     member.must_come_to_rest = true;
-    if (!ends_at_zero_speed(rate_hz)) member.expected_failures = {{Invariant::comes_to_rest, kNoZeroSpeed}};
+    if (!ends_at_zero_speed(core, rate_hz))
+      member.expected_failures = {{Invariant::comes_to_rest, kNoZeroSpeed}};
   }
   return family.take();
 }
 
-std::vector<HardCase> zeno_family(const Scenario& base) {
+std::vector<HardCase> zeno_family(const Core& core, const Scenario& base) {
   Family family(base);
   for (const double rate_hz : {1e3, 4e3, 1e4}) {
     Scenario scenario = family.base();
     scenario.clock.base = FixedRate{rate_hz};
-    const DropTimes times(base, rate_hz);
-    const double bounce = core_constants().restitution;
+    const DropTimes times(core, base, rate_hz);
+    const double bounce = core.constants->restitution;
     scenario.expect.emplace();
     scenario.expect->at_rest_since_s =
         Interval{0.0, (times.fall_s + times.sink_s) * (1.0 + 2.0 * bounce / (1.0 - bounce)) + 2.0 / rate_hz};
@@ -121,7 +123,7 @@ std::vector<HardCase> zeno_family(const Scenario& base) {
   return family.take();
 }
 
-std::vector<HardCase> any_jitter_family(const Scenario& base) {
+std::vector<HardCase> any_jitter_family(const Core& core, const Scenario& base) {
   Family family(base);
   struct Kind {
     const char* name;
@@ -137,10 +139,10 @@ std::vector<HardCase> any_jitter_family(const Scenario& base) {
       family.add(std::string(kind.name) + "-" + text_of(amount), "no two frames take the same time",
                  scenario);
     }
-  if (!(zero_speed_hz() >= 1.0 && zero_speed_hz() <= kZenoFastest_hz)) return family.take();
+  if (!(zero_speed_hz(core) >= 1.0 && zero_speed_hz(core) <= kZenoFastest_hz)) return family.take();
   for (const double fraction : {0.001, 0.1}) {
     Scenario scenario = family.base();
-    scenario.clock = {FixedRate{zero_speed_hz()}, Jitter{Jitter::Kind::uniform, fraction, 2026}};
+    scenario.clock = {FixedRate{zero_speed_hz(core)}, Jitter{Jitter::Kind::uniform, fraction, 2026}};
     scenario.length = 5'000;
     scenario.events.clear();
     family.add("resonant-" + text_of(fraction),
@@ -150,7 +152,7 @@ std::vector<HardCase> any_jitter_family(const Scenario& base) {
 }
 
 // The base's ten flings again and again, at its pace.
-std::vector<HardCase> fling_a_minute_family(const Scenario& base) {
+std::vector<HardCase> fling_a_minute_family(const Core&, const Scenario& base) {
   Family family(base);
   const auto* const length = std::get_if<std::int64_t>(&base.length);
   if (length == nullptr) return {};
@@ -174,7 +176,7 @@ std::vector<HardCase> fling_a_minute_family(const Scenario& base) {
 }
 
 // The billionths of a second as the smallest double there is.
-std::vector<HardCase> trace_of_extremes_family(const Scenario& base) {
+std::vector<HardCase> trace_of_extremes_family(const Core&, const Scenario& base) {
   Family family(base);
   Scenario scenario = family.base();
   RecordedSteps trace = std::get<RecordedSteps>(base.clock.base);
@@ -187,7 +189,7 @@ std::vector<HardCase> trace_of_extremes_family(const Scenario& base) {
 
 // A fling every 3,000 frames: nothing repeats, and no speed has the time to become subnormal, which would
 // cost three times as long.
-std::vector<HardCase> billion_steps_family(const Scenario& base) {
+std::vector<HardCase> billion_steps_family(const Core&, const Scenario& base) {
   Family family(base);
   constexpr std::int64_t kSteps = 1'000'000'000;
   Scenario scenario = family.base();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/study/hard_cases/hard_case.h"
 
 namespace hyrax {
@@ -44,28 +45,28 @@ class Family {
 /// The last moment of hitch_family; the first frame of less than that in which a scenario's sprite lands,
 /// without its events.
 inline constexpr std::int64_t kHitchAtRest = 500;
-[[nodiscard]] std::optional<std::int64_t> first_landing(const Scenario& scenario);
+[[nodiscard]] std::optional<std::int64_t> first_landing(const Core& core, const Scenario& scenario);
 /// Whether a drop ends at zero speed; by when it has, and is known to have settled, up to that rate.
-[[nodiscard]] bool ends_at_zero_speed(double rate_hz);
-[[nodiscard]] double time_to_rest_s(const Scenario& drop, double rate_max_hz);
+[[nodiscard]] bool ends_at_zero_speed(const Core& core, double rate_hz);
+[[nodiscard]] double time_to_rest_s(const Core& core, const Scenario& drop, double rate_max_hz);
 inline constexpr double kRestFastest_hz = 1e3, kZenoFastest_hz = 1e4;  ///< Of the families.
 /// The highest point of the start's flight in 600 frames, from a start at 0: at most 0.
-[[nodiscard]] double apex_px(const Scenario& scenario);
+[[nodiscard]] double apex_px(const Core& core, const Scenario& scenario);
 
 /// The families: what is varied in the clock and length of a scenario ...
-[[nodiscard]] std::vector<HardCase> any_frame_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> hitch_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> rest_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> zeno_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> any_jitter_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> fling_a_minute_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> trace_of_extremes_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> billion_steps_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> any_frame_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> hitch_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> rest_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> zeno_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> any_jitter_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> fling_a_minute_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> trace_of_extremes_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> billion_steps_family(const Core& core, const Scenario& base);
 /// ... and in its places and speeds.
-[[nodiscard]] std::vector<HardCase> on_a_bound_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> grazing_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> corners_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> any_speed_family(const Scenario& base);
-[[nodiscard]] std::vector<HardCase> far_outside_family(const Scenario& base);
+[[nodiscard]] std::vector<HardCase> on_a_bound_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> grazing_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> corners_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> any_speed_family(const Core& core, const Scenario& base);
+[[nodiscard]] std::vector<HardCase> far_outside_family(const Core& core, const Scenario& base);
 
 }  // namespace hyrax

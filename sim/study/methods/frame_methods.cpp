@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/core.h"
 #include "sim/reference/flight.h"
-#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/reference_model.h"
@@ -12,12 +12,14 @@ namespace {
 
 // A method that plays the motion on from where it is, within bounds.
 struct MotionMethod : Method {
+  explicit MotionMethod(const Core& moving) : core(moving) {}
   void start(const State& motion, const Bounds& bounds) override {
     at = motion;
     within = bounds;
   }
   [[nodiscard]] State motion() const final { return at; }
 
+  const Core& core;
   State at;
   Bounds within;
 };
@@ -26,8 +28,9 @@ struct MotionMethod : Method {
 template <int kParts>
 class PaperStep final : public MotionMethod {
  public:
+  using MotionMethod::MotionMethod;
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    at = core_played(at, frames_s, within, kParts);
+    at = core.played(at, frames_s, within, kParts);
     return true;
   }
 };
@@ -153,6 +156,7 @@ struct ExactFlight : FrameFlight {
 template <class Flight>
 class FrameMethod final : public MotionMethod {
  public:
+  using MotionMethod::MotionMethod;
   void start(const State& motion, const Bounds& bounds) override {
     MotionMethod::start(motion, bounds);
     lies_ = false;
@@ -198,7 +202,7 @@ class FrameMethod final : public MotionMethod {
   }
 
  private:
-  FixedLaws laws_{reference_model()};
+  FixedLaws laws_{reference_model(core)};
   bool lies_ = false;  // The last frame touched the ground.
 };
 
@@ -206,6 +210,7 @@ class FrameMethod final : public MotionMethod {
 // left only in a frame with an impact.
 class ImpactsInFrame final : public MotionMethod {
  public:
+  using MotionMethod::MotionMethod;
   void start(const State& motion, const Bounds& bounds) override {
     MotionMethod::start(motion, bounds);
     slides_ = false;
@@ -247,8 +252,7 @@ class ImpactsInFrame final : public MotionMethod {
 
  private:
   // On the ground: no vertical motion, and the friction as a rate.
-  [[nodiscard]] static FixedLaws sliding_laws() {
-    FixedLaws laws(reference_model());
+  [[nodiscard]] static FixedLaws sliding_laws(FixedLaws laws) {
     laws.gravity_px_per_s2 = 0.0;
     laws.drag_rate_per_s += laws.friction_rate_per_s;
     return laws;
@@ -272,8 +276,8 @@ class ImpactsInFrame final : public MotionMethod {
     return to;
   }
 
-  FixedLaws laws_{reference_model()};
-  FixedLaws sliding_ = sliding_laws();
+  FixedLaws laws_{reference_model(core)};
+  FixedLaws sliding_ = sliding_laws(laws_);
   ExactFling fling_{laws_};
   bool slides_ = false;
   double t_s_ = 0.0;
@@ -283,6 +287,8 @@ class ImpactsInFrame final : public MotionMethod {
 // From impact to impact; the frames only say when to look.
 class EventDriven final : public Method {
  public:
+  explicit EventDriven(const Core& core) : fling_(FixedLaws(reference_model(core))) {}
+
   void start(const State& motion, const Bounds& bounds) override {
     fling_.start(motion, bounds);
     now_ = motion;
@@ -299,30 +305,30 @@ class EventDriven final : public Method {
   [[nodiscard]] const std::vector<ExactImpact>* impacts() const override { return &fling_.impacts(); }
 
  private:
-  ExactFling fling_{FixedLaws(reference_model())};
+  ExactFling fling_;
   State now_;
   Timeline time_;
 };
 
 template <class Kind>
-std::function<std::unique_ptr<Method>()> maker() {
-  return [] { return std::make_unique<Kind>(); };
+std::function<std::unique_ptr<Method>()> maker(const Core& core) {
+  return [&core] { return std::make_unique<Kind>(core); };
 }
 
 }  // namespace
 
-std::vector<MethodKind> frame_methods() {
-  return {
-      {"paper", "the paper's step", "", Divergent{}, true, maker<PaperStep<1>>()},
-      {"paper-4-substeps", "the paper's step, 4 to a frame", "", Divergent{}, true, maker<PaperStep<4>>()},
-      {"normalised-drag", "the paper's step, drag by time", "", Convergent{1}, true,
-       maker<FrameMethod<NormalisedFlight>>()},
-      {"euler", "explicit Euler", "", Convergent{1}, true, maker<FrameMethod<EulerFlight>>()},
-      {"verlet", "velocity Verlet", "", Convergent{2}, true, maker<FrameMethod<VerletFlight>>()},
-      {"rk4", "Runge-Kutta 4", "", Convergent{4}, true, maker<FrameMethod<Rk4Flight>>()},
-      {"exact-flight", "exact flight step", "", Exact{}, true, maker<FrameMethod<ExactFlight>>()},
-      {"exact-impacts", "exact flight and impacts", "", Exact{true}, true, maker<ImpactsInFrame>()},
-      {"event-driven", "event-driven", "", Exact{true, true}, true, maker<EventDriven>()}};
+std::vector<MethodKind> frame_methods(const Core& core) {
+  return {{"paper", "the paper's step", "", Divergent{}, true, maker<PaperStep<1>>(core)},
+          {"paper-4-substeps", "the paper's step, 4 to a frame", "", Divergent{}, true,
+           maker<PaperStep<4>>(core)},
+          {"normalised-drag", "the paper's step, drag by time", "", Convergent{1}, true,
+           maker<FrameMethod<NormalisedFlight>>(core)},
+          {"euler", "explicit Euler", "", Convergent{1}, true, maker<FrameMethod<EulerFlight>>(core)},
+          {"verlet", "velocity Verlet", "", Convergent{2}, true, maker<FrameMethod<VerletFlight>>(core)},
+          {"rk4", "Runge-Kutta 4", "", Convergent{4}, true, maker<FrameMethod<Rk4Flight>>(core)},
+          {"exact-flight", "exact flight step", "", Exact{}, true, maker<FrameMethod<ExactFlight>>(core)},
+          {"exact-impacts", "exact flight and impacts", "", Exact{true}, true, maker<ImpactsInFrame>(core)},
+          {"event-driven", "event-driven", "", Exact{true, true}, true, maker<EventDriven>(core)}};
 }
 
 }  // namespace hyrax

@@ -10,7 +10,8 @@ namespace {
 // Flies without walls, inside a frame in steps of its own.
 class GslMethod final : public Method {
  public:
-  explicit GslMethod(const GslOptions& options) : laws_(reference_model()), driver_(options, 2) {}
+  GslMethod(const Core& core, const GslOptions& options)
+      : laws_(reference_model(core)), driver_(options, 2) {}
 
   void start(const State& motion, const Bounds&) override {
     start_ = motion;
@@ -36,7 +37,7 @@ class GslMethod final : public Method {
 
 }  // namespace
 
-std::vector<MethodKind> gsl_methods(bool is_quick) {
+std::vector<MethodKind> gsl_methods(const Core& core, bool is_quick) {
   const std::vector<double> tolerances =
       is_quick ? std::vector{1e-4, 1e-8, 1e-12} : std::vector{1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
   std::vector<MethodKind> methods;
@@ -50,7 +51,7 @@ std::vector<MethodKind> gsl_methods(bool is_quick) {
                          .family = fmt::format("GSL {}", name),
                          .accuracy = Adaptive{tolerance},
                          .meets_walls = false,
-                         .make = [options] { return std::make_unique<GslMethod>(options); }});
+                         .make = [&core, options] { return std::make_unique<GslMethod>(core, options); }});
     }
   return methods;
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 
@@ -42,13 +42,13 @@ Clock ManyFlings::clock(std::int64_t fling) const {
   return with_jitter_seed(sweep_, fling % kJitterSeeds).base.clock;
 }
 
-std::vector<MemberResult> ManyFlings::play() const {
+std::vector<MemberResult> ManyFlings::play(const Core& core) const {
   std::vector<MemberResult> results(static_cast<std::size_t>(count()));
   for (std::int64_t seed = 0; seed < std::min(count(), kJitterSeeds); ++seed) {
     const WorkPart part{seed, kJitterSeeds};
     const Sweep sweep = with_jitter_seed(sweep_, seed);
     std::vector<MemberResult> of_seed(static_cast<std::size_t>(part.rows(count())));
-    EnsemblePlayer(sweep, {.listing = core_shape().constants}).play(part, 0, of_seed);
+    EnsemblePlayer(core, sweep).play(part, 0, of_seed);
     for (std::size_t row = 0; row < of_seed.size(); ++row)
       results[static_cast<std::size_t>(part.member(static_cast<std::int64_t>(row)))] = of_seed[row];
   }

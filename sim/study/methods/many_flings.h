@@ -1,4 +1,4 @@
-// Many random flings of the shipped core at one display rate, played at once by sim/ensemble.
+// Many random flings of a core at one display rate, played at once by sim/ensemble.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class ManyFlings {
   [[nodiscard]] Clock clock(std::int64_t fling) const;
 
   /// Of every fling, the bits that the replay gives.
-  [[nodiscard]] std::vector<MemberResult> play() const;
+  [[nodiscard]] std::vector<MemberResult> play(const Core& core) const;
 
  private:
   Sweep sweep_;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/motion/state.h"
 #include "sim/reference/exact_fling.h"
 
@@ -60,12 +61,13 @@ struct MethodKind {
 };
 
 /// The paper's step, first of all, its rate-normalised variant, classical steps, sub-steps and the exact
-/// ones. All except the paper's solve the fixed laws; those that look at walls once a frame meet them as the
-/// paper's step does, except that the friction on a sprite lying on the ground is taken by time.
-[[nodiscard]] std::vector<MethodKind> frame_methods();
+/// ones. They refer to the core. All except the paper's solve the fixed laws; those that look at walls once a
+/// frame meet them as the paper's step does, except that the friction on a sprite lying on the ground is
+/// taken by time.
+[[nodiscard]] std::vector<MethodKind> frame_methods(const Core& core);
 
 /// Each of GSL's steppers at several tolerances, without walls. Quick: fewer tolerances, and without the
 /// stepper (rk1imp) that takes as long as all others together.
-[[nodiscard]] std::vector<MethodKind> gsl_methods(bool is_quick);
+[[nodiscard]] std::vector<MethodKind> gsl_methods(const Core& core, bool is_quick);
 
 }  // namespace hyrax

@@ -134,11 +134,11 @@ bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std:
 
 }  // namespace
 
-MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
+MethodErrors measure_errors(const Core& core, const Problem& problem, const MethodKind& kind,
                             const std::vector<std::vector<double>>& stage_frames_s, double rate_hz) {
   const std::unique_ptr<Method> method = kind.make();
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kRowRate_hz)));
-  const FixedLaws laws(reference_model());
+  const FixedLaws laws(reference_model(core));
   ExactFling exact(laws);
   ErrorMeter meter(laws);
   State run = problem.start;

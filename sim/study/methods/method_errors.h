@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/methods/problem.h"
 
@@ -26,7 +27,7 @@ struct MethodErrors {
 };
 
 /// @param rate_hz that the frames were made for.
-[[nodiscard]] MethodErrors measure_errors(const Problem& problem, const MethodKind& kind,
+[[nodiscard]] MethodErrors measure_errors(const Core& core, const Problem& problem, const MethodKind& kind,
                                           const std::vector<std::vector<double>>& stage_frames_s,
                                           double rate_hz);
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "sim/cause/watched_kernel.h"
+#include "sim/cause/watched_core.h"
 #include "sim/compare/comparison.h"
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/problem.h"
@@ -73,9 +73,9 @@ class Rows {
 };
 
 template <class PartSet>
-Rows play_rows(const Script& script, const PartSet& parts) {
+Rows play_rows(const Core& core, const Script& script, const PartSet& parts) {
   Rows rows;
-  play(script, core_constants(), parts, [&rows](const ScriptFrame& frame) { rows.add(frame); });
+  play(script, core.constants.value(), parts, [&rows](const ScriptFrame& frame) { rows.add(frame); });
   return rows;
 }
 
@@ -124,8 +124,8 @@ constexpr std::int64_t kFramesTimedMax = 10'000;
 
 // A run to be timed. Its last row is stored, so that the compiler cannot leave the run out.
 template <class PartSet>
-std::function<void()> timed(const Script& script, const PartSet& parts) {
-  return [&script, constants = core_constants(), parts] {
+std::function<void()> timed(const Core& core, const Script& script, const PartSet& parts) {
+  return [&script, constants = core.constants.value(), parts] {
     State last;
     play(
         script, constants, parts, [&last](const ScriptFrame& frame) { last = frame.to; }, kFramesTimedMax);
@@ -135,11 +135,13 @@ std::function<void()> timed(const Script& script, const PartSet& parts) {
 }
 
 template <std::size_t... kParts>
-std::function<void()> timed_without(const Script& script, std::size_t part, std::index_sequence<kParts...>) {
-  using MakeTimed = std::function<void()> (*)(const Script&);
-  constexpr std::array<MakeTimed, kPartCount> kMakers = {
-      [](const Script& played) { return timed(played, AllBut<static_cast<Part>(kParts)>()); }...};
-  return kMakers[part](script);
+std::function<void()> timed_without(const Core& core, const Script& script, std::size_t part,
+                                    std::index_sequence<kParts...>) {
+  using MakeTimed = std::function<void()> (*)(const Core&, const Script&);
+  constexpr std::array<MakeTimed, kPartCount> kMakers = {[](const Core& timed_core, const Script& played) {
+    return timed(timed_core, played, AllBut<static_cast<Part>(kParts)>());
+  }...};
+  return kMakers[part](core, script);
 }
 
 // What is left out at a time: a part of the step, the jitter, or an input.
@@ -162,14 +164,14 @@ std::vector<Omission> omissions_of(const Script& script) {
 
 // What leaving out a part saves is the difference of two runs; of different paths it would say more about
 // these than about the part.
-void take_times(ScenarioNeeds& needs, const Script& script, const CostOptions& options,
+void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, const CostOptions& options,
                 const NanosecondClock& now_ns) {
   if (needs.steps == 0) return;
-  std::vector<std::function<void()>> works{timed(script, AllParts())};
+  std::vector<std::function<void()>> works{timed(core, script, AllParts())};
   std::vector<PartNeed*> timed_parts;
   for (PartNeed& part : needs.parts) {
     if (!part.model_part || !part.difference.is_same_bits) continue;
-    works.push_back(timed_without(script, static_cast<std::size_t>(*part.model_part),
+    works.push_back(timed_without(core, script, static_cast<std::size_t>(*part.model_part),
                                   std::make_index_sequence<kPartCount>()));
     timed_parts.push_back(&part);
   }
@@ -184,7 +186,7 @@ void take_times(ScenarioNeeds& needs, const Script& script, const CostOptions& o
 }
 
 // The run without all of these.
-PathDifference difference_without(const Script& script, const Rows& complete,
+PathDifference difference_without(const Core& core, const Script& script, const Rows& complete,
                                   const std::vector<Omission>& left_out) {
   Omitted omitted;
   omitted.inputs.resize(script.inputs.size());
@@ -194,13 +196,13 @@ PathDifference difference_without(const Script& script, const Rows& complete,
     if (omission.input) omitted.inputs[*omission.input] = true;
     omitted.jitter |= omission.jitter;
   }
-  return difference_of(complete, play_rows(without(script, omitted), parts));
+  return difference_of(complete, play_rows(core, without(script, omitted), parts));
 }
 
 // Small differences add up, and one part may replace another. So if leaving out all unneeded parts moves the
 // path by more than the tolerance, they are left out one by one, the smallest difference first, and one that
 // moves the path too far is put back.
-void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& complete,
+void leave_out_unneeded(const Core& core, ScenarioNeeds& needs, const Script& script, const Rows& complete,
                         const std::vector<Omission>& omissions, double within_px) {
   std::vector<std::size_t> unneeded;
   std::vector<Omission> left_out;
@@ -209,30 +211,29 @@ void leave_out_unneeded(ScenarioNeeds& needs, const Script& script, const Rows& 
     unneeded.push_back(index);
     left_out.push_back(omissions[index]);
   }
-  needs.without_all_unneeded = difference_without(script, complete, left_out);
+  needs.without_all_unneeded = difference_without(core, script, complete, left_out);
   if (needs.without_all_unneeded.path_px <= within_px) return;
   std::ranges::stable_sort(unneeded, {},
                            [&](std::size_t index) { return needs.parts[index].difference.path_px; });
   left_out.clear();
   for (const std::size_t index : unneeded) {
     left_out.push_back(omissions[index]);
-    if (difference_without(script, complete, left_out).path_px <= within_px) continue;
+    if (difference_without(core, script, complete, left_out).path_px <= within_px) continue;
     left_out.pop_back();
     needs.parts[index].need = Need::needed_jointly;
   }
-  needs.without_all_unneeded = difference_without(script, complete, left_out);
+  needs.without_all_unneeded = difference_without(core, script, complete, left_out);
 }
 
-void count_paths(ScenarioNeeds& needs, const Scenario& scenario, const StepProgram& step) {
-  const WatchedKernel watched(
-      core_kernel(), [&](const StepInput& input) { needs.paths_taken.insert(step.path_taken(input)); });
-  Replay run(scenario, {}, {.kernel = &watched});
+void count_paths(const Core& core, ScenarioNeeds& needs, const Scenario& scenario, const StepProgram& step) {
+  Replay run(watched(core, [&](const StepInput& input) { needs.paths_taken.insert(step.path_taken(input)); }),
+             scenario);
   run.play_to(needs.steps);
   static_cast<void>(run.finish());
 }
 
-void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOptions& options,
-                  const NanosecondClock& now_ns) {
+void find_methods(const Core& core, ScenarioNeeds& needs, const Scenario& scenario,
+                  const NeedsOptions& options, const NanosecondClock& now_ns) {
   const ScenarioProblem made = problem_of(scenario);
   needs.why_no_methods = made.why_not;
   if (!made.problem) return;
@@ -240,7 +241,7 @@ void find_methods(ScenarioNeeds& needs, const Scenario& scenario, const NeedsOpt
   speed.rates_hz = options.rates_hz;
   speed.cost = options.cost;
   speed.errors_asked_px = {options.within_px};
-  needs.methods = study_speed_error({*made.problem}, frame_methods(), speed, now_ns);
+  needs.methods = study_speed_error(core, {*made.problem}, frame_methods(core), speed, now_ns);
 }
 
 }  // namespace
@@ -256,24 +257,24 @@ Need need_of(const PathDifference& difference, double within_px) {
   return difference.path_px <= within_px ? Need::below : Need::needed;
 }
 
-ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
+ScenarioNeeds study_needs(const Core& core, const Scenario& scenario, const NeedsOptions& options,
                           const NanosecondClock& now_ns) {
   const Script script = script_of(scenario);
   const std::vector<Omission> omissions = omissions_of(script);
-  const Rows complete = play_rows(script, AllParts());
+  const Rows complete = play_rows(core, script, AllParts());
   ScenarioNeeds needs;
   needs.scenario = scenario.name;
   needs.steps = static_cast<std::int64_t>(script.frames_s.size());
   needs.is_cut = script.is_cut;
   needs.comes_to_rest = comes_to_rest(script, complete);
   for (const Omission& omission : omissions) {
-    const PathDifference difference = difference_without(script, complete, {omission});
+    const PathDifference difference = difference_without(core, script, complete, {omission});
     needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
   }
-  leave_out_unneeded(needs, script, complete, omissions, options.within_px);
-  if (options.core_step) count_paths(needs, scenario, *options.core_step);
-  take_times(needs, script, options.cost, now_ns);
-  if (!options.rates_hz.empty()) find_methods(needs, scenario, options, now_ns);
+  leave_out_unneeded(core, needs, script, complete, omissions, options.within_px);
+  if (options.core_step) count_paths(core, needs, scenario, *options.core_step);
+  take_times(core, needs, script, options.cost, now_ns);
+  if (!options.rates_hz.empty()) find_methods(core, needs, scenario, options, now_ns);
   return needs;
 }
 

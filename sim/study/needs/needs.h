@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/result/figure.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/script.h"
@@ -73,8 +74,8 @@ struct NeedsOptions {
 };
 
 /// Plays the scenario with each part left out in turn, and times it.
-[[nodiscard]] ScenarioNeeds study_needs(const Scenario& scenario, const NeedsOptions& options,
-                                        const NanosecondClock& now_ns);
+[[nodiscard]] ScenarioNeeds study_needs(const Core& core, const Scenario& scenario,
+                                        const NeedsOptions& options, const NanosecondClock& now_ns);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
 

@@ -249,7 +249,7 @@ std::vector<ScenarioNeeds> study_all(const StudyRequest& request, const NeedsOpt
   for (const NamedScenario& named : request.scenarios) {
     if (request.report_progress)
       request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
-    scenarios.push_back(study_needs(named.scenario, options, request.now_ns));
+    scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
   }
   return scenarios;
 }

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "sim/core/core.h"
 #include "sim/motion/step.h"
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/exact_fling.h"
-#include "sim/replay/core_constants.h"
 #include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
 #include "sim/study/reference_model.h"
@@ -20,11 +20,12 @@ namespace {
 double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 
 // Nothing where the exact motion has no closed form.
-std::optional<Model> model_of_core() {
-  const Constants core = core_constants();
-  const bool is_solved = core.gravity_px_per_s2 > 0.0 && core.air_drag >= 0.5 && core.air_drag <= 1.0;
+std::optional<Model> model_of_core(const Core& core) {
+  const Constants constants = core.constants.value();
+  const bool is_solved =
+      constants.gravity_px_per_s2 > 0.0 && constants.air_drag >= 0.5 && constants.air_drag <= 1.0;
   if (!is_solved) return std::nullopt;
-  return model_of(core);
+  return model_of(constants);
 }
 constexpr char kNotSolved[] = "the exact motion is solved for gravity above 0 and a drag factor of 0.5 to 1";
 
@@ -37,36 +38,36 @@ struct Swing {
 // which gravity is as strong as the spring is at y: 1 becomes `scale` px. Every operation of the step
 // multiplies or adds lengths, so that a result divided by `scale` is that of the spring.
 template <class Fly>
-void swing_on(Swing& swing, double stiffness_per_s2, const Fly& fly) {
+void swing_on(const Core& core, Swing& swing, double stiffness_per_s2, const Fly& fly) {
   constexpr double kLeast = 1e-6;
   const double y = std::copysign(std::max(std::fabs(swing.y), kLeast), swing.y);
-  const double scale = core_constants().gravity_px_per_s2 / (-stiffness_per_s2 * y);
+  const double scale = core.constants->gravity_px_per_s2 / (-stiffness_per_s2 * y);
   const State moved = fly(State{0.0, 0.0, 0.0, swing.v * scale});
   swing = {swing.y + moved.y_px / scale, moved.vy_px_per_s / scale};
 }
 
 // Largest amplitude of the last hundred of 500 steps over that of the first hundred, without what drag takes.
 template <class Fly>
-double growth(double angle_rad, double phase_rad, const Fly& fly) {
+double growth(const Core& core, double angle_rad, double phase_rad, const Fly& fly) {
   constexpr int kSteps = 500, kWindow = 100;
   const double w_per_s = angle_rad / kSixtieth_s;
   Swing swing{std::cos(phase_rad), w_per_s * std::sin(phase_rad)};
   double early = 0.0, late = 0.0;
   for (int step = 0; step < kSteps; ++step) {
-    swing_on(swing, w_per_s * w_per_s, fly);
+    swing_on(core, swing, w_per_s * w_per_s, fly);
     const double amplitude = std::hypot(swing.y, swing.v / w_per_s);
     if (step < kWindow) early = std::max(early, amplitude);
     if (step >= kSteps - kWindow) late = std::max(late, amplitude);
   }
-  return late / early / std::pow(core_constants().air_drag, 0.5 * (kSteps - kWindow));
+  return late / early / std::pow(core.constants->air_drag, 0.5 * (kSteps - kWindow));
 }
 
 // The spring pulls where the core's step has gravity, and the position moves as the core moves it. Along the
 // step's map areas grow by the determinant: drag alone for symplectic Euler, drag + (w dt)^2 for explicit.
-Claim oscillators(const ClaimStarts& starts) {
+Claim oscillators(const Core& core, const ClaimStarts& starts) {
   constexpr double kBounded = 1.1;
-  const ListingStep listing(core_constants(), AllParts{}, Bounds{});
-  const auto by_core = [](const State& body) { return core_flight(body, kSixtieth_s); };
+  const ListingStep listing(core.constants.value(), AllParts{}, Bounds{});
+  const auto by_core = [&core](const State& body) { return core.flight(body, kSixtieth_s); };
   const auto by_explicit = [&listing](State body) {
     listing.move(body, kSixtieth_s);
     listing.pull(body, kSixtieth_s);
@@ -77,24 +78,24 @@ Claim oscillators(const ClaimStarts& starts) {
               "growth of a spring's amplitude in 400 of the core's steps beside drag, 100 springs of 0.05 .. "
               "1.99 rad a step",
               "< 1.1, by explicit Euler more"};
-  if (!(core_constants().gravity_px_per_s2 > 0.0) || core_flight({}, kSixtieth_s).vy_px_per_s == 0.0) {
+  if (!(core.constants->gravity_px_per_s2 > 0.0) || core.flight({}, kSixtieth_s).vy_px_per_s == 0.0) {
     claim.remark = "the spring pulls in the place of gravity, and this core has none";
     return claim;
   }
-  std::vector<double> core, explicit_euler;
+  std::vector<double> growths, explicit_euler;
   bool is_less = true;
   for (std::uint64_t start = 0; start < kStarts; ++start) {
     const double angle_rad = random_between(starts.seed, 2 * start, 0.05, 1.99);
     const double phase_rad = random_between(starts.seed, 2 * start + 1, 0.0, 6.283);
-    core.push_back(growth(angle_rad, phase_rad, by_core));
-    explicit_euler.push_back(growth(angle_rad, phase_rad, by_explicit));
-    is_less = is_less && core.back() < explicit_euler.back();
+    growths.push_back(growth(core, angle_rad, phase_rad, by_core));
+    explicit_euler.push_back(growth(core, angle_rad, phase_rad, by_explicit));
+    is_less = is_less && growths.back() < explicit_euler.back();
   }
-  set_number(core, claim);
-  claim.verdict = holds_if(is_less && *std::max_element(core.begin(), core.end()) < kBounded);
-  claim.remark =
-      fmt::format("by explicit Euler {:.3g} .. {:.3g}; the core's at 2.01 rad a step {:.3g}",
-                  quantile(explicit_euler, 0.1), quantile(explicit_euler, 0.9), growth(2.01, 0.0, by_core));
+  set_number(growths, claim);
+  claim.verdict = holds_if(is_less && *std::max_element(growths.begin(), growths.end()) < kBounded);
+  claim.remark = fmt::format("by explicit Euler {:.3g} .. {:.3g}; the core's at 2.01 rad a step {:.3g}",
+                             quantile(explicit_euler, 0.1), quantile(explicit_euler, 0.9),
+                             growth(core, 2.01, 0.0, by_core));
   return claim;
 }
 
@@ -104,11 +105,12 @@ struct Flown {
   Flight ode;               // Drag is the frames' own.
   double fixed_y_px = 0.0;  // Drag is that of 60 Hz.
 };
-Flown fly_both(ArcSolution& exact, const Velocity& velocity, double dt_s, std::int64_t frames) {
+Flown fly_both(const Core& core, ArcSolution& exact, const Velocity& velocity, double dt_s,
+               std::int64_t frames) {
   constexpr double kFar_px = 1e6;
   exact.start(velocity, true);
   for (std::int64_t frame = 0; frame < frames; ++frame) exact.advance(dt_s);
-  State run = core_steps({kFar_px, kFar_px, velocity.vx_px_per_s, velocity.vy_px_per_s}, dt_s, kOpen, frames);
+  State run = core.steps({kFar_px, kFar_px, velocity.vx_px_per_s, velocity.vy_px_per_s}, dt_s, kOpen, frames);
   run.x_px -= kFar_px;
   run.y_px -= kFar_px;
   return {run, exact.matched(), exact.model().y_px};
@@ -135,13 +137,13 @@ struct FlightErrors {
   double matched_px = 0.0;  // Against the ODE of the frames' own drag.
   double fixed_px = 0.0;    // Against that of 60 Hz.
 };
-FlightErrors flight_errors(ArcSolution& exact, const ClaimStarts& starts, double rate_hz) {
+FlightErrors flight_errors(const Core& core, ArcSolution& exact, const ClaimStarts& starts, double rate_hz) {
   std::vector<double> matched_px, fixed_px;
   for (std::uint64_t start = 0; start < kStarts; ++start) {
     const double about_s = random_between(starts.seed, kNumbersOfAStart * start + 2, 0.25, 1.0);
     const double flight_s = std::round(about_s * starts.slowest_hz) / starts.slowest_hz;
     const Flown flown =
-        fly_both(exact, random_velocity(starts, start), 1.0 / rate_hz, std::lround(flight_s * rate_hz));
+        fly_both(core, exact, random_velocity(starts, start), 1.0 / rate_hz, std::lround(flight_s * rate_hz));
     matched_px.push_back(flown.run.y_px - flown.ode.dy_px);
     fixed_px.push_back(flown.run.y_px - flown.fixed_y_px);
   }
@@ -150,7 +152,7 @@ FlightErrors flight_errors(ArcSolution& exact, const ClaimStarts& starts, double
 
 // A single flight's error can pass through 0 as dt changes (its sign depends on the start), and its order
 // with it; the root mean square over the starts cannot.
-Claim first_order(const ClaimStarts& starts) {
+Claim first_order(const Core& core, const ClaimStarts& starts) {
   constexpr int kDoublings = 4;
   constexpr double kTolerance = 0.2;
   Claim claim{
@@ -159,22 +161,22 @@ Claim first_order(const ClaimStarts& starts) {
                   "of the frames' own drag",
                   starts.slowest_hz, starts.slowest_hz * (1 << kDoublings)),
       "0.8 .. 1.2"};
-  const std::optional<Model> model = model_of_core();
+  const std::optional<Model> model = model_of_core(core);
   if (!model) {
     claim.remark = kNotSolved;
     return claim;
   }
   ArcSolution exact(*model);
   std::vector<double> orders;
-  double error_px = flight_errors(exact, starts, starts.slowest_hz).matched_px;
+  double error_px = flight_errors(core, exact, starts, starts.slowest_hz).matched_px;
   for (int doubling = 1; doubling <= kDoublings; ++doubling) {
     const double before_px = error_px;
-    error_px = flight_errors(exact, starts, starts.slowest_hz * (1 << doubling)).matched_px;
+    error_px = flight_errors(core, exact, starts, starts.slowest_hz * (1 << doubling)).matched_px;
     orders.push_back(std::log2(before_px / error_px));
   }
   set_number(orders, claim);
-  const double at_60_hz = flight_errors(exact, starts, 60.0).fixed_px,
-               at_960_hz = flight_errors(exact, starts, 960.0).fixed_px;
+  const double at_60_hz = flight_errors(core, exact, starts, 60.0).fixed_px,
+               at_960_hz = flight_errors(core, exact, starts, 960.0).fixed_px;
   const bool is_first = std::fabs(claim.number - 1.0) < kTolerance;
   claim.verdict = !is_first              ? ClaimVerdict::does_not_hold
                   : at_960_hz < at_60_hz ? ClaimVerdict::holds
@@ -186,21 +188,21 @@ Claim first_order(const ClaimStarts& starts) {
 }
 
 // Energy of the run minus that of the ODE, at the end.
-double energy_drift_px2_per_s2(const Flown& flown) {
+double energy_drift_px2_per_s2(const Core& core, const Flown& flown) {
   const auto kinetic = [](double run, double ode) { return (run - ode) * (run + ode) / 2; };
   return kinetic(flown.run.vx_px_per_s, flown.ode.vx_px_per_s) +
          kinetic(flown.run.vy_px_per_s, flown.ode.vy_px_per_s) -
-         core_constants().gravity_px_per_s2 * (flown.run.y_px - flown.ode.dy_px);
+         core.constants->gravity_px_per_s2 * (flown.run.y_px - flown.ode.dy_px);
 }
 
 // Gravity's discretisation alone takes G eta a second, which grows as dt does: 12 times from 1/60 to 0.2 s.
-Claim energy_drift(const ClaimStarts& starts) {
+Claim energy_drift(const Core& core, const ClaimStarts& starts) {
   constexpr double kLongFrame_s = 0.2, kShare = 0.5;
   Claim claim{"4.1-energy-drift", "large dt can cause energy drift",
               "energy drift of a second of flight (run - ODE) in frames of 0.2 s, over that at 60 Hz, 100 "
               "flights",
               "> 6, half of 0.2 s * 60 Hz"};
-  const std::optional<Model> model = model_of_core();
+  const std::optional<Model> model = model_of_core(core);
   if (!model) {
     claim.remark = kNotSolved;
     return claim;
@@ -209,8 +211,8 @@ Claim energy_drift(const ClaimStarts& starts) {
   std::vector<double> ratios, at_60_hz, in_long_frames;
   for (std::uint64_t start = 0; start < kStarts; ++start) {
     const Velocity velocity = random_velocity(starts, start);
-    at_60_hz.push_back(energy_drift_px2_per_s2(fly_both(exact, velocity, kSixtieth_s, 60)));
-    in_long_frames.push_back(energy_drift_px2_per_s2(fly_both(exact, velocity, kLongFrame_s, 5)));
+    at_60_hz.push_back(energy_drift_px2_per_s2(core, fly_both(core, exact, velocity, kSixtieth_s, 60)));
+    in_long_frames.push_back(energy_drift_px2_per_s2(core, fly_both(core, exact, velocity, kLongFrame_s, 5)));
     ratios.push_back(std::fabs(in_long_frames.back() / at_60_hz.back()));
   }
   set_number(ratios, claim);
@@ -222,7 +224,7 @@ Claim energy_drift(const ClaimStarts& starts) {
 
 // Impacts that an exact motion has within the frames of throws of 3 s, each begun from the run's own state,
 // and those beyond the one in x and the one in y that a step can show: it looks at the walls once.
-Share missed_impacts(const Model& model, const ClaimStarts& starts, double dt_s) {
+Share missed_impacts(const Core& core, const Model& model, const ClaimStarts& starts, double dt_s) {
   constexpr double kDuration_s = 3.0;
   ExactFling exact{FixedLaws(model)};
   Share missed;
@@ -235,7 +237,7 @@ Share missed_impacts(const Model& model, const ClaimStarts& starts, double dt_s)
     for (long frame = std::lround(kDuration_s / dt_s); frame > 0 && is_finite(body); --frame) {
       exact.start(body, kDesktop, false, dt_s);
       (void)exact.at(dt_s);
-      body = core_step(body, dt_s, kDesktop);
+      body = core.step(body, dt_s, kDesktop);
       const std::vector<ExactImpact>& impacts = exact.impacts();
       const std::int64_t at_sides = std::count_if(
           impacts.begin(), impacts.end(),
@@ -251,20 +253,20 @@ Share missed_impacts(const Model& model, const ClaimStarts& starts, double dt_s)
   return missed;
 }
 
-Claim missed_collisions(const ClaimStarts& starts) {
+Claim missed_collisions(const Core& core, const ClaimStarts& starts) {
   constexpr double kLongFrame_s = 0.25;
   Claim claim{"4.1-missed", "large dt can cause missed collisions",
               "part of the impacts of exact motion that steps of 0.25 s do not show, 100 throws of 3 s",
               "> that at 60 Hz, by 95 % intervals"};
-  const std::optional<Model> model = model_of_core();
+  const std::optional<Model> model = model_of_core(core);
   const bool comes_to_rest = model && model->restitution >= 0.0 && model->restitution < 1.0 &&
                              model->rest_threshold_px_per_s > 0.0 && model->ground_friction > 0.0;
   if (!comes_to_rest) {
     claim.remark = "exact motion has a number of impacts if restitution is below 1 and there is a rest rule";
     return claim;
   }
-  const Share missed = missed_impacts(*model, starts, kLongFrame_s),
-              at_60_hz = missed_impacts(*model, starts, kSixtieth_s);
+  const Share missed = missed_impacts(core, *model, starts, kLongFrame_s),
+              at_60_hz = missed_impacts(core, *model, starts, kSixtieth_s);
   claim.number = missed.of == 0 ? 0.0 : missed.part();
   claim.range = {missed.low(), missed.high()};
   claim.verdict = missed.of == 0 || at_60_hz.of == 0 ? ClaimVerdict::not_measured
@@ -275,8 +277,9 @@ Claim missed_collisions(const ClaimStarts& starts) {
 
 }  // namespace
 
-std::vector<Claim> accuracy_claims(const ClaimStarts& starts) {
-  return {oscillators(starts), first_order(starts), energy_drift(starts), missed_collisions(starts)};
+std::vector<Claim> accuracy_claims(const Core& core, const ClaimStarts& starts) {
+  return {oscillators(core, starts), first_order(core, starts), energy_drift(core, starts),
+          missed_collisions(core, starts)};
 }
 
 }  // namespace hyrax

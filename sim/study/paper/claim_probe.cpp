@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/core/core.h"
 #include "sim/motion/step.h"
-#include "sim/replay/core_constants.h"
 #include "sim/result/estimate.h"
 
 namespace hyrax {
@@ -24,14 +24,14 @@ void set_number(const std::vector<double>& values, Claim& claim) {
   claim.range = {quantile(values, 0.1), quantile(values, 0.9)};
 }
 
-std::int64_t steps_that_differ_from_listing(std::int64_t steps) {
+std::int64_t steps_that_differ_from_listing(const Core& core, std::int64_t steps) {
   constexpr std::int64_t kStepsOfAFling = 500;
   constexpr std::int64_t kStepsInACorner = 25;
   constexpr Bounds kBounds{1792, 952};
   const auto corner_speed = [](std::int64_t step) {
     return 500.0 + 2000.0 * split_mix64_unit(815, static_cast<std::uint64_t>(step));
   };
-  const Constants constants = core_constants();
+  const Constants constants = core.constants.value();
   std::int64_t differing = 0;
   State body;
   for (std::int64_t step = 0; step < steps; ++step) {
@@ -50,7 +50,7 @@ std::int64_t steps_that_differ_from_listing(std::int64_t steps) {
     // Some frames have zero length: a sprite on a bound has then not passed it.
     const double random_dt_s = 0.03 * split_mix64_unit(1147, static_cast<std::uint64_t>(step));
     const double dt_s = step % 7 == 0 ? 0.0 : random_dt_s;
-    const State next = core_step(body, dt_s, kBounds);
+    const State next = core.step(body, dt_s, kBounds);
     if (!same_bits(next, stepped(constants, StepOrder::paper, body, dt_s, kBounds))) ++differing;
     body = next;
   }

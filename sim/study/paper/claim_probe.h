@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/replay/core.h"
+#include "sim/core/core.h"
 #include "sim/scenario/split_mix64.h"
 #include "sim/study/paper/paper_claim.h"
 
@@ -56,13 +56,13 @@ inline constexpr std::uint64_t kStarts = 100;
 void set_number(const std::vector<double>& values, Claim& claim);
 
 /// The state at a time after the start, or up to a frame later.
-[[nodiscard]] inline State state_after(State body, double rate_hz, double duration_s,
+[[nodiscard]] inline State state_after(const Core& core, State body, double rate_hz, double duration_s,
                                        Bounds bounds = kDesktop) {
-  return core_steps(body, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
+  return core.steps(body, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(std::ceil(duration_s * rate_hz)));
 }
 
 /// Steps of random flings, some of them contacts, in which the core differs in a bit from the listing's step
 /// with the core's constants.
-[[nodiscard]] std::int64_t steps_that_differ_from_listing(std::int64_t steps);
+[[nodiscard]] std::int64_t steps_that_differ_from_listing(const Core& core, std::int64_t steps);
 
 }  // namespace hyrax

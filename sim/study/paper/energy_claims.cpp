@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/motion/step.h"
-#include "sim/replay/core_constants.h"
 #include "sim/result/estimate.h"
 #include "sim/study/bounces/bounces.h"
 #include "sim/study/paper/claim_probe.h"
@@ -15,8 +15,8 @@ constexpr char kDiffersFromListing[] =
     "this core's step is not the listing's, so it cannot be measured without drag";
 
 // Largest relative change of energy in lossless motion.
-double lossless_drift(StepOrder order, State body, double duration_s, Bounds bounds) {
-  const Constants laws = lossless();
+double lossless_drift(const Core& core, StepOrder order, State body, double duration_s, Bounds bounds) {
+  const Constants laws = lossless(core);
   const double first = energy(body, laws.gravity_px_per_s2, bounds);
   double worst = 0.0;
   for (int step = 0; step < static_cast<int>(duration_s / kSixtieth_s); ++step) {
@@ -27,23 +27,24 @@ double lossless_drift(StepOrder order, State body, double duration_s, Bounds bou
 }
 
 // A second of flight from vy = -900.
-double flight_drift(StepOrder order) {
-  return lossless_drift(order, {500.0, 700.0, 300.0, -900.0}, 1.0, Bounds{100'000, 100'000});
+double flight_drift(const Core& core, StepOrder order) {
+  return lossless_drift(core, order, {500.0, 700.0, 300.0, -900.0}, 1.0, Bounds{100'000, 100'000});
 }
 // Bounces on the desktop. A start with vy = 0 would keep vy on multiples of G dt, so that bounces can lock
 // and nearly conserve energy: one start says nothing.
-std::vector<double> bouncing_drifts(StepOrder order, const ClaimStarts& starts, double duration_s) {
+std::vector<double> bouncing_drifts(const Core& core, StepOrder order, const ClaimStarts& starts,
+                                    double duration_s) {
   std::vector<double> drifts;
   for (std::uint64_t start = 0; start < kStarts; ++start)
-    drifts.push_back(lossless_drift(order, random_throw(starts, start), duration_s, kDesktop));
+    drifts.push_back(lossless_drift(core, order, random_throw(starts, start), duration_s, kDesktop));
   return drifts;
 }
 
 // Symplectic Euler in a constant field loses (G dt)^2 / 2 a step: it conserves no energy, but
 // e + (dt / 2) G vy exactly. (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2006, IX.)
-Claim conservation(const ClaimStarts& starts) {
+Claim conservation(const Core& core, const ClaimStarts& starts) {
   const State from{500.0, 400.0, 300.0, 0.0};
-  const Constants laws = lossless();
+  const Constants laws = lossless(core);
   const State flown = stepped(laws, StepOrder::paper, from, kSixtieth_s, kOpen);
   const double lost =
       energy(from, laws.gravity_px_per_s2, kDesktop) - energy(flown, laws.gravity_px_per_s2, kDesktop);
@@ -56,18 +57,19 @@ Claim conservation(const ClaimStarts& starts) {
               "1",
               ClaimVerdict::not_measured,
               "a step of flight loses " + digits(lost) + " px2/s2; (G dt)^2/2 is " + digits(gain * gain / 2)};
-  const std::vector<double> drifts = bouncing_drifts(StepOrder::paper, starts, 60.0);
+  const std::vector<double> drifts = bouncing_drifts(core, StepOrder::paper, starts, 60.0);
   set_number(drifts, claim);
   claim.verdict = holds_if(*std::max_element(drifts.begin(), drifts.end()) < 1e-9);
   return claim;
 }
 
 // "Better" in most throws, by the 95 % interval of the share, if not in all.
-Claim against_explicit(const ClaimStarts& starts) {
+Claim against_explicit(const Core& core, const ClaimStarts& starts) {
   constexpr double kLong_s = 600.0, kBetter = 0.5, kNearlyAll = 0.95;
-  const double in_flight = flight_drift(StepOrder::paper) / flight_drift(StepOrder::position_first);
-  const std::vector<double> paper = bouncing_drifts(StepOrder::paper, starts, kLong_s),
-                            euler = bouncing_drifts(StepOrder::position_first, starts, kLong_s);
+  const double in_flight =
+      flight_drift(core, StepOrder::paper) / flight_drift(core, StepOrder::position_first);
+  const std::vector<double> paper = bouncing_drifts(core, StepOrder::paper, starts, kLong_s),
+                            euler = bouncing_drifts(core, StepOrder::position_first, starts, kLong_s);
   Share better;
   for (std::size_t start = 0; start < paper.size(); ++start) better.add(paper[start] < euler[start]);
   const bool is_better_in_flight = in_flight<kBetter, is_better_in_bounces = better.low()> kBetter;
@@ -92,9 +94,9 @@ Claim against_explicit(const ClaimStarts& starts) {
 
 }  // namespace
 
-std::vector<Claim> energy_claims(const ClaimStarts& starts) {
-  std::vector<Claim> claims = {conservation(starts), against_explicit(starts)};
-  if (steps_that_differ_from_listing(5000) > 0)
+std::vector<Claim> energy_claims(const Core& core, const ClaimStarts& starts) {
+  std::vector<Claim> claims = {conservation(core, starts), against_explicit(core, starts)};
+  if (steps_that_differ_from_listing(core, 5000) > 0)
     for (Claim& claim : claims)
       claim.verdict = ClaimVerdict::not_measured, claim.remark = kDiffersFromListing;
   return claims;

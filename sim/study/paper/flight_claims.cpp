@@ -1,14 +1,14 @@
 // Sections 1, 2.1, 2.2 and 2.3: gravity, drag, position.
 #include <algorithm>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
 namespace {
 
-Claim axes() {
-  const State fallen = core_flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s);
+Claim axes(const Core& core) {
+  const State fallen = core.flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s);
   return {"1-axes",
           "+x right, +y down",
           "y after one step from 0 with a speed to the right alone",
@@ -21,13 +21,13 @@ Claim axes() {
 
 // A step gives a (v + G dt) if drag follows gravity, so dividing by a leaves v + G dt; with drag first the
 // result would be G / a.
-Claim gravity() {
-  const double constant = core_constants().gravity_px_per_s2;
-  const double drag = core_flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s).vx_px_per_s;
+Claim gravity(const Core& core) {
+  const double constant = core.constants->gravity_px_per_s2;
+  const double drag = core.flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s).vx_px_per_s;
   Extremes gained;
   for (const double vy_px_per_s : {-900.0, 0.0, 900.0})
     for (const double dt_s : {1e-3, kSixtieth_s, 0.1}) {
-      const State after = core_flight({0.0, 0.0, 0.0, vy_px_per_s}, dt_s);
+      const State after = core.flight({0.0, 0.0, 0.0, vy_px_per_s}, dt_s);
       gained.include((after.vy_px_per_s / drag - vy_px_per_s) / dt_s);
     }
   return {"2.1-gravity",
@@ -42,9 +42,9 @@ Claim gravity() {
 }
 
 // Gravity adds the same to every speed, so a difference of speeds changes by drag alone.
-Claim drag_factor() {
-  const State fast = core_flight({0.0, 0.0, 1000.0, 1000.0}, kSixtieth_s);
-  const State slow = core_flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
+Claim drag_factor(const Core& core) {
+  const State fast = core.flight({0.0, 0.0, 1000.0, 1000.0}, kSixtieth_s);
+  const State slow = core.flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
   const double x_factor = (fast.vx_px_per_s - slow.vx_px_per_s) / 500.0;
   const double y_factor = (fast.vy_px_per_s - slow.vy_px_per_s) / 500.0;
   const bool is_same = is_close(x_factor, y_factor, 1e-9);
@@ -59,15 +59,15 @@ Claim drag_factor() {
 }
 
 // Rate of decay over a second of flight.
-double decay_per_s(double speed_px_per_s, double rate_hz) {
-  const State body = state_after({1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
+double decay_per_s(const Core& core, double speed_px_per_s, double rate_hz) {
+  const State body = state_after(core, {1e9, 1e9, speed_px_per_s, 0.0}, rate_hz, 1.0, kOpen);
   return -std::log(body.vx_px_per_s / speed_px_per_s);
 }
 
 // Stokes' law is v' = -k v with a constant k of the medium: the same for every speed and display.
-Claim stokes() {
-  const bool is_linear = is_close(decay_per_s(1.0, 60.0), decay_per_s(5000.0, 60.0), 1e-9);
-  const double slow = decay_per_s(900.0, 30.0), fast = decay_per_s(900.0, 240.0);
+Claim stokes(const Core& core) {
+  const bool is_linear = is_close(decay_per_s(core, 1.0, 60.0), decay_per_s(core, 5000.0, 60.0), 1e-9);
+  const double slow = decay_per_s(core, 900.0, 30.0), fast = decay_per_s(core, 900.0, 240.0);
   const ClaimVerdict verdict = !is_linear                   ? ClaimVerdict::does_not_hold
                                : is_close(slow, fast, 0.01) ? ClaimVerdict::holds
                                                             : ClaimVerdict::holds_when;
@@ -85,16 +85,16 @@ Claim stokes() {
 }
 
 // ln v falls by the same amount each step, down to the smallest normal number.
-Claim exponential() {
+Claim exponential(const Core& core) {
   State body{0.0, 0.0, 1000.0, 0.0};
-  const double factor = core_flight(body, kSixtieth_s).vx_px_per_s / body.vx_px_per_s;
+  const double factor = core.flight(body, kSixtieth_s).vx_px_per_s / body.vx_px_per_s;
   double worst = 0.0;
   for (int step = 1; step <= 5000; ++step) {
-    body = core_flight(body, kSixtieth_s);
+    body = core.flight(body, kSixtieth_s);
     worst = std::max(worst, std::fabs(body.vx_px_per_s / (1000.0 * std::pow(factor, step)) - 1.0));
   }
-  const State late = core_steps({0.0, 0.0, 1000.0, 0.0}, kSixtieth_s, kOpen, 800'000);
-  const State later = core_steps(late, kSixtieth_s, kOpen, 1);
+  const State late = core.steps({0.0, 0.0, 1000.0, 0.0}, kSixtieth_s, kOpen, 800'000);
+  const State later = core.steps(late, kSixtieth_s, kOpen, 1);
   return {"2.2-exponential",
           "the velocity decays exponentially in the absence of other forces",
           "largest relative distance from v0 a^n over 5000 steps",
@@ -109,11 +109,11 @@ Claim exponential() {
 }
 
 // Terminal speed: the fixed point of v <- a (v + G dt).
-Claim terminal_speed() {
-  const State late = core_steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpen, 20'000);
-  const State later = core_steps(late, 1e-2, kOpen, 5'000);
-  const double at_60_hz = core_steps({}, kSixtieth_s, kOpen, 40'000).vy_px_per_s;
-  const double at_240_hz = core_steps({}, kSixtieth_s / 4, kOpen, 40'000).vy_px_per_s;
+Claim terminal_speed(const Core& core) {
+  const State late = core.steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpen, 20'000);
+  const State later = core.steps(late, 1e-2, kOpen, 5'000);
+  const double at_60_hz = core.steps({}, kSixtieth_s, kOpen, 40'000).vy_px_per_s;
+  const double at_240_hz = core.steps({}, kSixtieth_s / 4, kOpen, 40'000).vy_px_per_s;
   return {"2.2-terminal",
           "drag prevents indefinite acceleration under gravity",
           "speed of an endless fall at 60 Hz",
@@ -124,12 +124,12 @@ Claim terminal_speed() {
           "at 240 Hz it is " + digits(at_240_hz) + " px/s"};
 }
 
-Claim new_velocity() {
+Claim new_velocity(const Core& core) {
   double worst_px = 0.0;
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
     const double dt_s = random_between(1, 2 * draw, 0.0, 0.1);
     const State before{0.0, 0.0, 700.0, random_between(1, 2 * draw + 1, -2000.0, 2000.0)};
-    const State after = core_flight(before, dt_s);
+    const State after = core.flight(before, dt_s);
     worst_px = std::max({worst_px, std::fabs(after.y_px - after.vy_px_per_s * dt_s),
                          std::fabs(after.x_px - after.vx_px_per_s * dt_s)});
   }
@@ -145,8 +145,9 @@ Claim new_velocity() {
 
 }  // namespace
 
-std::vector<Claim> flight_claims() {
-  return {axes(), gravity(), drag_factor(), stokes(), exponential(), terminal_speed(), new_velocity()};
+std::vector<Claim> flight_claims(const Core& core) {
+  return {axes(core),        gravity(core),        drag_factor(core), stokes(core),
+          exponential(core), terminal_speed(core), new_velocity(core)};
 }
 
 }  // namespace hyrax

@@ -1,16 +1,16 @@
 // Sections 2.4, 4.3 and 6: the order of operations.
 #include <algorithm>
 
+#include "sim/core/core.h"
 #include "sim/motion/step.h"
-#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
 namespace {
 
-Claim sequence() {
+Claim sequence(const Core& core) {
   constexpr std::int64_t kSteps = 20'000;
-  const std::int64_t differing = steps_that_differ_from_listing(kSteps);
+  const std::int64_t differing = steps_that_differ_from_listing(core, kSteps);
   return {"6-exactly",
           "the update method implements exactly the steps described: gravity, drag, position, collisions",
           "steps of 40 random flings that differ in a bit from the listing's with the core's constants",
@@ -22,10 +22,10 @@ Claim sequence() {
 }
 
 // From rest: with drag after gravity the newly gained speed is damped as well.
-Claim drag_damps_gain() {
-  const Constants core = core_constants();
-  const double gained = core_flight({}, kSixtieth_s).vy_px_per_s;
-  const double undamped = core.gravity_px_per_s2 * kSixtieth_s;
+Claim drag_damps_gain(const Core& core) {
+  const Constants constants = core.constants.value();
+  const double gained = core.flight({}, kSixtieth_s).vy_px_per_s;
+  const double undamped = constants.gravity_px_per_s2 * kSixtieth_s;
   return {"4.3-damps-gain",
           "applying gravity before drag allows the drag to damp the newly gained speed",
           "speed gained in a step from rest, as a part of G dt",
@@ -38,23 +38,23 @@ Claim drag_damps_gain() {
 
 // The largest distance, over the frames of a second, between a throw at a wall in the paper's order and in
 // another. Walls first is the same cycle of operations from another start: it differs only at a wall.
-double largest_distance_px(StepOrder order) {
-  const Constants core = core_constants();
+double largest_distance_px(const Core& core, StepOrder order) {
+  const Constants constants = core.constants.value();
   double worst_px = 0.0;
   State paper{100.0, 500.0, 2400.0, -700.0}, other = paper;
   for (int step = 0; step < 60; ++step) {
-    paper = stepped(core, StepOrder::paper, paper, kSixtieth_s, kDesktop);
-    other = stepped(core, order, other, kSixtieth_s, kDesktop);
+    paper = stepped(constants, StepOrder::paper, paper, kSixtieth_s, kDesktop);
+    other = stepped(constants, order, other, kSixtieth_s, kDesktop);
     worst_px = std::max(worst_px, std::hypot(paper.x_px - other.x_px, paper.y_px - other.y_px));
   }
   return worst_px;
 }
 
-Claim order_alters() {
-  const bool is_listing = steps_that_differ_from_listing(5000) == 0;
-  const double drag_first = largest_distance_px(StepOrder::drag_first),
-               position_first = largest_distance_px(StepOrder::position_first),
-               walls_first = largest_distance_px(StepOrder::walls_first);
+Claim order_alters(const Core& core) {
+  const bool is_listing = steps_that_differ_from_listing(core, 5000) == 0;
+  const double drag_first = largest_distance_px(core, StepOrder::drag_first),
+               position_first = largest_distance_px(core, StepOrder::position_first),
+               walls_first = largest_distance_px(core, StepOrder::walls_first);
   const double least = std::min({drag_first, position_first, walls_first});
   return {"4.3-order-alters",
           "changing the order would alter the effective dynamics",
@@ -69,8 +69,8 @@ Claim order_alters() {
 }
 
 // Rows in which a fling is outside the window, with collisions resolved last, as in the core, or first.
-Claim after_position() {
-  const Constants core = core_constants();
+Claim after_position(const Core& core) {
+  const Constants constants = core.constants.value();
   std::int64_t outside = 0, outside_walls_first = 0;
   const auto is_outside = [](const State& body) {
     return body.x_px < 0.0 || body.x_px > kDesktop.right_px || body.y_px < 0.0 ||
@@ -78,8 +78,8 @@ Claim after_position() {
   };
   State core_body{300.0, 500.0, 3000.0, -2000.0}, other = core_body;
   for (int step = 0; step < 2000; ++step) {
-    core_body = core_step(core_body, kSixtieth_s, kDesktop);
-    other = stepped(core, StepOrder::walls_first, other, kSixtieth_s, kDesktop);
+    core_body = core.step(core_body, kSixtieth_s, kDesktop);
+    other = stepped(constants, StepOrder::walls_first, other, kSixtieth_s, kDesktop);
     outside += is_outside(core_body) ? 1 : 0;
     outside_walls_first += is_outside(other) ? 1 : 0;
   }
@@ -96,8 +96,8 @@ Claim after_position() {
 
 }  // namespace
 
-std::vector<Claim> order_claims() {
-  return {drag_damps_gain(), after_position(), order_alters(), sequence()};
+std::vector<Claim> order_claims(const Core& core) {
+  return {drag_damps_gain(core), after_position(core), order_alters(core), sequence(core)};
 }
 
 }  // namespace hyrax

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/core.h"
+
 namespace hyrax {
 
 enum class ClaimVerdict : std::uint8_t { holds, holds_when, does_not_hold, not_measured };
@@ -45,21 +47,21 @@ struct ClaimStarts {
 };
 /// The claims that are measured over ClaimStarts, so that no verdict depends on one start: energy (2.3, 2.4),
 /// frame rates (6.1), oscillators (2.3), order (2.4), energy drift and missed collisions (4.1).
-[[nodiscard]] std::vector<Claim> energy_claims(const ClaimStarts& starts = {});
-[[nodiscard]] Claim frame_rate_claim(const ClaimStarts& starts = {});
-[[nodiscard]] std::vector<Claim> accuracy_claims(const ClaimStarts& starts = {});
+[[nodiscard]] std::vector<Claim> energy_claims(const Core& core, const ClaimStarts& starts = {});
+[[nodiscard]] Claim frame_rate_claim(const Core& core, const ClaimStarts& starts = {});
+[[nodiscard]] std::vector<Claim> accuracy_claims(const Core& core, const ClaimStarts& starts = {});
 
 /// The other claims: on flight (sections 1 to 2.3), walls (3, 5), time steps (3.2.2, 4.1, 4.2), the order of
 /// operations (4.3, 6), constants (5) and use (6).
-[[nodiscard]] std::vector<Claim> flight_claims();
-[[nodiscard]] std::vector<Claim> wall_claims();
-[[nodiscard]] std::vector<Claim> time_step_claims();
-[[nodiscard]] std::vector<Claim> order_claims();
-[[nodiscard]] std::vector<Claim> constant_claims();
-[[nodiscard]] std::vector<Claim> use_claims();
+[[nodiscard]] std::vector<Claim> flight_claims(const Core& core);
+[[nodiscard]] std::vector<Claim> wall_claims(const Core& core);
+[[nodiscard]] std::vector<Claim> time_step_claims(const Core& core);
+[[nodiscard]] std::vector<Claim> order_claims(const Core& core);
+[[nodiscard]] std::vector<Claim> constant_claims(const Core& core);
+[[nodiscard]] std::vector<Claim> use_claims(const Core& core);
 /// The conclusion's "fast". @param step_s time of a step.
 [[nodiscard]] std::vector<Claim> speed_claims(double step_s);
 /// All of these, by section.
-[[nodiscard]] std::vector<Claim> paper_claims(double step_s);
+[[nodiscard]] std::vector<Claim> paper_claims(const Core& core, double step_s);
 
 }  // namespace hyrax

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/replay/core.h"
+#include "sim/core/core.h"
 #include "sim/study/paper/paper_claim.h"
 #include "sim/study/study.h"
 
@@ -18,12 +18,12 @@ using VerdictsByClaim = std::map<std::string, std::string>;
 
 // Time of a step of a fling that comes to rest: the shortest of many measurements, since everything else that
 // runs on the machine only adds to it.
-double step_time_s(std::int64_t (*now_ns)()) {
+double step_time_s(const Core& core, std::int64_t (*now_ns)()) {
   constexpr std::int64_t kSteps = 2'000;
   double least_s = 1.0;
   for (int repetition = 0; repetition < 200; ++repetition) {
     const std::int64_t start_ns = now_ns();
-    const State body = core_steps({100.0, 100.0, 900.0, -1200.0}, 1.0 / 60.0, {1792, 952}, kSteps);
+    const State body = core.steps({100.0, 100.0, 900.0, -1200.0}, 1.0 / 60.0, {1792, 952}, kSteps);
     const double time_s = 1e-9 * static_cast<double>(now_ns() - start_ns);
     if (body.y_px >= 0.0) least_s = std::min(least_s, time_s / static_cast<double>(kSteps));
   }
@@ -171,7 +171,7 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
 }
 
 Result run_paper(const StudyRequest& request) {
-  const std::vector<Claim> claims = paper_claims(step_time_s(request.now_ns));
+  const std::vector<Claim> claims = paper_claims(request.core, step_time_s(request.core, request.now_ns));
   std::optional<VerdictsByClaim> expected;
   if (request.expected) expected = checked_verdicts(*request.expected, claims);
   Result result{.tables = {claim_table(claims)},
@@ -184,11 +184,11 @@ Result run_paper(const StudyRequest& request) {
 
 }  // namespace
 
-std::vector<Claim> paper_claims(double step_s) {
+std::vector<Claim> paper_claims(const Core& core, double step_s) {
   std::vector<Claim> claims;
-  for (std::vector<Claim> some :
-       {flight_claims(), energy_claims(), accuracy_claims(), wall_claims(), time_step_claims(),
-        order_claims(), constant_claims(), use_claims(), speed_claims(step_s)})
+  for (std::vector<Claim> some : {flight_claims(core), energy_claims(core), accuracy_claims(core),
+                                  wall_claims(core), time_step_claims(core), order_claims(core),
+                                  constant_claims(core), use_claims(core), speed_claims(step_s)})
     std::move(some.begin(), some.end(), std::back_inserter(claims));
   std::stable_sort(claims.begin(), claims.end(),
                    [](const Claim& a, const Claim& b) { return a.section() < b.section(); });

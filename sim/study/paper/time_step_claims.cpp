@@ -1,7 +1,7 @@
 // Sections 3.2.2, 4.1 and 4.2: the rest threshold at several frame rates, large dt, stability, tunnelling.
 #include <algorithm>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
@@ -10,43 +10,43 @@ namespace {
 constexpr int kDrops = 12;
 
 // A drop from one of several heights, after it has ended.
-State ended_drop(int drop, double rate_hz) {
-  return state_after({900.0, kDesktop.bottom_px * drop / kDrops, 0.0, 0.0}, rate_hz, 12.0);
+State ended_drop(const Core& core, int drop, double rate_hz) {
+  return state_after(core, {900.0, kDesktop.bottom_px * drop / kDrops, 0.0, 0.0}, rate_hz, 12.0);
 }
 
 // Whether all drops end at zero speed: in two rows, since the two-cycle passes 0 in every other row.
-bool end_at_zero_speed(double rate_hz) {
+bool end_at_zero_speed(const Core& core, double rate_hz) {
   for (int drop = 0; drop < kDrops; ++drop) {
-    const State body = ended_drop(drop, rate_hz);
-    const State next = core_step(body, 1.0 / rate_hz, kDesktop);
+    const State body = ended_drop(core, drop, rate_hz);
+    const State next = core.step(body, 1.0 / rate_hz, kDesktop);
     if (body.vy_px_per_s != 0.0 || next.vy_px_per_s != 0.0) return false;
   }
   return true;
 }
 
 // Whether all drops end exactly on the floor and stay there for a second.
-bool stand_still(double rate_hz) {
+bool stand_still(const Core& core, double rate_hz) {
   for (int drop = 0; drop < kDrops; ++drop) {
-    State body = ended_drop(drop, rate_hz);
+    State body = ended_drop(core, drop, rate_hz);
     for (int step = 0; step < static_cast<int>(rate_hz); ++step) {
       if (body.y_px != kDesktop.bottom_px) return false;
-      body = core_step(body, 1.0 / rate_hz, kDesktop);
+      body = core.step(body, 1.0 / rate_hz, kDesktop);
     }
   }
   return true;
 }
 
 // The rate above which drops end at zero speed, by bisection.
-double zero_speed_rate_hz() {
+double zero_speed_rate_hz(const Core& core) {
   double low_hz = 20.0, high_hz = 1000.0;
   for (int halving = 0; halving < 20; ++halving) {
     const double middle_hz = 0.5 * (low_hz + high_hz);
-    (end_at_zero_speed(middle_hz) ? high_hz : low_hz) = middle_hz;
+    (end_at_zero_speed(core, middle_hz) ? high_hz : low_hz) = middle_hz;
   }
   return high_hz;
 }
 
-Claim infinite_bounce() {
+Claim infinite_bounce(const Core& core) {
   Claim claim{"3.2.2-infinite-bounce",
               "the rest threshold eliminates the infinite bounce phenomenon",
               "frame rate above which drops from twelve heights end at zero speed",
@@ -55,17 +55,17 @@ Claim infinite_bounce() {
               "Hz",
               ClaimVerdict::does_not_hold,
               ""};
-  if (end_at_zero_speed(20.0) && end_at_zero_speed(60.0)) {
+  if (end_at_zero_speed(core, 20.0) && end_at_zero_speed(core, 60.0)) {
     claim.verdict = ClaimVerdict::holds;
     claim.number = 20.0;
     return claim;
   }
-  if (end_at_zero_speed(1000.0)) {
-    claim.number = zero_speed_rate_hz();
+  if (end_at_zero_speed(core, 1000.0)) {
+    claim.number = zero_speed_rate_hz(core);
     claim.verdict = ClaimVerdict::holds_when;
     claim.remark = "when the display is faster than " + digits(claim.number) + " Hz; below, ";
   }
-  claim.remark += stand_still(24.0) && stand_still(60.0) && stand_still(120.0)
+  claim.remark += stand_still(core, 24.0) && stand_still(core, 60.0) && stand_still(core, 120.0)
                       ? "vy can stay nonzero, but the position stands still"
                       : "some drops keep bouncing";
   return claim;
@@ -73,18 +73,18 @@ Claim infinite_bounce() {
 
 // Stable: of every throw, the speed is at most that of the start plus what a step of gravity adds (the fixed
 // point of |v| <- a b (|v| + G dt)), and the position is in the window.
-bool is_stable(double dt_s) {
-  const Constants core = core_constants();
-  const double c = core.air_drag * core.restitution;
-  const double bound_px_per_s =
-      std::max(3000.0, core.air_drag * core.gravity_px_per_s2 * dt_s / (1.0 - std::min(c, 0.999999))) +
-      core.gravity_px_per_s2 * 2.0;
+bool is_stable(const Core& core, double dt_s) {
+  const Constants constants = core.constants.value();
+  const double c = constants.air_drag * constants.restitution;
+  const double bound_px_per_s = std::max(3000.0, constants.air_drag * constants.gravity_px_per_s2 * dt_s /
+                                                     (1.0 - std::min(c, 0.999999))) +
+                                constants.gravity_px_per_s2 * 2.0;
   for (std::uint64_t fling = 0; fling < 20; ++fling) {
     State body{random_between(5, 4 * fling, 0.0, 1792.0), random_between(5, 4 * fling + 1, 0.0, 952.0),
                random_between(5, 4 * fling + 2, -2000.0, 2000.0),
                random_between(5, 4 * fling + 3, -2000.0, 2000.0)};
     for (int step = 0; step < 500; ++step) {
-      body = core_step(body, dt_s, kDesktop);
+      body = core.step(body, dt_s, kDesktop);
       const double speed = std::max(std::fabs(body.vx_px_per_s), std::fabs(body.vy_px_per_s));
       if (!(speed <= bound_px_per_s) || !(body.x_px >= 0.0 && body.x_px <= kDesktop.right_px) ||
           !(body.y_px >= 0.0 && body.y_px <= kDesktop.bottom_px))
@@ -94,10 +94,10 @@ bool is_stable(double dt_s) {
   return true;
 }
 
-Claim stable_step() {
+Claim stable_step(const Core& core) {
   double largest_s = 0.0;
   for (const double dt_s : {0.001, 0.005, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3, 1.0, 10.0, 1e3, 1e6}) {
-    if (!is_stable(dt_s)) break;
+    if (!is_stable(core, dt_s)) break;
     largest_s = dt_s;
   }
   const bool ends_near = largest_s >= 0.02 && largest_s <= 0.05;
@@ -116,7 +116,7 @@ struct CornerThrows {
   std::int64_t crossed = 0;
   std::int64_t outside = 0;
 };
-CornerThrows corner_throws(double least_px_per_s, double most_px_per_s) {
+CornerThrows corner_throws(const Core& core, double least_px_per_s, double most_px_per_s) {
   CornerThrows throws;
   for (std::uint64_t draw = 0; draw < 20'000; ++draw) {
     const bool is_right = split_mix64_unit(6, 5 * draw) < 0.5,
@@ -127,12 +127,12 @@ CornerThrows corner_throws(double least_px_per_s, double most_px_per_s) {
     const State body{is_right ? kDesktop.right_px - inset_px : inset_px,
                      is_low ? kDesktop.bottom_px - other_px : other_px, is_right ? speed : -speed,
                      is_low ? speed : -speed};
-    const State flight = core_flight(body, kSixtieth_s);
+    const State flight = core.flight(body, kSixtieth_s);
     const bool crosses_x = flight.x_px < 0.0 || flight.x_px > kDesktop.right_px;
     const bool crosses_y = flight.y_px < 0.0 || flight.y_px > kDesktop.bottom_px;
     if (!crosses_x || !crosses_y) continue;
     ++throws.crossed;
-    const State after = core_step(body, kSixtieth_s, kDesktop);
+    const State after = core.step(body, kSixtieth_s, kDesktop);
     const bool is_inside = after.x_px >= 0.0 && after.x_px <= kDesktop.right_px && after.y_px >= 0.0 &&
                            after.y_px <= kDesktop.bottom_px;
     throws.outside += is_inside ? 0 : 1;
@@ -144,8 +144,8 @@ ClaimVerdict verdict_of(const CornerThrows& throws, bool holds) {
   return throws.crossed == 0 ? ClaimVerdict::not_measured : holds_if(holds);
 }
 
-Claim tunnelling() {
-  const CornerThrows fast = corner_throws(2000.0, 100'000.0);
+Claim tunnelling(const Core& core) {
+  const CornerThrows fast = corner_throws(core, 2000.0, 100'000.0);
   return {"4.2-tunnel",
           "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
           "throws that came out of the window, of those that crossed both in a frame, above 2000 px/s",
@@ -156,8 +156,8 @@ Claim tunnelling() {
           "of " + std::to_string(fast.crossed) + (fast.outside == 0 ? ": a clamp cannot be passed" : "")};
 }
 
-Claim rare_tunnelling() {
-  const CornerThrows slow = corner_throws(100.0, 2000.0);
+Claim rare_tunnelling(const Core& core) {
+  const CornerThrows slow = corner_throws(core, 100.0, 2000.0);
   const double part =
       slow.crossed > 0 ? static_cast<double>(slow.outside) / static_cast<double>(slow.crossed) : 0.0;
   return {"4.2-rare",
@@ -172,8 +172,8 @@ Claim rare_tunnelling() {
 
 }  // namespace
 
-std::vector<Claim> time_step_claims() {
-  return {infinite_bounce(), stable_step(), tunnelling(), rare_tunnelling()};
+std::vector<Claim> time_step_claims(const Core& core) {
+  return {infinite_bounce(core), stable_step(core), tunnelling(core), rare_tunnelling(core)};
 }
 
 }  // namespace hyrax

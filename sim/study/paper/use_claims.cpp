@@ -1,8 +1,8 @@
 // Sections 5 to 7: the constants of table 1; frame-rate independence, sizes, stopping, drawing; speed.
 #include <fmt/format.h>
 
+#include "sim/core/core.h"
 #include "sim/reference/model.h"
-#include "sim/replay/core_constants.h"
 #include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
 
@@ -18,12 +18,12 @@ Claim constant(const char* id, const char* sentence, double core, double paper, 
 }
 
 // The largest jump of a step of a slow sprite that is larger than its window by 28 and 48 px.
-Claim sizes() {
+Claim sizes(const Core& core) {
   constexpr Bounds kNoRoom{-28, -48};
   State body{-10.0, -20.0, 1.0, 1.0};
   double jump_px = 0.0;
   for (int step = 0; step < 600; ++step) {
-    const State after = core_step(body, kSixtieth_s, kNoRoom);
+    const State after = core.step(body, kSixtieth_s, kNoRoom);
     jump_px = std::max({jump_px, std::fabs(after.x_px - body.x_px), std::fabs(after.y_px - body.y_px)});
     body = after;
   }
@@ -39,10 +39,10 @@ Claim sizes() {
 }
 
 // What resetVelocity does, and how gravity moves the sprite in the second after.
-Claim stopping() {
-  const State stopped = core_stopped({900.0, 100.0, 700.0, -300.0});
+Claim stopping(const Core& core) {
+  const State stopped = core.stopped({900.0, 100.0, 700.0, -300.0});
   const bool is_stopped = stopped.vx_px_per_s == 0.0 && stopped.vy_px_per_s == 0.0;
-  const State after = core_steps(stopped, kSixtieth_s, kOpen, 60);
+  const State after = core.steps(stopped, kSixtieth_s, kOpen, 60);
   const double moved_px = std::hypot(after.x_px - stopped.x_px, after.y_px - stopped.y_px);
   return {"6.1-reset",
           "resetVelocity sets both velocity components to zero, stopping all motion",
@@ -59,11 +59,11 @@ Claim stopping() {
                             : "when it is on the ground; in the air gravity starts it again"};
 }
 
-Claim drawing() {
+Claim drawing(const Core& core) {
   double least_px = 1e300;
   State body{500.0, 300.0, -2000.0, 0.0};
   for (int step = 0; step < 60; ++step) {
-    body = core_step(body, kSixtieth_s, kDesktop);
+    body = core.step(body, kSixtieth_s, kDesktop);
     least_px = std::min(least_px, body.x_px - kSpriteSide_px / 2);
   }
   return {"6.2-drawing",
@@ -78,22 +78,23 @@ Claim drawing() {
 
 }  // namespace
 
-std::vector<Claim> constant_claims() {
-  const Constants core = core_constants();
+std::vector<Claim> constant_claims(const Core& core) {
+  const Constants constants = core.constants.value();
   const Model paper;  // The reference has its own copy of the table.
   return {
-      constant("5-gravity", "GRAVITY 1200.0", core.gravity_px_per_s2, paper.gravity_px_per_s2, "px/s2"),
-      constant("5-restitution", "RESTITUTION 0.6", core.restitution, paper.restitution, "1"),
-      constant("5-air-drag", "AIR_DRAG 0.999, velocity multiplier per frame", core.air_drag, paper.air_drag,
+      constant("5-gravity", "GRAVITY 1200.0", constants.gravity_px_per_s2, paper.gravity_px_per_s2, "px/s2"),
+      constant("5-restitution", "RESTITUTION 0.6", constants.restitution, paper.restitution, "1"),
+      constant("5-air-drag", "AIR_DRAG 0.999, velocity multiplier per frame", constants.air_drag,
+               paper.air_drag, "1"),
+      constant("5-ground-friction", "GROUND_FRICTION 0.8", constants.ground_friction, paper.ground_friction,
                "1"),
-      constant("5-ground-friction", "GROUND_FRICTION 0.8", core.ground_friction, paper.ground_friction, "1"),
       constant("5-rest-threshold", "REST_THRESHOLD 5.0, minimum |vy| to consider at rest",
-               core.rest_threshold_px_per_s, paper.rest_threshold_px_per_s, "px/s"),
+               constants.rest_threshold_px_per_s, paper.rest_threshold_px_per_s, "px/s"),
   };
 }
 
 // Where throws settle at displays of 24 to 240 Hz.
-Claim frame_rate_claim(const ClaimStarts& starts) {
+Claim frame_rate_claim(const Core& core, const ClaimStarts& starts) {
   constexpr double kApproximately = 0.05, kMost = 0.5;
   const double allowed_px = kApproximately * kDesktop.right_px;
   std::vector<double> spreads_px;
@@ -101,7 +102,7 @@ Claim frame_rate_claim(const ClaimStarts& starts) {
   for (std::uint64_t start = 0; start < kStarts; ++start) {
     Extremes x_px;
     for (const double rate_hz : {24.0, 30.0, 60.0, 75.0, 120.0, 144.0, 165.0, 240.0})
-      x_px.include(state_after(random_throw(starts, start), rate_hz, 20.0).x_px);
+      x_px.include(state_after(core, random_throw(starts, start), rate_hz, 20.0).x_px);
     spreads_px.push_back(x_px.most - x_px.least);
     within.add(spreads_px.back() <= allowed_px);
   }
@@ -121,7 +122,9 @@ Claim frame_rate_claim(const ClaimStarts& starts) {
   return claim;
 }
 
-std::vector<Claim> use_claims() { return {frame_rate_claim(), sizes(), stopping(), drawing()}; }
+std::vector<Claim> use_claims(const Core& core) {
+  return {frame_rate_claim(core), sizes(core), stopping(core), drawing(core)};
+}
 
 std::vector<Claim> speed_claims(double step_s) {
   constexpr double kFast = 1e-3;  // A thousandth of a frame: nobody notices it.

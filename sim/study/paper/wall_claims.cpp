@@ -1,8 +1,8 @@
 // Section 3: bounds, walls, restitution, friction.
 #include <algorithm>
 
+#include "sim/core/core.h"
 #include "sim/motion/step.h"
-#include "sim/replay/core_constants.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
@@ -56,7 +56,7 @@ void include_step(const State& flight, const State& after, Reach& reach) {
 }
 
 // Random throws across the desktop, step by step.
-Reach reach_of_throws() {
+Reach reach_of_throws(const Core& core) {
   Reach reach;
   for (std::uint64_t fling = 0; fling < 200; ++fling) {
     State body{random_between(2, 4 * fling, 0.0, kDesktop.right_px),
@@ -64,8 +64,8 @@ Reach reach_of_throws() {
                random_between(2, 4 * fling + 2, -4000.0, 4000.0),
                random_between(2, 4 * fling + 3, -4000.0, 4000.0)};
     for (int step = 0; step < 200; ++step) {
-      const State flight = core_flight(body, kSixtieth_s);
-      body = core_step(body, kSixtieth_s, kDesktop);
+      const State flight = core.flight(body, kSixtieth_s);
+      body = core.step(body, kSixtieth_s, kDesktop);
       include_step(flight, body, reach);
     }
   }
@@ -114,8 +114,8 @@ Claim restitution(const Reach& reach) {
           is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)};
 }
 
-Claim energy_retention(const Reach& reach) {
-  const double restitution = core_constants().restitution;
+Claim energy_retention(const Core& core, const Reach& reach) {
+  const double restitution = core.constants->restitution;
   return {"5-energy-retention",
           "RESTITUTION: energy retention after bounce",
           "ratio of kinetic energies after and before a bounce",
@@ -140,17 +140,17 @@ Claim side_walls(const Reach& reach) {
           ""};
 }
 
-Claim ceiling() {
-  const State after = core_step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
-  const State met = core_flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
+Claim ceiling(const Core& core) {
+  const State after = core.step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
+  const State met = core.flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
   const double ratio = after.vy_px_per_s / met.vy_px_per_s;
   return {"3.2.1-top",
           "if y < 0, clamp y = 0 and invert the vertical speed",
           "ratio of vy after and before",
-          digits(-core_constants().restitution),
+          digits(-core.constants->restitution),
           ratio,
           "1",
-          holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core_constants().restitution)),
+          holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core.constants->restitution)),
           ""};
 }
 
@@ -178,17 +178,17 @@ Claim friction_only_on_ground(const Reach& reach) {
 }
 
 // Which comparison agrees with the bounces.
-std::string slowest_bounce_text(const Reach& reach) {
+std::string slowest_bounce_text(const Core& core, const Reach& reach) {
   if (reach.ground_contacts == 0) return "";
-  const bool keeps_threshold = reach.slowest_bounce_px_per_s >= core_constants().rest_threshold_px_per_s;
+  const bool keeps_threshold = reach.slowest_bounce_px_per_s >= core.constants->rest_threshold_px_per_s;
   return std::string(keeps_threshold ? "it is |vy| that is compared" : "|vy| is not compared, either") +
          ": the slowest bounce seen left " + digits(reach.slowest_bounce_px_per_s) + " px/s";
 }
 
 // Read literally, every bounce would be stopped: it goes up, so vy < 0 < threshold.
-Claim threshold_in_words(const Reach& reach) {
+Claim threshold_in_words(const Core& core, const Reach& reach) {
   const State from{500.0, 950.0, 0.0, 800.0};
-  const State bounced = core_step(from, kSixtieth_s, kDesktop);
+  const State bounced = core.step(from, kSixtieth_s, kDesktop);
   return {"3.2.2-signed",
           "if vy < epsilon, set vy = 0",
           "vy that a bounce from 800 px/s leaves",
@@ -196,7 +196,7 @@ Claim threshold_in_words(const Reach& reach) {
           bounced.vy_px_per_s,
           "px/s",
           holds_if(bounced.vy_px_per_s == 0.0),
-          bounced.vy_px_per_s == 0.0 ? "" : slowest_bounce_text(reach)};
+          bounced.vy_px_per_s == 0.0 ? "" : slowest_bounce_text(core, reach)};
 }
 
 // Into corners, both walls in one step, by both orders of the listing's walls.
@@ -204,16 +204,16 @@ struct CornerOrders {
   double outside_px = -HUGE_VAL;  ///< Largest distance outside the window after either order.
   double difference = 0.0;        ///< Largest relative difference of speeds between the two.
 };
-CornerOrders corner_orders() {
+CornerOrders corner_orders(const Core& core) {
   CornerOrders orders;
-  const Constants core = core_constants();
+  const Constants constants = core.constants.value();
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
     const State body{kDesktop.right_px - random_between(3, 4 * draw, 0.0, 20.0),
                      kDesktop.bottom_px - random_between(3, 4 * draw + 1, 0.0, 20.0),
                      random_between(3, 4 * draw + 2, 1500.0, 9000.0),
                      random_between(3, 4 * draw + 3, 1500.0, 9000.0)};
-    const State x_first = stepped(core, StepOrder::paper, body, kSixtieth_s, kDesktop);
-    const State y_first = stepped(core, StepOrder::y_walls_first, body, kSixtieth_s, kDesktop);
+    const State x_first = stepped(constants, StepOrder::paper, body, kSixtieth_s, kDesktop);
+    const State y_first = stepped(constants, StepOrder::y_walls_first, body, kSixtieth_s, kDesktop);
     for (const State& after : {x_first, y_first})
       orders.outside_px =
           std::max({orders.outside_px, after.x_px - kDesktop.right_px, after.y_px - kDesktop.bottom_px});
@@ -224,9 +224,9 @@ CornerOrders corner_orders() {
   return orders;
 }
 
-Claim x_before_y() {
-  const CornerOrders orders = corner_orders();
-  const bool is_listing = steps_that_differ_from_listing(5000) == 0;
+Claim x_before_y(const Core& core) {
+  const CornerOrders orders = corner_orders(core);
+  const bool is_listing = steps_that_differ_from_listing(core, 5000) == 0;
   return {"3-x-first",
           "collisions are resolved in x first, then y, to prevent double-penetration issues",
           "largest relative difference that the order makes, 1000 corners",
@@ -242,18 +242,18 @@ Claim x_before_y() {
 
 }  // namespace
 
-std::vector<Claim> wall_claims() {
-  const Reach reach = reach_of_throws();
+std::vector<Claim> wall_claims(const Core& core) {
+  const Reach reach = reach_of_throws(core);
   return {centre(reach),
-          x_before_y(),
+          x_before_y(core),
           exact_clamp(reach),
           restitution(reach),
           side_walls(reach),
-          ceiling(),
+          ceiling(core),
           friction(reach),
-          threshold_in_words(reach),
+          threshold_in_words(core, reach),
           friction_only_on_ground(reach),
-          energy_retention(reach)};
+          energy_retention(core, reach)};
 }
 
 }  // namespace hyrax

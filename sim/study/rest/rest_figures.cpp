@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/study/display_rates.h"
 #include "sim/study/methods/many_flings.h"
 
@@ -98,7 +98,7 @@ Figure time_figure(const std::vector<RateEnds>& map) {
   return figure;
 }
 
-Figure bounce_figure(std::vector<DropBounce> bounces) {
+Figure bounce_figure(const Core& core, std::vector<DropBounce> bounces) {
   constexpr std::array<Tone, 7> kTones = {Tone::vermilion, Tone::orange, Tone::blue, Tone::purple,
                                           Tone::sky_blue,  Tone::green,  Tone::ink};
   std::sort(bounces.begin(), bounces.end(),
@@ -110,7 +110,7 @@ Figure bounce_figure(std::vector<DropBounce> bounces) {
   }
   Plot plot{.x = {.label = "part of the contact's step below the floor", .low = 0, .high = 1},
             .y = {.label = "effective restitution; dashed: that of the core", .decimals = 3},
-            .marks = {{.is_vertical = false, .at = core_constants().restitution}}};
+            .marks = {{.is_vertical = false, .at = core.constants->restitution}}};
   Figure figure{.suffix = "-restitution",
                 .title = "Effective restitution",
                 .subtitle = "Speed after the first bounce of a drop over the speed of the exact impact"};
@@ -126,8 +126,8 @@ Figure bounce_figure(std::vector<DropBounce> bounces) {
 
 }  // namespace
 
-std::vector<Figure> rest_figures(const RestResults& results) {
-  return {state_figure(results), time_figure(results.map), bounce_figure(results.bounces)};
+std::vector<Figure> rest_figures(const Core& core, const RestResults& results) {
+  return {state_figure(results), time_figure(results.map), bounce_figure(core, results.bounces)};
 }
 
 }  // namespace hyrax

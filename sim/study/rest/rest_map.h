@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/replay/core.h"
+#include "sim/core/core.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
 #include "sim/result/result.h"
@@ -42,7 +42,7 @@ struct RestBoundary {
   std::optional<double> measured_hz;  ///< None where the core has no such boundary.
   [[nodiscard]] bool agrees() const;
 };
-[[nodiscard]] std::vector<RestBoundary> rest_boundaries();
+[[nodiscard]] std::vector<RestBoundary> rest_boundaries(const Core& core);
 
 /// Random flings (ManyFlings) at one rate.
 struct RateEnds {
@@ -60,7 +60,8 @@ struct RateEnds {
   [[nodiscard]] double percent(FinalState state) const { return 100.0 * share(state).part(); }
 };
 /// @param flings the same at each rate. REQUIRES: at least one.
-[[nodiscard]] std::vector<RateEnds> rest_map(const std::vector<double>& rates_hz, std::int64_t flings);
+[[nodiscard]] std::vector<RateEnds> rest_map(const Core& core, const std::vector<double>& rates_hz,
+                                             std::int64_t flings);
 
 /// The first bounce of a drop.
 struct DropBounce {
@@ -68,7 +69,7 @@ struct DropBounce {
   double phase = 0.0;        ///< Part of the contact's step below the floor, 0 .. 1.
   double restitution = 0.0;  ///< Speed after the contact over the speed of the exact impact.
 };
-[[nodiscard]] std::vector<DropBounce> bounces_at(double rate_hz, std::int64_t phases);
+[[nodiscard]] std::vector<DropBounce> bounces_at(const Core& core, double rate_hz, std::int64_t phases);
 
 struct RestResults {
   std::vector<RestBoundary> boundaries = {};
@@ -77,11 +78,12 @@ struct RestResults {
 };
 
 /// Of two rows, one frame apart.
-[[nodiscard]] FinalState final_state(const State& row, const State& next, double rate_hz, double bottom_px);
+[[nodiscard]] FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz,
+                                     double bottom_px);
 
 /// Final states against the display rate, time to settle against the display rate, effective restitution
 /// against the phase of the contact.
-[[nodiscard]] std::vector<Figure> rest_figures(const RestResults& results);
+[[nodiscard]] std::vector<Figure> rest_figures(const Core& core, const RestResults& results);
 
 /// What is printed of them. Broken: boundaries elsewhere than derived, and final states that they do not
 /// allow.

@@ -24,12 +24,12 @@ std::vector<double> rates_hz(int count) {
   return rates_hz;
 }
 
-RestResults measure(bool is_quick) {
-  RestResults results{.boundaries = rest_boundaries(),
-                      .map = rest_map(rates_hz(is_quick ? 25 : 160), is_quick ? 100 : 200),
+RestResults measure(const Core& core, bool is_quick) {
+  RestResults results{.boundaries = rest_boundaries(core),
+                      .map = rest_map(core, rates_hz(is_quick ? 25 : 160), is_quick ? 100 : 200),
                       .bounces = {}};
   for (const double rate_hz : {24.0, 30.0, 60.0, 120.0, 144.0, 240.0, 1000.0})
-    for (const DropBounce& bounce : bounces_at(rate_hz, is_quick ? 20 : 100))
+    for (const DropBounce& bounce : bounces_at(core, rate_hz, is_quick ? 20 : 100))
       results.bounces.push_back(bounce);
   return results;
 }
@@ -168,10 +168,10 @@ std::string stillness_text(const std::vector<RateEnds>& map) {
 }
 
 Result run_rest(const StudyRequest& request) {
-  const RestResults results = measure(request.is_quick);
+  const RestResults results = measure(request.core, request.is_quick);
   return {
       .tables = {map_table(results.map), boundary_table(results.boundaries), bounce_table(results.bounces)},
-      .figures = rest_figures(results),
+      .figures = rest_figures(request.core, results),
       .verdict = rest_verdict(results),
       .summary = summary_of(results)};
 }

@@ -33,12 +33,12 @@ Problem moved(Problem problem, std::uint64_t number, Offsets& offsets) {
   return problem;
 }
 
-std::vector<MethodErrors> errors_of(const std::vector<Problem>& problems, const MethodKind& method,
-                                    double rate_hz) {
+std::vector<MethodErrors> errors_of(const Core& core, const std::vector<Problem>& problems,
+                                    const MethodKind& method, double rate_hz) {
   std::vector<MethodErrors> errors;
   errors.reserve(problems.size());
   for (const Problem& problem : problems)
-    errors.push_back(measure_errors(problem, method, stage_frames_s(problem, rate_hz), rate_hz));
+    errors.push_back(measure_errors(core, problem, method, stage_frames_s(problem, rate_hz), rate_hz));
   return errors;
 }
 
@@ -70,17 +70,18 @@ std::vector<Problem> problems_like(const Problem& problem, std::int64_t count, s
   return problems;
 }
 
-std::vector<MethodBands> method_bands(const Problem& problem, const std::vector<MethodKind>& methods,
+std::vector<MethodBands> method_bands(const Core& core, const Problem& problem,
+                                      const std::vector<MethodKind>& methods,
                                       const std::vector<double>& rates_hz) {
   std::vector<MethodBands> all;
   const std::vector<Problem> flings = problems_like(problem, kBandFlings, kBandSeed);
   for (const double rate_hz : rates_hz) {
-    const std::vector<MethodErrors> paper = errors_of(flings, methods.front(), rate_hz);
+    const std::vector<MethodErrors> paper = errors_of(core, flings, methods.front(), rate_hz);
     for (std::size_t method = 0; method < methods.size(); ++method) {
       const MethodKind& kind = methods[method];
       if (!kind.meets_walls || kind.is_adaptive() || kind.is_reference()) continue;
       std::optional<MethodBands> bands =
-          bands_of(method == 0 ? paper : errors_of(flings, kind, rate_hz), paper);
+          bands_of(method == 0 ? paper : errors_of(core, flings, kind, rate_hz), paper);
       if (!bands) continue;
       bands->method = method;
       bands->rate_hz = rate_hz;

@@ -27,7 +27,8 @@ class Measurer {
   };
 
  public:
-  Measurer(SpeedError& study, const SpeedErrorOptions& options) : study_(study), options_(options) {}
+  Measurer(const Core& core, SpeedError& study, const SpeedErrorOptions& options)
+      : core_(core), study_(study), options_(options) {}
 
   void measure_errors_of_all() {
     for (std::size_t problem = 0; problem < study_.problems.size(); ++problem)
@@ -61,7 +62,8 @@ class Measurer {
     const std::shared_ptr<const Frames>& frames = frames_of(problem, rate_hz);
     const Problem& played = study_.problems[problem];
     const MethodKind& kind = study_.methods[method];
-    study_.points.push_back({problem, method, rate_hz, measure_errors(played, kind, *frames, rate_hz), {}});
+    study_.points.push_back(
+        {problem, method, rate_hz, measure_errors(core_, played, kind, *frames, rate_hz), {}});
     if (study_.points.back().errors.is_failed) return;
     timed_.push_back({study_.points.size() - 1, works_.size(), study_.set_ups.size()});
     add_work(problem, method, frames);
@@ -85,6 +87,7 @@ class Measurer {
     return frames;
   }
 
+  const Core& core_;
   SpeedError& study_;
   const SpeedErrorOptions& options_;
   std::map<std::pair<std::size_t, double>, std::shared_ptr<const Frames>> frames_;
@@ -163,12 +166,12 @@ struct OneArc final : DriftSink {
   ArcErrors errors;
 };
 
-PaperErrors paper_errors(const Problem& flight, double rate_hz) {
+PaperErrors paper_errors(const Core& core, const Problem& flight, double rate_hz) {
   const Scenario scenario = scenario_of(flight, rate_hz);
   OneArc arc;
-  const Model model = reference_model();
+  const Model model = reference_model(core);
   DriftMeter meter(scenario, {}, arc, nullptr, model);
-  replay(scenario, meter);
+  replay(core, scenario, meter);
   meter.finish();
   const double a = model.air_drag;
   const double frames = std::round(flight.stages.front().duration_s * rate_hz);
@@ -232,13 +235,13 @@ std::vector<bool> pareto_front(const std::vector<Cost>& costs, const std::vector
   return is_front;
 }
 
-SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
+SpeedError study_speed_error(const Core& core, std::vector<Problem> problems, std::vector<MethodKind> methods,
                              const SpeedErrorOptions& options, const NanosecondClock& now_ns) {
   assert(!problems.empty() && !methods.empty() && methods.front().name == "paper");
   SpeedError study;
   study.problems = std::move(problems);
   study.methods = std::move(methods);
-  Measurer measurer(study, options);
+  Measurer measurer(core, study, options);
   measurer.measure_errors_of_all();
   measurer.measure_costs_of_all(now_ns);
   mark_pareto(study);
@@ -246,13 +249,14 @@ SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKi
   find_cheapest(study, options.errors_asked_px);
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
     if (!study.problems[problem].is_free_flight)
-      for (MethodBands& bands : method_bands(study.problems[problem], study.methods, options.band_rates_hz)) {
+      for (MethodBands& bands :
+           method_bands(core, study.problems[problem], study.methods, options.band_rates_hz)) {
         bands.problem = problem;
         study.bands.push_back(bands);
       }
   if (!study.problems.front().is_free_flight) return study;
   for (const double rate_hz : options.rates_hz)
-    study.paper.push_back(paper_errors(study.problems.front(), rate_hz));
+    study.paper.push_back(paper_errors(core, study.problems.front(), rate_hz));
   return study;
 }
 

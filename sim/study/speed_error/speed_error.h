@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
 #include "sim/result/table.h"
@@ -44,7 +45,7 @@ struct MethodBands {
 
 /// Of all methods that meet walls, but adaptive ones and the reference; `problem` is left 0.
 /// REQUIRES: the first method is the paper's step.
-[[nodiscard]] std::vector<MethodBands> method_bands(const Problem& problem,
+[[nodiscard]] std::vector<MethodBands> method_bands(const Core& core, const Problem& problem,
                                                     const std::vector<MethodKind>& methods,
                                                     const std::vector<double>& rates_hz);
 
@@ -141,8 +142,9 @@ struct SpeedErrorOptions {
 
 /// Methods that know no walls play the problems of free flight only. SpeedError::paper is empty if the first
 /// problem is not free flight. REQUIRES: a problem; the paper's step is the first method.
-[[nodiscard]] SpeedError study_speed_error(std::vector<Problem> problems, std::vector<MethodKind> methods,
-                                           const SpeedErrorOptions& options, const NanosecondClock& now_ns);
+[[nodiscard]] SpeedError study_speed_error(const Core& core, std::vector<Problem> problems,
+                                           std::vector<MethodKind> methods, const SpeedErrorOptions& options,
+                                           const NanosecondClock& now_ns);
 
 /// The rules that do not hold, each a sentence with method, problem and rate. Never about a time:
 /// 0. Every method plays every problem to its end, with finite errors; an adaptive one may give up instead.

@@ -253,8 +253,8 @@ std::vector<Figure> figures_of(const SpeedError& study, const std::string& machi
 }
 
 Result run_speed_error(const StudyRequest& request) {
-  std::vector<MethodKind> methods = frame_methods();
-  for (MethodKind& kind : gsl_methods(request.is_quick)) methods.push_back(std::move(kind));
+  std::vector<MethodKind> methods = frame_methods(request.core);
+  for (MethodKind& kind : gsl_methods(request.core, request.is_quick)) methods.push_back(std::move(kind));
   SpeedErrorOptions options;
   options.rates_hz = {15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
   options.band_rates_hz = {15.0, 30.0, 60.0, 120.0, 240.0, 480.0};
@@ -267,7 +267,7 @@ Result run_speed_error(const StudyRequest& request) {
     if (request.report_progress) request.report_progress("samples", done, total);
   };
   const SpeedError study =
-      study_speed_error(problems_of(request), std::move(methods), options, request.now_ns);
+      study_speed_error(request.core, problems_of(request), std::move(methods), options, request.now_ns);
   Result result{.tables = speed_error_tables(study, request.machine),
                 .verdict = verdict_of(study, request),
                 .summary = speed_error_summary(study, request.machine)};

@@ -1,19 +1,12 @@
-// Frame times and inputs that are wrong on purpose, and the record of an altered core. The linker passes each
-// call from another source file through these (--wrap).
-#include <fmt/format.h>
+// Frame times and inputs that are wrong on purpose. The linker passes each call from another source file
+// through these (--wrap).
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
-#include <optional>
-#include <string>
 #include <utility>
 
-#include "sim/cause/constant_change.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/trace/core_record.h"
-#include "sim/trace/step_text.h"
 #include "sim/trajectory/columns.h"
 #include "tests/must_fail/altered_cores/altered_core.h"
 
@@ -23,56 +16,6 @@
 namespace hyrax {
 
 class RowTable;  // tools/store/trajectory_parts.h, which needs HDF5.
-
-const CoreRecord& original_record() ORIGINAL("_ZN5hyrax11core_recordEv");
-const CoreRecord& altered_record() WRAPPED("_ZN5hyrax11core_recordEv");
-
-namespace {
-
-struct AlteredRecord {
-  std::string header;
-  std::string step;
-};
-
-// What the build would record of a header with other constants; else a header with a statement of its own,
-// which is not traced.
-AlteredRecord make_record(const AlteredCore& core) {
-  constexpr std::pair<const char*, double AlteredStep::*> kConstants[] = {
-      {"GRAVITY", &AlteredStep::gravity},
-      {"RESTITUTION", &AlteredStep::restitution},
-      {"AIR_DRAG", &AlteredStep::air_drag},
-      {"GROUND_FRICTION", &AlteredStep::ground_friction},
-      {"REST_THRESHOLD", &AlteredStep::rest_threshold}};
-  const AlteredStep listing;
-  AlteredStep rest = core.step;
-  rest.is_comparer_blind = false;
-  std::string header(original_record().header);
-  std::optional<TracedStep> step = read_step(original_record().step);
-  for (const auto& [name, constant] : kConstants) {
-    if (rest.*constant == listing.*constant) continue;
-    const std::size_t begin = header.find(fmt::format(" {} = ", name)) + std::strlen(name) + 4;
-    header.replace(begin, header.find(';', begin) - begin, fmt::format("{}", rest.*constant));
-    if (step) step = with_constant(*step, listing.*constant, rest.*constant);
-    rest.*constant = listing.*constant;
-  }
-  if (rest == listing) return {header, step ? step_text(*step) : ""};
-  return {fmt::format("{}ALTERED_CORE {};\n", original_record().header, core.name), ""};
-}
-
-}  // namespace
-
-// The shipped one where the step is not altered.
-const CoreRecord& altered_record() {
-  const AlteredCore& core = altered_core();
-  constexpr std::string_view kOutsideTheStep[] = {"nothing", "clock", "inputs", "comparer", "writer"};
-  if (std::ranges::find(kOutsideTheStep, core.operation) != std::end(kOutsideTheStep))
-    return original_record();
-  static const AlteredRecord texts = make_record(core);
-  static const CoreRecord record = {.header = texts.header,
-                                    .step = texts.step,
-                                    .why_incomplete = texts.step.empty() ? "altered for a test" : ""};
-  return record;
-}
 
 void original_clock(FrameClock* made, const Clock& clock) ORIGINAL("_ZN5hyrax10FrameClockC1ERKNS_5ClockE");
 void altered_clock(FrameClock* made, const Clock& clock) WRAPPED("_ZN5hyrax10FrameClockC1ERKNS_5ClockE");

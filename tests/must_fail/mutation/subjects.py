@@ -34,8 +34,9 @@ class Subject:
         return self.units + (self.units_of_layout if is_of_layout else ())
 
 
-_KERNEL = "sim/replay/kernel.cpp"
-_KERNEL_OF = "sim/replay/kernel_of.h"
+_SHIPPED = "sim/core/shipped_core.cpp"
+_CORE_OF = "sim/core/core_of.h"
+_KERNEL_OF = "sim/core/kernel_of.h"
 _PLAYER = "sim/replay/player.cpp"
 _REPETITION = "sim/replay/repetition.cpp"
 _FRAME_CLOCK = "sim/scenario/frame_clock.cpp"
@@ -46,7 +47,7 @@ _JITTER = ("clocks/jitter-uniform", "clocks/jitter-normal", "clocks/missed-frame
 _EVENTS = ("flings/grab-and-throw", "flings/corner-fling", "clocks/trace-144-hz", "clocks/missed-frames")
 
 SUBJECTS = (
-    Subject("sim/physics/physics.h", (_KERNEL,), likely=_FLINGS, test="physics_test",
+    Subject("sim/physics/physics.h", (_SHIPPED,), likely=_FLINGS, test="physics_test",
             test_units=("tests/unit/sim/physics/interface_test.cpp",)),
     Subject("sim/scenario/split_mix64.h", (_FRAME_CLOCK,), likely=_JITTER),
     Subject("sim/scenario/frame_clock.h", (_FRAME_CLOCK, _SCHEDULE, _PLAYER, _REPETITION), likely=_JITTER + _EVENTS,
@@ -59,7 +60,7 @@ SUBJECTS = (
                        "even_frames_to", "go_to", "timed_end", "schedule_events")),
     Subject(_PLAYER, (_PLAYER,), likely=_EVENTS,
             functions=("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
-    Subject("sim/scenario/apply.h", (_KERNEL,), likely=_EVENTS),
-    Subject(_KERNEL, (_KERNEL,), likely=_EVENTS, functions=("make",)),
-    Subject(_KERNEL_OF, (_KERNEL,), likely=_EVENTS, functions=("apply", "state_of")),
+    Subject("sim/scenario/apply.h", (_SHIPPED,), likely=_EVENTS),
+    Subject(_CORE_OF, (_SHIPPED,), likely=_EVENTS, functions=("make",)),
+    Subject(_KERNEL_OF, (_SHIPPED,), likely=_EVENTS, functions=("apply", "state_of")),
 )

@@ -1,4 +1,4 @@
-// Takes the place of this program's core: a header and the step that was recorded of it, given when the
+// hyrax-sim with a core that is given: a header and the step that was recorded of it, given when the
 // program runs.
 //
 // HYRAX_TRACED_HEADER is the path of the header, HYRAX_TRACED_STEP that of its step in canonical text, which
@@ -13,13 +13,10 @@
 #include <utility>
 
 #include "sim/cause/header_change.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_contacts.h"
-#include "sim/replay/kernel.h"
-#include "sim/replay/traced_kernel.h"
-#include "sim/trace/core_record.h"
+#include "sim/core/core_of.h"
+#include "sim/core/traced_core.h"
 #include "sim/trace/step_text.h"
-#include "sim/trajectory/physics_model.h"
+#include "tools/hyrax-sim/program.h"
 
 namespace hyrax {
 namespace {
@@ -37,41 +34,8 @@ std::string text_of(const char* variable) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-struct GivenCore {
-  std::string header = text_of("HYRAX_TRACED_HEADER");
-  std::string step = text_of("HYRAX_TRACED_STEP");
-  std::unique_ptr<const Kernel> kernel;
-  CoreRecord record;
-
-  GivenCore() {
-    if (const auto traced = read_step(step)) kernel = make_traced_kernel(*traced);
-    if (!kernel) refuse("HYRAX_TRACED_STEP", "not a step that can be played");
-    const char* const why = std::getenv("HYRAX_TRACED_WHY");
-    record.header = header;
-    if (why == nullptr)
-      record.step = step;
-    else
-      record.why_incomplete = why;
-  }
-};
-
-const GivenCore& given() {
-  static const GivenCore core;
-  return core;
-}
-
-}  // namespace
-
-const CoreRecord& core_record() { return given().record; }
-
-const Kernel& compiled_kernel() { return *given().kernel; }
-
-const Kernel& core_kernel() { return core_with_recorded_contacts(); }
-
-std::string_view core_model() { return kPhysicsModel; }
-
 // The paper's where the header has none of the name.
-Constants core_constants() {
+Constants constants_in(const std::string& header) {
   Constants constants{1200.0, 0.6, 0.999, 0.8, 5.0};
   const std::array<std::pair<const char*, double*>, 5> names = {
       {{"GRAVITY", &constants.gravity_px_per_s2},
@@ -79,10 +43,33 @@ Constants core_constants() {
        {"AIR_DRAG", &constants.air_drag},
        {"GROUND_FRICTION", &constants.ground_friction},
        {"REST_THRESHOLD", &constants.rest_threshold_px_per_s}}};
-  for (const HeaderConstant& constant : header_constants(given().header))
+  for (const HeaderConstant& constant : header_constants(header))
     for (const auto& [name, value] : names)
       if (constant.name == name) *value = constant.value;
   return constants;
 }
 
+// Refers to the texts.
+Core given_core(const std::string& header, const std::string& step) {
+  const std::optional<TracedStep> read = read_step(step);
+  std::optional<Core> core = read ? traced_core(*read) : std::nullopt;
+  if (!core) refuse("HYRAX_TRACED_STEP", "not a step that can be played");
+  const char* const why = std::getenv("HYRAX_TRACED_WHY");
+  core->constants = constants_in(header);
+  core->record.header = header;
+  if (why == nullptr)
+    core->record.step = step;
+  else
+    core->record.why_incomplete = why;
+  complete_by_step(*core);
+  return *core;
+}
+
+}  // namespace
 }  // namespace hyrax
+
+int main(int argc, char** argv) {
+  using namespace hyrax;
+  const std::string header = text_of("HYRAX_TRACED_HEADER"), step = text_of("HYRAX_TRACED_STEP");
+  return run_hyrax_sim(given_core(header, step), argc, argv);
+}

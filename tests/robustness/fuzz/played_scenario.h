@@ -1,6 +1,7 @@
 // What must hold for every scenario that the reader accepts.
 #pragma once
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/scenario.h"
@@ -17,7 +18,7 @@ inline void hold_accepted(const Scenario& scenario) {
   hold(plays_the_same(again, scenario) && scenario_file_text(again) == text,
        "a scenario that is written is read as the same");
   constexpr std::int64_t kStepsPlayed = 500;
-  Replay replay(scenario, {}, {.checks_bounds = true});
+  Replay replay(shipped_core(), scenario, {}, {.checks_bounds = true});
   replay.play_to(replay.steps() < kStepsPlayed ? replay.steps() : kStepsPlayed);
   static_cast<void>(replay.finish());
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/causes/group_text.h"
 #include "tools/app/diff/difference_text.h"
@@ -55,12 +55,12 @@ void print_unchanged(const BlessReport& report) {
 }
 
 // Where results that were accepted under a model's name change by more than rounding.
-void print_model_hint(const BlessReport& report) {
-  const bool is_due = std::ranges::any_of(report.blessings, [](const Blessing& blessing) {
+void print_model_hint(const Core& core, const BlessReport& report) {
+  const bool is_due = std::ranges::any_of(report.blessings, [&core](const Blessing& blessing) {
     return differs_more_than_rounding(blessing) && blessing.runs &&
-           blessing.runs->golden.physics == core_model();
+           blessing.runs->golden.physics == core.name;
   });
-  if (is_due && is_paper_model(core_model()))
+  if (is_due && is_paper_model(core.name))
     print_text(
         "results change by more than rounding: give the physics model a new number (now {}; kPhysicsModel in "
         "sim/trajectory/physics_model.h)\n",
@@ -133,13 +133,13 @@ std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& co
   return group_by_cause(differing, cores);
 }
 
-void print_plans(const BlessReport& report, const std::vector<DifferenceGroup>& groups,
+void print_plans(const Core& core, const BlessReport& report, const std::vector<DifferenceGroup>& groups,
                  const CoreChecks& cores, const Printing& printing) {
   print_unchanged(report);
   for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
   if (printing.is_quiet()) return;
   print_groups(groups, cores.verdicts(), report.blessings.size());
-  print_model_hint(report);
+  print_model_hint(core, report);
   for (const std::string& path : report.pruning.removed) print_text("{}: has no scenario\n", printable(path));
 }
 

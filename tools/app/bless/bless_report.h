@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "tools/app/bless/blessing.h"
 #include "tools/app/causes/core_check.h"
 #include "tools/app/causes/difference_group.h"
@@ -43,7 +44,8 @@ struct CoreAcceptance {
 /// Of libraries_of(arguments). Plays each whole, unless its accepted core is this
 /// program's already: then nothing is planned.
 /// @param blessings of scenarios that will agree.
-[[nodiscard]] std::vector<CoreAcceptance> plan_core_acceptances(const std::vector<std::string>& arguments,
+[[nodiscard]] std::vector<CoreAcceptance> plan_core_acceptances(const Core& core,
+                                                                const std::vector<std::string>& arguments,
                                                                 const std::vector<Blessing>& blessings,
                                                                 const BlessOptions& options);
 
@@ -71,7 +73,7 @@ struct BlessReport {
 /// outlive the report.
 [[nodiscard]] std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& cores);
 
-void print_plans(const BlessReport& report, const std::vector<DifferenceGroup>& groups,
+void print_plans(const Core& core, const BlessReport& report, const std::vector<DifferenceGroup>& groups,
                  const CoreChecks& cores, const Printing& printing);
 /// What was written, or would be.
 void print_done(const BlessReport& report, bool is_dry_run);

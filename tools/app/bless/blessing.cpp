@@ -54,23 +54,25 @@ void require_usable(const GoldenPlace& place, const OutputGuard& guard) {
   }
 }
 
-void require_expected(const std::string& path, const Scenario& scenario, const RunSummary& summary) {
+void require_expected(const Core& core, const std::string& path, const Scenario& scenario,
+                      const RunSummary& summary) {
   if (const std::string text = non_finite_text(scenario, summary.final); !text.empty())
     throw Failure(ExitCode::disagreed, path + ": not blessed: " + text);
   std::string broken;
-  for (const Expectation& expectation : broken_expectations(scenario, summary, reference_model()))
+  for (const Expectation& expectation : broken_expectations(core, scenario, summary, reference_model(core)))
     broken += "; " + expectation_text(expectation);
   if (!broken.empty())
     throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
 }
 
 // A golden file whose rows cannot be compared. Its summary may still say that the run is the accepted one.
-RunSummary replace_unreadable(const Scenario& scenario, const std::string& why, Blessing& blessing) {
+RunSummary replace_unreadable(const Core& core, const Scenario& scenario, const std::string& why,
+                              Blessing& blessing) {
   blessing.status = BlessStatus::changed;
   blessing.unreadable = why;
   blessing.comparison.agrees = false;
   blessing.comparison.difference = DifferenceClass::shape;
-  const RunSummary summary = play(scenario);
+  const RunSummary summary = play(core, scenario);
   const std::string& txt_path = blessing.golden->txt_path;
   const std::string text = is_there(txt_path) ? read_text_file(txt_path) : "";
   if (summary_state_hash(text) != hex(summary.state_hash)) blessing.differs_in = DifferenceClass::shape;
@@ -86,34 +88,36 @@ void take_over(PairComparison pair, Blessing& blessing) {
 }
 
 // Sets what has to be blessed; returns the summary of the run.
-RunSummary compare(const Scenario& scenario, Blessing& blessing) {
+RunSummary compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
   const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
   const bool has_both = has_golden_file(*blessing.golden);
   if (!is_there(h5_path) && !is_there(txt_path)) {
     blessing.status = BlessStatus::fresh;
-    return play(scenario);
+    return play(core, scenario);
   }
-  if (!is_there(h5_path)) return replace_unreadable(scenario, h5_path + " is missing", blessing);
+  if (!is_there(h5_path)) return replace_unreadable(core, scenario, h5_path + " is missing", blessing);
   if (!has_both) blessing.unreadable = txt_path + " is missing";
   try {
-    PairComparison pair = *compare_with_pair(scenario, *blessing.golden, true);
+    PairComparison pair = *compare_with_pair(core, scenario, *blessing.golden, true);
     blessing.status = pair.is_proved ? BlessStatus::unchanged : BlessStatus::changed;
-    blessing.keeps_h5 = has_both && !pair.is_proved && is_h5_current(scenario, *blessing.golden);
+    blessing.keeps_h5 = has_both && !pair.is_proved && is_h5_current(core, scenario, *blessing.golden);
     const RunSummary summary = pair.summary;
     take_over(std::move(pair), blessing);
     return summary;
   } catch (const Failure& failure) {
     if (failure.exit_code() != ExitCode::bad_input) throw;
-    return replace_unreadable(scenario, failure.what(), blessing);
+    return replace_unreadable(core, scenario, failure.what(), blessing);
   }
 }
 
-void update_expect(const RunSummary& summary, bool updates_ranges, Scenario& scenario, Blessing& blessing) {
+void update_expect(const Core& core, const RunSummary& summary, bool updates_ranges, Scenario& scenario,
+                   Blessing& blessing) {
   const std::string hash = hex(summary.state_hash);
   const std::string text = read_scenario_text(blessing.path);
   std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
   if (updates_ranges) {
-    const std::vector<Expectation> broken = broken_expectations(scenario, summary, reference_model());
+    const std::vector<Expectation> broken =
+        broken_expectations(core, scenario, summary, reference_model(core));
     updated = with_updated_ranges(std::move(updated), scenario, broken);
     for (const Expectation& expectation : broken)
       if (is_updatable(expectation)) blessing.updated.push_back(expectation);
@@ -122,17 +126,17 @@ void update_expect(const RunSummary& summary, bool updates_ranges, Scenario& sce
   if (updated != text) blessing.scenario_text = std::move(updated);
 }
 
-void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& guard) {
+void plan(const Core& core, Blessing& blessing, const BlessOptions& options, const OutputGuard& guard) {
   Scenario scenario = load_scenario(blessing.path);
-  require_measurable(blessing.path, scenario);
+  require_measurable(core, blessing.path, scenario);
   blessing.golden = place_of(blessing.path, options.golden_folder);
   blessing.golden_folder = golden_folder_for(blessing.path, options.golden_folder);
   require_usable(*blessing.golden, guard);
-  const RunSummary summary = compare(scenario, blessing);
+  const RunSummary summary = compare(core, scenario, blessing);
   if (options.updates_hash || options.updates_ranges)
-    update_expect(summary, options.updates_ranges, scenario, blessing);
+    update_expect(core, summary, options.updates_ranges, scenario, blessing);
   if (blessing.scenario_text) require_writable(blessing.path);
-  require_expected(blessing.path, scenario, summary);
+  require_expected(core, blessing.path, scenario, summary);
   if (blessing.writes_golden_file())
     for (const std::string& path : {blessing.golden->h5_path, blessing.golden->txt_path})
       require_writable(path);
@@ -141,18 +145,19 @@ void plan(Blessing& blessing, const BlessOptions& options, const OutputGuard& gu
   blessing.exit_code = ExitCode::disagreed;
 }
 
-void write_golden_file(const Blessing& blessing, const std::string& reason) {
+void write_golden_file(const Core& core, const Blessing& blessing, const std::string& reason) {
   const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
   Scenario scenario = load_scenario(blessing.path);
   if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
-  const FreshRun fresh = play_for_golden(scenario);
-  if (blessing.keeps_h5) return write_text_file(txt_path, summary_of(fresh, reason, file_checksum(h5_path)));
+  const FreshRun fresh = play_for_golden(core, scenario);
+  if (blessing.keeps_h5)
+    return write_text_file(txt_path, summary_of(core, fresh, reason, file_checksum(h5_path)));
   std::error_code error;
   fs::create_directories(fs::path(h5_path).parent_path(), error);
   AtomicFile rows(h5_path);
   AtomicFile summary(txt_path);
   write_golden(rows, h5_path, fresh.run);
-  summary.write(summary_of(fresh, reason, file_checksum(rows.part_path())));
+  summary.write(summary_of(core, fresh, reason, file_checksum(rows.part_path())));
   // The rows come last: until they are there, `check` compares with the old ones and reports it.
   summary.commit();
   rows.commit();
@@ -207,21 +212,22 @@ std::string_view name_of(BlessStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-std::vector<Blessing> plan_blessings(const std::vector<std::string>& paths, const BlessOptions& options) {
+std::vector<Blessing> plan_blessings(const Core& core, const std::vector<std::string>& paths,
+                                     const BlessOptions& options) {
   const OutputGuard guard(paths);
   std::vector<Blessing> blessings;
   for (const std::string& path : paths) {
     Blessing& blessing = blessings.emplace_back();
     blessing.path = path;
-    attempt(blessing, [&] { plan(blessing, options, guard); });
+    attempt(blessing, [&] { plan(core, blessing, options, guard); });
   }
   return without_shared_places(std::move(blessings));
 }
 
-void write(Blessing& blessing, const BlessOptions& options) {
+void write(const Core& core, Blessing& blessing, const BlessOptions& options) {
   assert(blessing.writes());
   attempt(blessing, [&] {
-    if (blessing.writes_golden_file()) write_golden_file(blessing, options.reason);
+    if (blessing.writes_golden_file()) write_golden_file(core, blessing, options.reason);
     if (blessing.scenario_text) write_text_file(blessing.path, *blessing.scenario_text);
   });
 }

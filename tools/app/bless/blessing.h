@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/compare/expectations.h"
+#include "sim/core/core.h"
 #include "tools/app/golden/golden_pair.h"
 
 namespace hyrax {
@@ -41,12 +42,12 @@ struct Blessing : PairVerdict {
 /// Plans every scenario, each once; refuses those that share a golden file, whose expectations do not hold,
 /// whose difference is wider than accepted, or whose files cannot be written. Nothing is written. An error is
 /// printed, and becomes a failed blessing.
-[[nodiscard]] std::vector<Blessing> plan_blessings(const std::vector<std::string>& paths,
+[[nodiscard]] std::vector<Blessing> plan_blessings(const Core& core, const std::vector<std::string>& paths,
                                                    const BlessOptions& options);
 
 /// Writes what was planned: the summary, then the rows, then the scenario file. An error is printed, and the
 /// blessing has failed.
 /// REQUIRES: blessing.writes().
-void write(Blessing& blessing, const BlessOptions& options);
+void write(const Core& core, Blessing& blessing, const BlessOptions& options);
 
 }  // namespace hyrax

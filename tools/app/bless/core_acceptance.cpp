@@ -39,12 +39,12 @@ struct LibraryCheck {
   std::size_t checked = 0;
 };
 
-LibraryCheck check_library(const Library& library, const std::set<std::string>& blessed) {
+LibraryCheck check_library(const Core& core, const Library& library, const std::set<std::string>& blessed) {
   LibraryCheck result;
   for (const std::string& path : list_scenarios({library.scenarios_folder})) {
     ++result.checked;
     if (blessed.contains(canonical_path(path))) continue;
-    const CheckVerdict verdict = check_scenario(path, {.golden_folder = library.golden_option});
+    const CheckVerdict verdict = check_scenario(core, path, {.golden_folder = library.golden_option});
     if (verdict.status != CheckStatus::agreed)
       result.disagreeing.push_back(path);
     else if (verdict.has_golden)
@@ -53,22 +53,22 @@ LibraryCheck check_library(const Library& library, const std::set<std::string>& 
   return result;
 }
 
-std::optional<CoreAcceptance> plan(const Library& library, const std::set<std::string>& blessed,
-                                   const std::string& reason) {
-  AcceptedCore core = program_core();
-  if (is_accepted_already(core, library.golden_folder)) return std::nullopt;
-  LibraryCheck check = check_library(library, blessed);
-  core.reason = reason;
-  check.cores.erase(core.name());
+std::optional<CoreAcceptance> plan(const Core& core, const Library& library,
+                                   const std::set<std::string>& blessed, const std::string& reason) {
+  AcceptedCore accepted = program_core(core);
+  if (is_accepted_already(accepted, library.golden_folder)) return std::nullopt;
+  LibraryCheck check = check_library(core, library, blessed);
+  accepted.reason = reason;
+  check.cores.erase(accepted.name());
   check.cores.erase("");
-  core.agreeing_cores.assign(check.cores.begin(), check.cores.end());
-  CoreAcceptance acceptance{library.golden_folder, std::move(core), "", {}};
+  accepted.agreeing_cores.assign(check.cores.begin(), check.cores.end());
+  CoreAcceptance acceptance{library.golden_folder, std::move(accepted), "", {}};
   if (!check.disagreeing.empty()) {
     acceptance.why_not = fmt::format("{} of {} scenarios do not agree, the first is {}",
                                      check.disagreeing.size(), check.checked, check.disagreeing.front());
     return acceptance;
   }
-  CoreCheck differences(library.golden_folder, {});
+  CoreCheck differences(core, library.golden_folder, {});
   differences.judge_differences(library.scenarios_folder);
   acceptance.differences = differences.verdict();
   return acceptance;
@@ -76,14 +76,14 @@ std::optional<CoreAcceptance> plan(const Library& library, const std::set<std::s
 
 }  // namespace
 
-std::vector<CoreAcceptance> plan_core_acceptances(const std::vector<std::string>& arguments,
+std::vector<CoreAcceptance> plan_core_acceptances(const Core& core, const std::vector<std::string>& arguments,
                                                   const std::vector<Blessing>& blessings,
                                                   const BlessOptions& options) {
   std::set<std::string> blessed;
   for (const Blessing& blessing : blessings) blessed.insert(canonical_path(blessing.path));
   std::vector<CoreAcceptance> acceptances;
   for (const Library& library : libraries_of(arguments, options.golden_folder))
-    if (auto acceptance = plan(library, blessed, options.reason))
+    if (auto acceptance = plan(core, library, blessed, options.reason))
       acceptances.push_back(std::move(*acceptance));
   return acceptances;
 }

@@ -7,8 +7,8 @@
 
 #include "sim/cause/constant_change.h"
 #include "sim/cause/run_match.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/traced_kernel.h"
+#include "sim/core/contact_kernel.h"
+#include "sim/core/traced_core.h"
 #include "sim/result/figure.h"
 #include "sim/trace/step_difference.h"
 #include "sim/trace/step_text.h"
@@ -32,7 +32,7 @@ bool depends_on_library(const Expression& expression) {
 
 // What both headers call a number: those that only one of them has stay numbers, and so do 0 and 1, which are
 // in every step.
-NumberNames shared_names(const std::string& accepted, const std::string& program) {
+NumberNames shared_names(std::string_view accepted, std::string_view program) {
   NumberNames names;
   std::set<double> ambiguous = {0.0, 1.0};
   const std::vector<HeaderConstant> others = header_constants(accepted);
@@ -55,17 +55,17 @@ std::vector<HeaderChange> header_changes_of(const CoreVerdict& verdict) {
 // The traced steps, where they are complete, and what plays them.
 struct CoreCheck::Steps {
   std::optional<TracedStep> accepted, program;
-  std::unique_ptr<const Kernel> accepted_kernel;
+  std::optional<Core> accepted_core;
 };
 
 CoreCheck::~CoreCheck() = default;
 CoreCheck::CoreCheck(CoreCheck&&) noexcept = default;
 
-CoreCheck::CoreCheck(const std::string& golden_folder, CoreCommands commands)
-    : steps_(std::make_unique<Steps>()) {
+CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands)
+    : core_(core), steps_(std::make_unique<Steps>()) {
   verdict_.golden_folder = golden_folder;
   verdict_.commands = std::move(commands);
-  const AcceptedCore program = program_core();
+  const AcceptedCore program = program_core(core);
   if (!program.step.empty()) steps_->program = read_step(program.step);
   if (steps_->program)
     verdict_.paths = static_cast<std::int64_t>(steps_->program->paths_of(CoreFunction::update).size());
@@ -87,7 +87,7 @@ CoreCheck::CoreCheck(const std::string& golden_folder, CoreCommands commands)
 }
 
 void CoreCheck::compare() {
-  const AcceptedCore program = program_core();
+  const AcceptedCore program = program_core(core_);
   if (!is_same_model(accepted_->model, program.model)) {
     verdict_.status = CoreStatus::not_proved;
     verdict_.why = fmt::format("the accepted core is of another class (found {}); this program's is {}",
@@ -95,14 +95,14 @@ void CoreCheck::compare() {
     return;
   }
   if (!accepted_->step.empty()) steps_->accepted = read_step(accepted_->step);
-  if (steps_->accepted) steps_->accepted_kernel = make_traced_kernel(*steps_->accepted);
+  if (steps_->accepted) steps_->accepted_core = traced_core(*steps_->accepted);
   for (HeaderChange& change : header_changes(accepted_->header, program.header))
     verdict_.changes.push_back({std::move(change), std::nullopt});
   if (accepted_->header == program.header && accepted_->step == program.step) {
     verdict_.status = CoreStatus::accepted;
     return;
   }
-  const StepProof proof = prove_equal("the accepted core", accepted_->record(), core_record());
+  const StepProof proof = prove_equal("the accepted core", accepted_->record(), core_.record);
   verdict_.status = proof.is_equal ? CoreStatus::proved_equal : CoreStatus::not_proved;
   verdict_.why = proof.why;
 }
@@ -110,8 +110,9 @@ void CoreCheck::compare() {
 CauseBase CoreCheck::base() const {
   const std::vector<HeaderChange> changes = header_changes_of(verdict_);
   return {
-      .program = core_kernel(),
-      .accepted = steps_->accepted_kernel.get(),
+      .program = core_,
+      .accepted = steps_->accepted_core ? &*steps_->accepted_core : nullptr,
+      .has_further_members = steps_->accepted && steps_->accepted->members.size() > kMembersOfRows,
       .why_not_played = why_not_played(),
       .is_same_core = verdict_.status == CoreStatus::accepted || verdict_.status == CoreStatus::proved_equal,
       .core_change =
@@ -125,9 +126,8 @@ CauseBase CoreCheck::base() const {
 std::string CoreCheck::why_not_played() const {
   if (!accepted_ || verdict_.status == CoreStatus::none) return verdict_.why;
   return "the accepted core cannot be played: " + (accepted_->step.empty() ? accepted_->why_incomplete
-                                                   : steps_->accepted
-                                                       ? "it has members besides x, y, vx and vy"
-                                                       : verdict_.why);
+                                                   : steps_->accepted      ? "its step cannot be interpreted"
+                                                                           : verdict_.why);
 }
 
 bool CoreCheck::covers(const std::string& core_name) const {
@@ -139,7 +139,7 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   if (fresh.empty()) return;
   verdict_.status = CoreStatus::changed;
   verdict_.why.clear();
-  if (!steps_->accepted_kernel || !steps_->program) return;
+  if (!steps_->accepted_core || !steps_->program) return;
   TracedStep all = *steps_->accepted;
   for (const CoreChange& change : verdict_.changes)
     if (change.change.kind == HeaderChangeKind::constant)
@@ -147,8 +147,8 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   if (all != *steps_->program) return;  // Something else changed, too: a constant alone proves nothing.
   for (CoreChange& change : verdict_.changes) {
     if (change.change.kind != HeaderChangeKind::constant) continue;
-    const auto alone = make_traced_kernel(
-        with_constant(*steps_->accepted, change.change.from.value, change.change.to.value));
+    const auto alone =
+        traced_core(with_constant(*steps_->accepted, change.change.from.value, change.change.to.value));
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }
@@ -156,10 +156,10 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
 
 void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_open = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
-  if (!is_open || !steps_->accepted_kernel || !steps_->program) return;
+  if (!is_open || !steps_->accepted_core || !steps_->program) return;
   const StepPair pair(*steps_->accepted, *steps_->program,
-                      shared_names(accepted_->header, program_core().header));
-  const CorePair cores{pair, *steps_->accepted_kernel, core_kernel()};
+                      shared_names(accepted_->header, core_.record.header));
+  const CorePair cores{pair, *steps_->accepted_core, core_};
   std::vector<bool> noticed(pair.differences().size());
   std::vector<UnlistedFolder> unlisted;
   for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {

@@ -13,6 +13,7 @@
 
 #include "sim/cause/cause_groups.h"
 #include "sim/cause/header_change.h"
+#include "sim/core/core.h"
 #include "tools/app/causes/unnoticed.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/failure.h"
@@ -49,9 +50,9 @@ struct CoreVerdict {
 
 class CoreCheck {
  public:
-  /// Reads and compares; what is damaged or missing becomes part of the verdict.
+  /// Reads and compares; refers to the core. What is damaged or missing becomes part of the verdict.
   /// @param commands that the verdict suggests; empty ones are left out.
-  CoreCheck(const std::string& golden_folder, CoreCommands commands);
+  CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands);
   ~CoreCheck();
   CoreCheck(CoreCheck&&) noexcept;
 
@@ -78,6 +79,7 @@ class CoreCheck {
   void compare();
   [[nodiscard]] std::string why_not_played() const;
 
+  const Core& core_;
   CoreVerdict verdict_;
   std::optional<AcceptedCore> accepted_;
   std::unique_ptr<Steps> steps_;
@@ -86,12 +88,12 @@ class CoreCheck {
 /// The checks of several golden folders, each made when first asked for.
 class CoreChecks {
  public:
-  /// @param scenarios,golden_option as of core_commands.
-  CoreChecks(const std::vector<std::string>& scenarios, const std::string& golden_option)
-      : commands_(core_commands(scenarios, golden_option)) {}
+  /// Refers to the core. @param scenarios,golden_option as of core_commands.
+  CoreChecks(const Core& core, const std::vector<std::string>& scenarios, const std::string& golden_option)
+      : core_(core), commands_(core_commands(scenarios, golden_option)) {}
 
   [[nodiscard]] CoreCheck& of(const std::string& golden_folder) {
-    return checks_.try_emplace(golden_folder, golden_folder, commands_).first->second;
+    return checks_.try_emplace(golden_folder, core_, golden_folder, commands_).first->second;
   }
   /// In order of the folders' names.
   [[nodiscard]] std::vector<const CoreVerdict*> verdicts() const {
@@ -101,6 +103,7 @@ class CoreChecks {
   }
 
  private:
+  const Core& core_;
   CoreCommands commands_;
   std::map<std::string, CoreCheck> checks_;
 };

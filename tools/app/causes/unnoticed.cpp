@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "sim/cause/watched_kernel.h"
+#include "sim/cause/watched_core.h"
 #include "sim/compare/run_distance.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/shrink.h"
@@ -46,15 +46,15 @@ std::string consequence_of(const CorePair& cores, Scenario scenario) {
   const double dt_s = base_dt_s(scenario.clock);
   const double steps = dt_s > 0.0 ? std::ceil(kConsequence_s / dt_s) : 1.0;
   scenario.length = static_cast<std::int64_t>(std::min(steps, static_cast<double>(kConsequenceSteps)));
-  const RunSummary before = play(scenario, cores.accepted);
-  const RunSummary after = play(scenario, cores.program);
+  const RunSummary before = play(cores.accepted, scenario);
+  const RunSummary after = play(cores.program, scenario);
   const double apart_px = distance_px(state_of(before.final), state_of(after.final));
   if (after.non_finite_step) return fmt::format("not finite from step {}", *after.non_finite_step);
   return fmt::format("after {:.3g} s {:.3g} px apart", after.final.t_s, apart_px);
 }
 
 bool differs(const CorePair& cores, const Scenario& scenario) {
-  return play(scenario, cores.accepted).state_hash != play(scenario, cores.program).state_hash;
+  return play(cores.accepted, scenario).state_hash != play(cores.program, scenario).state_hash;
 }
 
 // By difference: whether the scenario shows it.
@@ -67,10 +67,10 @@ std::vector<bool> shown_by(const CorePair& cores, const Scenario& scenario) {
 }  // namespace
 
 void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed) {
-  const WatchedKernel watched(cores.accepted, [&](const StepInput& input) {
+  const Core accepted = watched(cores.accepted, [&](const StepInput& input) {
     if (std::ranges::find(noticed, false) != noticed.end()) cores.steps.notice(input, noticed);
   });
-  static_cast<void>(play(scenario, watched));
+  static_cast<void>(play(accepted, scenario));
 }
 
 std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const std::vector<bool>& noticed) {
@@ -90,7 +90,8 @@ std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const s
         const auto shows = [&](const Scenario& scenario) {
           return differs(cores, scenario) && (search.frames > 1 || shown_by(cores, scenario)[index]);
         };
-        Scenario scenario = shrink(scenario_of(search), shows, {.trials_max = kShrinkTrials}).scenario;
+        Scenario scenario =
+            shrink(cores.program, scenario_of(search), shows, {.trials_max = kShrinkTrials}).scenario;
         const std::vector<bool> others = shown_by(cores, scenario);
         for (std::size_t other = index + 1; other < others.size(); ++other)
           if (others[other] && !shown[other]) shown[other] = unnoticed.size();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trace/step_difference.h"
 
@@ -23,8 +23,8 @@ struct UnnoticedDifference {
 /// The accepted core, this program's, and their steps. Refers to all.
 struct CorePair {
   const StepPair& steps;
-  const Kernel& accepted;
-  const Kernel& program;
+  const Core& accepted;
+  const Core& program;
 };
 
 /// Marks in `noticed` (one a difference) those that a row of the scenario shows, played by the accepted core.

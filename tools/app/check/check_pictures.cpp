@@ -54,17 +54,17 @@ void draw(const PairVerdict& scenario, const std::string& path) {
 }
 
 // The run is written for the page only, which holds all that it needs of it.
-void write_page(const CheckReport& report, const DifferenceGroup& group, const PairVerdict& scenario,
-                const std::string& path) {
+void write_page(const Core& core, const CheckReport& report, const DifferenceGroup& group,
+                const PairVerdict& scenario, const std::string& path) {
   const TemporaryFolder folder;
   const std::string run = folder.path() + "/" + scenario.runs->fresh.scenario.name + ".h5";
   const auto checked = static_cast<std::size_t>(report.scenario_count());
-  static_cast<void>(write_run(run, scenario.runs->fresh.scenario, {}));
-  write_report({.files = {run},
-                .against = scenario.golden->h5_path,
-                .output = path,
-                .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)}),
-                .cause = cause_sentence(group, checked).text() + " " + consequence_sentence(group)});
+  static_cast<void>(write_run(core, run, scenario.runs->fresh.scenario, {}));
+  write_report(core, {.files = {run},
+                      .against = scenario.golden->h5_path,
+                      .output = path,
+                      .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)}),
+                      .cause = cause_sentence(group, checked).text() + " " + consequence_sentence(group)});
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ std::vector<std::string> picture_paths(const std::string& path) {
   return paths;
 }
 
-std::vector<GroupPicture> write_pictures(const CheckReport& report, const std::string& path) {
+std::vector<GroupPicture> write_pictures(const Core& core, const CheckReport& report,
+                                         const std::string& path) {
   std::vector<GroupPicture> pictures;
   for (std::size_t group = 0; group < std::min(report.groups().size(), kPicturesMax); ++group) {
     GroupPicture& picture = pictures.emplace_back();
@@ -89,7 +90,7 @@ std::vector<GroupPicture> write_pictures(const CheckReport& report, const std::s
       draw(*scenario, svg_path(path, group));
       picture.svg = file_name_of(svg_path(path, group));
       if (group > 0 || page_template(PageKind::runs).empty()) continue;
-      write_page(report, report.groups()[group], *scenario, html_path(path));
+      write_page(core, report, report.groups()[group], *scenario, html_path(path));
       picture.html = file_name_of(html_path(path));
     } catch (const Failure& failure) {
       picture.missing = failure.what();

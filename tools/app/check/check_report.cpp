@@ -139,10 +139,10 @@ void print_every(const CheckReport& report) {
 
 }  // namespace
 
-CheckReport::CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
-                         std::string golden_folder)
+CheckReport::CheckReport(const Core& core, std::vector<CheckVerdict> verdicts,
+                         std::vector<std::string> arguments, std::string golden_folder)
     : verdicts_(std::move(verdicts)),
-      cores_(arguments, golden_folder),
+      cores_(core, arguments, golden_folder),
       arguments_(std::move(arguments)),
       golden_folder_(std::move(golden_folder)) {
   std::vector<const PairVerdict*> differing;

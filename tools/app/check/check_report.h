@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "tools/app/causes/difference_group.h"
 #include "tools/app/causes/library.h"
 #include "tools/app/check/check_verdict.h"
@@ -17,9 +18,10 @@ namespace hyrax {
 /// The verdicts, and the differing ones by cause. Nothing is explained where all agree.
 class CheckReport {
  public:
+  /// Refers to the core.
   /// @param arguments the scenarios and folders as given; none: the folder `scenarios`.
   /// @param golden_folder as given; empty if it was not.
-  CheckReport(std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
+  CheckReport(const Core& core, std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
               std::string golden_folder);
   CheckReport(const CheckReport&) = delete;
   CheckReport& operator=(const CheckReport&) = delete;
@@ -109,6 +111,7 @@ inline constexpr std::size_t kPicturesMax = 3;
 /// Draws both paths of the worst scenario of each of the first groups, and writes the page on which the worst
 /// of all can be played, where this program has the page. What cannot be drawn changes no verdict: the text
 /// says why.
-[[nodiscard]] std::vector<GroupPicture> write_pictures(const CheckReport& report, const std::string& path);
+[[nodiscard]] std::vector<GroupPicture> write_pictures(const Core& core, const CheckReport& report,
+                                                       const std::string& path);
 
 }  // namespace hyrax

@@ -5,7 +5,7 @@
 #include <new>
 #include <optional>
 
-#include "sim/cause/watched_kernel.h"
+#include "sim/cause/watched_core.h"
 #include "sim/study/reference_model.h"
 #include "sim/trace/step_program.h"
 #include "tools/app/core/paper_model.h"
@@ -22,22 +22,23 @@ namespace {
 
 using Status = CheckVerdict::Status;
 
-void judge_into(const Scenario& scenario, const CheckOptions& options, CheckVerdict& verdict) {
-  require_measurable(verdict.path, scenario);
+void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& options,
+                CheckVerdict& verdict) {
+  require_measurable(core, verdict.path, scenario);
   verdict.golden = golden_place(verdict.path, options.golden_folder);
   const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
-  const WatchedKernel watched(core_kernel(), [&](const StepInput& input) {
+  const Core watched_core = watched(core, [&](const StepInput& input) {
     verdict.paths_taken.insert(options.watched_step->path_taken(input));
   });
-  const Kernel& kernel = options.watched_step ? watched : core_kernel();
-  auto pair = has_golden ? compare_with_pair(scenario, *verdict.golden, options.reads_golden, kernel)
-                         : PairComparison{.summary = play(scenario, kernel)};
+  const Core& playing = options.watched_step ? watched_core : core;
+  auto pair = has_golden ? compare_with_pair(playing, scenario, *verdict.golden, options.reads_golden)
+                         : PairComparison{.summary = play(playing, scenario)};
   verdict.is_open = !pair;
   if (!pair) return;
   verdict.comparison = std::move(pair->comparison);
   verdict.note = std::move(pair->note);
   verdict.runs = std::move(pair->runs);
-  verdict.broken = broken_expectations(scenario, pair->summary, reference_model());
+  verdict.broken = broken_expectations(core, scenario, pair->summary, reference_model(core));
   if (!has_golden) verdict.state_hash = hex(pair->summary.state_hash);
   verdict.non_finite = non_finite_text(scenario, pair->summary.final);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
@@ -63,7 +64,7 @@ std::string stored_state_hash(const GoldenPlace& place) try {
 
 }  // namespace
 
-CheckVerdict check_scenario(const std::string& path, const CheckOptions& options) {
+CheckVerdict check_scenario(const Core& core, const std::string& path, const CheckOptions& options) {
   CheckVerdict verdict;
   verdict.path = path;
   verdict.golden_option = options.golden_folder;
@@ -71,7 +72,7 @@ CheckVerdict check_scenario(const std::string& path, const CheckOptions& options
   const auto start = std::chrono::steady_clock::now();
   try {
     if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
-    judge_into(load_scenario(path), options, verdict);
+    judge_into(core, load_scenario(path), options, verdict);
     verdict.exit_code = exit_code_of(verdict.status);
   } catch (const Failure& failure) {
     fail(verdict, failure.exit_code(), failure.what());

@@ -9,6 +9,7 @@
 
 #include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
+#include "sim/core/core.h"
 #include "sim/trace/step_player.h"
 #include "tools/app/golden/golden_pair.h"
 #include "tools/files/check_status.h"
@@ -41,7 +42,8 @@ struct CheckOptions {
 };
 
 /// Plays a scenario and compares; never throws Failure: it becomes a verdict.
-[[nodiscard]] CheckVerdict check_scenario(const std::string& path, const CheckOptions& options);
+[[nodiscard]] CheckVerdict check_scenario(const Core& core, const std::string& path,
+                                          const CheckOptions& options);
 
 /// A verdict for each golden file without a scenario, and for each golden folder that cannot be read; see
 /// find_unreferenced.

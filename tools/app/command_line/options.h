@@ -11,12 +11,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "tools/app/command_line/print.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
+
+struct Core;
 
 /// Throws Failure(bad_input) "COMMAND: WHAT; see `COMMAND --help`".
 [[noreturn]] void refuse_usage(const std::string& command, const std::string& what);
@@ -96,16 +99,22 @@ struct Command {
   bool is_common = false;         ///< Is on the first help screen; else under "more".
   bool needs_strict_ieee = true;  ///< Runs only on a machine that passes the self-test.
   bool needs_paper_step = false;  ///< Does not apply to a core of another shape.
-  std::function<std::function<ExitCode()>(Options&)> declare;
+  std::function<std::function<ExitCode(const Core& core)>(Options&)> declare;
 };
 
-/// A command's member `declare`: binds the options to a request, which `act` gets.
-template <class Request>
-[[nodiscard]] auto with_request(void (*declare)(Options&, Request&), std::function<ExitCode(Request&)> act) {
+/// A command's member `declare`: binds the options to a request, which `act` gets, after the core if it takes
+/// one.
+template <class Request, class Act>
+[[nodiscard]] auto with_request(void (*declare)(Options&, Request&), Act act) {
   return [=](Options& options) {
     const auto request = std::make_shared<Request>();
     declare(options, *request);
-    return [=] { return act(*request); };
+    return [=]([[maybe_unused]] const Core& core) {
+      if constexpr (std::is_invocable_v<Act, const Core&, Request&>)
+        return act(core, *request);
+      else
+        return act(*request);
+    };
   };
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "sim/cause/header_change.h"
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"
@@ -94,9 +94,9 @@ bool AcceptedCore::covers(const std::string& core_name) const {
   return core_name == name() || std::ranges::find(agreeing_cores, core_name) != agreeing_cores.end();
 }
 
-AcceptedCore program_core() {
-  const CoreRecord& record = core_record();
-  return {.model = std::string(core_model()),
+AcceptedCore program_core(const Core& core) {
+  const CoreRecord& record = core.record;
+  return {.model = std::string(core.name),
           .header = std::string(record.header),
           .step = std::string(record.step),
           .why_incomplete = std::string(record.why_incomplete),
@@ -104,8 +104,8 @@ AcceptedCore program_core() {
           .reason = {}};
 }
 
-std::shared_ptr<const StepProgram> program_step() {
-  const std::optional<TracedStep> step = read_step(core_record().step);
+std::shared_ptr<const StepProgram> program_step(const Core& core) {
+  const std::optional<TracedStep> step = read_step(core.record.step);
   return step ? make_step_program(*step) : nullptr;
 }
 

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/trace/core_record.h"
+#include "sim/core/core.h"
+#include "sim/core/core_record.h"
 #include "sim/trace/step_player.h"
 
 namespace hyrax {
@@ -32,10 +33,10 @@ struct AcceptedCore {
 };
 
 /// This program's core, without a reason.
-[[nodiscard]] AcceptedCore program_core();
+[[nodiscard]] AcceptedCore program_core(const Core& core);
 
 /// This program's step, ready to be played; null if it is not complete.
-[[nodiscard]] std::shared_ptr<const StepProgram> program_step();
+[[nodiscard]] std::shared_ptr<const StepProgram> program_step(const Core& core);
 
 /// FOLDER/core.
 [[nodiscard]] std::string accepted_core_folder(const std::string& golden_folder);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/reference/drift_run.h"
 #include "sim/reference/gsl_flight.h"
 #include "sim/result/result.h"
@@ -39,10 +40,10 @@ inline constexpr std::size_t kArcsListedMax = 100'000;
 inline constexpr std::size_t kRowsDrawnMax = 4'000;
 
 struct DriftOptions {
-  std::optional<GslOptions> gsl;    ///< A second solution of every arc; none: the closed form alone.
-  bool keeps_rows = false;          ///< For a figure.
-  Model model = reference_model();  ///< Of a file: its constants' (load_drift).
-  DriftSink* also = nullptr;        ///< Gets every measurement as well, its rows if it wants them.
+  std::optional<GslOptions> gsl;  ///< A second solution of every arc; none: the closed form alone.
+  bool keeps_rows = false;        ///< For a figure.
+  Model model = {};               ///< Of the core, or of a file its constants'.
+  DriftSink* also = nullptr;      ///< Gets every measurement as well, its rows if it wants them.
 };
 
 /// Measures the whole run, its arcs, its contacts and the margin, as the run is played or read.
@@ -61,17 +62,17 @@ class DriftRecorder {
 };
 
 /// Plays the scenario once. Shows progress.
-[[nodiscard]] DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options = {});
+[[nodiscard]] DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options = {});
 /// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
 /// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
-[[nodiscard]] DriftRun load_drift(const std::string& path, DriftOptions options = {});
+[[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options = {});
 
 /// How a measurement ends: a fault of the reference is an internal error.
 [[nodiscard]] ExitCode drift_exit_code(const DriftSummary& summary);
 
 /// Time of one physics::update on this machine in ns, over the scenario's first frames without its events:
 /// the least of several rounds, a few ms in all. Nothing without frames.
-[[nodiscard]] std::optional<double> step_ns(const Scenario& scenario);
+[[nodiscard]] std::optional<double> step_ns(const Core& core, const Scenario& scenario);
 
 /// The same scenario at half the dt: twice the frames, its events at the same times.
 struct HalfDt {
@@ -84,7 +85,7 @@ struct HalfDtOutcome {
   std::optional<HalfDt> half;
   std::string why_not;  ///< If it was not measured.
 };
-[[nodiscard]] HalfDtOutcome measure_half_dt(const Scenario& scenario);
+[[nodiscard]] HalfDtOutcome measure_half_dt(const Core& core, const Scenario& scenario);
 
 struct DriftReport {
   DriftRun run;

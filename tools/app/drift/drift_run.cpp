@@ -125,16 +125,17 @@ DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
   return std::move(run);
 }
 
-DriftRun measure_drift(const Scenario& scenario, const DriftOptions& options) {
+DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options) {
+  options.model = reference_model(core);
   DriftRecorder recorder(scenario, options);
-  const RunSummary summary = play_with_progress(scenario, recorder.sinks());
+  const RunSummary summary = play_with_progress(core, scenario, recorder.sinks());
   return recorder.finish(summary.steps, summary.simulated_s);
 }
 
-DriftRun load_drift(const std::string& path, DriftOptions options) {
+DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options) {
   const TrajectoryFile file = TrajectoryFile::open(path);
   const FileHead& head = file.head();
-  require_own_core(path, head.physics);
+  require_own_core(core, path, head.physics);
   if (!head.constants) file.refuse("attribute constants: is missing");
   options.model = reference_model(head.physics, head.constants);
   DriftRecorder recorder(head.scenario, options);
@@ -142,7 +143,7 @@ DriftRun load_drift(const std::string& path, DriftOptions options) {
     read_into(file, recorder.sinks());
     return recorder.finish(head.steps, file.rows(head.steps, 1).t_s.front());
   }
-  const RunSummary summary = play_with_progress(head.scenario, recorder.sinks());
+  const RunSummary summary = play_with_progress(core, head.scenario, recorder.sinks());
   DriftRun run = recorder.finish(summary.steps, summary.simulated_s);
   run.note = fmt::format("replayed from its scenario: the file holds {} of {} rows", file.row_count(),
                          head.steps + 1);

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/replay/core.h"
+#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/app/drift/drift.h"
@@ -23,9 +23,9 @@ std::vector<double> first_frames_s(const Scenario& scenario) {
   return frames_s;
 }
 
-void play(const Scenario& scenario, const std::vector<double>& frames_s, int times) {
+void play(const Core& core, const Scenario& scenario, const std::vector<double>& frames_s, int times) {
   const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
-  for (int time = 0; time < times; ++time) keep(core_played(start_state(scenario), frames_s, bounds));
+  for (int time = 0; time < times; ++time) keep(core.played(start_state(scenario), frames_s, bounds));
 }
 
 // Twice the frames, and twice the frame numbers of events; a hitch keeps its dt.
@@ -45,7 +45,7 @@ std::optional<Scenario> at_half_dt(Scenario scenario) {
 
 }  // namespace
 
-std::optional<double> step_ns(const Scenario& scenario) {
+std::optional<double> step_ns(const Core& core, const Scenario& scenario) {
   const std::vector<double> frames_s = first_frames_s(scenario);
   if (frames_s.empty()) return std::nullopt;
   constexpr std::size_t kStepsPerRound = 100'000;
@@ -54,14 +54,14 @@ std::optional<double> step_ns(const Scenario& scenario) {
   double least_ns = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kRounds; ++round) {
     const auto start = std::chrono::steady_clock::now();
-    play(scenario, frames_s, times);
+    play(core, scenario, frames_s, times);
     const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
     least_ns = std::min(least_ns, elapsed.count());
   }
   return least_ns / static_cast<double>(times) / static_cast<double>(frames_s.size());
 }
 
-HalfDtOutcome measure_half_dt(const Scenario& scenario) {
+HalfDtOutcome measure_half_dt(const Core& core, const Scenario& scenario) {
   constexpr std::int64_t kStepsMaxHere = 1'000'000;
   if (scenario.clock.jitter) return {{}, "jitter"};
   if (std::holds_alternative<RecordedSteps>(scenario.clock.base)) return {{}, "a trace"};
@@ -71,11 +71,11 @@ HalfDtOutcome measure_half_dt(const Scenario& scenario) {
   const std::optional<Scenario> halved = at_half_dt(scenario);
   if (!halved) return {{}, "no such clock"};
   HalfDt half;
-  const DriftRun run = measure_drift(*halved);
+  const DriftRun run = measure_drift(core, *halved);
   half.summary = run.summary;
   half.longest_arc = run.longest_arc;
   half.steps = step_count(*halved);
-  half.step_ns = step_ns(*halved).value_or(0.0);
+  half.step_ns = step_ns(core, *halved).value_or(0.0);
   return {half, ""};
 }
 

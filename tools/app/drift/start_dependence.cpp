@@ -75,9 +75,9 @@ std::string margin_text(const Margin& margin) {
                      margin.nearest->step);
 }
 
-ContactChance contact_chance_of(const Scenario& scenario, const Margin& margin) {
+ContactChance contact_chance_of(const Core& core, const Scenario& scenario, const Margin& margin) {
   // Where no decision depends on the start, no start changes a contact.
-  return contact_chance(scenario, margin.half_width.value_or(std::numeric_limits<double>::infinity()));
+  return contact_chance(core, scenario, margin.half_width.value_or(std::numeric_limits<double>::infinity()));
 }
 
 std::string start_text(const StartDependence& start, bool all) {

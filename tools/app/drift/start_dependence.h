@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/core/core.h"
 #include "sim/reference/margin.h"
 #include "sim/result/table.h"
 #include "sim/search/contact_chance.h"
@@ -22,7 +23,8 @@ struct StartDependence {
 [[nodiscard]] std::string margin_text(const Margin& margin);
 
 /// Plays 200 starts beside the scenario's.
-[[nodiscard]] ContactChance contact_chance_of(const Scenario& scenario, const Margin& margin);
+[[nodiscard]] ContactChance contact_chance_of(const Core& core, const Scenario& scenario,
+                                              const Margin& margin);
 
 /// The lines of the text: margin; chance, as "within ±1 px of the start, contacts change for 38 % of starts
 /// (31 .. 45 %; 200 starts, seed 1)". @param all the table of d(end) / d(start), too.

@@ -12,22 +12,22 @@ std::optional<double> value_of(const std::optional<Worst>& worst) {
 
 }  // namespace
 
-ReplayOptions judged_options(const Scenario& scenario, const Kernel& kernel) {
-  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds, .kernel = &kernel};
+ReplayOptions judged_options(const Scenario& scenario) {
+  return {.checks_bounds = scenario.expect && scenario.expect->in_bounds};
 }
 
-RunSummary play(const Scenario& scenario, const Kernel& kernel) {
-  return replay(scenario, {}, judged_options(scenario, kernel));
+RunSummary play(const Core& core, const Scenario& scenario) {
+  return replay(core, scenario, {}, judged_options(scenario));
 }
 
-std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
+std::vector<Expectation> judge_run(const Core& core, const Scenario& scenario, const RunSummary& summary,
                                    std::optional<DriftSummary> measured, const Model& model) {
   if (!scenario.expect) return {};
   if (!bounds_errors(*scenario.expect)) return judge(*scenario.expect, summary);
   if (!measured) {
     DriftSink ignored;
     DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored, nullptr, model);
-    replay(scenario, meter);
+    replay(core, scenario, meter);
     measured = meter.finish();
   }
   return judge(*scenario.expect, summary,
@@ -35,10 +35,10 @@ std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& s
                          value_of(measured->energy_drift_rel_max)});
 }
 
-std::vector<Expectation> broken_expectations(const Scenario& scenario, const RunSummary& summary,
-                                             const Model& model) {
+std::vector<Expectation> broken_expectations(const Core& core, const Scenario& scenario,
+                                             const RunSummary& summary, const Model& model) {
   std::vector<Expectation> broken;
-  for (Expectation& expectation : judge_run(scenario, summary, std::nullopt, model))
+  for (Expectation& expectation : judge_run(core, scenario, summary, std::nullopt, model))
     if (!expectation.holds) broken.push_back(std::move(expectation));
   return broken;
 }

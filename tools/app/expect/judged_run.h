@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/compare/expectations.h"
+#include "sim/core/core.h"
 #include "sim/reference/drift.h"
-#include "sim/replay/kernel.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/scenario.h"
 #include "tools/files/json.h"
@@ -15,20 +15,21 @@
 namespace hyrax {
 
 /// The options of a replay whose summary has all that `expect` judges.
-[[nodiscard]] ReplayOptions judged_options(const Scenario& scenario, const Kernel& kernel = core_kernel());
+[[nodiscard]] ReplayOptions judged_options(const Scenario& scenario);
 
 /// Plays the scenario for its summary alone.
-[[nodiscard]] RunSummary play(const Scenario& scenario, const Kernel& kernel = core_kernel());
+[[nodiscard]] RunSummary play(const Core& core, const Scenario& scenario);
 
 /// The verdicts on the scenario's `expect`.
 /// @param measured the errors against the reference; without it the run is played again where one is bounded.
 /// @param model the laws it is measured by.
-[[nodiscard]] std::vector<Expectation> judge_run(const Scenario& scenario, const RunSummary& summary,
+[[nodiscard]] std::vector<Expectation> judge_run(const Core& core, const Scenario& scenario,
+                                                 const RunSummary& summary,
                                                  std::optional<DriftSummary> measured = std::nullopt,
                                                  const Model& model = {});
 
 /// Those that do not hold.
-[[nodiscard]] std::vector<Expectation> broken_expectations(const Scenario& scenario,
+[[nodiscard]] std::vector<Expectation> broken_expectations(const Core& core, const Scenario& scenario,
                                                            const RunSummary& summary,
                                                            const Model& model = {});
 

@@ -4,9 +4,7 @@
 #include <cassert>
 
 #include "sim/cause/cause.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_shape.h"
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/reference_model.h"
 #include "sim/trajectory/physics_model.h"
@@ -35,8 +33,8 @@ bool has_input_within(const std::vector<Input>& inputs, std::int64_t first_step,
 
 // Sends the rows that can decide the margin. A block that repeats is played until its start has no effect
 // any more, and the rest of it skipped: its last row has the same state each time.
-void send_decisive_rows(const StoredRun& run, RowSink& sink) {
-  auto replay = std::make_optional<Replay>(run.scenario, sink);
+void send_decisive_rows(const Core& core, const StoredRun& run, RowSink& sink) {
+  auto replay = std::make_optional<Replay>(core, run.scenario, sink);
   for (std::size_t index = 0; index + 1 < run.blocks.size(); ++index) {
     const StoredBlock& block = run.blocks[index];
     const Keyframe& next = run.blocks[index + 1].keyframe;
@@ -48,21 +46,21 @@ void send_decisive_rows(const StoredRun& run, RowSink& sink) {
     Columns row;
     row.append(next.row);
     sink.rows(row);
-    replay.emplace(run.scenario, next, sink);
+    replay.emplace(core, run.scenario, next, sink);
   }
   replay->play_to(run.steps);
   static_cast<void>(replay->finish());
 }
 
 // Empty for a core of another shape: the margin is measured by the paper's laws.
-std::string margin_in_summary(const FreshRun& fresh) {
+std::string margin_in_summary(const Core& core, const FreshRun& fresh) {
   const StoredRun& run = fresh.run;
   if (!run.constants) return "";
   MarginMeter meter(run.scenario, run.inputs, reference_model(run.physics, run.constants));
   if (run.blocks.empty())
     meter.rows(run.rows);
   else
-    send_decisive_rows(run, meter);
+    send_decisive_rows(core, run, meter);
   const Margin margin = meter.margin();
   return margin_text(margin) + (is_knife_edge(margin) ? " (a knife edge)" : "");
 }
@@ -89,18 +87,18 @@ std::string changed_text(const std::string& fault) {
          "; restore it, or bless the scenario again";
 }
 
-PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& place, const std::string& text,
-                                FreshRun fresh, const std::string& h5_checksum) {
+PairComparison read_and_compare(const Core& core, const Scenario& scenario, const GoldenPlace& place,
+                                const std::string& text, FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
-  require_own_core(place.h5_path, kept.physics);
-  ComparedRun compared = compare_with(kept, scenario);
+  require_own_core(core, place.h5_path, kept.physics);
+  ComparedRun compared = compare_with(core, kept, scenario);
   PairComparison pair{
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
   const std::optional<std::string> blessed_checksum = summary_file_checksum(text);
   const bool is_blessed_file = !blessed_checksum || *blessed_checksum == h5_checksum;
   const bool is_repeated = fresh.run.state_hash == hex(compared.summary.state_hash);
   const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
-  if (is_repeated && !is_blessed_file && !is_same_scenario && !gives_its_rows(kept)) {
+  if (is_repeated && !is_blessed_file && !is_same_scenario && !gives_its_rows(core, kept)) {
     pair.gives_its_rows = false;
     refuse_pair(pair.comparison, changed_text(place.h5_path + ": its scenario does not give its rows"));
     return pair;
@@ -126,37 +124,40 @@ PairComparison read_and_compare(const Scenario& scenario, const GoldenPlace& pla
   return pair;
 }
 
-bool has_core_constants(const StoredRun& kept) {
-  const std::optional<Constants> constants = measured_constants();
+bool has_core_constants(const Core& core, const StoredRun& kept) {
+  const std::optional<Constants> constants = core.constants;
   if (!kept.constants || !constants) return kept.constants.has_value() == constants.has_value();
   return numbers_of(*kept.constants) == numbers_of(*constants);
 }
 
 }  // namespace
 
-std::string summary_of(const FreshRun& fresh, const std::string& reason, const std::string& h5_checksum) {
+std::string summary_of(const Core& core, const FreshRun& fresh, const std::string& reason,
+                       const std::string& h5_checksum) {
   WaypointMeter waypoints(step_count(fresh.run.scenario));
-  static_cast<void>(replay(fresh.run.scenario, waypoints));
-  return golden_summary_text(fresh.run, fresh.summary, waypoints.take(), reason, margin_in_summary(fresh),
-                             {contents_checksum(fresh.run), h5_checksum, program_core().name()});
+  static_cast<void>(replay(core, fresh.run.scenario, waypoints));
+  return golden_summary_text(fresh.run, fresh.summary, waypoints.take(), reason,
+                             margin_in_summary(core, fresh),
+                             {contents_checksum(fresh.run), h5_checksum, program_core(core).name()});
 }
 
-std::optional<PairComparison> compare_with_pair(const Scenario& scenario, const GoldenPlace& place,
-                                                bool reads_h5, const Kernel& kernel) {
+std::optional<PairComparison> compare_with_pair(const Core& core, const Scenario& scenario,
+                                                const GoldenPlace& place, bool reads_h5) {
   const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
-  FreshRun fresh = play_for_golden(scenario, kernel);
+  FreshRun fresh = play_for_golden(core, scenario);
   if (has_checksums(text, contents_checksum(fresh.run), h5_checksum) &&
       text.starts_with("scenario: " + scenario.name + "\n"))
     return PairComparison{.summary = fresh.summary};
   if (!reads_h5) return std::nullopt;
-  return read_and_compare(scenario, place, text, std::move(fresh), h5_checksum);
+  return read_and_compare(core, scenario, place, text, std::move(fresh), h5_checksum);
 }
 
-bool is_h5_current(const Scenario& scenario, const GoldenPlace& place) {
+bool is_h5_current(const Core& core, const Scenario& scenario, const GoldenPlace& place) {
   const StoredRun kept = read_golden(place.h5_path);
-  return kept.scenario.name == scenario.name && kept.physics == core_model() && has_core_constants(kept) &&
-         compare_with(kept, scenario).comparison.agrees && !attribute_difference(place.h5_path, kept, false);
+  return kept.scenario.name == scenario.name && kept.physics == core.name && has_core_constants(core, kept) &&
+         compare_with(core, kept, scenario).comparison.agrees &&
+         !attribute_difference(place.h5_path, kept, false);
 }
 
 }  // namespace hyrax

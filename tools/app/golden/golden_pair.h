@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/stored_run.h"
 #include "tools/app/play/golden_run.h"
 #include "tools/files/failure.h"
@@ -48,21 +48,19 @@ struct PairVerdict {
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
 /// checksums of the summary do not prove that it agrees.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
-/// @param kernel the program's core, or what watches it.
 /// REQUIRES: the .h5 file exists (without its .txt the pair never agrees); with `reads_h5`, as read_isolated.
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
-[[nodiscard]] std::optional<PairComparison> compare_with_pair(const Scenario& scenario,
-                                                              const GoldenPlace& place, bool reads_h5,
-                                                              const Kernel& kernel = core_kernel());
+[[nodiscard]] std::optional<PairComparison> compare_with_pair(const Core& core, const Scenario& scenario,
+                                                              const GoldenPlace& place, bool reads_h5);
 
 /// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
 /// would, its provenance aside, whatever the summary says.
 /// REQUIRES, ERRORS: as compare_with_pair's with `reads_h5`.
-[[nodiscard]] bool is_h5_current(const Scenario& scenario, const GoldenPlace& place);
+[[nodiscard]] bool is_h5_current(const Core& core, const Scenario& scenario, const GoldenPlace& place);
 
 /// The summary that is blessed with a run of this program's core.
 /// @param h5_checksum file_checksum of the .h5 file.
-[[nodiscard]] std::string summary_of(const FreshRun& fresh, const std::string& reason,
+[[nodiscard]] std::string summary_of(const Core& core, const FreshRun& fresh, const std::string& reason,
                                      const std::string& h5_checksum);
 
 }  // namespace hyrax

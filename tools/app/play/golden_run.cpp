@@ -5,9 +5,8 @@
 #include <memory>
 
 #include "sim/compare/run_comparer.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_shape.h"
-#include "sim/replay/listing_kernel.h"
+#include "sim/core/core.h"
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -72,10 +71,10 @@ class ContactSink final : public RowSink {
 };
 
 // Replays a stored block from its keyframe.
-RowBlock expand(const Scenario& scenario, const StoredBlock& kept, const Kernel& kernel) {
+RowBlock expand(const Core& core, const Scenario& scenario, const StoredBlock& kept) {
   RowBlock rows;
   BlockSink sink(rows);
-  Replay replay(scenario, kept.keyframe, sink, {.kernel = &kernel});
+  Replay replay(core, scenario, kept.keyframe, sink);
   replay.play_to(
       std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
   static_cast<void>(replay.finish());
@@ -83,50 +82,50 @@ RowBlock expand(const Scenario& scenario, const StoredBlock& kept, const Kernel&
 }
 
 // Since when a stored run has settled; nothing if it has not, or if its rows are neither stored nor restored.
-std::optional<double> settled_since_s(const StoredRun& kept, std::int64_t steps_played,
-                                      const Kernel& kernel) {
+std::optional<double> settled_since_s(const Core& core, const StoredRun& kept, std::int64_t steps_played) {
   if (kept.blocks.empty()) return at_rest_since_s(kept.rows);
   if (step_count(kept.scenario) > std::max(steps_played, kStepsRestoredMax)) return std::nullopt;
-  const RunSummary summary = replay(kept.scenario, {}, {.kernel = &kernel});
+  const RunSummary summary = replay(core, kept.scenario);
   return hex(summary.state_hash) == kept.state_hash ? summary.at_rest_since_s : std::nullopt;
 }
 
 }  // namespace
 
-ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario) {
-  const std::unique_ptr<const Kernel> listing = kept.constants ? listing_kernel(*kept.constants) : nullptr;
-  const Kernel& kernel = listing ? *listing : core_kernel();
-  RunComparer comparer(kept, [&](const StoredBlock& block) { return expand(kept.scenario, block, kernel); });
-  const RunSummary summary = replay(scenario, comparer, judged_options(scenario));
-  ComparedRun compared{comparer.finish({scenario, summary.steps, core_model(), hex(summary.state_hash),
+ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario) {
+  const Core restoring = kept.constants ? listing_core(*kept.constants) : core;
+  RunComparer comparer(kept,
+                       [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); });
+  const RunSummary summary = replay(core, scenario, comparer, judged_options(scenario));
+  ComparedRun compared{comparer.finish({scenario, summary.steps, core.name, hex(summary.state_hash),
                                         summary.final, inputs_of(scenario, summary.steps)}),
                        summary};
   if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
     compared.comparison.shape += ": " + changes;
-  if (!compared.comparison.agrees && summary.at_rest_since_s && settled_since_s(kept, summary.steps, kernel))
+  if (!compared.comparison.agrees && summary.at_rest_since_s &&
+      settled_since_s(restoring, kept, summary.steps))
     compared.comparison.rest_shift_px = distance_px(state_of(kept.final), state_of(summary.final));
   return compared;
 }
 
-bool gives_its_rows(const StoredRun& kept) {
+bool gives_its_rows(const Core& core, const StoredRun& kept) {
   return kept.steps <= kStepsRestoredMax && step_count(kept.scenario) == kept.steps &&
-         compare_with(kept, kept.scenario).comparison.agrees;
+         compare_with(core, kept, kept.scenario).comparison.agrees;
 }
 
-FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel) {
+FreshRun play_for_golden(const Core& core, const Scenario& scenario) {
   FreshRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(scenario, recorder, judged_options(scenario, kernel));
+  const RunSummary summary = replay(core, scenario, recorder, judged_options(scenario));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};
-    run.replay_contacts = [scenario, last_steps = recorder.take_last_steps()](const auto& take) {
+    run.replay_contacts = [core, scenario, last_steps = recorder.take_last_steps()](const auto& take) {
       ContactSink sink(last_steps, take);
-      static_cast<void>(replay(scenario, sink, judged_options(scenario)));
+      static_cast<void>(replay(core, scenario, sink, judged_options(scenario)));
     };
   }
   run.scenario = scenario;
-  run.physics = core_model();
-  run.constants = measured_constants();
+  run.physics = core.name;
+  run.constants = core.constants;
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;

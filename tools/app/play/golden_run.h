@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/compare/comparison.h"
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/run_summary.h"
 #include "sim/trajectory/stored_run.h"
@@ -16,11 +16,11 @@ struct ComparedRun {
   Comparison comparison;
   RunSummary summary;
 };
-[[nodiscard]] ComparedRun compare_with(const StoredRun& kept, const Scenario& scenario);
+[[nodiscard]] ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario);
 
 /// Whether the stored run's own scenario gives its rows and contacts. False where that would take too long to
 /// find out.
-[[nodiscard]] bool gives_its_rows(const StoredRun& kept);
+[[nodiscard]] bool gives_its_rows(const Core& core, const StoredRun& kept);
 
 /// Plays the scenario and keeps the contents of a golden file. Memory does not grow with the contacts: if
 /// they are many, the run replays them on demand.
@@ -28,6 +28,6 @@ struct FreshRun {
   StoredRun run;
   RunSummary summary;
 };
-[[nodiscard]] FreshRun play_for_golden(const Scenario& scenario, const Kernel& kernel = core_kernel());
+[[nodiscard]] FreshRun play_for_golden(const Core& core, const Scenario& scenario);
 
 }  // namespace hyrax

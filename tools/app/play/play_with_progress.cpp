@@ -9,11 +9,11 @@
 
 namespace hyrax {
 
-RunSummary play_with_progress(const Scenario& scenario, std::vector<RowSink*> sinks,
+RunSummary play_with_progress(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks,
                               const ReplayOptions& options) {
   using SteadyClock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kShortPiece(50);
-  Replay replay(scenario, std::move(sinks), options);
+  Replay replay(core, scenario, std::move(sinks), options);
   const std::int64_t end = replay.steps();
   Progress progress("steps", end);
   // Steps that repeat take almost no time, so pieces grow until each takes long enough.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/physics_model.h"
@@ -80,7 +80,7 @@ std::vector<Digest> block_digests(const TrajectoryFile& file) {
   return digests;
 }
 
-Evidence evidence_of(const TrajectoryFile& file) {
+Evidence evidence_of(const Core& core, const TrajectoryFile& file) {
   Evidence evidence;
   if (file.row_count() <= kPageRowsMax) {
     evidence.rows = file.rows(0, file.row_count());
@@ -89,7 +89,7 @@ Evidence evidence_of(const TrajectoryFile& file) {
   if (file.row_count() != file.head().steps + 1) return evidence;
   evidence.blocks = block_digests(file);
   BlockList played;
-  static_cast<void>(replay(file.head().scenario, played));
+  static_cast<void>(replay(core, file.head().scenario, played));
   const auto end = std::min(evidence.blocks.size(), played.digests.size());
   std::size_t block = 0;
   while (block < end && evidence.blocks[block] == played.digests[block]) ++block;
@@ -163,7 +163,7 @@ Json expectations_json(const std::vector<Expectation>& expectations) {
 }
 
 // The run of this program's own replay: what it exercised, what holds, where it ends.
-ScenarioRun played(const TrajectoryFile& file) {
+ScenarioRun played(const Core& core, const TrajectoryFile& file) {
   ScenarioRun run;
   run.path = file.path();
   run.output = file.path();
@@ -173,18 +173,18 @@ ScenarioRun played(const TrajectoryFile& file) {
   options.model = reference_model(file.head().physics, file.head().constants);
   std::optional<DriftRecorder> recorder;
   if (file.head().constants) recorder.emplace(run.scenario, options);
-  run.summary = play_with_progress(run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
+  run.summary = play_with_progress(core, run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
                                    judged_options(run.scenario));
   if (recorder) run.drift = recorder->finish(run.summary.steps, run.summary.simulated_s);
-  run.expectations =
-      judge_run(run.scenario, run.summary, run.drift ? std::optional(run.drift->summary) : std::nullopt);
+  run.expectations = judge_run(core, run.scenario, run.summary,
+                               run.drift ? std::optional(run.drift->summary) : std::nullopt);
   return run;
 }
 
-Json run_data(const TrajectoryFile& file) {
+Json run_data(const Core& core, const TrajectoryFile& file) {
   const FileHead& head = file.head();
-  const ScenarioRun run = played(file);
-  const Evidence evidence = evidence_of(file);
+  const ScenarioRun run = played(core, file);
+  const Evidence evidence = evidence_of(core, file);
   Json::Object data{{"file", file.path()},
                     {"name", head.scenario.name},
                     {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
@@ -198,7 +198,7 @@ Json run_data(const TrajectoryFile& file) {
                     {"rows", rows_json(evidence.rows)},
                     {"blocks", blocks_json(evidence.blocks)},
                     {"inputs", inputs_json(file.inputs())},
-                    {"result", run_json(run)},
+                    {"result", run_json(core, run)},
                     {"expect", expectations_json(run.expectations)},
                     {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
                     {"non_finite", non_finite_text(head.scenario, run.summary.final)},
@@ -226,15 +226,16 @@ Json inputs_json(const std::vector<Input>& inputs) {
   return list;
 }
 
-Json report_data(const ReportRequest& request) {
+Json report_data(const Core& core, const ReportRequest& request) {
   Json::Array runs;
   std::optional<TrajectoryFile> against;
   if (!request.against.empty())
-    require_own_core(request.against, against.emplace(TrajectoryFile::open(request.against)).head().physics);
+    require_own_core(core, request.against,
+                     against.emplace(TrajectoryFile::open(request.against)).head().physics);
   for (const std::string& path : request.files) {
     const TrajectoryFile file = TrajectoryFile::open(path);
-    require_own_core(path, file.head().physics);
-    Json run = run_data(file);
+    require_own_core(core, path, file.head().physics);
+    Json run = run_data(core, file);
     run.get<Json::Object>()->emplace_back("cause", request.cause);
     if (against)
       run.get<Json::Object>()->emplace_back(
@@ -244,11 +245,11 @@ Json report_data(const ReportRequest& request) {
   Json::Object data{
       {"format", "hyrax-report/1"},
       {"program", "hyrax-sim " + std::string(build_info().version)},
-      {"core", core_model()},
-      {"core_fingerprint", is_paper_model(core_model()) ? Json(hex(core_fingerprint())) : Json()},
+      {"core", core.name},
+      {"core_fingerprint", is_paper_model(core.name) ? Json(hex(fingerprint_of(core))) : Json()},
       {"command", request.command},
       {"runs", std::move(runs)}};
-  if (against) data.emplace_back("against", run_data(*against));
+  if (against) data.emplace_back("against", run_data(core, *against));
   return data;
 }
 

@@ -11,7 +11,7 @@ namespace hyrax {
 namespace {
 
 // Whether the page replays what it shows.
-bool write_results(const ReportRequest& request) {
+bool write_results(const Core& core, const ReportRequest& request) {
   if (!request.against.empty())
     refuse_input("hyrax-sim report: --against: allowed for trajectories only (found " +
                  request.files.front() + ")");
@@ -20,7 +20,7 @@ bool write_results(const ReportRequest& request) {
     if (!holds_results(path))
       refuse_input(path + ": is not a file of a study or a sweep, as " + request.files.front() +
                    " is; a page shows either trajectories or these");
-    results.push_back(result_of_file(path));
+    results.push_back(result_of_file(core, path));
   }
   const bool replays = std::any_of(results.begin(), results.end(), has_members);
   write_result_page(request.output, request.command, std::move(results));
@@ -28,8 +28,8 @@ bool write_results(const ReportRequest& request) {
 }
 
 // The page says so, too: it is written all the same.
-void require_core_of_page(const std::string& output) {
-  const std::string own = hex(core_fingerprint());
+void require_core_of_page(const Core& core, const std::string& output) {
+  const std::string own = hex(fingerprint_of(core));
   if (page_core_fingerprint() == own) return;
   throw Failure(ExitCode::program_fault,
                 output + ": replays another core than this program's (found fingerprint " +
@@ -40,14 +40,14 @@ void require_core_of_page(const std::string& output) {
 
 }  // namespace
 
-void write_report(const ReportRequest& request) {
+void write_report(const Core& core, const ReportRequest& request) {
   if (holds_results(request.files.front())) {
-    if (write_results(request)) require_core_of_page(request.output);
+    if (write_results(core, request)) require_core_of_page(core, request.output);
     return;
   }
-  const Json data = report_data(request);  // First: a bad input is reported by any build.
+  const Json data = report_data(core, request);  // First: a bad input is reported by any build.
   write_page_file(request.output, PageKind::runs, data, still_html(request, data));
-  require_core_of_page(request.output);
+  require_core_of_page(core, request.output);
 }
 
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
 
@@ -22,14 +23,14 @@ struct ReportRequest {
 
 /// The data of the page: the runs, their verdicts, and the rows that it must replay bit for bit.
 /// ERRORS: as TrajectoryFile::open's.
-[[nodiscard]] Json report_data(const ReportRequest& request);
+[[nodiscard]] Json report_data(const Core& core, const ReportRequest& request);
 
 /// Whether the file is a study's or a sweep's. ERRORS: Failure(cannot_access) if it cannot be read.
 [[nodiscard]] bool holds_results(const std::string& path);
 
 /// A study's or a sweep's file as the page of results reads it.
 /// ERRORS: as read_study_file's and EnsembleReader's.
-[[nodiscard]] Json result_of_file(const std::string& path);
+[[nodiscard]] Json result_of_file(const Core& core, const std::string& path);
 
 /// What the page of trajectories shows without JavaScript: of each run its name, verdict and path.
 [[nodiscard]] std::string still_html(const ReportRequest& request, const Json& data);
@@ -43,6 +44,6 @@ struct ReportRequest {
 /// Writes the page of trajectories, or of studies and sweeps if the first file is one.
 /// ERRORS: as report_data's, result_of_file's and write_page_file's; Failure(bad_input) if files of both
 /// kinds are given, or studies are to be compared.
-void write_report(const ReportRequest& request);
+void write_report(const Core& core, const ReportRequest& request);
 
 }  // namespace hyrax

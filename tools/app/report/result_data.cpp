@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/core/core.h"
 #include "sim/ensemble/member_numbers.h"
-#include "sim/replay/core_constants.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/trajectory/physics_model.h"
@@ -133,7 +133,7 @@ std::vector<double> values_of(const Sweep& sweep, std::size_t key, const std::ve
 
 // The sample's members as the page plays and shows them: the base as its core reads it and as text, what each
 // varied number is and where, and the results that differ.
-Json members_json(const EnsembleReader& reader, const std::vector<MemberNumbers>& numbers) {
+Json members_json(const Core& core, const EnsembleReader& reader, const std::vector<MemberNumbers>& numbers) {
   const Sweep& sweep = reader.sweep();
   std::vector<double> members;
   for (std::int64_t row = 0; row < reader.rows(); row += rows_between_samples(reader))
@@ -150,7 +150,7 @@ Json members_json(const EnsembleReader& reader, const std::vector<MemberNumbers>
     if (each.role() == MemberRole::result && each.known() > 0 && !each.is_constant())
       results.push_back(Json::Object{
           {"name", each.name()}, {"unit", each.unit()}, {"values", doubles_json(each.sample())}});
-  return Json::Object{{"core_fingerprint", hex(core_fingerprint())},
+  return Json::Object{{"core_fingerprint", hex(fingerprint_of(core))},
                       {"record", doubles_json(record_of(sweep.base))},
                       {"scenario", scenario_file_text(sweep.base)},
                       {"events", inputs_json(inputs_of(sweep.base, step_count(sweep.base)))},
@@ -173,7 +173,7 @@ std::string constants_text(const std::vector<MemberNumbers>& numbers) {
   return text;
 }
 
-Json sweep_result(const std::string& path) {
+Json sweep_result(const Core& core, const std::string& path) {
   const EnsembleReader reader(path);
   const Sweep& sweep = reader.sweep();
   std::vector<MemberNumbers> numbers;
@@ -200,8 +200,8 @@ Json sweep_result(const std::string& path) {
     result.verdict.text.emplace_back("The same in all members: " + constants + ".");
   result.origin.emplace_back("sweep", reader.head().sweep_text);
   Json json = result_json(result);
-  if (is_paper_model(core_model()))
-    json.get<Json::Object>()->emplace_back("sweep", members_json(reader, numbers));
+  if (is_paper_model(core.name))
+    json.get<Json::Object>()->emplace_back("sweep", members_json(core, reader, numbers));
   return json;
 }
 
@@ -212,8 +212,8 @@ bool holds_results(const std::string& path) {
   return format == kStudyFormat || format == kEnsembleFormat;
 }
 
-Json result_of_file(const std::string& path) {
-  return format_of_file(path) == kStudyFormat ? study_result(path) : sweep_result(path);
+Json result_of_file(const Core& core, const std::string& path) {
+  return format_of_file(path) == kStudyFormat ? study_result(path) : sweep_result(core, path);
 }
 
 }  // namespace hyrax

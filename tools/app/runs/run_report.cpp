@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_contacts.h"
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/diff/difference_text.h"
@@ -26,13 +24,13 @@ struct Coverage {
   std::vector<std::string> not_computed;
 };
 
-Coverage coverage_of(const ScenarioRun& run) {
+Coverage coverage_of(const Core& core, const ScenarioRun& run) {
   const RunSummary& summary = run.summary;
   Coverage coverage;
   const auto add = [&](bool is_exercised, const char* name) {
     (is_exercised ? coverage.exercised : coverage.never_touched).emplace_back(name);
   };
-  const bool is_paper = measured_constants().has_value();  // Of another shape only the walls are known.
+  const bool is_paper = core.constants.has_value();  // Of another shape only the walls are known.
   if (is_paper) {
     add(summary.had_gravity, "gravity");
     add(summary.had_drag, "drag");
@@ -102,8 +100,8 @@ std::string diff_command_for(const ScenarioRun& run) {
   return program_command({"run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
 }
 
-void print_motion(const RunSummary& summary) {
-  const std::string_view why = why_contacts_from_rows();
+void print_motion(const Core& core, const RunSummary& summary) {
+  const std::string_view why = core.record.why_incomplete;
   print_text("  contacts       {}{}\n", counts_text(summary.contacts),
              why.empty() ? "" : fmt::format("; from the rows: the core's step is not complete: {}", why));
   print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
@@ -148,7 +146,7 @@ void print_golden(const ScenarioRun& run) {
 
 }  // namespace
 
-void print_run(const ScenarioRun& run, const Printing& printing) {
+void print_run(const Core& core, const ScenarioRun& run, const Printing& printing) {
   const RunSummary& summary = run.summary;
   if (printing.is_quiet()) {
     const std::string_view status = run.status();
@@ -162,11 +160,11 @@ void print_run(const ScenarioRun& run, const Printing& printing) {
   if (const std::string text = non_finite_text(run.scenario, summary.final); !text.empty())
     print_text("{}: {}; the run ended there\n", VerdictWord{"NOT FINITE", false}, text);
   print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
-  if (!is_paper_model(core_model())) print_text("  core           {}\n", core_model());
-  print_motion(summary);
+  if (!is_paper_model(core.name)) print_text("  core           {}\n", core.name);
+  print_motion(core, summary);
   if (printing.is_verbose()) print_details(summary);
   if (run.start) print_text("{}\n", start_text(*run.start, true));
-  const Coverage coverage = coverage_of(run);
+  const Coverage coverage = coverage_of(core, run);
   print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n", joined(coverage.exercised),
              joined(coverage.never_touched), joined(coverage.not_computed));
   print_expectations(run.expectations, printing.is_verbose());
@@ -175,9 +173,9 @@ void print_run(const ScenarioRun& run, const Printing& printing) {
   print_text("  written        {} ({} rows)\n", run.output, run.rows_recorded);
 }
 
-Json run_json(const ScenarioRun& run) {
+Json run_json(const Core& core, const ScenarioRun& run) {
   const RunSummary& summary = run.summary;
-  const Coverage coverage = coverage_of(run);
+  const Coverage coverage = coverage_of(core, run);
   Json clamped = counts_json(summary.clamped_steps);
   clamped.get<Json::Object>()->emplace_back("rest", summary.rest_steps);
   Json::Array expectations;
@@ -188,7 +186,7 @@ Json run_json(const ScenarioRun& run) {
                       {"steps", summary.steps},
                       {"simulated_s", summary.simulated_s},
                       {"contacts", counts_json(summary.contacts)},
-                      {"contacts_from", why_contacts_from_rows().empty() ? "step" : "rows"},
+                      {"contacts_from", core.record.why_incomplete.empty() ? "step" : "rows"},
                       {"clamped_steps", clamped},
                       {"final", Json::Object{{"x_px", summary.final.x_px},
                                              {"y_px", summary.final.y_px},

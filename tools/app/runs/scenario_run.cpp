@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/core/core.h"
 #include "sim/reference/drift_meter.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/core_shape.h"
-#include "sim/replay/kernel.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "sim/study/reference_model.h"
@@ -58,33 +56,33 @@ class StoredErrors {
 };
 
 // `steps` is less than the scenario's if a first try found that the run ends there.
-WrittenRun write_trajectory(const std::string& output, const Scenario& scenario, std::int64_t steps,
-                            const WriteOptions& options) {
+WrittenRun write_trajectory(const Core& core, const std::string& output, const Scenario& scenario,
+                            std::int64_t steps, const WriteOptions& options) {
   TrajectoryWriter writer(output, scenario, steps);
   std::vector<RowSink*> sinks = {&writer};
   append(sinks, options.also);
   std::optional<StoredErrors> errors;
   if (options.drift) append(sinks, errors.emplace(writer.file(), scenario, steps, *options.drift).sinks());
   WrittenRun run;
-  run.summary = play_with_progress(scenario, sinks, options.replay);
+  run.summary = play_with_progress(core, scenario, sinks, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   if (run.summary.steps != steps) return run;
   std::function<bool(hid_t)> write_more;
   if (errors) write_more = [&](hid_t file) { return errors->finish(file, run.summary, run.drift.emplace()); };
-  writer.finish(
-      {scenario, steps, std::string(core_model()), hex(run.summary.state_hash), measured_constants()},
-      inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
+  writer.finish({scenario, steps, std::string(core.name), hex(run.summary.state_hash), core.constants},
+                inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
   return run;
 }
 
-WrittenRun write_csv(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
+WrittenRun write_csv(const Core& core, const std::string& output, const Scenario& scenario,
+                     const WriteOptions& options) {
   TrajectoryCsv csv(output, scenario, step_count(scenario));
   std::vector<RowSink*> sinks = {&csv};
   append(sinks, options.also);
   std::optional<DriftRecorder> drift;
   if (options.drift) append(sinks, drift.emplace(scenario, options.drift->options).sinks());
   WrittenRun run;
-  run.summary = play_with_progress(scenario, sinks, options.replay);
+  run.summary = play_with_progress(core, scenario, sinks, options.replay);
   run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
   csv.finish();
   if (drift) run.drift = drift->finish(run.summary.steps, run.summary.simulated_s);
@@ -96,16 +94,17 @@ constexpr std::size_t kContactsDrawnMax = 100;
 
 }  // namespace
 
-WrittenRun write_run(const std::string& output, const Scenario& scenario, const WriteOptions& options) {
+WrittenRun write_run(const Core& core, const std::string& output, const Scenario& scenario,
+                     const WriteOptions& options) {
   if (output == kStandardOutput || file_name(output).extension == ".csv")
-    return write_csv(output, scenario, options);
+    return write_csv(core, output, scenario, options);
   const std::int64_t steps = step_count(scenario);
-  WrittenRun run = write_trajectory(output, scenario, steps, options);
+  WrittenRun run = write_trajectory(core, output, scenario, steps, options);
   if (run.summary.steps == steps) return run;
   // A run that becomes non-finite is shorter than its file was made for.
   WriteOptions again = options;
   again.also.clear();
-  return write_trajectory(output, scenario, run.summary.steps, again);
+  return write_trajectory(core, output, scenario, run.summary.steps, again);
 }
 
 bool ScenarioRun::is_as_expected() const {
@@ -119,11 +118,11 @@ const char* ScenarioRun::status() const {
   return comparison || !expectations.empty() ? "agreed" : "played";
 }
 
-ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, const std::string& output,
-                         const ScenarioRunOptions& options) {
+ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenario& scenario,
+                         const std::string& output, const ScenarioRunOptions& options) {
   const bool measures = scenario.expect && bounds_errors(*scenario.expect) && !options.drift;
   DriftSink ignored;
-  const Model model = reference_model();
+  const Model model = reference_model(core);
   DriftMeter meter(scenario, inputs_of(scenario, step_count(scenario)), ignored, nullptr, model);
   std::vector<RowSink*> also;
   if (options.picture != nullptr) also.push_back(options.picture);
@@ -135,12 +134,12 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   replay.skips_repetition = options.skips_repetition;
   ScenarioRun run;
   static_cast<WrittenRun&>(run) =
-      write_run(output, scenario, {.replay = replay, .drift = options.drift, .also = also});
+      write_run(core, output, scenario, {.replay = replay, .drift = options.drift, .also = also});
   run.path = path;
   run.scenario = scenario;
   run.output = output;
-  if (margin) run.start = {margin->margin(), contact_chance_of(scenario, margin->margin())};
-  run.expectations = judge_run(scenario, run.summary,
+  if (margin) run.start = {margin->margin(), contact_chance_of(core, scenario, margin->margin())};
+  run.expectations = judge_run(core, scenario, run.summary,
                                run.drift  ? std::optional(run.drift->summary)
                                : measures ? std::optional(meter.finish())
                                           : std::nullopt);
@@ -154,7 +153,7 @@ ScenarioRun run_scenario(const std::string& path, const Scenario& scenario, cons
   if (!run.not_compared.empty()) return run;
   run.golden_path = place->h5_path;
   run.golden_folder = options.golden_folder;
-  if (has_golden_file(*place)) run.comparison = compare_with_pair(scenario, *place, true)->comparison;
+  if (has_golden_file(*place)) run.comparison = compare_with_pair(core, scenario, *place, true)->comparison;
   return run;
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
+#include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/run_summary.h"
@@ -37,7 +38,7 @@ struct WrittenRun {
 
 /// Plays the scenario and writes a trajectory file, or as CSV if `output` ends in ".csv" or is
 /// kStandardOutput. Shows progress. ERRORS: Failure(cannot_access) if `output` cannot be written.
-[[nodiscard]] WrittenRun write_run(const std::string& output, const Scenario& scenario,
+[[nodiscard]] WrittenRun write_run(const Core& core, const std::string& output, const Scenario& scenario,
                                    const WriteOptions& options);
 
 class RunPicture;
@@ -69,14 +70,14 @@ struct ScenarioRun : WrittenRun {
 
 /// Plays the scenario and writes `output`, then judges.
 /// ERRORS: Failure(cannot_access) for the output, Failure of reading the golden file.
-[[nodiscard]] ScenarioRun run_scenario(const std::string& path, const Scenario& scenario,
+[[nodiscard]] ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenario& scenario,
                                        const std::string& output, const ScenarioRunOptions& options);
 
 /// Prints what `run` found.
-void print_run(const ScenarioRun& run, const Printing& printing);
+void print_run(const Core& core, const ScenarioRun& run, const Printing& printing);
 
 /// An entry of "runs".
-[[nodiscard]] Json run_json(const ScenarioRun& run);
+[[nodiscard]] Json run_json(const Core& core, const ScenarioRun& run);
 
 /// What a figure shows of a run, gathered as it is played: every row of the first 50,000 steps, whatever the
 /// file records, then as many as a figure can show, and the first contacts.

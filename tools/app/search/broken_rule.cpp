@@ -32,8 +32,8 @@ std::vector<std::int64_t> stops_for(const Scenario& scenario, Invariant invarian
   return stops;
 }
 
-bool breaks(const Scenario& scenario, Invariant invariant) {
-  const CheckedRun run = check_run(scenario, stops_for(scenario, invariant));
+bool breaks(const Core& core, const Scenario& scenario, Invariant invariant) {
+  const CheckedRun run = check_run(core, scenario, stops_for(scenario, invariant));
   return !run.measures[static_cast<std::size_t>(invariant)].holds &&
          !is_broken_by_listing(invariant, scenario);
 }
@@ -65,21 +65,23 @@ std::optional<BrokenRule> different_hash(const Digest& own, const std::string& o
                     .other_end = other.size() == kHexDigits ? "" : other};
 }
 
-std::optional<BrokenRule> different_hash(const Scenario& scenario, const OtherProgram& other) {
-  const Digest own = replay(scenario).state_hash;
+std::optional<BrokenRule> different_hash(const Core& core, const Scenario& scenario,
+                                         const OtherProgram& other) {
+  const Digest own = replay(core, scenario).state_hash;
   return different_hash(own, other.state_hashes({&scenario, 1}).front());
 }
 
-Shrunk shrink_broken(const Scenario& scenario, const BrokenRule& broken, const OtherProgram* other) {
+Shrunk shrink_broken(const Core& core, const Scenario& scenario, const BrokenRule& broken,
+                     const OtherProgram* other) {
   if (broken.invariant)
     return shrink_with_progress(
-        scenario, [&](const Scenario& simpler) { return breaks(simpler, *broken.invariant); },
+        core, scenario, [&](const Scenario& simpler) { return breaks(core, simpler, *broken.invariant); },
         kShrinkTrialsMax);
   assert(other != nullptr);
   Shrunk shrunk = shrink_with_progress(
-      scenario,
+      core, scenario,
       [&](const Scenario& simpler) {
-        const auto found = different_hash(simpler, *other);
+        const auto found = different_hash(core, simpler, *other);
         return found && found->other_end == broken.other_end;
       },
       kProgramTrialsMax);
@@ -87,14 +89,14 @@ Shrunk shrink_broken(const Scenario& scenario, const BrokenRule& broken, const O
   return shrunk;
 }
 
-Shrunk shrink_with_progress(const Scenario& scenario, const std::function<bool(const Scenario&)>& fails,
-                            std::int64_t trials_max) {
+Shrunk shrink_with_progress(const Core& core, const Scenario& scenario,
+                            const std::function<bool(const Scenario&)>& fails, std::int64_t trials_max) {
   Progress progress;
   const auto report = [&](std::int64_t trials, const Scenario& smallest) {
     progress.show_text(fmt::format("{} scenarios tried, the smallest has {} frames and {} events", trials,
                                    step_count(smallest), smallest.events.size()));
   };
-  return shrink(scenario, fails, {.trials_max = trials_max, .report = report});
+  return shrink(core, scenario, fails, {.trials_max = trials_max, .report = report});
 }
 
 }  // namespace hyrax

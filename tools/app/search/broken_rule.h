@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
 #include "sim/search/run_check.h"
 #include "sim/search/shrink.h"
@@ -74,15 +75,16 @@ struct BrokenRule {
 [[nodiscard]] std::optional<BrokenRule> different_hash(const Digest& own, const std::string& other);
 
 /// The scenario's state hash against the other program's.
-[[nodiscard]] std::optional<BrokenRule> different_hash(const Scenario& scenario, const OtherProgram& other);
+[[nodiscard]] std::optional<BrokenRule> different_hash(const Core& core, const Scenario& scenario,
+                                                       const OtherProgram& other);
 
 /// The smallest scenario that breaks the same rule; shows progress.
 /// @param other needed only where the rule is not an invariant.
-[[nodiscard]] Shrunk shrink_broken(const Scenario& scenario, const BrokenRule& broken,
+[[nodiscard]] Shrunk shrink_broken(const Core& core, const Scenario& scenario, const BrokenRule& broken,
                                    const OtherProgram* other);
 
 /// `shrink`, showing progress.
-[[nodiscard]] Shrunk shrink_with_progress(const Scenario& scenario,
+[[nodiscard]] Shrunk shrink_with_progress(const Core& core, const Scenario& scenario,
                                           const std::function<bool(const Scenario&)>& fails,
                                           std::int64_t trials_max);
 
@@ -109,6 +111,6 @@ struct FuzzOutcome {
 /// Plays runs on all processors; shows progress. With a number of runs the outcome does not depend on how
 /// many processors there are.
 /// @param other nullptr: invariants alone; else also the state hash of that program.
-[[nodiscard]] FuzzOutcome fuzz(const FuzzLimits& limits, const OtherProgram* other);
+[[nodiscard]] FuzzOutcome fuzz(const Core& core, const FuzzLimits& limits, const OtherProgram* other);
 
 }  // namespace hyrax

@@ -23,8 +23,9 @@ using SteadyClock = std::chrono::steady_clock;
 // Runs in batches, which workers take in turn: what they share.
 class Fuzzer {
  public:
-  Fuzzer(const FuzzLimits& limits, const OtherProgram* other)
-      : limits_(limits),
+  Fuzzer(const Core& core, const FuzzLimits& limits, const OtherProgram* other)
+      : core_(core),
+        limits_(limits),
         other_(other),
         batch_(other == nullptr ? 64 : static_cast<std::int64_t>(other->batch())) {
     if (limits.runs) {
@@ -80,8 +81,8 @@ class Fuzzer {
     std::vector<Scenario> scenarios;
     std::vector<Digest> hashes;
     for (std::int64_t row = first; row < last; ++row) {
-      RandomRun random = random_run(limits_.seed, run_of(row));
-      const CheckedRun run = check_run(random.scenario, random.stops);
+      RandomRun random = random_run(core_, limits_.seed, run_of(row));
+      const CheckedRun run = check_run(core_, random.scenario, random.stops);
       ++played_;
       if (auto broken = broken_invariant(random.scenario, run))
         return take(row, std::move(random.scenario), std::move(*broken));
@@ -113,6 +114,7 @@ class Fuzzer {
     failure_ = {run_of(row), std::move(scenario), std::move(broken)};
   }
 
+  const Core& core_;
   const FuzzLimits& limits_;
   const OtherProgram* other_;
   std::int64_t batch_;
@@ -129,6 +131,8 @@ class Fuzzer {
 
 }  // namespace
 
-FuzzOutcome fuzz(const FuzzLimits& limits, const OtherProgram* other) { return Fuzzer(limits, other).run(); }
+FuzzOutcome fuzz(const Core& core, const FuzzLimits& limits, const OtherProgram* other) {
+  return Fuzzer(core, limits, other).run();
+}
 
 }  // namespace hyrax

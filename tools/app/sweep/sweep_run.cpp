@@ -10,7 +10,7 @@
 #include <map>
 #include <mutex>
 
-#include "sim/replay/core_shape.h"
+#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/progress.h"
 #include "tools/app/command_line/workers.h"
@@ -36,14 +36,15 @@ struct Chunk {
 // Chunks in order, computed by so many threads, that of the caller included. Few are held at a time.
 class ChunkPool {
  public:
-  ChunkPool(const Sweep& sweep, const WorkPart& part, std::int64_t first_row, std::int64_t rows,
-            std::int64_t threads)
-      : sweep_(sweep),
+  ChunkPool(const Core& core, const Sweep& sweep, const WorkPart& part, std::int64_t first_row,
+            std::int64_t rows, std::int64_t threads)
+      : core_(core),
+        sweep_(sweep),
         part_(part),
         first_row_(first_row),
         rows_(rows),
         chunk_rows_(chunk_rows(sweep)),
-        player_(sweep, {.listing = core_shape().constants}) {
+        player_(core, sweep) {
     held_max_ = 2 * threads;
     sigset_t all{};
     sigset_t before{};
@@ -89,7 +90,7 @@ class ChunkPool {
 
   void work(const std::stop_token& stop) {
     try {
-      EnsemblePlayer player(sweep_, {.listing = core_shape().constants});
+      EnsemblePlayer player(core_, sweep_);
       while (const auto chunk = next(stop)) {
         Chunk computed = compute(player, *chunk);
         const std::scoped_lock lock(mutex_);
@@ -118,6 +119,7 @@ class ChunkPool {
     return computed;
   }
 
+  const Core& core_;
   const Sweep& sweep_;
   const WorkPart part_;
   const std::int64_t first_row_;
@@ -136,7 +138,7 @@ class ChunkPool {
 
 }  // namespace
 
-SweepOutcome compute_sweep(const Sweep& sweep, const SweepJob& job) {
+SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob& job) {
   using std::chrono::steady_clock;
   const steady_clock::time_point start = steady_clock::now();
   PartialResult partial(job.output, job.head, sweep, job.existing);
@@ -146,7 +148,7 @@ SweepOutcome compute_sweep(const Sweep& sweep, const SweepJob& job) {
   outcome.rows_resumed = writer.rows_done();
   {
     partial.note_done(writer.rows_done());
-    ChunkPool pool(sweep, job.head.part, writer.rows_done(), outcome.rows, job.threads);
+    ChunkPool pool(core, sweep, job.head.part, writer.rows_done(), outcome.rows, job.threads);
     Progress progress("members", outcome.rows - outcome.rows_resumed);
     while (const auto chunk = pool.take()) {
       writer.write({sweep, job.head.part, writer.rows_done(),

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/ensemble/ensemble.h"
 #include "tools/store/ensemble_file.h"
 
@@ -59,7 +60,7 @@ struct SweepOutcome {
 
 /// Computes what is not done yet; the same file whatever the threads and however often it was resumed.
 /// ERRORS: as PartialResult and EnsembleWriter.
-[[nodiscard]] SweepOutcome compute_sweep(const Sweep& sweep, const SweepJob& job);
+[[nodiscard]] SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob& job);
 
 struct MergeOutcome {
   EnsembleHead head;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/shipped_core.h"
 #include "sim/reference/drift_columns.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/fingerprint.h"
@@ -27,7 +28,7 @@ constexpr std::int64_t kTicksPerSecond = 1'000'000;
 // are in px of the window.
 class Playground {
  public:
-  explicit Playground(const Keyframe& start) : player_(start), tape_(start) {}
+  explicit Playground(const Keyframe& start) : player_(shipped_core(), start), tape_(start) {}
 
   /// REQUIRES: not held.
   void grab(ScreenPoint hand, std::int64_t ticks) {
@@ -159,8 +160,8 @@ HYRAX_EXPORT(output_count) std::int32_t output_count() {
 HYRAX_EXPORT(text) const char* text() { return page().text.data(); }
 HYRAX_EXPORT(text_length) std::int32_t text_length() { return static_cast<std::int32_t>(page().text.size()); }
 
-/// core_fingerprint as text.
-HYRAX_EXPORT(fingerprint) void fingerprint() { page().text = hex(core_fingerprint()); }
+/// fingerprint_of the core as text.
+HYRAX_EXPORT(fingerprint) void fingerprint() { page().text = hex(fingerprint_of(shipped_core())); }
 
 /// The file's rows: step, t, dt, x, y, vx, vy, contact of each.
 HYRAX_EXPORT(expect_rows) void expect_rows(std::int32_t count) {
@@ -187,7 +188,7 @@ HYRAX_EXPORT(expect_blocks) void expect_blocks(std::int32_t count) {
 HYRAX_EXPORT(load) double load(std::int32_t count) {
   const auto scenario = scenario_of(input(count));
   if (!scenario) return -1.0;
-  page().run = std::make_unique<ShownRun>(*scenario, std::exchange(page().evidence, {}));
+  page().run = std::make_unique<ShownRun>(shipped_core(), *scenario, std::exchange(page().evidence, {}));
   return static_cast<double>(page().run->steps());
 }
 HYRAX_EXPORT(play_to) double play_to(double step) {
@@ -292,7 +293,8 @@ HYRAX_EXPORT(flight) void flight(double rate_hz, double duration_s) {
   if (rate_hz > 0.0) {
     const auto frames = static_cast<std::int64_t>(rate_hz * duration_s);
     ShownRows shown(frames);
-    static_cast<void>(replay(scenario_from(start.state, start.window, start.sprite, rate_hz, frames), shown));
+    static_cast<void>(replay(shipped_core(),
+                             scenario_from(start.state, start.window, start.sprite, rate_hz, frames), shown));
     const Columns& columns = shown.columns();
     for (std::size_t row = 0; row < columns.size(); ++row)
       rows.insert(rows.end(), {columns.t_s[row], columns.x_px[row], columns.y_px[row]});

@@ -56,11 +56,11 @@ std::optional<std::int64_t> EvidenceCheck::first_difference() const {
   return is_in_block ? *row_ : std::min(*row_, *block_);
 }
 
-ShownRun::ShownRun(const Scenario& scenario, FileEvidence evidence)
+ShownRun::ShownRun(const Core& core, const Scenario& scenario, FileEvidence evidence)
     : scenario_(scenario),
       shown_(step_count(scenario_)),
       check_(std::move(evidence)),
-      replay_(scenario_, sinks()) {}
+      replay_(core, scenario_, sinks()) {}
 
 std::vector<RowSink*> ShownRun::sinks() {
   std::vector<RowSink*> sinks = {&shown_, &check_};

@@ -105,7 +105,7 @@ class ShownRun {
   /// Longer runs are not measured against the reference.
   static constexpr std::int64_t kStepsMeasuredMax = 200'000;
 
-  ShownRun(const Scenario& scenario, FileEvidence evidence);
+  ShownRun(const Core& core, const Scenario& scenario, FileEvidence evidence);
 
   [[nodiscard]] std::int64_t steps() const { return replay_.steps(); }
   /// Plays up to row `step`; returns the row reached, which is less if the state became non-finite.

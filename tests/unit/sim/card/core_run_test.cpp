@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/replay/listing_kernel.h"
+#include "sim/core/listing_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
@@ -22,20 +22,18 @@ Scenario flung_at(std::int64_t frame) {
   return scenario;
 }
 
-std::unique_ptr<const Kernel> kernel_with_friction(double ground_friction) {
+Core core_with_friction(double ground_friction) {
   Constants constants = kPaper;
   constants.ground_friction = ground_friction;
-  return listing_kernel(constants);
+  return listing_core(constants);
 }
 
 CoreRun run_with_friction(double ground_friction, const Scenario& scenario) {
-  const std::unique_ptr<const Kernel> kernel = kernel_with_friction(ground_friction);
-  return play_by({.kernel = kernel.get()}, scenario);
+  return play_by(core_with_friction(ground_friction), scenario);
 }
 
 bool settles_with_friction(double ground_friction, const Scenario& scenario) {
-  const std::unique_ptr<const Kernel> kernel = kernel_with_friction(ground_friction);
-  const CoreFunctions core{.kernel = kernel.get()};
+  const Core core = core_with_friction(ground_friction);
   return settles(core, scenario, play_by(core, scenario));
 }
 

@@ -34,8 +34,8 @@ class Program {
 
  private:
   HandStep listing_;
-  KernelOf<HandCores> program_{HandCores{&step}};
-  KernelOf<HandCores> accepted_{HandCores{&listing_}};
+  Core program_ = hand_core(step);
+  Core accepted_ = hand_core(listing_);
 };
 
 std::vector<Scenario> library() {

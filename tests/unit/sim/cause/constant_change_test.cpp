@@ -1,28 +1,28 @@
 // A traced step with another constant is the step of a header with that constant.
 #include "sim/cause/constant_change.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
+#include "sim/core/traced_core.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/traced_kernel.h"
-#include "sim/trace/core_record.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/cause/hand_step.h"
 
 namespace hyrax {
 namespace {
 
-TracedStep shipped_step() { return read_step(core_record().step).value(); }
+TracedStep shipped_step() { return read_step(shipped_core().record.step).value(); }
 
-Digest hash_of(const Kernel& kernel) { return replay(eventful_fling(), {}, {.kernel = &kernel}).state_hash; }
+Digest hash_of(const Core& core) { return replay(core, eventful_fling()).state_hash; }
 
 TEST(WithConstant, PlaysAsTheListingWithThatConstant) {
   for (const double gravity : {1250.0, -1200.0, 0.0, -0.0}) {
     HandStep step;
     step.constants.gravity_px_per_s2 = gravity;
-    const auto kernel = make_traced_kernel(with_constant(shipped_step(), 1200.0, gravity));
-    ASSERT_NE(kernel, nullptr);
-    EXPECT_EQ(hash_of(*kernel), hash_of(KernelOf<HandCores>(HandCores{&step}))) << gravity;
+    const std::optional<Core> core = traced_core(with_constant(shipped_step(), 1200.0, gravity));
+    ASSERT_TRUE(core);
+    EXPECT_EQ(hash_of(*core), hash_of(hand_core(step))) << gravity;
   }
 }
 

@@ -5,9 +5,10 @@
 #include <functional>
 #include <string>
 
-#include "sim/replay/kernel_of.h"
+#include "sim/core/core.h"
+#include "sim/core/kernel_of.h"
+#include "sim/core/step_core.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/step_core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/stored_run.h"
@@ -75,11 +76,15 @@ struct HandCores {
   [[nodiscard]] Constants constants() const { return step->constants; }
 };
 
+/// Refers to the step.
+inline Core hand_core(const HandStep& step) {
+  return {.kernel = std::make_shared<const KernelOf<HandCores>>(HandCores{&step})};
+}
+
 /// The run of a scenario with that step, as a golden file keeps it.
 inline StoredRun run_of(const Scenario& scenario, const HandStep& step = HandStep()) {
-  const KernelOf<HandCores> kernel(HandCores{&step});
   RunRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(scenario, recorder, {.kernel = &kernel});
+  const RunSummary summary = replay(hand_core(step), scenario, recorder);
   StoredRun run = recorder.take();
   run.scenario = scenario;
   run.constants = step.constants;

@@ -10,7 +10,8 @@
 #include <string_view>
 
 #include "sim/compare/run_comparer.h"
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -95,11 +96,11 @@ class FaultySink : public RowSink {
 /// The run as a golden file keeps it.
 inline StoredRun kept_run(const Scenario& scenario) {
   RunRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(scenario, recorder);
+  const RunSummary summary = replay(shipped_core(), scenario, recorder);
   StoredRun run = recorder.take();
   run.scenario = scenario;
   run.physics = kSomePhysics;
-  run.constants = core_constants();
+  run.constants = *shipped_core().constants;
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;
@@ -117,7 +118,7 @@ inline RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
     }
     RowBlock rows;
   } taken;
-  Replay replay(scenario, kept.keyframe, taken);
+  Replay replay(shipped_core(), scenario, kept.keyframe, taken);
   replay.play_to(
       std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
   static_cast<void>(replay.finish());
@@ -141,10 +142,10 @@ inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const
   RunSummary summary;
   if (playing.fault) {
     FaultySink faulty(comparer, *playing.fault);
-    summary = replay(scenario, faulty, options);
+    summary = replay(shipped_core(), scenario, faulty, options);
     if (playing.fault->step == summary.steps) summary.final = playing.fault->change(summary.final);
   } else {
-    summary = replay(scenario, comparer, options);
+    summary = replay(shipped_core(), scenario, comparer, options);
   }
   return comparer.finish({scenario, summary.steps, playing.physics, hex(summary.state_hash), summary.final,
                           inputs_of(scenario, summary.steps)});

@@ -1,5 +1,6 @@
 // Members by every kernel, against the replay of each: all numbers, bit for bit.
 #include "sim/ensemble/ensemble.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "sim/core/core.h"
 #include "sim/ensemble/lanes.h"
-#include "sim/replay/core_constants.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
@@ -53,12 +54,13 @@ std::string difference(const MemberResult& a, const MemberResult& b, const KeepS
 
 void expect_same(const Sweep& sweep, const std::string& note) {
   const auto members = static_cast<std::size_t>(sweep.members);
+  Core step_by_step = shipped_core();
+  step_by_step.shape = {};
   std::vector<MemberResult> expected(members);
-  const StepTally replayed = EnsemblePlayer(sweep, {}).play({}, 0, expected);
+  const StepTally replayed = EnsemblePlayer(step_by_step, sweep).play({}, 0, expected);
   for (const KernelSet& kernels : kernel_sets()) {
     std::vector<MemberResult> found(members);
-    const StepTally tally =
-        EnsemblePlayer(sweep, {.listing = core_constants(), .kernels = &kernels}).play({}, 0, found);
+    const StepTally tally = EnsemblePlayer(shipped_core(), sweep, {.kernels = &kernels}).play({}, 0, found);
     EXPECT_EQ(tally.steps, replayed.steps) << note;
     EXPECT_LE(tally.computed, tally.steps) << note;
     for (std::size_t member = 0; member < members; ++member) {
@@ -184,9 +186,9 @@ TEST(Ensemble, EqualsTheReplayOfAnyFling) {
 TEST(Ensemble, PlaysPartsAndRowsAlike) {
   Sweep sweep = sweep_over(fling_at(60.0, 300), 100);
   std::vector<MemberResult> all(100);
-  static_cast<void>(EnsemblePlayer(sweep, {.listing = core_constants()}).play({}, 0, all));
+  static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({}, 0, all));
   std::vector<MemberResult> some(10);
-  static_cast<void>(EnsemblePlayer(sweep, {.listing = core_constants()}).play({2, 7}, 3, some));
+  static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({2, 7}, 3, some));
   for (std::size_t row = 0; row < some.size(); ++row)
     EXPECT_EQ(difference(some[row], all[2 + 7 * (row + 3)], sweep.keep), "");
 }
@@ -196,7 +198,7 @@ TEST(Ensemble, LeavesOutWhatRepeats) {
   keep.add(Keep::final);
   std::vector<MemberResult> results(64);
   const Sweep sweep = sweep_over(fling_at(60.0, 100'000'000), 64, keep);
-  const StepTally tally = EnsemblePlayer(sweep, {.listing = core_constants()}).play({}, 0, results);
+  const StepTally tally = EnsemblePlayer(shipped_core(), sweep).play({}, 0, results);
   EXPECT_EQ(tally.steps, 64 * std::int64_t{100'000'000});
   EXPECT_LT(tally.computed, 64 * 20'000);
 }

@@ -6,10 +6,11 @@
 #include <limits>
 #include <vector>
 
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/ensemble/lanes.h"
 #include "sim/motion/state.h"
 #include "sim/physics/physics.h"
-#include "sim/replay/core_constants.h"
 #include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
@@ -105,7 +106,7 @@ TEST(Kernels, MoveAsUpdateDoes) {
           int different = 0;
           for (std::size_t first = 0; first < starts.size(); first += kLanes) {
             Lanes lanes{};
-            lanes.constants = core_constants();
+            lanes.constants = *shipped_core().constants;
             for (std::size_t lane = 0; lane < kLanes; ++lane) load(lanes, lane, starts[first + lane], dt_s);
             kernels.play(lanes, steps, detail, LaneClock::fixed);
             for (std::size_t lane = 0; lane < kLanes; ++lane)
@@ -130,7 +131,7 @@ TEST(Kernels, DrawTheFrameTimesOfTheClock) {
       for (const double dt_s : {1.0 / 60.0, 0.9e9}) {
         constexpr std::int64_t kFirst = 1000;
         Lanes lanes{};
-        lanes.constants = core_constants();
+        lanes.constants = *shipped_core().constants;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
           load(lanes, lane, start, dt_s);
           lanes.amount[lane] = amount;

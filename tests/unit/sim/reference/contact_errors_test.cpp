@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/result/estimate.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tests/unit/sim/reference/wide.h"
@@ -73,7 +74,7 @@ TEST(ContactErrors, HaveTheOvershootOfTheClamp) {
     void contact_began(const Contact& contact) override { all.push_back(contact); }
     std::vector<Contact> all;
   } core;
-  replay(scenario, core);
+  replay(shipped_core(), scenario, core);
   Measured measured;
   measure(scenario, measured);
   ASSERT_FALSE(measured.contacts.empty());

@@ -1,4 +1,5 @@
 #include "sim/reference/drift_meter.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -226,7 +227,7 @@ TEST(DriftMeter, NeedsNoRowsOfPeriodsWithoutAnArc) {
     Measured beginning;
     DriftMeter meter(scenario, inputs_of(scenario), beginning);
     MarginMeter margin(scenario, inputs_of(scenario));
-    replay(scenario, {&meter, &margin});
+    replay(shipped_core(), scenario, {&meter, &margin});
     EXPECT_EQ(meter.wants().rows_every, 0) << rate_hz;
     EXPECT_EQ(margin.wants().rows_every, 0) << rate_hz;
     const DriftSummary summary = meter.finish();

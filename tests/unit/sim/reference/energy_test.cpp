@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "tests/unit/sim/reference/test_run.h"
 
 namespace hyrax {
@@ -139,7 +140,7 @@ class LongFrames : public testing::TestWithParam<double> {
 
 TEST_P(LongFrames, ListAllContacts) {
   ContactLog log;
-  replay(scenario(), log);
+  replay(shipped_core(), scenario(), log);
   Measured measured;
   measure(scenario(), measured);
   std::vector<std::pair<std::int64_t, Wall>> listed;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/shipped_core.h"
 #include "sim/reference/gsl_flight.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tools/files/scenario_reader.h"
@@ -46,7 +47,7 @@ TEST_P(EveryScenario, FollowsItsReferencesAndHasEnergyPartsThatAddUp) {
   Measured run;  // Live, so that ten million rows are never held.
   GslFlight gsl;
   DriftMeter meter(scenario, inputs_of(scenario), run, &gsl);
-  replay(scenario, meter);
+  replay(shipped_core(), scenario, meter);
   run.summary = meter.finish();
   EXPECT_EQ(run.summary.reference_faults, 0);
   EXPECT_EQ(run.summary.differing_steps, 0);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/shipped_core.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
@@ -45,7 +46,7 @@ inline std::vector<Input> inputs_of(const Scenario& scenario) {
 
 inline Columns rows_of(const Scenario& scenario) {
   Recorded recorded;
-  replay(scenario, recorded);
+  replay(shipped_core(), scenario, recorded);
   return recorded.all;
 }
 

@@ -1,6 +1,7 @@
 // The whole run against the exact fling: rows made from that fling itself, flights whose error is known, and
 // runs that have no exact fling.
 #include "sim/reference/whole_run.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(WholeRun, OfARepetitionIsThatOfEveryRow) {
   Scenario scenario = fling();
   scenario.length = std::int64_t{300'000};
   WholeMeter live(scenario, inputs_of(scenario));
-  replay(scenario, live);
+  replay(shipped_core(), scenario, live);
   EXPECT_EQ(live.wants().rows_every, 0) << "the rest is not played";
   const WholeRun skipped = live.outcome().run.value();
   const WholeRun every = whole_of(scenario);

@@ -1,6 +1,7 @@
 // Which steps make a contact, and what is recorded of its first one.
 #include <gtest/gtest.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -25,7 +26,7 @@ struct Played {
     scenario.start = thrown.start;
     scenario.start_velocity = thrown.velocity;
     scenario.clock.base = FixedStep{dt_s};
-    summary = replay(scenario, trace);
+    summary = replay(shipped_core(), scenario, trace);
   }
   const std::vector<Contact>& contacts() const { return trace.contacts(); }
   TraceSink trace;
@@ -142,7 +143,7 @@ TEST(Contact, OfAnotherWallInTheNextStepIsAnother) {
   Scenario scenario = fling_at(60.0, 6);
   scenario.window = {100, 1080};  // Narrower than the sprite: left and right in turn.
   TraceSink trace;
-  replay(scenario, trace);
+  replay(shipped_core(), scenario, trace);
   ASSERT_EQ(trace.contacts().size(), 6u);
   for (const Contact& contact : trace.contacts()) EXPECT_EQ(contact.last_step, contact.step);
   EXPECT_EQ(trace.contacts()[0].wall, Wall::right);

@@ -1,8 +1,8 @@
 // A core with members that no row shows.
 #include <gtest/gtest.h>
 
+#include "sim/core/core_of.h"
 #include "sim/physics/physics.h"
-#include "sim/replay/kernel_of.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -20,19 +20,11 @@ struct Kicked : physics {
   int steps = 0;
 };
 
-struct KickedCores {
-  using Core = Kicked;
-  static constexpr bool kKeepsObject = true;
-  [[nodiscard]] Kicked make(const State& state) const {
-    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
-  }
-};
-
-const KernelOf<KickedCores> kKicked;
+const Core kKicked = core_of<Kicked>("kicked", {});
 
 struct MemberRun {
   explicit MemberRun(const Scenario& scenario, bool skips = true) {
-    summary = replay(scenario, trace, {.skips_repetition = skips, .kernel = &kKicked});
+    summary = replay(kKicked, scenario, trace, {.skips_repetition = skips});
   }
   TraceSink trace;
   RunSummary summary;
@@ -57,10 +49,10 @@ TEST(FurtherMembers, GoOnWhereARunIsResumed) {
   const MemberRun whole(scenario);
   for (const std::int64_t step : {0, 1, 101, 699, 700, 1200}) {
     TraceSink first;
-    Replay run(scenario, {&first}, {.kernel = &kKicked});
+    Replay run(kKicked, scenario, {&first});
     run.play_to(step);
     TraceSink rest;
-    Replay resumed(scenario, run.keyframe(), rest, {.kernel = &kKicked});
+    Replay resumed(kKicked, scenario, run.keyframe(), rest);
     resumed.play_to(resumed.steps());
     resumed.finish();
     ASSERT_TRUE(same_row(rest.rows().back(), whole.trace.rows().back())) << "from " << step;

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -13,7 +14,8 @@ namespace hyrax {
 namespace {
 
 RunSummary play(const Scenario& scenario, TraceSink& trace, bool skips_repetition) {
-  return replay(scenario, trace, {.skips_repetition = skips_repetition, .checks_bounds = true});
+  return replay(shipped_core(), scenario, trace,
+                {.skips_repetition = skips_repetition, .checks_bounds = true});
 }
 
 // Plays with and without skipping, expects equal results, and returns those with skipping.

@@ -1,5 +1,6 @@
 // The replay against the frame rule played plainly, and the run's ends.
 #include "sim/replay/replay.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void expect_plain_run(const Scenario& scenario, const std::string& which) {
   const PlainRun plain = PlainReplay(scenario).play();
   TraceSink trace;
-  const RunSummary summary = replay(scenario, trace, {.skips_repetition = true, .checks_bounds = true});
+  const RunSummary summary =
+      replay(shipped_core(), scenario, trace, {.skips_repetition = true, .checks_bounds = true});
   EXPECT_TRUE(same_rows(trace.rows(), plain.rows)) << which;
   EXPECT_TRUE(same_contacts(trace.contacts(), plain.contacts)) << which;
   EXPECT_EQ(hex(summary.state_hash), plain.state_hash()) << which;
@@ -54,7 +56,7 @@ TEST(Replay, PlaysRandomFlingsByTheFrameRule) {
 
 TEST(Replay, WithoutStepsHoldsTheStartOnly) {
   TraceSink trace;
-  const RunSummary summary = replay(fling_at(60.0, 0), trace);
+  const RunSummary summary = replay(shipped_core(), fling_at(60.0, 0), trace);
   ASSERT_EQ(trace.rows().size(), 1u);
   EXPECT_EQ(trace.rows()[0].step, 0);
   EXPECT_EQ(trace.rows()[0].t_s, 0.0);
@@ -70,7 +72,8 @@ TEST(Replay, WithoutStepsHoldsTheStartOnly) {
 
 TEST(Replay, HoldsTheSpriteFromGrabToRelease) {
   TraceSink trace;
-  replay(fling_at(60.0, 30, {{std::int64_t{10}, Grab{}}, {std::int64_t{20}, Release{{1.0, 2.0}}}}), trace);
+  replay(shipped_core(),
+         fling_at(60.0, 30, {{std::int64_t{10}, Grab{}}, {std::int64_t{20}, Release{{1.0, 2.0}}}}), trace);
   const Row& held = trace.rows()[11];
   EXPECT_EQ(held.vx_px_per_s, 0.0);
   EXPECT_EQ(held.vy_px_per_s, 0.0);
@@ -86,7 +89,8 @@ TEST(Replay, HoldsTheSpriteFromGrabToRelease) {
 
 TEST(Replay, HoldsASpriteBeyondAWallWithoutContact) {
   TraceSink trace;
-  replay(fling_at(60.0, 9, {{std::int64_t{2}, Grab{}}, {std::int64_t{3}, Place{{-500.0, 9000.0}}}}), trace);
+  replay(shipped_core(),
+         fling_at(60.0, 9, {{std::int64_t{2}, Grab{}}, {std::int64_t{3}, Place{{-500.0, 9000.0}}}}), trace);
   EXPECT_EQ(trace.rows().back().x_px, -500.0);
   EXPECT_EQ(trace.rows().back().y_px, 9000.0);
   EXPECT_TRUE(trace.contacts().empty());
@@ -94,7 +98,7 @@ TEST(Replay, HoldsASpriteBeyondAWallWithoutContact) {
 
 TEST(Replay, RecordsEveryFewRowsAndTheLastOne) {
   TraceSink trace(RowSink::Wants{.rows_every = 4});
-  replay(fling_at(60.0, 10), trace);
+  replay(shipped_core(), fling_at(60.0, 10), trace);
   std::vector<std::int64_t> steps;
   for (const Row& row : trace.rows()) steps.push_back(row.step);
   EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 4, 8, 10}));
@@ -105,7 +109,7 @@ TEST(Replay, RecordsEveryFewRowsAndTheLastOne) {
 TEST(Replay, EndsAtTheStepThatIsNotFinite) {
   Scenario scenario = fling_at(60.0, 100, {{std::int64_t{20}, Fling{{kInfinity, 0.0}}}});
   TraceSink trace;
-  const RunSummary summary = replay(scenario, trace);
+  const RunSummary summary = replay(shipped_core(), scenario, trace);
   EXPECT_EQ(summary.non_finite_step, 21);
   EXPECT_EQ(summary.steps, 21);
   ASSERT_EQ(trace.rows().size(), 22u);
@@ -118,7 +122,7 @@ TEST(Replay, EndsAtTheFirstStepWhereTheStartCannotMove) {
   scenario.start_velocity.vx_px_per_s = kInfinity;
   scenario.clock.base = FixedStep{0.0};
   TraceSink trace;
-  EXPECT_EQ(replay(scenario, trace).non_finite_step, 1);
+  EXPECT_EQ(replay(shipped_core(), scenario, trace).non_finite_step, 1);
   EXPECT_EQ(trace.rows().size(), 2u);
 }
 
@@ -126,28 +130,29 @@ TEST(Replay, EndsWhereAFramesDtOverflowsTheSpeed) {
   Scenario scenario = fling_at(60.0, 9000, {{std::int64_t{5000}, Hitch{1e306}}});
   TraceSink skipping;
   TraceSink computing;
-  const RunSummary summary = replay(scenario, skipping);
+  const RunSummary summary = replay(shipped_core(), scenario, skipping);
   EXPECT_EQ(summary.non_finite_step, 5001);
   EXPECT_EQ(summary.final.step, 5001);
-  EXPECT_EQ(replay(scenario, computing, {.skips_repetition = false}).state_hash, summary.state_hash);
+  EXPECT_EQ(replay(shipped_core(), scenario, computing, {.skips_repetition = false}).state_hash,
+            summary.state_hash);
   EXPECT_TRUE(same_trace(skipping, computing));
 }
 
 TEST(Replay, ReportsWhatTheRunExercised) {
   TraceSink trace;
-  const RunSummary slides = replay(fling_at(60.0, 600), trace);
+  const RunSummary slides = replay(shipped_core(), fling_at(60.0, 600), trace);
   EXPECT_TRUE(slides.had_gravity && slides.had_drag && slides.had_friction);
 
   Scenario weightless = fling_at(60.0, 10);
   weightless.clock.base = FixedStep{0.0};
-  const RunSummary damped = replay(weightless, trace);
+  const RunSummary damped = replay(shipped_core(), weightless, trace);
   EXPECT_TRUE(damped.had_drag);
   EXPECT_FALSE(damped.had_gravity || damped.had_friction);
 
   Scenario drop = fling_at(60.0, 600);
   drop.start_velocity = {};
-  EXPECT_FALSE(replay(drop, trace).had_friction);
-  EXPECT_FALSE(replay(fling_at(60.0, 10, {{std::int64_t{0}, Grab{}}}), trace).had_drag);
+  EXPECT_FALSE(replay(shipped_core(), drop, trace).had_friction);
+  EXPECT_FALSE(replay(shipped_core(), fling_at(60.0, 10, {{std::int64_t{0}, Grab{}}}), trace).had_drag);
 }
 
 }  // namespace

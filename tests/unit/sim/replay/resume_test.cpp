@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -11,14 +12,14 @@ namespace hyrax {
 namespace {
 
 struct Played {
-  explicit Played(const Scenario& scenario) { summary = replay(scenario, trace); }
+  explicit Played(const Scenario& scenario) { summary = replay(shipped_core(), scenario, trace); }
   TraceSink trace;
   RunSummary summary;
 };
 
 Keyframe stop_at(const Scenario& scenario, std::int64_t step) {
   TraceSink trace;
-  Replay run(scenario, trace);
+  Replay run(shipped_core(), scenario, trace);
   run.play_to(step);
   return run.keyframe();
 }
@@ -43,7 +44,7 @@ void expect_resumable_everywhere(const Scenario& scenario) {
     const Keyframe keyframe = stop_at(scenario, step);
     ASSERT_TRUE(same_row(keyframe.row, whole.trace.rows()[static_cast<std::size_t>(step)]));
     TraceSink trace;
-    Replay resumed(scenario, keyframe, trace);
+    Replay resumed(shipped_core(), scenario, keyframe, trace);
     resumed.play_to(resumed.steps());
     const RunSummary summary = resumed.finish();
     ASSERT_TRUE(same_rows(trace.rows(), rows_after(whole.trace.rows(), step))) << "from " << step;
@@ -71,9 +72,9 @@ TEST(ResumedReplay, RecordsTheRowsOfAnUninterruptedRun) {
   for (const std::int64_t every : {1, 3, 10, 64, 1000})
     for (const std::int64_t step : {0, 1, 29, 30, 99}) {
       TraceSink whole(RowSink::Wants{.rows_every = every});
-      replay(scenario, whole);
+      replay(shipped_core(), scenario, whole);
       TraceSink trace(RowSink::Wants{.rows_every = every});
-      Replay resumed(scenario, stop_at(scenario, step), trace);
+      Replay resumed(shipped_core(), scenario, stop_at(scenario, step), trace);
       resumed.play_to(resumed.steps());
       resumed.finish();
       EXPECT_TRUE(same_rows(trace.rows(), rows_after(whole.rows(), step))) << every << " from " << step;
@@ -87,7 +88,7 @@ TEST(ResumedReplay, MakesEveryBlockAgainFromItsKeyframe) {
   ASSERT_EQ(whole.trace.keyframes().size(), 5u);
   for (std::size_t block = 0; block < whole.trace.keyframes().size(); ++block) {
     TraceSink trace;
-    Replay resumed(scenario, whole.trace.keyframes()[block], trace);
+    Replay resumed(shipped_core(), scenario, whole.trace.keyframes()[block], trace);
     const std::int64_t last_step = whole.trace.blocks()[block].first_step + 4095;
     resumed.play_to(std::min(last_step, resumed.steps()));
     resumed.finish();
@@ -102,7 +103,7 @@ TEST(ResumedReplay, MakesSkippedBlocksAgainFromTheirKeyframes) {
   ASSERT_LT(whole.summary.steps_computed, whole.summary.steps);
   for (const Keyframe& keyframe : whole.trace.keyframes()) {
     TraceSink trace;
-    Replay resumed(scenario, keyframe, trace, {.skips_repetition = false});
+    Replay resumed(shipped_core(), scenario, keyframe, trace, {.skips_repetition = false});
     resumed.play_to(std::min(keyframe.row.step + 4095, resumed.steps()));
     resumed.finish();
     const auto block = static_cast<std::size_t>(keyframe.row.step / 4096);
@@ -119,7 +120,7 @@ TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
   const Contact& rest = whole.trace.contacts().back();
   ASSERT_EQ(rest.last_step, 4000);
   TraceSink trace;
-  Replay resumed(scenario, stop_at(scenario, rest.step + 5), trace);
+  Replay resumed(shipped_core(), scenario, stop_at(scenario, rest.step + 5), trace);
   resumed.play_to(resumed.steps());
   EXPECT_EQ(resumed.finish().contacts, WallCounts{});
 }
@@ -131,7 +132,7 @@ TEST(ResumedReplay, DiffersFromAKeyframeThatIsOneUlpOff) {
   Keyframe keyframe = stop_at(scenario, 50);
   keyframe.row.vy_px_per_s = std::nextafter(keyframe.row.vy_px_per_s, 1e9);
   TraceSink trace;
-  Replay resumed(scenario, keyframe, trace);
+  Replay resumed(shipped_core(), scenario, keyframe, trace);
   resumed.play_to(resumed.steps());
   resumed.finish();
   EXPECT_FALSE(same_rows(trace.rows(), rows_after(whole.trace.rows(), 50)));
@@ -157,7 +158,7 @@ TEST(ResumedReplay, DetectsRepetitionFromItsKeyframeOn) {
   for (const std::int64_t step : {std::int64_t{1}, periodic_from - 100, periodic_from, periodic_from + 1,
                                   std::int64_t{20'000}, 30'000 - 3 * period - 1, std::int64_t{29'999}}) {
     TraceSink trace;
-    Replay resumed(scenario, stop_at(scenario, step), trace);
+    Replay resumed(shipped_core(), scenario, stop_at(scenario, step), trace);
     resumed.play_to(resumed.steps());
     const RunSummary summary = resumed.finish();
     if (step == 29'999) {
@@ -180,9 +181,9 @@ void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::in
                            bool skips_repetition = true) {
   const ReplayOptions options{.skips_repetition = skips_repetition, .checks_bounds = true};
   TraceSink whole(wants);
-  const RunSummary whole_summary = replay(scenario, whole, options);
+  const RunSummary whole_summary = replay(shipped_core(), scenario, whole, options);
   TraceSink trace(wants);
-  Replay run(scenario, trace, options);
+  Replay run(shipped_core(), scenario, trace, options);
   for (std::uint64_t k = 0; run.keyframe().row.step < whole_summary.steps; ++k) {
     const auto piece =
         static_cast<std::int64_t>(split_mix64(seed, k) % static_cast<std::uint64_t>(piece_max));

@@ -1,13 +1,14 @@
-#include "sim/replay/row_walls.h"
+#include "sim/core/row_walls.h"
+#include "sim/core/core.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sim/replay/contact_kernel.h"
-#include "sim/replay/kernel_of.h"
+#include "sim/core/contact_kernel.h"
+#include "sim/core/kernel_of.h"
+#include "sim/core/step_core.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/step_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 
@@ -80,12 +81,12 @@ struct ReflectedCores {
 };
 
 TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
-  const ContactKernel kernel(std::make_shared<const KernelOf<ReflectedCores>>(), nullptr);
-  EXPECT_FALSE(kernel.constants());
+  const Core reflected{.kernel = std::make_shared<const ContactKernel>(
+                           std::make_shared<const KernelOf<ReflectedCores>>(), nullptr, std::nullopt)};
   Scenario scenario = fling_at(60.0, 600);
   scenario.start = {301.25, 500.5};  // No row is on a bound.
   TraceSink trace;
-  const RunSummary summary = replay(scenario, trace, {.kernel = &kernel});
+  const RunSummary summary = replay(reflected, scenario, trace);
   const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
   State state = start_state(scenario);
   std::vector<Contact> bounces;

@@ -1,13 +1,15 @@
 // A stuck vx is not computed, and nothing shows it: bits, contacts and summary are those of class physics
 // called for every frame.
-#include "sim/replay/stuck_speed.h"
+#include "sim/core/stuck_speed.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
+#include "sim/core/core.h"
+#include "sim/core/core_of.h"
 #include "sim/physics/physics.h"
-#include "sim/replay/core_constants.h"
-#include "sim/replay/kernel_of.h"
 #include "sim/replay/replay.h"
+#include "sim/trajectory/physics_model.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 
@@ -26,17 +28,6 @@ struct CountingPhysics : physics {
   static inline std::int64_t subnormal_updates = 0;
 };
 
-struct EveryStepCores {
-  using Core = CountingPhysics;
-  [[nodiscard]] Core make(const State& state) const {
-    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
-  }
-  [[nodiscard]] Constants constants() const { return core_constants(); }
-};
-struct SkippingCores : EveryStepCores {
-  [[nodiscard]] bool is_listing() const { return true; }
-};
-
 // Not the listing: vx, however small, moves y.
 struct TiltedPhysics : CountingPhysics {
   using CountingPhysics::CountingPhysics;
@@ -45,20 +36,16 @@ struct TiltedPhysics : CountingPhysics {
     physics::update(dt_s, window_width, window_height, width, height);
   }
 };
-template <bool kIsListing>
-struct TiltedCores {
-  using Core = TiltedPhysics;
-  [[nodiscard]] Core make(const State& state) const {
-    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
-  }
-  [[nodiscard]] Constants constants() const { return core_constants(); }
-  [[nodiscard]] bool is_listing() const { return kIsListing; }
-};
+// Said to be the listing, or not.
+template <class Class>
+Core counting_core(bool is_listing) {
+  return core_of<Class>(kPhysicsModel, {.is_listing = is_listing});
+}
 
 struct PlayedSlide {
-  PlayedSlide(const Scenario& scenario, const Kernel& kernel) {
+  PlayedSlide(const Scenario& scenario, const Core& core) {
     CountingPhysics::subnormal_updates = 0;
-    summary = text_of(replay(scenario, trace, {.checks_bounds = true, .kernel = &kernel}));
+    summary = text_of(replay(core, scenario, trace, {.checks_bounds = true}));
     subnormal_updates = CountingPhysics::subnormal_updates;
   }
   TraceSink trace;
@@ -95,13 +82,13 @@ std::vector<Scenario> edge_cases() {
 }
 
 TEST(StuckSpeed, EdgeCasesHaveTheBitsOfEveryStep) {
-  const KernelOf<EveryStepCores> every_step;
-  const KernelOf<SkippingCores> skipping;
+  const Core every_step = counting_core<CountingPhysics>(false);
+  const Core skipping = counting_core<CountingPhysics>(true);
   std::int64_t skipped = 0;
   for (const Scenario& scenario : edge_cases()) {
     const PlayedSlide slow(scenario, every_step), fast(scenario, skipping);
     EXPECT_TRUE(same_played(fast, slow)) << scenario.start_velocity.vx_px_per_s << " " << scenario.start.x_px;
-    EXPECT_TRUE(same_played(PlayedSlide(scenario, core_kernel()), slow));
+    EXPECT_TRUE(same_played(PlayedSlide(scenario, shipped_core()), slow));
     skipped += slow.subnormal_updates > 0 && fast.subnormal_updates == 0 ? 1 : 0;
   }
   EXPECT_GT(skipped, 50);
@@ -115,9 +102,10 @@ TEST(StuckSpeed, IsLeftOutOnceARunHasIt) {
     scenario.events = {at(12'000, Resize{Size{1000, 700}, {}}), at(14'000, Grab{}),
                        at(14'100, Release{{0.0, -300.0}}), at(14'500, Fling{{-3.0, -500.0}}),
                        at(20'000, Hitch{1e9})};
-    const PlayedSlide slow(scenario, KernelOf<EveryStepCores>()), fast(scenario, KernelOf<SkippingCores>());
+    const PlayedSlide slow(scenario, counting_core<CountingPhysics>(false)),
+        fast(scenario, counting_core<CountingPhysics>(true));
     EXPECT_TRUE(same_played(fast, slow));
-    EXPECT_TRUE(same_played(PlayedSlide(scenario, core_kernel()), slow));
+    EXPECT_TRUE(same_played(PlayedSlide(scenario, shipped_core()), slow));
     EXPECT_GT(slow.subnormal_updates, 15'000);
     EXPECT_LT(fast.subnormal_updates, 10'000);
   }
@@ -128,9 +116,9 @@ TEST(StuckSpeed, IsComputedForACoreThatIsNotTheListing) {
   Scenario scenario = jittered(60.0, 40, {Jitter::Kind::uniform, 0.2, 1});
   scenario.start = {700.0, 952.0};
   scenario.start_velocity = {2.0 * kUnit, 0.0};
-  const PlayedSlide computed(scenario, KernelOf<TiltedCores<false>>());
-  EXPECT_FALSE(same_played(PlayedSlide(scenario, KernelOf<TiltedCores<true>>()), computed));
-  EXPECT_FALSE(same_played(PlayedSlide(scenario, KernelOf<EveryStepCores>()), computed));
+  const PlayedSlide computed(scenario, counting_core<TiltedPhysics>(false));
+  EXPECT_FALSE(same_played(PlayedSlide(scenario, counting_core<TiltedPhysics>(true)), computed));
+  EXPECT_FALSE(same_played(PlayedSlide(scenario, counting_core<CountingPhysics>(false)), computed));
 }
 
 bool is_stuck(double vx_px_per_s, double x_px, std::vector<double> dt_s, const Constants& constants) {
@@ -144,7 +132,7 @@ bool is_stuck(double vx_px_per_s, double x_px, std::vector<double> dt_s, const C
 
 // Each condition alone.
 TEST(StuckSpeed, NeedsEachOfItsConditions) {
-  const Constants core = core_constants();
+  const Constants core = *shipped_core().constants;
   EXPECT_TRUE(is_stuck(2.0 * kUnit, 700.0, {0.01, 0.02}, core));
   EXPECT_TRUE(is_stuck(-kUnit, 0.0, {0.01, 0.02}, core));
   EXPECT_FALSE(is_stuck(0.0, 700.0, {0.01, 0.02}, core)) << "costs nothing";

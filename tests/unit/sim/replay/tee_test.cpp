@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-#include "sim/replay/kernel_of.h"
+#include "sim/core/core_of.h"
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -22,10 +23,10 @@ TEST(Tee, GivesEachSinkWhatItWouldGetAlone) {
                             TraceSink(all[4])};
     std::vector<RowSink*> sinks;
     for (TraceSink& sink : together) sinks.push_back(&sink);
-    const RunSummary summary = replay(scenario, sinks);
+    const RunSummary summary = replay(shipped_core(), scenario, sinks);
     for (std::size_t index = 0; index < std::size(together); ++index) {
       TraceSink alone(all[index]);
-      EXPECT_EQ(replay(scenario, alone).state_hash, summary.state_hash);
+      EXPECT_EQ(replay(shipped_core(), scenario, alone).state_hash, summary.state_hash);
       EXPECT_TRUE(same_trace(together[index], alone)) << index;
     }
   }
@@ -47,7 +48,7 @@ class FewerAndFewer : public RowSink {
 
 TEST(Tee, GivesASinkFewerRowsWhenItRequestsFewer) {
   FewerAndFewer sink;
-  const RunSummary summary = replay(fling_at(60.0, 10'000'000), sink);
+  const RunSummary summary = replay(shipped_core(), fling_at(60.0, 10'000'000), sink);
   ASSERT_GT(sink.steps.size(), 5001u);
   for (std::int64_t step = 0; step <= 5000; ++step)
     ASSERT_EQ(sink.steps[static_cast<std::size_t>(step)], step);
@@ -61,13 +62,15 @@ TEST(Tee, GivesASinkFewerRowsWhenItRequestsFewer) {
 // A core that never loses speed at a wall.
 class Elastic {
  public:
-  explicit Elastic(const State& state) : state_(state) {}
+  static constexpr double GRAVITY = 1200.0, RESTITUTION = 1.0, AIR_DRAG = 1.0, GROUND_FRICTION = 1.0,
+                          REST_THRESHOLD = 0.0;
+
+  Elastic(double x, double y, double vx, double vy) : state_{x, y, vx, vy} {}
   void update(double dt_s, int window_width, int window_height, int width, int height) {
     const Bounds bounds{static_cast<double>(window_width - width),
                         static_cast<double>(window_height - height)};
-    ListingStep(constants(), AllParts{}, bounds)(state_, dt_s);
+    ListingStep(constants_of<Elastic>(), AllParts{}, bounds)(state_, dt_s);
   }
-  static Constants constants() { return {1200.0, 1.0, 1.0, 1.0, 0.0}; }
   double x() const { return state_.x_px; }
   double y() const { return state_.y_px; }
   double vx() const { return state_.vx_px_per_s; }
@@ -80,16 +83,9 @@ class Elastic {
   State state_;
 };
 
-struct ElasticCores {
-  using Core = Elastic;
-  Elastic make(const State& state) const { return Elastic(state); }
-  Constants constants() const { return Elastic::constants(); }
-};
-
-TEST(Kernel, PlaysAnyCoreOfThatInterface) {
-  const KernelOf<ElasticCores> kernel;
+TEST(Replay, PlaysAnyCoreOfThatInterface) {
   TraceSink trace;
-  const RunSummary summary = replay(fling_at(60.0, 600), trace, {.kernel = &kernel});
+  const RunSummary summary = replay(core_of<Elastic>("elastic", {}), fling_at(60.0, 600), trace);
   EXPECT_GE(summary.contacts.ground, 5);
   for (const Contact& contact : trace.contacts()) {
     EXPECT_EQ(std::fabs(contact.vx_after_px_per_s), std::fabs(contact.vx_before_px_per_s));

@@ -1,5 +1,6 @@
 // The traced step of the paper's listing, interpreted: the rows and contacts of the shipped core.
-#include "sim/replay/traced_kernel.h"
+#include "sim/core/shipped_core.h"
+#include "sim/core/traced_core.h"
 
 #include <gtest/gtest.h>
 
@@ -14,26 +15,30 @@
 namespace hyrax {
 namespace {
 
-TEST(TracedKernel, PlaysEveryScenarioAsTheShippedCoreDoes) {
-  const auto kernel = make_traced_kernel(canonical(recording::record_listing()));
-  ASSERT_TRUE(kernel);
-  EXPECT_FALSE(kernel->constants());
+TEST(TracedCore, PlaysEveryScenarioAsTheShippedCoreDoes) {
+  const std::optional<Core> core = traced_core(canonical(recording::record_listing()));
+  ASSERT_TRUE(core);
+  EXPECT_FALSE(core->constants);
   for (const std::string& path : scenario_files()) {
     const Scenario scenario = load_scenario(path);
     TraceSink shipped({.rows_every = 1000, .contacts = true, .blocks = true});
     TraceSink traced({.rows_every = 1000, .contacts = true, .blocks = true});
-    const std::string expected = text_of(replay(scenario, shipped));
-    ASSERT_EQ(text_of(replay(scenario, traced, {.kernel = kernel.get()})), expected) << path;
+    const std::string expected = text_of(replay(shipped_core(), scenario, shipped));
+    ASSERT_EQ(text_of(replay(*core, scenario, traced)), expected) << path;
     ASSERT_TRUE(same_trace(traced, shipped)) << path;
   }
 }
 
-TEST(TracedKernel, IsOfFourMembers) {
+// One that no function of the step reads.
+TEST(TracedCore, KeepsItsFurtherMembers) {
   TracedStep step = recording::record_listing();
   step.members.push_back(NumberKind::real);
   for (std::vector<StepPath>& paths : step.paths)
     for (StepPath& path : paths) path.members.push_back(path.members.front());
-  EXPECT_FALSE(make_traced_kernel(canonical(step)));
+  const std::optional<Core> core = traced_core(canonical(step));
+  ASSERT_TRUE(core);
+  for (const Scenario& scenario : {eventful_fling(), fling_at(60.0, 20'000)})
+    EXPECT_EQ(replay(*core, scenario).state_hash, replay(shipped_core(), scenario).state_hash);
 }
 
 }  // namespace

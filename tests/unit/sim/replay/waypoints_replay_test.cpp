@@ -1,6 +1,7 @@
 // Waypoints of long runs, from blocks that repeat, against those of every row.
 #include <gtest/gtest.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trajectory/waypoints.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -28,7 +29,7 @@ void expect_same(const Row& a, const Row& b) {
 void expect_same_waypoints(const Scenario& scenario, std::int64_t steps) {
   WaypointMeter blocks(steps);
   EveryRow rows;
-  replay(scenario, {&blocks, &rows});
+  replay(shipped_core(), scenario, {&blocks, &rows});
   const Waypoints a = blocks.take();
   const Waypoints b = rows.take();
   expect_same(a.apex, b.apex);

@@ -1,6 +1,7 @@
 // The chance that contacts change: where it is known exactly, and against plain sampling by another
 // generator.
 #include "sim/search/contact_chance.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ TEST(ContactChance, HoldsTheExactChanceAsOftenAsItSays) {
   for (const double margin_px : {0.0, 0.5}) {
     int holds = 0, half_as_wide_holds = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-      const ContactChance chance = contact_chance(half_a_pixel_from_the_wall(), margin_px, seed);
+      const ContactChance chance =
+          contact_chance(shipped_core(), half_a_pixel_from_the_wall(), margin_px, seed);
       EXPECT_EQ(chance.changed.of, 200);
       holds += chance.low() <= kExact && kExact <= chance.high() ? 1 : 0;
       // The control: an interval of half the width holds it in about two thirds.
@@ -45,22 +47,22 @@ TEST(ContactChance, HoldsTheExactChanceAsOftenAsItSays) {
 }
 
 TEST(ContactChance, OfStartsBeyondTheMarginIsMorePrecise) {
-  const ContactChance whole = contact_chance(half_a_pixel_from_the_wall(), 0.0);
-  const ContactChance beyond = contact_chance(half_a_pixel_from_the_wall(), 0.5);
+  const ContactChance whole = contact_chance(shipped_core(), half_a_pixel_from_the_wall(), 0.0);
+  const ContactChance beyond = contact_chance(shipped_core(), half_a_pixel_from_the_wall(), 0.5);
   EXPECT_EQ(whole.drawn_part, 1.0);
   EXPECT_EQ(beyond.drawn_part, 0.75);
   EXPECT_LT(beyond.high() - beyond.low(), whole.high() - whole.low());
 }
 
 TEST(ContactChance, IsZeroWithinTheMarginWithoutAnyStart) {
-  const ContactChance chance = contact_chance(half_a_pixel_from_the_wall(), 1.0);
+  const ContactChance chance = contact_chance(shipped_core(), half_a_pixel_from_the_wall(), 1.0);
   EXPECT_EQ(chance.changed.of, 0);
   EXPECT_EQ(chance.chance(), 0.0);
   EXPECT_EQ(chance.high(), 0.0);
 }
 
 TEST(ContactChance, OfNoChangedStartHasAnIntervalAboveZero) {
-  const ContactChance chance = contact_chance(falling(500.0, 100.0, {}, 10), 0.0);
+  const ContactChance chance = contact_chance(shipped_core(), falling(500.0, 100.0, {}, 10), 0.0);
   EXPECT_EQ(chance.changed.count, 0);
   EXPECT_EQ(chance.low(), 0.0);
   EXPECT_GT(chance.high(), 0.01);
@@ -77,7 +79,7 @@ TEST(ContactChance, IsThatOfPlainSampling) {
   };
   const auto contacts_of = [](const Scenario& scenario) {
     Walls walls;
-    (void)replay(scenario, walls);
+    (void)replay(shipped_core(), scenario, walls);
     for (std::uint8_t& contact : walls.contacts) contact &= static_cast<std::uint8_t>(~kRestBit);
     return walls.contacts;
   };
@@ -91,7 +93,7 @@ TEST(ContactChance, IsThatOfPlainSampling) {
     moved.start = {scenario.start.x_px + offset(random), scenario.start.y_px + offset(random)};
     changed.count += contacts_of(moved) == contacts ? 0 : 1;
   }
-  const ContactChance chance = contact_chance(scenario, 0.0, 3, 2000);
+  const ContactChance chance = contact_chance(shipped_core(), scenario, 0.0, 3, 2000);
   EXPECT_GT(chance.chance(), 0.05);
   EXPECT_LT(chance.chance(), 0.95);
   EXPECT_LE(chance.low(), changed.high());
@@ -100,8 +102,10 @@ TEST(ContactChance, IsThatOfPlainSampling) {
 
 TEST(ContactChance, RepeatsWithItsSeed) {
   const Scenario scenario = half_a_pixel_from_the_wall();
-  EXPECT_EQ(contact_chance(scenario, 0.0, 9).changed.count, contact_chance(scenario, 0.0, 9).changed.count);
-  EXPECT_NE(contact_chance(scenario, 0.0, 9).changed.count, contact_chance(scenario, 0.0, 10).changed.count);
+  EXPECT_EQ(contact_chance(shipped_core(), scenario, 0.0, 9).changed.count,
+            contact_chance(shipped_core(), scenario, 0.0, 9).changed.count);
+  EXPECT_NE(contact_chance(shipped_core(), scenario, 0.0, 9).changed.count,
+            contact_chance(shipped_core(), scenario, 0.0, 10).changed.count);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "sim/core/shipped_core.h"
 #include "sim/motion/displays.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/random_scenario.h"
@@ -16,25 +17,25 @@ namespace {
 
 TEST(RandomRun, IsAValidScenarioThatItsFileGivesBack) {
   for (std::uint64_t run = 0; run < 2000; ++run) {
-    const Scenario scenario = random_run(3, run).scenario;
+    const Scenario scenario = random_run(shipped_core(), 3, run).scenario;
     EXPECT_TRUE(is_valid(scenario)) << scenario.name;
     EXPECT_TRUE(plays_the_same(scenario, parse_scenario(scenario_file_text(scenario), scenario.name)));
   }
 }
 
 TEST(RandomRun, IsTheSameWheneverItIsDrawn) {
-  const RandomRun one = random_run(5, 17);
-  static_cast<void>(random_run(5, 18));
-  const RandomRun again = random_run(5, 17);
+  const RandomRun one = random_run(shipped_core(), 5, 17);
+  static_cast<void>(random_run(shipped_core(), 5, 18));
+  const RandomRun again = random_run(shipped_core(), 5, 17);
   EXPECT_TRUE(plays_the_same(one.scenario, again.scenario));
   EXPECT_EQ(one.stops, again.stops);
   EXPECT_EQ(one.scenario.name, "fuzz-5-17");
-  EXPECT_FALSE(plays_the_same(one.scenario, random_run(6, 17).scenario));
+  EXPECT_FALSE(plays_the_same(one.scenario, random_run(shipped_core(), 6, 17).scenario));
 }
 
 TEST(RandomRun, StopsAtTwoRowsOfTheRun) {
   for (std::uint64_t run = 0; run < 500; ++run) {
-    const RandomRun random = random_run(1, run);
+    const RandomRun random = random_run(shipped_core(), 1, run);
     ASSERT_EQ(random.stops.size(), 2u);
     EXPECT_GE(random.stops[0], 0);
     EXPECT_LE(random.stops[0], random.stops[1]);
@@ -46,7 +47,7 @@ TEST(RandomRun, HasEachFeatureInAboutHalfOfTheRuns) {
   for (std::size_t feature = 0; feature <= static_cast<std::size_t>(Feature::long_run); ++feature) {
     int runs = 0;
     for (std::uint64_t run = 0; run < 1000; ++run)
-      runs += random_run(1, run).features.has(static_cast<Feature>(feature)) ? 1 : 0;
+      runs += random_run(shipped_core(), 1, run).features.has(static_cast<Feature>(feature)) ? 1 : 0;
     EXPECT_NEAR(runs, 500, 80) << "feature " << feature;
   }
 }
@@ -56,7 +57,7 @@ TEST(RandomRun, ReachesWhatTheFormatAllows) {
   std::set<std::size_t> actions, clocks, jitters;
   int oversized = 0, zero_frames = 0;
   for (std::uint64_t run = 0; run < 1000; ++run) {
-    const Scenario scenario = random_run(2, run).scenario;
+    const Scenario scenario = random_run(shipped_core(), 2, run).scenario;
     for (const Event& event : scenario.events) actions.insert(event.action.index());
     clocks.insert(scenario.clock.base.index());
     if (scenario.clock.jitter) jitters.insert(static_cast<std::size_t>(scenario.clock.jitter->kind));
@@ -78,7 +79,7 @@ TEST(RandomRun, ReachesWhatTheFormatAllows) {
 TEST(RandomRun, IsPlayedOnEachDisplayAtEachRate) {
   std::set<std::pair<std::int32_t, double>> drawn;
   for (std::uint64_t run = 0; run < 40'000; ++run) {
-    const Scenario scenario = random_run(7, run).scenario;
+    const Scenario scenario = random_run(shipped_core(), 7, run).scenario;
     const auto* const rate = std::get_if<FixedRate>(&scenario.clock.base);
     if (rate != nullptr) drawn.emplace(scenario.window.width_px, rate->rate_hz);
   }
@@ -89,15 +90,16 @@ TEST(RandomRun, IsPlayedOnEachDisplayAtEachRate) {
 
 TEST(CheckRun, TheShippedCoreBreaksNoRule) {
   for (std::uint64_t run = 0; run < 3000; ++run) {
-    const RandomRun random = random_run(4, run);
-    const auto broken = first_broken(random.scenario, check_run(random.scenario, random.stops).measures);
+    const RandomRun random = random_run(shipped_core(), 4, run);
+    const auto broken =
+        first_broken(random.scenario, check_run(shipped_core(), random.scenario, random.stops).measures);
     EXPECT_FALSE(broken) << random.scenario.name << " "
                          << kInvariantTexts[static_cast<std::size_t>(*broken)].name;
   }
 }
 
 TEST(CheckRun, TheListingBreaksTheMirrorOnlyWhereTheSpriteIsWiderThanItsWindow) {
-  Scenario scenario = random_run(1, 0).scenario;
+  Scenario scenario = random_run(shipped_core(), 1, 0).scenario;
   scenario.window = {100, 10};
   scenario.sprite = {100, 200};
   scenario.events.clear();

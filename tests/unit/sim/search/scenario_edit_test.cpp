@@ -1,6 +1,7 @@
 // Smaller scenarios play the rows that they are meant to keep.
 #include <gtest/gtest.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/random_scenario.h"
@@ -21,11 +22,11 @@ class Rows : public RowSink {
 
 std::vector<Row> rows_of(const Scenario& scenario) {
   Rows rows;
-  replay(scenario, rows);
+  replay(shipped_core(), scenario, rows);
   return std::move(rows.all);
 }
 
-Digest hash_of(const Scenario& scenario) { return replay(scenario).state_hash; }
+Digest hash_of(const Scenario& scenario) { return replay(shipped_core(), scenario).state_hash; }
 
 TEST(ScenarioEdit, PlainPlaysTheSame) {
   Scenario scenario = eventful_fling();
@@ -37,7 +38,7 @@ TEST(ScenarioEdit, PlainPlaysTheSame) {
 
 TEST(ScenarioEdit, RecordedPlaysTheSame) {
   for (std::uint64_t run = 0; run < 200; ++run) {
-    const Scenario scenario = plain(random_run(1, run).scenario);
+    const Scenario scenario = plain(random_run(shipped_core(), 1, run).scenario);
     EXPECT_EQ(hash_of(recorded(scenario)), hash_of(scenario)) << scenario.name;
     EXPECT_TRUE(is_valid(recorded(scenario)));
   }
@@ -56,7 +57,7 @@ TEST(ScenarioEdit, AfterFramesTheOtherRowsAreTheSame) {
   const Scenario scenario = recorded(plain(eventful_fling()));
   const std::vector<Row> all = rows_of(scenario);
   for (const std::int64_t frames : {1, 50, 99, 103, 160, 190, 329}) {
-    const Scenario later = after_frames(scenario, frames);
+    const Scenario later = after_frames(shipped_core(), scenario, frames);
     EXPECT_TRUE(is_valid(later)) << frames;
     const std::vector<Row> some = rows_of(later);
     ASSERT_EQ(some.size(), all.size() - static_cast<std::size_t>(frames));

@@ -1,6 +1,7 @@
 // Shrinking finds the smallest scenario that fails, the same one each time.
 #include <gtest/gtest.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/scenario_edit.h"
@@ -10,14 +11,14 @@
 namespace hyrax {
 namespace {
 
-bool meets_the_top(const Scenario& scenario) { return replay(scenario).contacts.top > 0; }
+bool meets_the_top(const Scenario& scenario) { return replay(shipped_core(), scenario).contacts.top > 0; }
 bool has_a_stop(const Scenario& scenario) {
   return std::any_of(scenario.events.begin(), scenario.events.end(),
                      [](const Event& event) { return std::holds_alternative<Stop>(event.action); });
 }
 
 TEST(Shrink, OneFrameIsLeftOfARunThatMeetsTheTop) {
-  const Shrunk shrunk = shrink(eventful_fling(), meets_the_top);
+  const Shrunk shrunk = shrink(shipped_core(), eventful_fling(), meets_the_top);
   EXPECT_TRUE(meets_the_top(shrunk.scenario));
   EXPECT_TRUE(shrunk.is_complete);
   const Complexity left = complexity_of(shrunk.scenario);
@@ -28,19 +29,19 @@ TEST(Shrink, OneFrameIsLeftOfARunThatMeetsTheTop) {
 }
 
 TEST(Shrink, OneEventIsLeftWhereOneIsNeeded) {
-  const Shrunk shrunk = shrink(eventful_fling(), has_a_stop);
+  const Shrunk shrunk = shrink(shipped_core(), eventful_fling(), has_a_stop);
   EXPECT_EQ(shrunk.scenario.events, (std::vector<Event>{{std::int64_t{0}, Stop{}}}));
   EXPECT_EQ(complexity_of(shrunk.scenario).steps, 1);
 }
 
 TEST(Shrink, WhatNeedsManyFramesKeepsThem) {
   const auto is_long = [](const Scenario& scenario) { return complexity_of(scenario).steps >= 37; };
-  EXPECT_EQ(complexity_of(shrink(eventful_fling(), is_long).scenario).steps, 37);
+  EXPECT_EQ(complexity_of(shrink(shipped_core(), eventful_fling(), is_long).scenario).steps, 37);
 }
 
 TEST(Shrink, WhatNeedsJitterKeepsIt) {
   const auto is_jittered = [](const Scenario& scenario) { return scenario.clock.jitter.has_value(); };
-  const Shrunk shrunk = shrink(eventful_fling(), is_jittered);
+  const Shrunk shrunk = shrink(shipped_core(), eventful_fling(), is_jittered);
   EXPECT_EQ(complexity_of(shrunk.scenario), (Complexity{.steps = 0, .events = 0, .clock = 3, .digits = 5}))
       << complexity_of(shrunk.scenario).digits;
 }
@@ -50,16 +51,16 @@ TEST(Shrink, WhatNeedsItsExpectationsKeepsThem) {
   scenario.expect.emplace().finite = true;
   scenario.record_every = 7;
   const auto expects = [](const Scenario& each) { return each.expect.has_value(); };
-  EXPECT_EQ(complexity_of(shrink(scenario, expects).scenario).extras, 1);
-  EXPECT_EQ(complexity_of(shrink(scenario, meets_the_top).scenario).extras, 0);
+  EXPECT_EQ(complexity_of(shrink(shipped_core(), scenario, expects).scenario).extras, 1);
+  EXPECT_EQ(complexity_of(shrink(shipped_core(), scenario, meets_the_top).scenario).extras, 0);
 }
 
 TEST(Shrink, IsDeterministicAndOfRandomRunsAsWell) {
   for (std::uint64_t run = 0; run < 40; ++run) {
-    const Scenario scenario = random_run(9, run).scenario;
+    const Scenario scenario = random_run(shipped_core(), 9, run).scenario;
     if (!meets_the_top(scenario)) continue;
-    const Shrunk one = shrink(scenario, meets_the_top);
-    const Shrunk again = shrink(scenario, meets_the_top);
+    const Shrunk one = shrink(shipped_core(), scenario, meets_the_top);
+    const Shrunk again = shrink(shipped_core(), scenario, meets_the_top);
     EXPECT_TRUE(meets_the_top(one.scenario));
     EXPECT_LE(complexity_of(one.scenario).steps, 1) << scenario.name;
     EXPECT_TRUE(plays_the_same(one.scenario, again.scenario));
@@ -69,14 +70,14 @@ TEST(Shrink, IsDeterministicAndOfRandomRunsAsWell) {
 
 TEST(Shrink, WhatDoesNotFailIsReturnedAsItIs) {
   const Scenario scenario = eventful_fling();
-  const Shrunk shrunk = shrink(scenario, [](const Scenario&) { return false; });
+  const Shrunk shrunk = shrink(shipped_core(), scenario, [](const Scenario&) { return false; });
   EXPECT_TRUE(plays_the_same(shrunk.scenario, scenario));
   EXPECT_FALSE(shrunk.fails_again);
   EXPECT_EQ(shrunk.trials, 1);
 }
 
 TEST(Shrink, StopsAtTheLimitOfTrials) {
-  const Shrunk shrunk = shrink(eventful_fling(), meets_the_top, {.trials_max = 5});
+  const Shrunk shrunk = shrink(shipped_core(), eventful_fling(), meets_the_top, {.trials_max = 5});
   EXPECT_EQ(shrunk.trials, 5);
   EXPECT_FALSE(shrunk.is_complete);
   EXPECT_TRUE(meets_the_top(shrunk.scenario));

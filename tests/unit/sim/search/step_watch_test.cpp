@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/search/step_watch.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -36,9 +37,9 @@ class Tampering : public RowSink {
 
 InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
                           const std::function<void(Row&)>& change = {}) {
-  StepWatch watch(scenario);
+  StepWatch watch(shipped_core(), scenario);
   Tampering sink(watch, step, change);
-  replay(scenario, sink, {.skips_repetition = false, .checks_bounds = false});
+  replay(shipped_core(), scenario, sink, {.skips_repetition = false, .checks_bounds = false});
   return watch.measures();
 }
 

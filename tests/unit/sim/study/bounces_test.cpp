@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/study/bounces/bounces.h"
 #include "sim/study/methods/many_flings.h"
 
@@ -36,7 +37,7 @@ double kept_in_a_minute(State s, bool moves_first) {
 TEST(Bounces, KeepTheEnergyThatAPlainLoopKeeps) {
   const ManyFlings flings({FixedRate{60.0}, {}}, 60.0, 20);
   int compared = 0;
-  for (const KeptEnergy& kept : kept_energies({60.0}, 20)) {
+  for (const KeptEnergy& kept : kept_energies(shipped_core(), {60.0}, 20)) {
     if (kept.method == BounceMethod::exact) {
       EXPECT_NEAR(kept.minute, 1.0, 1e-9);
       EXPECT_NEAR(kept.ten_minutes, 1.0, 1e-9);

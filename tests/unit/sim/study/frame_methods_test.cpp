@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/physics/physics.h"
 #include "sim/study/methods/method_errors.h"
 #include "sim/study/speed_error/speed_error.h"
@@ -12,7 +13,7 @@ namespace hyrax {
 namespace {
 
 MethodKind kind_of(const std::string& name) {
-  for (const MethodKind& kind : frame_methods())
+  for (const MethodKind& kind : frame_methods(shipped_core()))
     if (kind.name == name) return kind;
   ADD_FAILURE() << "no method " << name;
   return {};
@@ -26,7 +27,7 @@ Problem problem_named(const std::string& name) {
 }
 
 MethodErrors errors_of(const std::string& method, const Problem& problem, double rate_hz) {
-  return measure_errors(problem, kind_of(method), stage_frames_s(problem, rate_hz), rate_hz);
+  return measure_errors(shipped_core(), problem, kind_of(method), stage_frames_s(problem, rate_hz), rate_hz);
 }
 
 // Order from two rates that differ by a factor of two.
@@ -119,7 +120,7 @@ TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
   };
   MethodKind kind{.name = "lost", .make = [] { return std::make_unique<Lost>(); }};
   const Problem arc = problem_named("long-arc");
-  EXPECT_TRUE(measure_errors(arc, kind, stage_frames_s(arc, 60.0), 60.0).is_failed);
+  EXPECT_TRUE(measure_errors(shipped_core(), arc, kind, stage_frames_s(arc, 60.0), 60.0).is_failed);
 }
 
 // Relative to the kinetic energy: how high a flight is above the floor changes nothing.

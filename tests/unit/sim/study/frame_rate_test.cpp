@@ -5,8 +5,9 @@
 #include <cmath>
 #include <set>
 
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/reference/exact_fling.h"
-#include "sim/replay/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/frame_rate/frame_rate.h"
 
@@ -14,17 +15,18 @@ namespace hyrax {
 namespace {
 
 TEST(FrameRate, ThePapersMethodIsTheCoreOnEveryClock) {
-  const FrameRateStudy study = study_frame_rate({24.0, 144.0}, 3);
+  const FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 144.0}, 3);
   EXPECT_EQ(study.landings.size(), 2u * 3u * 2u * (1u + 3u)) << "the drawn fling, and three more";
   for (const Landing& landing : study.landings) EXPECT_TRUE(landing.is_core);
 }
 
 TEST(FrameRate, OneDisplayAloneIsIndependentOfItself) {
-  for (const Independence& score : study_frame_rate({60.0}, 2).scores) EXPECT_EQ(score.score, 100.0);
+  for (const Independence& score : study_frame_rate(shipped_core(), {60.0}, 2).scores)
+    EXPECT_EQ(score.score, 100.0);
 }
 
 TEST(FrameRate, APathEndsWhereItLands) {
-  const FrameRateStudy study = study_frame_rate({60.0}, 1);
+  const FrameRateStudy study = study_frame_rate(shipped_core(), {60.0}, 1);
   ASSERT_FALSE(study.paths.empty());
   const Landing& landing = study.landings.front();
   double last_px = 0.0;
@@ -34,7 +36,7 @@ TEST(FrameRate, APathEndsWhereItLands) {
 }
 
 TEST(FrameRate, AShiftIsFromSixtyHertzAndItsContactsAreCounted) {
-  const FrameRateStudy study = study_frame_rate({60.0, 240.0}, 20);
+  const FrameRateStudy study = study_frame_rate(shipped_core(), {60.0, 240.0}, 20);
   ASSERT_EQ(study.shifts.size(), 2u * 3u * 2u);
   const auto place_px = [&](double rate_hz, std::int64_t fling) {
     return std::find_if(study.landings.begin(), study.landings.end(), [&](const Landing& landing) {
@@ -62,7 +64,7 @@ TEST(FrameRate, TheExactFlingSettlesAtOnePlace) {
   exact.start(kDrawnFling, kDrawnBounds);
   for (double t_s = 1.0; t_s < 16.0; t_s += 1.0) (void)exact.at(t_s);
   const double place_px = exact.at(16.0).x_px;
-  const FrameRateStudy study = study_frame_rate({24.0, 240.0}, 4);
+  const FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 240.0}, 4);
   for (const Landing& landing : study.landings) {
     if (landing.fling != 0) continue;
     EXPECT_NEAR(landing.off_px, std::fabs(landing.x_px - place_px), 1e-9);
@@ -75,7 +77,7 @@ TEST(FrameRate, TheExactFlingSettlesAtOnePlace) {
 
 TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
   for (const auto& rates_hz : {std::vector{59.0, 60.2, 240.0}, std::vector{60.8, 59.75, 58.8}}) {
-    const FrameRateStudy study = study_frame_rate(rates_hz, 1);
+    const FrameRateStudy study = study_frame_rate(shipped_core(), rates_hz, 1);
     EXPECT_GT(study.shifts[0].shift_px.high, 0.0);
     EXPECT_EQ(study.shifts[1].shift_px.high, 0.0) << "from itself";
     EXPECT_GT(study.shifts[2].shift_px.high, 0.0);
@@ -83,7 +85,7 @@ TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
 }
 
 TEST(FrameRate, ByTimeItIsSteadierInMostFlings) {
-  for (const Share& steadier : study_frame_rate({24.0, 60.0, 240.0}, 30).steadier_by_time) {
+  for (const Share& steadier : study_frame_rate(shipped_core(), {24.0, 60.0, 240.0}, 30).steadier_by_time) {
     EXPECT_EQ(steadier.of, 31);
     EXPECT_GT(steadier.low(), 0.5);
   }
@@ -95,14 +97,14 @@ TEST(ManyFlings, AreTheCoresBitForBit) {
        {std::optional<Jitter>(), std::optional(Jitter{Jitter::Kind::normal, 0.002, kJitterSeed}),
         std::optional(Jitter{Jitter::Kind::missed_frames, 0.05, kJitterSeed})}) {
     const ManyFlings flings({FixedRate{75.0}, jitter}, 4.0, 19);
-    const std::vector<MemberResult> results = flings.play();
+    const std::vector<MemberResult> results = flings.play(shipped_core());
     ASSERT_EQ(results.size(), 19u);
     for (std::int64_t fling = 0; fling < flings.count(); ++fling) {
       const Clock clock = flings.clock(fling);
       const FrameClock frames(clock);
       State body = flings.start(fling);
       for (std::int64_t frame = 0; frame < flings.frames(); ++frame)
-        body = core_step(body, frames.dt_s(frame), kFlingBounds);
+        body = shipped_core().step(body, frames.dt_s(frame), kFlingBounds);
       EXPECT_TRUE(same_bits(body, results[static_cast<std::size_t>(fling)].final)) << fling;
     }
   }

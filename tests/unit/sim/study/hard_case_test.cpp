@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/hard_cases/hard_case.h"
 #include "sim/study/study.h"
@@ -18,10 +19,10 @@ Scenario named(const std::string& name) {
   return load_scenario(std::string(HYRAX_SOURCE_DIR) + "/scenarios/hard/" + name + ".json");
 }
 
-HardCase case_of(const Scenario& scenario) { return hard_cases_of(scenario).front(); }
+HardCase case_of(const Scenario& scenario) { return hard_cases_of(shipped_core(), scenario).front(); }
 
 CaseVerdict judged(const HardCase& hard_case, Invariant invariant) {
-  return judge(hard_case, play_hard_case(hard_case), invariant);
+  return judge(hard_case, play_hard_case(shipped_core(), hard_case), invariant);
 }
 
 const Study& hard_cases() {
@@ -31,7 +32,7 @@ const Study& hard_cases() {
 }
 
 Result studied(std::vector<Scenario> scenarios) {
-  StudyRequest request;
+  StudyRequest request{.core = shipped_core()};
   for (Scenario& scenario : scenarios) request.scenarios.push_back({"some.json", std::move(scenario)});
   return hard_cases().run(request);
 }
@@ -44,7 +45,7 @@ const std::vector<Value>& values(const Table& table, const std::string& name) {
 }
 
 TEST(HardCase, AUsersScenarioIsOneCase) {
-  const std::vector<HardCase> cases = hard_cases_of(fling_at(60.0, 100));
+  const std::vector<HardCase> cases = hard_cases_of(shipped_core(), fling_at(60.0, 100));
   ASSERT_EQ(cases.size(), 1u);
   EXPECT_TRUE(cases[0].expected_failures.empty());
 }
@@ -53,7 +54,7 @@ TEST(HardCase, MembersOfAFamilyHaveUniqueNamesAndSortedEvents) {
   std::set<std::string> names;
   for (const std::string& path : scenario_files()) {
     if (path.find("/hard/") == std::string::npos) continue;
-    for (const HardCase& hard_case : hard_cases_of(load_scenario(path))) {
+    for (const HardCase& hard_case : hard_cases_of(shipped_core(), load_scenario(path))) {
       EXPECT_TRUE(names.insert(hard_case.name).second) << hard_case.name;
       EXPECT_FALSE(hard_case.why.empty()) << hard_case.name;
       EXPECT_TRUE(std::is_sorted(hard_case.scenario.events.begin(), hard_case.scenario.events.end(),
@@ -87,7 +88,7 @@ TEST(HardCase, FamiliesAreChosenByWhatAScenarioDoes) {
     const auto family = cases.find(scenario.name);
     const std::size_t expected = family == cases.end() ? 1 : family->second;
     scenario.name = "renamed";
-    EXPECT_EQ(hard_cases_of(scenario).size(), expected) << path;
+    EXPECT_EQ(hard_cases_of(shipped_core(), scenario).size(), expected) << path;
   }
 }
 
@@ -107,7 +108,7 @@ TEST(HardCase, AFlingOfAFamilysNameIsOneCase) {
                                  "zeno", "hitch", "sprite-larger-than-window", "subnormal-speed"}) {
     Scenario scenario = fling_at(60.0, 100);
     scenario.name = name;
-    EXPECT_EQ(hard_cases_of(scenario).size(), 1u) << name;
+    EXPECT_EQ(hard_cases_of(shipped_core(), scenario).size(), 1u) << name;
     EXPECT_TRUE(studied({scenario}).verdict.broken.empty()) << name;
   }
 }
@@ -122,7 +123,7 @@ TEST(HardCase, AnyDropHoldsWhatItsFamilyAsks) {
         scenario.start.y_px = y_px;
         scenario.clock.base = FixedRate{rate_hz};
         scenario.length = duration_s;
-        const std::vector<HardCase> cases = hard_cases_of(scenario);
+        const std::vector<HardCase> cases = hard_cases_of(shipped_core(), scenario);
         EXPECT_EQ(cases.size(), duration_s < 2.0  ? 1u
                                 : rate_hz < 100.0 ? 25u
                                                   : 4u)
@@ -163,9 +164,9 @@ TEST(HardCase, BoundsOfErrorsAreExpectationsToo) {
 // The documented reason of their expected failure: at every rate the position stands still, only vy differs.
 TEST(HardCase, ThePositionStandsStillAtEveryRate) {
   int zero_speed = 0;
-  for (const HardCase& hard_case : hard_cases_of(named("rest"))) {
+  for (const HardCase& hard_case : hard_cases_of(shipped_core(), named("rest"))) {
     if (!hard_case.must_come_to_rest) continue;
-    EXPECT_TRUE(replay(hard_case.scenario).at_rest_since_s) << hard_case.name;
+    EXPECT_TRUE(replay(shipped_core(), hard_case.scenario).at_rest_since_s) << hard_case.name;
     const bool is_held = judged(hard_case, Invariant::comes_to_rest) == CaseVerdict::held;
     EXPECT_EQ(is_held, hard_case.expected_failures.empty()) << hard_case.name;
     zero_speed += is_held;
@@ -210,7 +211,8 @@ TEST(HardCasesStudy, AFieldOfTheGridHasAPartForEachVerdictAndThreeCasesAreNamed)
 }
 
 TEST(HardCasesStudy, WithoutACaseItIsRefused) {
-  StudyRequest request{.scenarios = {{"long.json", named("ten-million-steps")}}, .is_quick = true};
+  StudyRequest request{
+      .core = shipped_core(), .scenarios = {{"long.json", named("ten-million-steps")}}, .is_quick = true};
   EXPECT_THROW(static_cast<void>(hard_cases().run(request)), RequestRefused);
 }
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/needs/needs.h"
 #include "tests/unit/sim/study/clocks.h"
@@ -20,9 +21,9 @@ class ReplayedRows final : public RowSink {
  public:
   explicit ReplayedRows(const Scenario& scenario) {
     const Script script = script_of(scenario);
-    play(script, core_constants(), AllParts(),
+    play(script, *shipped_core().constants, AllParts(),
          [this](const ScriptFrame& frame) { script_.push_back(frame); });
-    Replay run(scenario, *this);
+    Replay run(shipped_core(), scenario, *this);
     run.play_to(std::ssize(script_));
     run.finish();
   }
@@ -102,7 +103,8 @@ TEST(NeedsOfTheLibrary, AgreeWithTheWallsThatTheReplayTouches) {
     NeedsOptions options;
     options.cost.repetitions = 1;
     const ScenarioNeeds needs =
-        study_needs(scenario, options, [now_ns = std::int64_t{0}]() mutable { return now_ns += 100'000; });
+        study_needs(shipped_core(), scenario, options,
+                    [now_ns = std::int64_t{0}]() mutable { return now_ns += 100'000; });
     for (const PartNeed& part : needs.parts)
       EXPECT_TRUE(agrees(part, replayed)) << part.part << ", " << name_of(part.need);
   }

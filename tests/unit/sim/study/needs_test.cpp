@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/core/shipped_core.h"
 #include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
-#include "sim/trace/core_record.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/study/clocks.h"
@@ -26,7 +26,8 @@ ScenarioNeeds needs_of(const Scenario& scenario, double within_px = 1.0) {
   NeedsOptions options;
   options.within_px = within_px;
   options.cost.repetitions = 1;
-  return study_needs(scenario, options, [now_ns = std::int64_t{0}]() mutable { return now_ns += 100'000; });
+  return study_needs(shipped_core(), scenario, options,
+                     [now_ns = std::int64_t{0}]() mutable { return now_ns += 100'000; });
 }
 
 PartNeed part_of(const ScenarioNeeds& needs, const std::string& part) {
@@ -143,8 +144,11 @@ TEST(Coverage, IsTheMostThatASceneNeeds) {
 
 Result studied(const std::vector<std::string>& names,
                std::shared_ptr<const StepProgram> core_step = nullptr) {
-  StudyRequest request{
-      .is_quick = true, .core_step = std::move(core_step), .machine = "some machine", .now_ns = steady_ns};
+  StudyRequest request{.core = shipped_core(),
+                       .is_quick = true,
+                       .core_step = std::move(core_step),
+                       .machine = "some machine",
+                       .now_ns = steady_ns};
   for (const std::string& name : names) {
     request.scenarios.push_back({name, scenario_named(name)});
     Scenario& scenario = request.scenarios.back().scenario;
@@ -171,7 +175,8 @@ TEST(NeedsStudy, CountsThePathsOfTheStepThatScenariosTake) {
   const auto text_of = [](const Result& result, std::size_t from_end) {
     return std::get<std::string>(result.verdict.text[result.verdict.text.size() - from_end]);
   };
-  const std::shared_ptr<const StepProgram> step = make_step_program(read_step(core_record().step).value());
+  const std::shared_ptr<const StepProgram> step =
+      make_step_program(read_step(shipped_core().record.step).value());
   EXPECT_EQ(text_of(studied({"flings/first-fling"}, step), 1).find("It takes 1 of 12 paths of the step.\n"),
             0u)
       << "it flies";
@@ -196,7 +201,8 @@ TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
 }
 
 TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
-  StudyRequest request{.is_quick = true, .machine = "some machine", .now_ns = unsteady_ns};
+  StudyRequest request{
+      .core = shipped_core(), .is_quick = true, .machine = "some machine", .now_ns = unsteady_ns};
   request.scenarios = {{"first", scenario_named("flings/first-fling")}};
   for (const Study& study : studies()) {
     if (study.name != "needs") continue;

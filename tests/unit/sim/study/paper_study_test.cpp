@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/core/shipped_core.h"
 #include "sim/study/paper/paper_claim.h"
 #include "sim/study/study.h"
 
@@ -16,12 +17,12 @@ TEST(SpeedClaim, HoldsOnlyForAFastStep) {
 
 // The measures must not depend on a start: neither the seed, nor how fast throws are, nor the frame rates.
 TEST(AccuracyClaims, KeepTheirVerdictsWhateverTheStarts) {
-  const std::vector<Claim> expected = accuracy_claims();
+  const std::vector<Claim> expected = accuracy_claims(shipped_core());
   for (const std::uint64_t seed : {1u, 2u, 3u})
     for (const double fastest_px_per_s : {500.0, 1500.0, 3000.0})
       for (const double slowest_hz : {8.0, 15.0, 40.0}) {
-        const std::vector<Claim> claims =
-            accuracy_claims({.seed = seed, .fastest_px_per_s = fastest_px_per_s, .slowest_hz = slowest_hz});
+        const std::vector<Claim> claims = accuracy_claims(
+            shipped_core(), {.seed = seed, .fastest_px_per_s = fastest_px_per_s, .slowest_hz = slowest_hz});
         ASSERT_EQ(claims.size(), expected.size());
         for (std::size_t index = 0; index < claims.size(); ++index)
           EXPECT_EQ(claims[index].verdict, expected[index].verdict)
@@ -33,13 +34,13 @@ TEST(AccuracyClaims, KeepTheirVerdictsWhateverTheStarts) {
 // One start can lock its bounces, or settle in one place by chance.
 TEST(EnergyClaims, KeepTheirVerdictsWhateverTheStarts) {
   for (const std::uint64_t seed : {7u, 8u}) {
-    const std::vector<Claim> claims = energy_claims({.seed = seed});
+    const std::vector<Claim> claims = energy_claims(shipped_core(), {.seed = seed});
     EXPECT_EQ(claims[0].verdict, ClaimVerdict::does_not_hold);
     EXPECT_EQ(claims[1].verdict, ClaimVerdict::holds_when);
     EXPECT_NEAR(claims[1].number, 0.72, 0.12) << "explicit Euler is better in 258 of 1000";
     EXPECT_GT(claims[0].range.value().back(), 0.1) << "a start with vy = 0 has 0.018";
     EXPECT_TRUE(claims[1].range);
-    EXPECT_EQ(frame_rate_claim({.seed = seed}).verdict, ClaimVerdict::does_not_hold);
+    EXPECT_EQ(frame_rate_claim(shipped_core(), {.seed = seed}).verdict, ClaimVerdict::does_not_hold);
   }
 }
 
@@ -52,7 +53,7 @@ std::int64_t fake_now_ns() {
 Result run_paper(const std::optional<ExpectedVerdicts>& expected) {
   const auto paper = std::find_if(studies().begin(), studies().end(),
                                   [](const Study& study) { return study.name == "paper"; });
-  return paper->run({.expected = expected, .now_ns = fake_now_ns});
+  return paper->run({.core = shipped_core(), .expected = expected, .now_ns = fake_now_ns});
 }
 
 // Without expected verdicts: run once.

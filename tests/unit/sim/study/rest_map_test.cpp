@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/study/rest/rest_map.h"
 
 namespace hyrax {
@@ -13,11 +14,12 @@ namespace {
 constexpr double kBottom_px = 952.0;
 
 FinalState state_of(double vy, double next_vy, double rate_hz = 60.0) {
-  return final_state({0.0, kBottom_px, 0.0, vy}, {0.0, kBottom_px, 0.0, next_vy}, rate_hz, kBottom_px);
+  return final_state(shipped_core(), {0.0, kBottom_px, 0.0, vy}, {0.0, kBottom_px, 0.0, next_vy}, rate_hz,
+                     kBottom_px);
 }
 
 double residual_px_per_s() {
-  const Constants core = core_constants();
+  const Constants core = *shipped_core().constants;
   return -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0 /
          (1.0 + core.air_drag * core.restitution);
 }
@@ -30,7 +32,7 @@ TEST(FinalState, IsResidualSpeedBetweenNeighbouringDoubles) {
 }
 
 TEST(FinalState, IsATwoCycleForEitherFirstRow) {
-  const Constants core = core_constants();
+  const Constants core = *shipped_core().constants;
   const double thrown = -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0;
   EXPECT_EQ(state_of(0.0, thrown), FinalState::two_cycle);
   EXPECT_EQ(state_of(thrown, 0.0), FinalState::two_cycle);
@@ -38,12 +40,13 @@ TEST(FinalState, IsATwoCycleForEitherFirstRow) {
 
 TEST(FinalState, IsMovingAtAnyOtherSpeedOrPlace) {
   EXPECT_EQ(state_of(-3.0, 0.0), FinalState::moving);
-  EXPECT_EQ(final_state({0.0, kBottom_px - 1e-9, 0.0, 0.0}, {0.0, kBottom_px, 0.0, 0.0}, 60.0, kBottom_px),
+  EXPECT_EQ(final_state(shipped_core(), {0.0, kBottom_px - 1e-9, 0.0, 0.0}, {0.0, kBottom_px, 0.0, 0.0}, 60.0,
+                        kBottom_px),
             FinalState::moving);
 }
 
 TEST(RestBoundaries, AreMeasuredWhereTheyAreDerived) {
-  const std::vector<RestBoundary> boundaries = rest_boundaries();
+  const std::vector<RestBoundary> boundaries = rest_boundaries(shipped_core());
   ASSERT_EQ(boundaries.size(), 3u);
   for (const RestBoundary& boundary : boundaries) {
     EXPECT_TRUE(boundary.agrees()) << boundary.name;
@@ -58,7 +61,8 @@ TEST(RestBoundaries, DisagreeIfNotMeasuredOrElsewhere) {
 }
 
 TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
-  for (const RateEnds& ends : rest_map({24.0, 57.0, 58.0, 60.0, 89.0, 91.0, 143.0, 144.0, 500.0}, 30)) {
+  for (const RateEnds& ends :
+       rest_map(shipped_core(), {24.0, 57.0, 58.0, 60.0, 89.0, 91.0, 143.0, 144.0, 500.0}, 30)) {
     EXPECT_EQ(ends.unforeseen, 0) << ends.rate_hz;
     ASSERT_TRUE(ends.settles_s);
     EXPECT_EQ(ends.settles_s->samples, 30);
@@ -69,14 +73,14 @@ TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
 
 TEST(Bounces, KeepTheCoresRestitutionOnAverage) {
   double sum = 0.0;
-  const std::vector<DropBounce> bounces = bounces_at(240.0, 50);
+  const std::vector<DropBounce> bounces = bounces_at(shipped_core(), 240.0, 50);
   ASSERT_EQ(bounces.size(), 50u);
   for (const DropBounce& bounce : bounces) {
     EXPECT_GE(bounce.phase, 0.0);
     EXPECT_LE(bounce.phase, 1.0);
     sum += bounce.restitution;
   }
-  EXPECT_NEAR(sum / 50.0, core_constants().restitution, 1e-3);
+  EXPECT_NEAR(sum / 50.0, shipped_core().constants->restitution, 1e-3);
 }
 
 TEST(RestVerdict, SaysWhatMovesAndWhatIsBroken) {

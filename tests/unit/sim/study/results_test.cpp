@@ -2,8 +2,8 @@
 // its pictures have no faults.
 #include "tests/unit/sim/result/described.h"
 
+#include "sim/core/shipped_core.h"
 #include "sim/study/study.h"
-#include "sim/trace/core_record.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -26,8 +26,9 @@ std::int64_t nearly_steady_ns() {
 }
 
 Result quick(const Study& study) {
-  StudyRequest request{.is_quick = true,
-                       .core_step = make_step_program(read_step(core_record().step).value()),
+  StudyRequest request{.core = shipped_core(),
+                       .is_quick = true,
+                       .core_step = make_step_program(read_step(shipped_core().record.step).value()),
                        .machine = "some machine",
                        .now_ns = nearly_steady_ns};
   if (study.takes_scenarios) {

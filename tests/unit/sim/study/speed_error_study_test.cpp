@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/study/speed_error/speed_error.h"
 #include "sim/study/study.h"
 #include "tests/unit/sim/study/clocks.h"
@@ -17,7 +18,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 SpeedError some_study() {
   SpeedError study;
   study.problems = {study_problems().front()};
-  const std::vector<MethodKind> methods = frame_methods();
+  const std::vector<MethodKind> methods = frame_methods(shipped_core());
   study.methods = {methods[0], methods[4]};
   for (std::size_t method = 0; method < 2; ++method)
     for (const double rate_hz : {30.0, 60.0, 240.0}) {
@@ -104,7 +105,7 @@ TEST(SpeedErrorFigure, SixtyHertzIsRingedInBothPlotsAndPointsHaveTheirRates) {
 
 TEST(SpeedErrorFigure, TheTruthIsALimitAndNoCurve) {
   SpeedError study = some_study();
-  study.methods.push_back(frame_methods().back());
+  study.methods.push_back(frame_methods(shipped_core()).back());
   study.points.push_back({0, 2, 60.0, {}, cost_of({700.0})});
   const std::vector<Plot> plots = plots_of(study);
   ASSERT_EQ(plots[0].marks.size(), 1u);
@@ -199,7 +200,9 @@ const Study& the_study() {
                        [](const Study& study) { return study.name == "speed-error"; });
 }
 
-StudyRequest quick_request() { return {.is_quick = true, .machine = "some machine", .now_ns = steady_ns}; }
+StudyRequest quick_request() {
+  return {.core = shipped_core(), .is_quick = true, .machine = "some machine", .now_ns = steady_ns};
+}
 
 TEST(SpeedErrorStudy, AScenarioWithANameThatIsTakenIsRefused) {
   StudyRequest request = quick_request();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/study/speed_error/speed_error.h"
 #include "tests/unit/sim/study/clocks.h"
 
@@ -19,8 +20,8 @@ SpeedError some_study() {
     options.cost.repetitions = 2;
     options.band_rates_hz = {60.0};
     const std::vector<Problem> problems = study_problems();
-    return study_speed_error({problems[0], problems[4]}, frame_methods(), options,
-                             [now_ns]() mutable { return now_ns += 100'000; });
+    return study_speed_error(shipped_core(), {problems[0], problems[4]}, frame_methods(shipped_core()),
+                             options, [now_ns]() mutable { return now_ns += 100'000; });
   }();
   return study;
 }
@@ -35,9 +36,10 @@ bool is_broken(const SpeedError& study, const std::string& text) {
 std::pair<double, double> end_errors_of(const std::string& family, double rate_hz) {
   const Problem arc = study_problems().front();
   double least_px = HUGE_VAL, most_px = 0.0;
-  for (const MethodKind& kind : gsl_methods(true)) {
+  for (const MethodKind& kind : gsl_methods(shipped_core(), true)) {
     if (kind.family != family) continue;
-    const double end_px = measure_errors(arc, kind, stage_frames_s(arc, rate_hz), rate_hz).end_px;
+    const double end_px =
+        measure_errors(shipped_core(), arc, kind, stage_frames_s(arc, rate_hz), rate_hz).end_px;
     least_px = std::min(least_px, end_px);
     most_px = std::max(most_px, end_px);
   }
@@ -230,8 +232,8 @@ TEST(SpeedErrorRules, JudgeNoCosts) {
 TEST(SpeedError, RanksNothingOnAnUnsteadyClock) {
   SpeedErrorOptions options;
   options.rates_hz = {15.0, 60.0};
-  const SpeedError study =
-      study_speed_error({study_problems().front()}, frame_methods(), options, unsteady_ns);
+  const SpeedError study = study_speed_error(shipped_core(), {study_problems().front()},
+                                             frame_methods(shipped_core()), options, unsteady_ns);
   EXPECT_FALSE(study.probe.is_steady());
   for (const WorkPoint& point : study.points) {
     EXPECT_FALSE(is_ranked(study, point) || point.is_pareto);
@@ -285,8 +287,8 @@ TEST(SpeedError, TakesTheSetUpOffTheCostOfFrames) {
   const MethodKind timed{.name = "paper", .make = [&now_ns] { return std::make_unique<Timed>(now_ns); }};
   SpeedErrorOptions options;
   options.rates_hz = {60.0, 120.0};
-  const SpeedError study =
-      study_speed_error({study_problems()[1]}, {timed}, options, [&now_ns] { return now_ns; });
+  const SpeedError study = study_speed_error(shipped_core(), {study_problems()[1]}, {timed}, options,
+                                             [&now_ns] { return now_ns; });
   ASSERT_EQ(study.set_ups.size(), 1u);
   EXPECT_EQ(study.set_ups[0].cost.time_ns.median, 1'000.0);
   EXPECT_DOUBLE_EQ(study.points[0].cost.time_ns.median, 60'000.0) << "12 frames in a fifth of a second";
@@ -309,14 +311,14 @@ TEST(MethodBands, AreOverManyFlingsOfWhichTheFirstIsTheProblem) {
 
 TEST(MethodBands, AreThoseOfTheErrorsOneByOne) {
   const Problem fling = study_problems()[4];
-  const std::vector<MethodKind> methods = frame_methods();
-  const std::vector<MethodBands> bands = method_bands(fling, methods, {60.0});
+  const std::vector<MethodKind> methods = frame_methods(shipped_core());
+  const std::vector<MethodBands> bands = method_bands(shipped_core(), fling, methods, {60.0});
   ASSERT_EQ(bands.size(), methods.size() - 1) << "all but the reference";
   std::vector<double> ends_px;
   std::int64_t nearer = 0;
   for (const Problem& like : problems_like(fling, kBandFlings, kBandSeed)) {
     const auto end_px = [&](std::size_t method) {
-      return measure_errors(like, methods[method], stage_frames_s(like, 60.0), 60.0).end_px;
+      return measure_errors(shipped_core(), like, methods[method], stage_frames_s(like, 60.0), 60.0).end_px;
     };
     ends_px.push_back(end_px(6));
     if (end_px(6) < end_px(0)) ++nearer;

@@ -1,4 +1,5 @@
 #include "sim/trace/listing_step.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,6 @@
 #include <iterator>
 
 #include "recording.h"
-#include "sim/trace/core_record.h"
 
 namespace hyrax {
 namespace {
@@ -40,13 +40,13 @@ void set(Listing& listing, const Constants& to) {
 }
 
 TEST(ListingStep, IsTheShippedHeadersStep) {
-  EXPECT_EQ(step_text(listing_step(kShipped)), core_record().step);
+  EXPECT_EQ(step_text(listing_step(kShipped)), shipped_core().record.step);
   EXPECT_EQ(step_text(listing_step(kShipped)), step_text(canonical(record_listing())));
   std::ifstream accepted(HYRAX_SOURCE_DIR "/golden/core/step.txt", std::ios::binary);
   EXPECT_EQ(step_text(listing_step(kShipped)), std::string(std::istreambuf_iterator<char>(accepted), {}));
   Constants other = kShipped;
   other.ground_friction = 0.79;
-  EXPECT_NE(step_text(listing_step(other)), core_record().step);
+  EXPECT_NE(step_text(listing_step(other)), shipped_core().record.step);
 }
 
 TEST(ListingStep, GivesTheConstantsOfAnyCoreOfItsShape) {

@@ -1,4 +1,5 @@
 #include "sim/trace/step_text.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,6 @@
 #include <random>
 
 #include "recording.h"
-#include "sim/trace/core_record.h"
 
 namespace hyrax {
 namespace {
@@ -109,7 +109,7 @@ TEST(StepText, DoesNotDependOnHowTheStepWasRecorded) {
 }
 
 TEST(StepText, OfTheShippedHeaderIsThatOfTheListing) {
-  EXPECT_EQ(core_record().step, step_text(canonical(record_listing())));
+  EXPECT_EQ(shipped_core().record.step, step_text(canonical(record_listing())));
 }
 
 TEST(StepText, IsOneForStepsOfTheSameBits) {

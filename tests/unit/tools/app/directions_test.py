@@ -9,11 +9,11 @@ import unittest
 SOURCE = pathlib.Path(os.environ["HYRAX_SOURCE_DIR"])
 APP = SOURCE / "tools/app"
 # Targets of one folder.
-TARGETS = {"sim/compare": {"hyrax_compare", "hyrax_expectations"}, "sim/replay": {"hyrax_replay", "hyrax_core"},
+TARGETS = {"sim/compare": {"hyrax_compare", "hyrax_expectations"},
            "sim/reference": {"hyrax_reference", "hyrax_reference_gsl"},
            "tools/files": {"hyrax_files", "hyrax_golden", "hyrax_child_process"},
            "tools/report": {"hyrax_report", "hyrax_pages"}, "tools/report/wasm": {"hyrax_page_record"}}
-NOT_INCLUDED = {"hyrax_core_record", "hyrax_reference_gsl"}  # Links that need no header of their own.
+NOT_INCLUDED = {"hyrax_reference_gsl"}  # Links that need no header of their own.
 
 
 def includes_of(folder):
@@ -68,7 +68,7 @@ class Directions(unittest.TestCase):
                           if name.startswith(("tools/app", "tools/hyrax-"))], [])
 
     def test_faults_are_found(self):
-        self.assertEqual(list(faults("play", {"tools/app/play", "tools/app/drift", "sim/replay"}, {"hyrax_core", "diff"})),
+        self.assertEqual(list(faults("play", {"tools/app/play", "tools/app/drift", "sim/replay"}, {"hyrax_replay", "diff"})),
                          ["play includes headers of tools/app/drift, which it does not use",
                           "play uses diff, and includes no header of it"])
 

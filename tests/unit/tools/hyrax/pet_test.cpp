@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
@@ -47,12 +48,12 @@ class PetOnADesk : public testing::Test {
     const Tape tape = pet.session().just_happened();
     if (tape.frames() == 0) return;
     const Scenario read = parse_scenario(scenario_file_text(tape.scenario("pet")), "pet");
-    EXPECT_EQ(hex(replay(read).state_hash), hex(tape.state_hash()));
+    EXPECT_EQ(hex(replay(shipped_core(), read).state_hash), hex(tape.state_hash()));
   }
 
   std::int64_t ticks = 77;
   ScreenPoint hand;
-  Pet pet{kDesk, kTicksPerS, ticks};
+  Pet pet{shipped_core(), kDesk, kTicksPerS, ticks};
 };
 
 TEST_F(PetOnADesk, FallsFromTheMiddleOfTheTop) {

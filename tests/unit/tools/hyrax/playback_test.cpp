@@ -1,5 +1,6 @@
 // Playback of a scenario in the window.
 #include "tools/hyrax/playback.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -16,11 +17,11 @@ Scenario fling_with_hash(const std::string& hash) {
   return scenario;
 }
 
-std::string right_hash() { return hex(replay(fling_at(60.0, 120)).state_hash); }
+std::string right_hash() { return hex(replay(shipped_core(), fling_at(60.0, 120)).state_hash); }
 
 TEST(Playback, KeepsThePaceOfTheScenariosClock) {
   const Scenario scenario = fling_at(60.0, 120);
-  Playback playback(scenario, kTicksPerS, 500);
+  Playback playback(shipped_core(), scenario, kTicksPerS, 500);
   playback.play(500);
   EXPECT_EQ(playback.now().row.step, 0);
   playback.play(1500);
@@ -32,25 +33,25 @@ TEST(Playback, KeepsThePaceOfTheScenariosClock) {
 
 TEST(Playback, GivesTheSameVerdictAsAReplay) {
   const Scenario scenario = fling_with_hash(right_hash());
-  Playback playback(scenario, kTicksPerS, 0);
+  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
   for (std::int64_t ticks = 0; !playback.is_over(); ticks += 17) playback.play(ticks);
-  EXPECT_EQ(playback.finish().sentence, replayed(scenario).sentence);
+  EXPECT_EQ(playback.finish().sentence, replayed(shipped_core(), scenario).sentence);
 }
 
 TEST(Playback, OfTheRightHashAgrees) {
-  const PlaybackVerdict verdict = replayed(fling_with_hash(right_hash()));
+  const PlaybackVerdict verdict = replayed(shipped_core(), fling_with_hash(right_hash()));
   EXPECT_EQ(verdict.exit_code, ExitCode::agreed);
   EXPECT_EQ(verdict.sentence, "fling: state hash " + right_hash() + " agrees");
 }
 
 TEST(Playback, OfAnotherHashDiffers) {
-  const PlaybackVerdict verdict = replayed(fling_with_hash(std::string(32, '0')));
+  const PlaybackVerdict verdict = replayed(shipped_core(), fling_with_hash(std::string(32, '0')));
   EXPECT_EQ(verdict.exit_code, ExitCode::disagreed);
   EXPECT_NE(verdict.sentence.find("; expected 00000000000000000000000000000000"), std::string::npos);
 }
 
 TEST(Playback, WithoutAHashHasNothingToCompare) {
-  EXPECT_EQ(replayed(fling_at(60.0, 120)).exit_code, ExitCode::agreed);
+  EXPECT_EQ(replayed(shipped_core(), fling_at(60.0, 120)).exit_code, ExitCode::agreed);
 }
 
 TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
@@ -58,15 +59,15 @@ TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
   scenario.clock.base = FixedStep{1e9};
   scenario.start_velocity = {1e12, 1e12};
   scenario.window = {0, 0};
-  Playback playback(scenario, kTicksPerS, 0);
+  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
   playback.play(kTicksPerS);
-  EXPECT_EQ(playback.finish().exit_code, replayed(scenario).exit_code);
+  EXPECT_EQ(playback.finish().exit_code, replayed(shipped_core(), scenario).exit_code);
 }
 
 TEST(Playback, StaysAwakeWhenFramesAreTooShortForTheirTime) {
   Scenario scenario = fling_at(1e9, 0);
   scenario.length = std::int64_t{1'000'000'000'000};
-  Playback playback(scenario, kTicksPerS, 0);
+  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
   playback.play(10 * kTicksPerS);
   EXPECT_LT(playback.now().row.step, 1'000'000);
 }

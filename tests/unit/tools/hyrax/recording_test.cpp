@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -54,13 +55,13 @@ class RecordedSession : public testing::Test {
   // Frames of a file that replays to its own state hash.
   static std::int64_t good_frames(const std::string& path) {
     const Scenario scenario = load_scenario(path);
-    const RunSummary summary = replay(scenario);
+    const RunSummary summary = replay(shipped_core(), scenario);
     EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash)) << path;
     return summary.steps;
   }
 
   ScenarioSaver saver;
-  Session session{start()};
+  Session session{shipped_core(), start()};
 
  private:
   const std::string folder_ = testing::TempDir() + "hyrax-recording-" + std::to_string(getpid()) + "/";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -55,7 +56,7 @@ void live(Session& session) {
 // The summary of replaying its scenario file.
 RunSummary replayed_from_text(const Tape& tape) {
   const Scenario read = parse_scenario(scenario_file_text(tape.scenario("tape")), "tape");
-  return replay(read);
+  return replay(shipped_core(), read);
 }
 
 void expect_replays(const Tape& tape, const Keyframe& end) {
@@ -68,13 +69,13 @@ void expect_replays(const Tape& tape, const Keyframe& end) {
 }
 
 TEST(Tape, OfASessionReplaysToTheSameBits) {
-  Session session(start());
+  Session session(shipped_core(), start());
   live(session);
   expect_replays(session.just_happened(), session.now());
 }
 
 TEST(Tape, OfManyBlocksReplaysToTheSameBits) {
-  Session session(start());
+  Session session(shipped_core(), start());
   for (int life = 0; life < 15; ++life) live(session);
   const Tape tape = session.just_happened();
   EXPECT_GT(tape.frames(), 2 * static_cast<std::int64_t>(kBlockRows));
@@ -83,7 +84,7 @@ TEST(Tape, OfManyBlocksReplaysToTheSameBits) {
 
 // A control: the hash is of what was shown, not of its replay.
 TEST(Tape, WithAnotherStateThanTheModelsDoesNotReplay) {
-  Session session(start());
+  Session session(shipped_core(), start());
   Tape tape(session.now());
   play(session, 1);
   Row row = session.now().row;
@@ -93,7 +94,7 @@ TEST(Tape, WithAnotherStateThanTheModelsDoesNotReplay) {
 }
 
 TEST(Tape, ThatBeginsInAHoldBeginsWithAGrab) {
-  Session session(start());
+  Session session(shipped_core(), start());
   session.apply(Grab{});
   play(session, 3);
   session.apply(Fling{{5.0, -0.0}});  // While it is held: the speed stays, and nothing moves.
@@ -118,7 +119,7 @@ TEST(Tape, ThatBeginsInAHoldBeginsWithAGrab) {
 }
 
 TEST(Tape, LeavesOutInputsOfAFrameToCome) {
-  Session session(start());
+  Session session(shipped_core(), start());
   play(session, 4);
   session.apply(Grab{});
   const Scenario scenario = session.just_happened().scenario("tape");
@@ -127,13 +128,13 @@ TEST(Tape, LeavesOutInputsOfAFrameToCome) {
 }
 
 TEST(Tape, OfOneFrameReplays) {
-  Session session(start());
+  Session session(shipped_core(), start());
   play(session, 1);
   expect_replays(session.just_happened(), session.now());
 }
 
 TEST(Ring, LetsTheOldestGoAndStillReplays) {
-  Session session(start());
+  Session session(shipped_core(), start());
   constexpr auto kTapes = static_cast<std::int64_t>(Ring::kTapesMax);
   while (session.now().row.step < 3 * Ring::kTapeFrames * kTapes) live(session);
   const Tape tape = session.just_happened();

@@ -1,4 +1,5 @@
 // Contacts that arrive one by one and end late, few and many.
+#include "sim/core/shipped_core.h"
 #include "tools/store/trajectory_parts.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ TEST_F(Contacts, OfARunWithManyOfThemAreThePlayedOnes) {
   scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.5, 5};
   write_run(path_, scenario);
   TraceSink played({.contacts = true});
-  static_cast<void>(replay(scenario, played));
+  static_cast<void>(replay(shipped_core(), scenario, played));
   ASSERT_GT(std::ssize(played.contacts()), 10);
   EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), played.contacts()));
 }

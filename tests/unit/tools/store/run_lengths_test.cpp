@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/plain_replay.h"
 #include "tests/unit/tools/store/stored_flings.h"
 
@@ -47,7 +48,7 @@ TEST_P(RunLengths, HaveTheRowsOfThePlainLoopWhateverIsRecorded) {
       scenario.record_every = every;
       write_run(path_, scenario);
       TraceSink trace(RowSink::Wants{.rows_every = every});
-      replay(scenario, trace);
+      replay(shipped_core(), scenario, trace);
       const std::vector<Row> rows = expected(steps, every);
       ASSERT_EQ(rows.back().step, steps);
       ASSERT_TRUE(same_rows(rows_of(TrajectoryFile(path_)), rows));
@@ -76,7 +77,9 @@ TEST_P(RunLengths, HaveTheHashOfThePlainLoop) {
   for (const std::int64_t steps : kLengths) {
     beginning.rows.assign(plain_.rows.begin(), plain_.rows.begin() + steps + 1);
     TraceSink trace;
-    EXPECT_EQ(hex(replay(run_of(GetParam(), steps), trace).state_hash), beginning.state_hash()) << steps;
+    EXPECT_EQ(hex(replay(shipped_core(), run_of(GetParam(), steps), trace).state_hash),
+              beginning.state_hash())
+        << steps;
   }
 }
 

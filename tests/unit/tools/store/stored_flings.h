@@ -4,7 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "sim/replay/core_constants.h"
+#include "sim/core/core.h"
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -27,9 +28,10 @@ inline std::vector<Input> inputs_taken(const Scenario& scenario) {
 inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   const std::int64_t steps = step_count(scenario);
   TrajectoryWriter writer(path, scenario, steps);
-  const RunSummary summary = replay(scenario, writer);
-  writer.finish({scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash), core_constants()},
-                inputs_taken(scenario), summary.contacts.total());
+  const RunSummary summary = replay(shipped_core(), scenario, writer);
+  writer.finish(
+      {scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash), *shipped_core().constants},
+      inputs_taken(scenario), summary.contacts.total());
   return summary;
 }
 

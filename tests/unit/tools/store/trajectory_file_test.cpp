@@ -1,5 +1,6 @@
 // What is written into a trajectory file is read from it, bit for bit.
 #include "tools/store/trajectory_file.h"
+#include "sim/core/shipped_core.h"
 #include "tools/store/input_record.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ TEST_F(StoredRunFile, HoldsRowsContactsAndInputsBitForBit) {
   const Scenario scenario = eventful_fling();
   const RunSummary summary = write_run(path_, scenario);
   TraceSink played;
-  static_cast<void>(replay(scenario, played));
+  static_cast<void>(replay(shipped_core(), scenario, played));
   const TrajectoryFile file(path_);
   EXPECT_TRUE(same_rows(rows_of(file), played.rows()));
   EXPECT_TRUE(same_contacts(file.contacts(), played.contacts()));

@@ -3,24 +3,24 @@
 
 #include <functional>
 
-#include "sim/replay/kernel.h"
+#include "sim/core/core.h"
 #include "sim/trace/step_player.h"
 
 namespace hyrax {
 
-/// Plays as another kernel does, and passes on every step that is computed: a replay skips those that repeat.
-class WatchedKernel final : public Kernel {
+/// Passes on every step that is computed: a replay skips those that repeat.
+class WatchedKernel final : public KernelOver {
  public:
   using OnStep = std::function<void(const StepInput&)>;
 
-  /// Refers to the kernel.
-  WatchedKernel(const Kernel& kernel, OnStep on_step) : kernel_(kernel), on_step_(std::move(on_step)) {}
+  WatchedKernel(std::shared_ptr<const Kernel> kernel, OnStep on_step)
+      : KernelOver(std::move(kernel)), on_step_(std::move(on_step)) {}
 
   void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
             StretchLog& log) const override {
     StepInput step{{body.state, stretch.window, stretch.sprite, stretch.is_held}, 0.0};
     std::size_t row = rows.size();
-    kernel_.play(stretch, body, rest, rows, log);
+    KernelOver::play(stretch, body, rest, rows, log);
     if (stretch.is_held) return;
     for (; row < rows.size(); ++row) {
       const Row after = rows.row(row);
@@ -29,12 +29,15 @@ class WatchedKernel final : public Kernel {
       step.world.state = state_of(after);
     }
   }
-  [[nodiscard]] std::optional<Constants> constants() const override { return kernel_.constants(); }
-  void apply(const Action& action, Keyframe& now) const override { kernel_.apply(action, now); }
 
  private:
-  const Kernel& kernel_;
   OnStep on_step_;
 };
+
+/// The core, each step of its replays passed on.
+[[nodiscard]] inline Core watched(Core core, WatchedKernel::OnStep on_step) {
+  core.kernel = std::make_shared<const WatchedKernel>(std::move(core.kernel), std::move(on_step));
+  return core;
+}
 
 }  // namespace hyrax

@@ -1,20 +1,18 @@
-#include "sim/replay/contact_kernel.h"
+#include "sim/core/contact_kernel.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
 
+#include "sim/core/contact_log.h"
+#include "sim/core/row_walls.h"
 #include "sim/motion/step.h"
-#include "sim/replay/contact_log.h"
-#include "sim/replay/row_walls.h"
 #include "sim/scenario/apply.h"
 #include "sim/trace/step_program.h"
 
 namespace hyrax {
 namespace {
-
-constexpr std::size_t kMembersOfRows = 4;  // x, y, vx, vy.
 
 std::uint8_t with_rest_bit(std::uint8_t walls, const State& after) {
   const bool rests = touches(walls, Wall::ground) && after.vy_px_per_s == 0.0;
@@ -122,16 +120,16 @@ void ContactKernel::play(const Stretch& stretch, CoreBody& body, RestAnchor& res
     played.anchor = &anchor;
   }
   const std::size_t first_row = rows.size();
-  rows_->play(played, body, rest, rows, log);
+  KernelOver::play(played, body, rest, rows, log);
   if (!stretch.is_held && traced)
     tell_by_step(stretch, from, *step_, *traced, first_row, rows, log);
   else if (!stretch.is_held)
-    tell_by_rows(stretch, from, constants(), first_row, rows, log);
+    tell_by_rows(stretch, from, constants_, first_row, rows, log);
   if (traced) keep_traced(*traced, body.object);
 }
 
 void ContactKernel::apply(const Action& action, Keyframe& now) const {
-  if (!keeps_members()) return rows_->apply(action, now);
+  if (!keeps_members()) return KernelOver::apply(action, now);
   struct Body : TracedBody {
     Size window;
     Size sprite;
@@ -141,7 +139,7 @@ void ContactKernel::apply(const Action& action, Keyframe& now) const {
   Body traced{take_traced(body), now.window, now.sprite, now.is_held};
   now.core_object = std::move(body.object);
   hyrax::apply(action, traced);
-  rows_->apply(action, now);
+  KernelOver::apply(action, now);
   keep_traced(traced, now.core_object);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/replay/kernel.h"
+#include "sim/core/kernel.h"
 
 namespace hyrax {
 

@@ -5,7 +5,7 @@
 
 namespace hyrax {
 
-/// Has the interface of class physics that a kernel asks for (sim/replay/kernel_of.h).
+/// Has the interface of class physics that a kernel asks for (sim/core/kernel_of.h).
 /// @tparam Step copied with each core: `step(State&, double dt_s, const Bounds&)`.
 template <class Step>
 class StepCore {

@@ -1,8 +1,9 @@
-#include "sim/replay/listing_kernel.h"
+#include "sim/core/listing_core.h"
 
+#include "sim/core/kernel_of.h"
+#include "sim/core/step_core.h"
 #include "sim/motion/step.h"
-#include "sim/replay/kernel_of.h"
-#include "sim/replay/step_core.h"
+#include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
 namespace {
@@ -22,13 +23,16 @@ struct ListingCores {
 
   [[nodiscard]] Core make(const State& state) const { return {step, state}; }
   [[nodiscard]] Constants constants() const { return step.constants; }
-  [[nodiscard]] bool is_listing() const { return true; }
 };
 
 }  // namespace
 
-std::unique_ptr<const Kernel> listing_kernel(const Constants& constants) {
-  return std::make_unique<KernelOf<ListingCores>>(ListingCores{{constants}});
+Core listing_core(const Constants& constants) {
+  return {.name = kPhysicsModel,
+          .shape = {constants},
+          .constants = constants,
+          .kernel = std::make_shared<const KernelOf<ListingCores>>(ListingCores{{constants}},
+                                                                   StepFacts{.is_listing = true})};
 }
 
 }  // namespace hyrax

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/replay/kernel.h"
+#include "sim/core/kernel.h"
 
 namespace hyrax {
 

@@ -4,15 +4,15 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "sim/core/contact_log.h"
+#include "sim/core/kernel.h"
+#include "sim/core/stuck_speed.h"
 #include "sim/motion/step.h"
-#include "sim/replay/contact_log.h"
-#include "sim/replay/kernel.h"
-#include "sim/replay/stuck_speed.h"
 #include "sim/scenario/apply.h"
 
 namespace hyrax {
@@ -28,21 +28,27 @@ template <class Cores>
     return std::monostate();
 }
 
+/// What is known of a core's step before it is played.
+struct StepFacts {
+  /// It is the listing's with the core's constants, bit for bit: a stuck vx is not computed
+  /// (sim/core/stuck_speed.h).
+  bool is_listing = false;
+  /// A core may have members that no row shows: it goes on from stretch to stretch with all of them.
+  bool has_further_members = false;
+};
+
 /// Of a core only update, x, y, vx, vy, setPos, setVelocity and resetVelocity are called. Which walls clamped
 /// a step, the velocity with which it met them and how far it overshot follow from the listing's step
 /// (sim/motion/step.h) with the core's constants: the core's own step must be that one bit for bit, or its
-/// contacts come from ContactKernel (sim/replay/contact_kernel.h).
+/// contacts come from ContactKernel (sim/core/contact_kernel.h).
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
 /// have another step than the listing's to find the walls by: `listing(const Bounds&)`, with `fly` and
-/// `meet_walls_in_x`. Without both there are no contacts. With `bool is_listing()`, which says whether
-/// the step is the listing bit for bit, a stuck vx is not computed (sim/replay/stuck_speed.h). With
-/// `kKeepsObject` a core may have members that no row shows: what is trivially copyable goes on from stretch
-/// to stretch.
+/// `meet_walls_in_x`. Without both there are no contacts.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
-  KernelOf() = default;
-  explicit KernelOf(Cores cores) : cores_(std::move(cores)) {}
+  explicit KernelOf(Cores cores = {}, const StepFacts& facts = {})
+      : cores_(std::move(cores)), facts_(facts) {}
 
   void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
             StretchLog& log) const override {
@@ -64,13 +70,6 @@ class KernelOf final : public Kernel {
     rows.shrink(rows_before + static_cast<std::size_t>(log.frames));
   }
 
-  [[nodiscard]] std::optional<Constants> constants() const override {
-    if constexpr (requires { cores_.constants(); })
-      return cores_.constants();
-    else
-      return std::nullopt;
-  }
-
   void apply(const Action& action, Keyframe& now) const override {
     Body body{core_of({state_of(now.row), now.core_object}), now.window, now.sprite, now.is_held};
     hyrax::apply(action, body);
@@ -78,11 +77,35 @@ class KernelOf final : public Kernel {
     now.core_object = body_of(static_cast<const Core&>(body)).object;
   }
 
+  [[nodiscard]] State steps(const State& body, double dt_s, const Bounds& bounds,
+                            std::int64_t steps) const override {
+    const auto [right_px, bottom_px] = whole(bounds);
+    Core moving = cores_.make(body);
+    for (std::int64_t step = 0; step < steps; ++step) moving.update(dt_s, right_px, bottom_px, 0, 0);
+    return state_of(moving);
+  }
+  [[nodiscard]] State played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
+                             int parts) const override {
+    const auto [right_px, bottom_px] = whole(bounds);
+    Core moving = cores_.make(body);
+    if (parts == 1) {
+      for (const double frame_s : frames_s) moving.update(frame_s, right_px, bottom_px, 0, 0);
+    } else {
+      for (const double frame_s : frames_s)
+        for (int part = 0; part < parts; ++part) moving.update(frame_s / parts, right_px, bottom_px, 0, 0);
+    }
+    return state_of(moving);
+  }
+  [[nodiscard]] State stopped(const State& body) const override {
+    Core stopped = cores_.make(body);
+    stopped.resetVelocity();
+    return state_of(stopped);
+  }
+
  private:
   using Core = typename Cores::Core;
   using Listing = decltype(listing_of(std::declval<const Cores&>(), Bounds()));
   static constexpr bool kTellsContacts = !std::is_same_v<Listing, std::monostate>;
-  static constexpr bool kKeepsObject = requires { requires Cores::kKeepsObject; };
 
   // The core with the rest of the world, as hyrax::apply takes it.
   struct Body : Core {
@@ -93,42 +116,39 @@ class KernelOf final : public Kernel {
 
   static State state_of(const Core& core) { return {core.x(), core.y(), core.vx(), core.vy()}; }
   static State state_of(const Row& row) { return hyrax::state_of(row); }
+  static Size whole(const Bounds& bounds) {
+    assert(bounds.right_px == std::trunc(bounds.right_px) &&
+           bounds.bottom_px == std::trunc(bounds.bottom_px));
+    return {static_cast<std::int32_t>(bounds.right_px), static_cast<std::int32_t>(bounds.bottom_px)};
+  }
 
   // The object goes on from stretch to stretch, with all its members; a keyframe of a file has none.
   [[nodiscard]] Core core_of(const CoreBody& body) const {
     Core core = cores_.make(body.state);
-    if constexpr (kKeepsObject) {
-      if (body.object.size() != sizeof(Core)) return core;
-      Core kept = core;
-      std::memcpy(static_cast<void*>(&kept), body.object.data(), sizeof(Core));
-      if (same_bits(state_of(kept), body.state)) return kept;
-    }
-    return core;
+    if (!facts_.has_further_members || body.object.size() != sizeof(Core)) return core;
+    Core kept = core;
+    std::memcpy(static_cast<void*>(&kept), body.object.data(), sizeof(Core));
+    return same_bits(state_of(kept), body.state) ? kept : core;
   }
-  static CoreBody body_of(Core core) {
+  [[nodiscard]] CoreBody body_of(Core core) const {
     CoreBody body{state_of(core)};
-    if constexpr (kKeepsObject) {
+    if (!facts_.has_further_members) return body;
 #if __has_builtin(__builtin_clear_padding)
-      __builtin_clear_padding(&core);
+    __builtin_clear_padding(&core);
 #endif
-      body.object.resize(sizeof(Core));
-      std::memcpy(body.object.data(), &core, sizeof(Core));
-    }
+    body.object.resize(sizeof(Core));
+    std::memcpy(body.object.data(), &core, sizeof(Core));
     return body;
   }
   // The bits of all members.
   [[nodiscard]] bool is_at(const Core& core, const CoreBody& anchor) const {
-    if (!same_bits(state_of(core), anchor.state)) return false;
-    if constexpr (kKeepsObject)
-      return body_of(core).object == body_of(core_of(anchor)).object;
-    else
-      return true;
+    return same_bits(state_of(core), anchor.state) && body_of(core).object == body_of(core_of(anchor)).object;
   }
 
   // Frames of one dt repeat themselves instead (Replay::Player), which looks at all of the state.
   [[nodiscard]] bool skips_vx(const Stretch& stretch, const State& body) const {
-    if constexpr (requires { cores_.is_listing(); })
-      return !stretch.is_dt_fixed && has_stuck_vx(stretch, body, cores_.constants()) && cores_.is_listing();
+    if constexpr (requires { cores_.constants(); })
+      return facts_.is_listing && !stretch.is_dt_fixed && has_stuck_vx(stretch, body, cores_.constants());
     else
       return false;
   }
@@ -249,7 +269,10 @@ class KernelOf final : public Kernel {
     return play_free<true, true>(stretch, body, rest, row, log);
   }
 
+  static_assert(std::is_trivially_copyable_v<Core>, "a run goes on with a copy of the core's object");
+
   Cores cores_;
+  StepFacts facts_;
 };
 
 }  // namespace hyrax

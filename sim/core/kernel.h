@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/scenario/scenario.h"
@@ -59,7 +61,9 @@ struct StretchLog {
   }
 };
 
-/// A core, called a stretch at a time so that its state stays in registers in between.
+/// How a core plays: a stretch at a time, so that its state stays in registers in between; and, for checks
+/// and studies, from one plain state to another. REQUIRES of the latter: bounds that are whole numbers within
+/// the range of int.
 class Kernel {
  public:
   Kernel() = default;
@@ -71,19 +75,40 @@ class Kernel {
   /// REQUIRES: stretch.frames <= rows.room().
   virtual void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
                     StretchLog& log) const = 0;
-  /// Nothing where the core is not the paper's model.
-  [[nodiscard]] virtual std::optional<Constants> constants() const = 0;
   /// Applies an action by the core's own setters.
   virtual void apply(const Action& action, Keyframe& now) const = 0;
+  /// `steps` calls of update with one dt.
+  [[nodiscard]] virtual State steps(const State& body, double dt_s, const Bounds& bounds,
+                                    std::int64_t steps) const = 0;
+  /// Calls of update through the frames, each in so many equal parts.
+  [[nodiscard]] virtual State played(const State& body, std::span<const double> frames_s,
+                                     const Bounds& bounds, int parts) const = 0;
+  /// resetVelocity.
+  [[nodiscard]] virtual State stopped(const State& body) const = 0;
 };
 
-/// Plays this program's class physics, whose source is the only one of the replay that includes it. Its
-/// contacts are right where its step is the paper's.
-[[nodiscard]] const Kernel& compiled_kernel();
-/// Whether the step of class physics is proved to be the paper's with its constants: then steps of that may
-/// replace its own. What the build records says so (tools/cmake/record_core.cmake).
-[[nodiscard]] bool core_is_listing();
-/// The kernel of this program's core, with its contacts: compiled_kernel(), or the one of core_contacts.h.
-[[nodiscard]] const Kernel& core_kernel();
+/// Plays as another kernel does: base of those that add something to some of its calls.
+class KernelOver : public Kernel {
+ public:
+  explicit KernelOver(std::shared_ptr<const Kernel> kernel) : kernel_(std::move(kernel)) {}
+
+  void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
+            StretchLog& log) const override {
+    kernel_->play(stretch, body, rest, rows, log);
+  }
+  void apply(const Action& action, Keyframe& now) const override { kernel_->apply(action, now); }
+  [[nodiscard]] State steps(const State& body, double dt_s, const Bounds& bounds,
+                            std::int64_t steps) const override {
+    return kernel_->steps(body, dt_s, bounds, steps);
+  }
+  [[nodiscard]] State played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
+                             int parts) const override {
+    return kernel_->played(body, frames_s, bounds, parts);
+  }
+  [[nodiscard]] State stopped(const State& body) const override { return kernel_->stopped(body); }
+
+ private:
+  std::shared_ptr<const Kernel> kernel_;
+};
 
 }  // namespace hyrax

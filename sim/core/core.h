@@ -1,0 +1,49 @@
+// The one value through which a core is used.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "sim/core/core_record.h"
+#include "sim/core/kernel.h"
+#include "sim/trace/listing_step.h"
+
+namespace hyrax {
+
+/// A class that moves the sprite, as a plain value: made of any class with the interface of class physics
+/// (core_of.h), of a traced step (traced_core.h) or of constants (listing_core.h). A program's `main` makes
+/// its own and passes it on.
+struct Core {
+  /// Of its model: kPhysicsModel, or that of a core of one's own (sim/trajectory/physics_model.h).
+  std::string_view name = {};
+  /// Its header and its step, as text.
+  CoreRecord record = {};
+  /// Whether its step is the paper's with constants of its own, by that text.
+  StepShape shape = {};
+  /// By which its runs are measured as the paper's model: those of a class of that name, whatever its step,
+  /// or of another core of the same shape. Nothing: they cannot be.
+  std::optional<Constants> constants = {};
+  std::shared_ptr<const Kernel> kernel = {};
+
+  /// One call of update, or several with one dt. REQUIRES, of all functions here: bounds that are whole
+  /// numbers within the range of int.
+  [[nodiscard]] State step(const State& body, double dt_s, const Bounds& bounds) const {
+    return kernel->steps(body, dt_s, bounds, 1);
+  }
+  [[nodiscard]] State steps(const State& body, double dt_s, const Bounds& bounds, std::int64_t count) const {
+    return kernel->steps(body, dt_s, bounds, count);
+  }
+  /// Calls of update through the frames, each in so many equal parts.
+  [[nodiscard]] State played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
+                             int parts = 1) const {
+    return kernel->played(body, frames_s, bounds, parts);
+  }
+  /// resetVelocity.
+  [[nodiscard]] State stopped(const State& body) const { return kernel->stopped(body); }
+  /// One call of update without walls. REQUIRES: constants.
+  [[nodiscard]] State flight(const State& body, double dt_s) const;
+};
+
+}  // namespace hyrax
