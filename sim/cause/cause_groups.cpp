@@ -142,7 +142,8 @@ class CauseFinder {
   // The scenario, its frame times and inputs are the golden file's, but the accepted step does not give its
   // rows.
   [[nodiscard]] Cause step_cause(const StoredRun& golden, const StoredRun& fresh, const Core& core) const {
-    if (base_.has_further_members) return {CauseKind::unknown, other_bits()};
+    if (base_.has_further_members && !match(core, golden.scenario, golden).rows)
+      return {CauseKind::unknown, other_bits()};
     const StepEvidence kept = evidence_of(core, golden, fresh);
     if (!kept.has_steps || !kept.gives_free_steps) {
       if (base_.calls_libm || !kept.has_steps) return {CauseKind::unknown, other_bits()};

@@ -38,8 +38,4 @@ template <class Class>
   return core;
 }
 
-/// Gives a core what its recorded step tells: its shape, its contacts, and the constants of one that is not
-/// named as the paper's model.
-void complete_by_step(Core& core);
-
 }  // namespace hyrax

@@ -7,6 +7,10 @@ namespace hyrax {
 
 struct Core;
 
+/// Gives a core what its recorded step tells: its shape, its contacts, and the constants of one that is not
+/// named as the paper's model.
+void complete_by_step(Core& core);
+
 /// Written by tools/cmake/record_core.cmake, from the header that a program compiles.
 struct CoreRecord {
   std::string_view header = {};          ///< Its bytes.
@@ -15,7 +19,7 @@ struct CoreRecord {
   /// The step is proved to be the paper's with the constants of its class: then steps of that may replace its
   /// own, and tell its contacts.
   bool is_listing = false;
-  /// Reads the step of any other core (complete_by_step, core_of.h). A pointer, so that a program whose core
+  /// Reads the step of any other core (complete_by_step). A pointer, so that a program whose core
   /// is the paper's links nothing that reads steps.
   void (*complete)(Core& core) = nullptr;
 };

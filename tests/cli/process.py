@@ -50,8 +50,8 @@ class Outcome:
 
     @property
     def json(self):
-        """The one document on standard output."""
-        return json.loads(self.out_bytes)
+        """The one document on standard output. `-0` keeps its sign, which json would take for the integer 0."""
+        return json.loads(self.out_bytes, parse_int=lambda text: -0.0 if text == "-0" else int(text))
 
     def __str__(self):
         out, err = (stream.decode(errors="replace") for stream in (self.out_bytes, self.err_bytes))

@@ -27,7 +27,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # hyrax-sim without its `main` and core, and with the libraries that it needs, as one object: who builds a program with
 # another core compiles two sources and needs no library but the compiler's own.
-set(hyrax_rooms physics trace core replay compare expectations cause reference reference_gsl search study ensemble trajectory
+set(hyrax_rooms physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
                 scenario store golden report child_process page_record pages page files fmt)
 list(TRANSFORM hyrax_rooms PREPEND hyrax_)
 get_target_property(hyrax_app hyrax_commands LINK_LIBRARIES)
@@ -37,10 +37,10 @@ list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_custom_command(
   OUTPUT ${hyrax_program_object}
   COMMAND
-    ${CMAKE_LINKER} -r -o ${hyrax_program_object} $<TARGET_OBJECTS:hyrax_commands> --start-group ${hyrax_rooms}
+    ${CMAKE_LINKER} -r -o ${hyrax_program_object} $<TARGET_OBJECTS:hyrax_commands> $<TARGET_OBJECTS:hyrax_core> --start-group ${hyrax_rooms}
     ${HDF5_HL_STATIC} ${HDF5_STATIC} ${SZIP_STATIC} ${AEC_STATIC} ${ZLIB_STATIC} ${GSL_LIBRARY} ${GSL_CBLAS_LIBRARY}
     --end-group
-  DEPENDS hyrax-sim ${hyrax_rooms} $<TARGET_OBJECTS:hyrax_commands>
+  DEPENDS hyrax-sim ${hyrax_rooms} $<TARGET_OBJECTS:hyrax_commands> $<TARGET_OBJECTS:hyrax_core>
   COMMAND_EXPAND_LISTS
   COMMENT "hyrax-sim without its core"
   VERBATIM)

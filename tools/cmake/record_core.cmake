@@ -147,12 +147,8 @@ endif()
 literal(header_bytes ${header})
 literal(step_bytes ${step})
 literal(why_bytes ${why})
-set(declaration "void complete_by_step(Core& core);
-
-")
 set(kind ".complete = complete_by_step")
 if(EXISTS ${listing})
-  set(declaration)
   set(kind ".is_listing = true")
 endif()
 file(
@@ -164,7 +160,7 @@ file(
 
 namespace hyrax {
 
-${declaration}const CoreRecord& built_core_record() {
+const CoreRecord& built_core_record() {
   using namespace std::string_view_literals;
   static constexpr CoreRecord kRecord = {.header = ${header_bytes},
                                          .step = ${step_bytes},

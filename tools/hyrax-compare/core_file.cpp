@@ -58,8 +58,8 @@ std::string compile_core(const std::string& header, const std::string& text, con
 }
 
 // As a program's build traces its core (tools/cmake/record_core.cmake).
-AcceptedCore traced_core(const std::string& header, const std::string& text, const TemporaryFolder& folder,
-                         const std::string& name) {
+AcceptedCore trace_header(const std::string& header, const std::string& text, const TemporaryFolder& folder,
+                          const std::string& name) {
   const std::string trace_folder = folder.path() + "/" + name + "/trace";
   std::filesystem::create_directories(trace_folder);
   const std::string settings = folder.write(

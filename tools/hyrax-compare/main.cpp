@@ -99,10 +99,10 @@ CardRequest request_of(const Arguments& arguments) {
 
 // The hash of the library's rows by a core without a defect. ERRORS: CoreRefused.
 std::string probed(const CoreFile& file, int number, const CardRequest& request, PlayWatch& watch) {
-  std::string rows = rows_hash(load_core(file, number, watch), request);
+  const LibraryCore& library = load_library(file.library, number, watch);
+  std::string rows = rows_hash(compared_core(number, library, file.core.record(), watch), request);
   watch.set_place("the search for hidden state");
-  if (const std::string defect = load_library(file.library, number, watch).defect(); !defect.empty())
-    throw CoreRefused(number, defect);
+  if (const std::string defect = library.defect(); !defect.empty()) throw CoreRefused(number, defect);
   return rows;
 }
 

@@ -98,7 +98,7 @@ RunSummary compare(const Core& core, const Scenario& scenario, Blessing& blessin
   if (!is_there(h5_path)) return replace_unreadable(core, scenario, h5_path + " is missing", blessing);
   if (!has_both) blessing.unreadable = txt_path + " is missing";
   try {
-    PairComparison pair = *compare_with_pair(core, scenario, *blessing.golden, true);
+    PairComparison pair = *compare_with_pair(core, scenario, *blessing.golden, true, core);
     blessing.status = pair.is_proved ? BlessStatus::unchanged : BlessStatus::changed;
     blessing.keeps_h5 = has_both && !pair.is_proved && is_h5_current(core, scenario, *blessing.golden);
     const RunSummary summary = pair.summary;
@@ -149,7 +149,7 @@ void write_golden_file(const Core& core, const Blessing& blessing, const std::st
   const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
   Scenario scenario = load_scenario(blessing.path);
   if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
-  const FreshRun fresh = play_for_golden(core, scenario);
+  const FreshRun fresh = play_for_golden(core, scenario, core);
   if (blessing.keeps_h5)
     return write_text_file(txt_path, summary_of(core, fresh, reason, file_checksum(h5_path)));
   std::error_code error;

@@ -31,7 +31,7 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
     verdict.paths_taken.insert(options.watched_step->path_taken(input));
   });
   const Core& playing = options.watched_step ? watched_core : core;
-  auto pair = has_golden ? compare_with_pair(playing, scenario, *verdict.golden, options.reads_golden)
+  auto pair = has_golden ? compare_with_pair(core, scenario, *verdict.golden, options.reads_golden, playing)
                          : PairComparison{.summary = play(playing, scenario)};
   verdict.is_open = !pair;
   if (!pair) return;

@@ -142,10 +142,11 @@ std::string summary_of(const Core& core, const FreshRun& fresh, const std::strin
 }
 
 std::optional<PairComparison> compare_with_pair(const Core& core, const Scenario& scenario,
-                                                const GoldenPlace& place, bool reads_h5) {
+                                                const GoldenPlace& place, bool reads_h5,
+                                                const Core& recording) {
   const std::string text = is_there(place.txt_path) ? read_text_file(place.txt_path) : "";
   const std::string h5_checksum = file_checksum(place.h5_path);
-  FreshRun fresh = play_for_golden(core, scenario);
+  FreshRun fresh = play_for_golden(core, scenario, recording);
   if (has_checksums(text, contents_checksum(fresh.run), h5_checksum) &&
       text.starts_with("scenario: " + scenario.name + "\n"))
     return PairComparison{.summary = fresh.summary};

@@ -48,10 +48,12 @@ struct PairVerdict {
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the
 /// checksums of the summary do not prove that it agrees.
 /// @param reads_h5 whether it may be read; if not, nothing is returned where it would have to be.
+/// @param recording plays the scenario once: the core, or it watched.
 /// REQUIRES: the .h5 file exists (without its .txt the pair never agrees); with `reads_h5`, as read_isolated.
 /// ERRORS: as read_golden's; Failure(cannot_access) where a file of the pair cannot be read.
 [[nodiscard]] std::optional<PairComparison> compare_with_pair(const Core& core, const Scenario& scenario,
-                                                              const GoldenPlace& place, bool reads_h5);
+                                                              const GoldenPlace& place, bool reads_h5,
+                                                              const Core& recording);
 
 /// Whether the .h5 file need not be written again when the scenario is blessed: it says all that a new one
 /// would, its provenance aside, whatever the summary says.

@@ -112,9 +112,9 @@ bool gives_its_rows(const Core& core, const StoredRun& kept) {
          compare_with(core, kept, kept.scenario).comparison.agrees;
 }
 
-FreshRun play_for_golden(const Core& core, const Scenario& scenario) {
+FreshRun play_for_golden(const Core& core, const Scenario& scenario, const Core& recording) {
   FreshRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(core, scenario, recorder, judged_options(scenario));
+  const RunSummary summary = replay(recording, scenario, recorder, judged_options(scenario));
   StoredRun run = recorder.take();
   if (!recorder.holds_all()) {
     run.contacts = {};

@@ -28,6 +28,7 @@ struct FreshRun {
   StoredRun run;
   RunSummary summary;
 };
-[[nodiscard]] FreshRun play_for_golden(const Core& core, const Scenario& scenario);
+/// @param recording plays the run: the core, or it watched; what is replayed on demand is by the core itself.
+[[nodiscard]] FreshRun play_for_golden(const Core& core, const Scenario& scenario, const Core& recording);
 
 }  // namespace hyrax

@@ -153,7 +153,8 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
   if (!run.not_compared.empty()) return run;
   run.golden_path = place->h5_path;
   run.golden_folder = options.golden_folder;
-  if (has_golden_file(*place)) run.comparison = compare_with_pair(core, scenario, *place, true)->comparison;
+  if (has_golden_file(*place))
+    run.comparison = compare_with_pair(core, scenario, *place, true, core)->comparison;
   return run;
 }
 
