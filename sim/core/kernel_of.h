@@ -142,7 +142,12 @@ class KernelOf final : public Kernel {
   }
   // The bits of all members.
   [[nodiscard]] bool is_at(const Core& core, const CoreBody& anchor) const {
-    return same_bits(state_of(core), anchor.state) && body_of(core).object == body_of(core_of(anchor)).object;
+    return same_bits(state_of(core), anchor.state) &&
+           (!facts_.has_further_members || has_object(core, anchor));
+  }
+  // Apart from the loop of steps, and with a copy, so that the core there stays in registers.
+  [[nodiscard, gnu::noinline]] bool has_object(Core core, const CoreBody& anchor) const {
+    return body_of(core).object == body_of(core_of(anchor)).object;
   }
 
   // Frames of one dt repeat themselves instead (Replay::Player), which looks at all of the state.

@@ -93,7 +93,7 @@ CoreFile shipped_file(const CoreRecord& record) {
 
 CoreFile make_core(const std::string& header, const TemporaryFolder& folder, const std::string& name) {
   const std::string text = read_text_file(header);
-  auto traced = std::async(std::launch::async, traced_core, header, text, std::cref(folder), name);
+  auto traced = std::async(std::launch::async, trace_header, header, text, std::cref(folder), name);
   std::string library = compile_core(header, text, folder, name);
   return {std::move(library), traced.get()};
 }
