@@ -67,7 +67,7 @@ class Row:
     cpu: tuple = ()  # Flags of /proc/cpuinfo without which the program cannot run here.
     must: Verdict = AGREES
     is_blind: bool = False  # The self-test is removed.
-    is_nightly: bool = False  # Another row has it as well with other flags, or platforms.this_build plays it.
+    is_nightly: bool = False  # By day another row stands for it, or platforms.this_build plays it.
     variants: tuple = ()
 
     @property
@@ -118,11 +118,11 @@ def windows(flags, **options):
                needs=(Needs("x86_64-w64-mingw32-g++-posix", "g++-mingw-w64-x86-64-posix"), Needs("wine", "wine")), **options)
 
 
-def emulated(name, triple, emulator):
+def emulated(name, triple, emulator, **options):
     """Another processor, under qemu-user."""
     return Row(name, f"{triple}-g++", "-O2", toolchain="cross.cmake", settings=(f"HYRAX_TRIPLE={triple}",),
                runner=(emulator,), runs_on=emulator,
-               needs=(Needs(f"{triple}-g++", f"g++-{triple}"), Needs(emulator, "qemu-user")))
+               needs=(Needs(f"{triple}-g++", f"g++-{triple}"), Needs(emulator, "qemu-user")), **options)
 
 
 BUILDS = (
@@ -136,10 +136,10 @@ BUILDS = (
         needs=(GXX, IN_32_BITS, Needs("qemu-i386", "qemu-user")), cpu=("lm",)),
     windows("-O2"), windows("-O0", is_nightly=True),
     emulated("aarch64", "aarch64-linux-gnu", "qemu-aarch64"),
-    emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64"),
+    emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64", is_nightly=True),
     emulated("s390x, big-endian", "s390x-linux-gnu", "qemu-s390x"),
-    emulated("ppc64el", "powerpc64le-linux-gnu", "qemu-ppc64le"),
-    emulated("armhf", "arm-linux-gnueabihf", "qemu-arm"),
+    emulated("ppc64el", "powerpc64le-linux-gnu", "qemu-ppc64le", is_nightly=True),
+    emulated("armhf", "arm-linux-gnueabihf", "qemu-arm", is_nightly=True),
     Row("WebAssembly", "clang++-19", "-O2", source=HERE / "wasm", toolchain="wasi.cmake",
         program="hyrax/bin/hyrax-replay", runner=("node", "--no-warnings", str(HERE / "wasm/run.mjs")), runs_on="node",
         needs=(Needs("clang++-19", "clang-19"), Needs("wasm-ld-19", "lld-19"), Needs("node", "nodejs"),
