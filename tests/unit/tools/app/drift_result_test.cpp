@@ -3,6 +3,7 @@
 
 #include <regex>
 
+#include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/report/picture_faults.h"
@@ -31,18 +32,19 @@ std::string pictures_of(const DriftRun& run) {
 
 TEST(DriftResult, OfRunsAreThoseApproved) {
   std::string text = "A run with everything\n";
-  DriftReport report{.run = measure_drift(eventful_fling(), {.gsl = GslOptions{}, .keeps_rows = true}),
-                     .has_rows_stored = true,
-                     .step_ns = 5.25,
-                     .contact_chance = ContactChance{.drawn_part = 0.5, .changed = {30, 200}, .steps = 330}};
-  const DriftRun half = measure_drift(fling_at(120.0, 40));
+  DriftReport report{
+      .run = measure_drift(shipped_core(), eventful_fling(), {.gsl = GslOptions{}, .keeps_rows = true}),
+      .has_rows_stored = true,
+      .step_ns = 5.25,
+      .contact_chance = ContactChance{.drawn_part = 0.5, .changed = {30, 200}, .steps = 330}};
+  const DriftRun half = measure_drift(shipped_core(), fling_at(120.0, 40));
   report.half_dt.half = HalfDt{660, 6.5, half.summary, half.longest_arc};
   text += text_of(report, false) + pictures_of(report.run);
 
   text += "\nA long one, all of it listed\n";
   std::vector<Event> flings;
   for (std::int64_t frame = 5; frame < 200; frame += 5) flings.push_back({frame, Fling{{10.0, -100.0}}});
-  report = {.run = measure_drift(fling_at(60.0, 200, flings))};
+  report = {.run = measure_drift(shipped_core(), fling_at(60.0, 200, flings))};
   report.step_ns = 4.0;
   report.half_dt.why_not = "a reason";
   const std::string shortened = text_of(report, false);
@@ -50,11 +52,11 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
   text += text_of(report, true);
 
   text += "\nNo flight\n";
-  report = {.run = measure_drift(fling_at(60.0, 1))};
+  report = {.run = measure_drift(shipped_core(), fling_at(60.0, 1))};
   text += text_of(report, false) + pictures_of(report.run);
 
   text += "\nBounces, and faults\n";
-  report = {.run = measure_drift(fling_at(60.0, 300))};
+  report = {.run = measure_drift(shipped_core(), fling_at(60.0, 300))};
   report.run.note = "a note";
   report.run.whole.run->end_px = 12.0;
   report.run.summary.differing_steps = 2;
