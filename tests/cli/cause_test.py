@@ -369,6 +369,7 @@ class Documents(CauseTest):
         self.assertIn("scenarios/com%2Cma.json", files)
         self.assertIn("scenarios/co%3Alon.json", files)
         self.assertIn("scenarios/line%0Abreak.json", files)
+        self.assertEqual([line for line in annotations if ".json: line 1, column " not in line], [])
         self.assertNotIn("\x1b", outcome.out)
         text = (self.folder / "check.md").read_text()
         self.assertNotIn("\x1b", text)

@@ -69,7 +69,7 @@ class Document(CheckTest):
         suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
         cases = [case.get("name") for case in suite.iter("testcase")]
         self.assertEqual(len(set(cases)), len(names) + 3)
-        for name in ("bad \\xff\\xfe utf8", "escape \\u001b[31m", "line\nbreak\ttab\\u000dcr", "é €𝄞", "]]>&<\"'"):
+        for name in ("bad \\xff\\xfe utf8", "escape \\u001b[31m", "line\nbreak\ttab\\u000dcr", "\\u0001\\u0008\\u007f", "é €𝄞", "]]>&<\"'"):
             self.assertIn(f"scenarios/{name}.json", cases)
 
     def test_junit_that_cannot_be_written_is_exit_3(self):

@@ -3,7 +3,10 @@
 
 import itertools
 import os
+import pathlib
 import re
+
+import h5py
 
 from process import run, skip_for_lack_of
 from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling,
@@ -288,7 +291,11 @@ class Surroundings(ProgramTest):
 
     def test_info_names_every_library(self):
         names = self.expect(AGREED, "info", "--json").json
-        self.assertRegex(names["gsl"], r"^\d+\.\d+")
+        for name, header, pattern in (("gsl", "gsl/gsl_version.h", r'define GSL_VERSION "(.*)"'),
+                                      ("xxhash", "xxhash.h", r"define XXH_VERSION_(?:MAJOR|MINOR|RELEASE) +(\d+)")):
+            text = pathlib.Path("/usr/include", header).read_text(encoding="utf-8")
+            self.assertEqual(names[name], ".".join(re.findall(pattern, text)))
+        self.assertEqual(names["hdf5"], h5py.version.hdf5_version)
         self.assertIn(f"\ngsl              {names['gsl']}\n", self.expect(AGREED, "info").out)
 
 
