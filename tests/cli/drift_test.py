@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """`drift`: its measurements and its output."""
 
-import fractions
 import math
 
 import h5py
@@ -51,29 +50,10 @@ class Errors(DriftTest):
         self.assertAlmostEqual(xv, damped_s, delta=1e-12)
         self.assertIn("end moves by", self.expect(AGREED, "drift", self.write("one.json", fling()), "-v").out)
 
-    def test_arcs_end_where_the_scenario_says(self):
-        events = [{"step": 20, "fling": {"vx_px_per_s": 0, "vy_px_per_s": -500}}, {"step": 30, "grab": {}},
-                  {"step": 35, "release": {"vx_px_per_s": 100, "vy_px_per_s": 0}},
-                  {"step": 40, "hitch": {"dt_s": 0.1}}]
-        run = self.drift_of(flight(60, events=events))
-        self.assertEqual([(arc["first_step"], arc["last_step"], arc["ended_by"]) for arc in run["arcs"]],
-                         [(0, 20, "input"), (20, 30, "hold"), (35, 60, "end")])
-
-    def test_gsl_agrees_with_the_closed_form_within_the_bound(self):
-        for arc in self.drift_of(fling())["arcs"]:
-            self.assertLess(arc["gsl_vs_closed_px"], 1e-9)
-
     def test_a_fall_of_many_frames_is_no_fault_of_the_reference(self):
         for rate_hz, steps in ((240, 60000), (1000, 100000)):
             tall = fling(window={"width_px": 2000, "height_px": 1000000}, clock={"rate_hz": rate_hz}, steps=steps)
             self.assertLess(self.drift_of(tall)["worst"]["gsl_vs_closed_px"], 1e-8)
-
-    def test_the_bounce_out_of_a_corner_is_listed(self):
-        corner = fling(window={"width_px": 1920, "height_px": 1080}, sprite={"width_px": 128, "height_px": 128},
-                       start={"x_px": 1780, "y_px": 925, "vx_px_per_s": 1500, "vy_px_per_s": 600}, steps=60)
-        run = self.drift_of(corner)
-        self.assertEqual([(contact["step"], contact["wall"]) for contact in run["contacts"]][:2],
-                         [(1, "right"), (3, "ground")])
 
     def test_a_coarser_stepper_is_reported_but_changes_no_verdict(self):
         run = self.drift_of(fling(), "--stepper", "msbdf", "--tolerance", 1e-3)
@@ -140,49 +120,6 @@ class Files(DriftTest):
         none, good, _ = outcome.json["runs"]
         self.assertEqual(none["status"], "failed")
         self.assertIn("arcs", good)
-
-
-class WrongCores(DriftTest):
-    """Controls: rows of another step in the place of the core's."""
-
-    def measured(self, step):
-        """The flight's rows by another step, measured."""
-        document = flight(144, 600)
-        document["start"] |= {"vx_px_per_s": 407}
-        self.expect(AGREED, "run", self.write("flight.json", document), "-o", "flight.h5")
-        state = (4000.0, 50000.0, 407.0, -900.0)
-        with h5py.File(self.folder / "flight.h5", "r+") as file:
-            for row, dt_s in enumerate(file["trajectory/dt"][1:], 1):
-                state = step(*state, float(dt_s))
-                for name, value in zip(("x", "y", "vx", "vy"), state, strict=True):
-                    file[f"trajectory/{name}"][row] = value
-        return self.drift("flight.h5")[0]
-
-    def test_the_papers_step_agrees_with_the_listing(self):
-        def paper(x, y, vx, vy, dt):
-            vy = (vy + 1200.0 * dt) * 0.999
-            vx = vx * 0.999
-            return x + vx * dt, y + vy * dt, vx, vy
-        run = self.measured(paper)
-        self.assertEqual(run["differing_steps"], 0)
-        self.assertLess(run["worst"]["implementation_px"], 1e-8)
-
-    def test_drag_before_gravity_is_detected(self):
-        def drag_first(x, y, vx, vy, dt):
-            vy = vy * 0.999 + 1200.0 * dt
-            vx = vx * 0.999
-            return x + vx * dt, y + vy * dt, vx, vy
-        run = self.measured(drag_first)
-        self.assertGreater(run["differing_steps"], 500)
-        self.assertGreater(run["worst"]["implementation_px"], 1e-3)
-
-    def test_a_fused_operation_is_detected(self):
-        def fused(x, y, vx, vy, dt):
-            vy = float(fractions.Fraction(vy) + 1200 * fractions.Fraction(dt)) * 0.999
-            vx = vx * 0.999
-            return x + vx * dt, y + vy * dt, vx, vy
-        self.assertGreater(self.measured(fused)["differing_steps"], 0)
-        self.assertIn("flight steps differ from the listing", self.expect(AGREED, "drift", "flight.h5").out)
 
 
 class Table(DriftTest):
