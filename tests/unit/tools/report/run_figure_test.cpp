@@ -190,7 +190,18 @@ TEST(RunSvg, TheLegendCountsContactsThatAreNotDrawn) {
 
 TEST(RunSvg, CountsAndSpeedsAreWrittenForPeople) {
   Columns rows = dropped_rows(2);
-  EXPECT_NE(run_svg(some_fling(), rows, {}).find(">1 step · 0.0166667 s · 60 Hz"), std::string::npos);
+  const auto subtitle_says = [&rows](const Clock& clock, const std::string& text) {
+    Scenario scenario = some_fling();
+    scenario.clock = clock;
+    EXPECT_TRUE(has_text(run_svg(scenario, rows, {}),
+                         "1 step · 0.0166667 s · " + text + " · window 1920 × 1080 px · sprite 128 × 128 px"))
+        << text;
+  };
+  const Jitter jitter{Jitter::Kind::uniform, 0.1, 1};
+  subtitle_says({FixedRate{60}, {}}, "60 Hz");
+  subtitle_says({FixedRate{59.94}, jitter}, "59.94 Hz with jitter");
+  subtitle_says({FixedStep{0.02}, {}}, "dt 0.02 s");
+  subtitle_says({RecordedSteps{{1.0 / 60.0}}, {}}, "recorded frames");
   Scenario fast = some_fling();
   fast.start_velocity = {11'400, 0};
   rows.vx_px_per_s[0] = 11'400;
