@@ -23,6 +23,15 @@ STATED = (
         ("done;", "agreed"), ("results differ", "disagreed"), ("bad usage or bad input", "bad_input"),
         ("cannot read or write", "cannot_access"), ("a golden file is missing", "golden_missing"),
         ("arithmetic is not strict", "not_strict_ieee"), ("internal error", "program_fault"))),
+    *((document, words, "tools/files/failure.h", names) for document, words, names in (
+        (FILES, "missing (exit code {})", "golden_missing"), (FILES, "`unreferenced` (exit code {})", "disagreed"),
+        (FILES, "comparison fails (exit code {})", "disagreed"), (FILES, "is a scenario (exit code {}, nothing", "bad_input"),
+        (FILES, "it ends with exit code {}. If none", "disagreed"), (FORMAT, "may not hold (exit code {})", "disagreed"),
+        (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
+        ("sim/study/README.md", "`--gate` | exit code {} if", "disagreed"),
+        ("tools/hyrax/README.md", "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
+        ("tools/own_core/README.md", "ends with exit code {} for any other", "bad_input"),
+        ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, "| `" + name + "` | {}", HEADER, name)
       for name in ("GRAVITY", "AIR_DRAG", "RESTITUTION", "GROUND_FRICTION", "REST_THRESHOLD")),
     (CORE, "Gravity: `vy += {} dt`", HEADER, "GRAVITY"),
