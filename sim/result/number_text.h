@@ -43,6 +43,12 @@ namespace hyrax {
   return text;
 }
 
+/// A unit as people write it, "px²/s²" of the "px2/s2" that files have.
+[[nodiscard]] inline std::string unit_text(std::string unit) {
+  for (std::size_t at = unit.find('2'); at != unit.npos; at = unit.find('2', at)) unit.replace(at, 1, "²");
+  return unit;
+}
+
 /// "1 step", "11,400 steps".
 [[nodiscard]] inline std::string counted(double count, const std::string& noun) {
   return with_decimals(count, 0) + " " + noun + (count == 1.0 ? "" : "s");

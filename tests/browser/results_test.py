@@ -194,7 +194,10 @@ class ResultsTest(browser.BrowserTest):
             self.assertGreater(len(shown), 0)
             self.assertTrue(all(shown + printed))
             self.assertNotEqual(light, dark)
-        self.assertIn("rest", self.open({**tasks[0], "plain": True, "actions": [["evaluate", "document.body.innerText"]]})[0]["values"][0])
+        (page,) = self.open({**tasks[0], "plain": True, "size": (375, 844), "actions": [
+            ["evaluate", "document.body.innerText"], ["evaluate", "document.documentElement.scrollWidth <= innerWidth"]]})
+        self.assertIn("no rule of the study is broken", page["values"][0])
+        self.assertTrue(page["values"][1])
 
     def test_letters_are_11_px_at_least_or_the_picture_scrolls(self):
         least = """Math.min(...[...document.querySelectorAll('.picture > svg')].filter(each => each.checkVisibility()).map(svg =>

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "sim/result/number_text.h"
+
 namespace hyrax {
 namespace {
 
@@ -103,7 +105,7 @@ std::size_t letters(const std::string& text) {
 std::vector<std::string> aligned(const Column& column, bool has_units_below) {
   std::string head = column.name;
   std::replace(head.begin(), head.end(), '_', ' ');
-  const std::string unit = column.unit == "1" ? "" : column.unit;
+  const std::string unit = column.unit == "1" ? "" : unit_text(column.unit);
   std::vector<std::string> lines = printed(column);
   if (has_units_below) lines.insert(lines.begin(), unit);
   lines.insert(lines.begin(), has_units_below || unit.empty() ? head : head + ", " + unit);

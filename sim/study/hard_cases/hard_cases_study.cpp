@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_case.h"
 #include "sim/study/study.h"
@@ -127,8 +128,9 @@ Table invariant_table(const std::vector<Judgement>& judgements) {
        column_of("broken", "1", "", counts, [](C each) { return each.second.broken; }),
        column_of(
            "least_slack", "1", "", counts, [](C each) { return each.second.slack; }, 3),
-       column_of("unit", "", "", counts,
-                 [](C each) { return each.first->unit == "1" ? "" : each.first->unit; }),
+       column_of(
+           "unit", "", "", counts,
+           [](C each) { return each.first->unit == "1" ? "" : unit_text(std::string(each.first->unit)); }),
        column_of("in_case", "", "", counts, [](C each) { return each.second.least_slack_case; })}};
 }
 
@@ -167,8 +169,8 @@ std::string broken_sentence(const Judgement& judgement) {
   if (measure.holds) return head + " holds: its expected failure is out of date";
   if (judgement.invariant == Invariant::expectations)
     return fmt::format("{}: {}", head, judgement.played->result.broken_expectation);
-  return fmt::format("{} is broken by {:.3g} {} in row {} ({})", head, -measure.slack, text.unit,
-                     measure.worst_step, text.rule);
+  return fmt::format("{} is broken by {:.3g} {} in row {} ({})", head, -measure.slack,
+                     unit_text(std::string(text.unit)), measure.worst_step, text.rule);
 }
 
 Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judgement>& judgements) {

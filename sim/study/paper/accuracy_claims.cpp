@@ -218,7 +218,7 @@ Claim energy_drift(const Core& core, const ClaimStarts& starts) {
   set_number(ratios, claim);
   claim.verdict = holds_if(claim.range->front() > kShare * kLongFrame_s / kSixtieth_s);
   claim.remark =
-      fmt::format("from {:.4g} to {:.4g} px2/s2 a second", median(at_60_hz), median(in_long_frames));
+      fmt::format("from {:.4g} to {:.4g} px²/s² a second", median(at_60_hz), median(in_long_frames));
   return claim;
 }
 

@@ -56,7 +56,7 @@ Claim conservation(const Core& core, const ClaimStarts& starts) {
               0.0,
               "1",
               ClaimVerdict::not_measured,
-              "a step of flight loses " + digits(lost) + " px2/s2; (G dt)^2/2 is " + digits(gain * gain / 2)};
+              "a step of flight loses " + digits(lost) + " px²/s²; (G dt)^2/2 is " + digits(gain * gain / 2)};
   const std::vector<double> drifts = bouncing_drifts(core, StepOrder::paper, starts, 60.0);
   set_number(drifts, claim);
   claim.verdict = holds_if(*std::max_element(drifts.begin(), drifts.end()) < 1e-9);

@@ -38,7 +38,7 @@ Claim gravity(const Core& core) {
           "px/s2",
           holds_if(gained.least > 0.0 && is_close(gained.least, constant, 1e-6) &&
                    is_close(gained.most, constant, 1e-6)),
-          is_close(gained.least, gained.most, 1e-6) ? "" : "up to " + digits(gained.most) + " px/s2"};
+          is_close(gained.least, gained.most, 1e-6) ? "" : "up to " + digits(gained.most) + " px/s²"};
 }
 
 // Gravity adds the same to every speed, so a difference of speeds changes by drag alone.

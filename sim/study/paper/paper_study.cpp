@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/core/core.h"
+#include "sim/result/number_text.h"
 #include "sim/study/paper/paper_claim.h"
 #include "sim/study/study.h"
 
@@ -94,7 +95,7 @@ std::vector<std::string> differences(const std::vector<Claim>& claims, const Ver
     else if (verdict->second != name_of(claim.verdict))
       sentences.push_back(fmt::format("{}: {}, but {} expects: {} ({}: {}{})", claim.id,
                                       name_of(claim.verdict), path, verdict->second, claim.measured,
-                                      claim.number, claim.unit == "1" ? "" : " " + claim.unit));
+                                      claim.number, claim.unit == "1" ? "" : " " + unit_text(claim.unit)));
   }
   return sentences;
 }
@@ -102,7 +103,7 @@ std::vector<std::string> differences(const std::vector<Claim>& claims, const Ver
 std::string number_text(const Claim& claim, bool has_all_digits) {
   const std::string number =
       has_all_digits ? fmt::format("{}", claim.number) : fmt::format("{:.4g}", claim.number);
-  return claim.unit == "1" ? number : number + " " + claim.unit;
+  return claim.unit == "1" ? number : number + " " + unit_text(claim.unit);
 }
 
 Verdict verdict_of(const std::vector<Claim>& claims) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/reference/drift_columns.h"
+#include "sim/result/number_text.h"
 #include "tools/app/drift/drift.h"
 #include "tools/files/table_text.h"
 
@@ -120,7 +121,7 @@ std::string worst_text(const DriftSummary& summary) {
     std::ranges::replace(name, '_', ' ');
     if (const std::optional<Worst>& worst = summary.*shown.worst)
       items.push_back(fmt::format("{} {} {} (row {})", name, number(shown.scale * worst->value),
-                                  shown.unit != nullptr ? shown.unit : column.unit, worst->step));
+                                  unit_text(shown.unit != nullptr ? shown.unit : column.unit), worst->step));
   });
   return wrapped("worst", items);
 }

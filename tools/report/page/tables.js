@@ -17,7 +17,7 @@ export function tableOf(table) {
   const rows = Math.min(rowsShown, columns[0]?.values.length ?? 0);
   const kinds = columns.map(column => (!isText(column) ? 'number' : column.values.every(value => String(value).length <= 36) ? 'text short' : 'text'));
   const head = make('tr', {}, ...columns.map((column, i) => make(column.name ? 'th' : 'td', { scope: column.name ? 'col' : null, class: kinds[i], title: column.long_name || null },
-    column.name.replaceAll('_', ' '), column.unit && column.unit !== '1' ? make('span', { class: 'unit' }, column.unit) : '')));
+    column.name.replaceAll('_', ' '), column.unit && column.unit !== '1' ? make('span', { class: 'unit' }, column.unit.replaceAll('2', '²')) : '')));
   const lines = Array.from({ length: rows }, (_, row) => make('tr', {}, ...columns.map((column, i) =>
     make('td', { class: kinds[i] }, cellText(column.values[row], column.digits)))));
   const place = make('div', { class: 'table', tabindex: '0', role: 'group', 'aria-label': table.long_name || table.name },

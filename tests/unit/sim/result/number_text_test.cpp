@@ -25,6 +25,11 @@ TEST(WithDecimals, KeepsThemAndHasNoNegativeZero) {
   EXPECT_EQ(with_decimals(0.125, 2), "0.13");
 }
 
+TEST(UnitText, RaisesSquares) {
+  EXPECT_EQ(unit_text("px2/s2"), "px²/s²");
+  EXPECT_EQ(unit_text("px/s"), "px/s");
+}
+
 TEST(Counted, HasTheSingularOfOne) {
   EXPECT_EQ(counted(1.0, "step"), "1 step");
   EXPECT_EQ(counted(11'400.0, "step"), "11,400 steps");
