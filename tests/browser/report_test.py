@@ -99,6 +99,34 @@ class ReportTest(browser.BrowserTest):
         (page,) = self.open({"file": str(self.folder / "altered.html"), **looks})
         self.assertEqual((page["values"], page["attributes"].get("core")), ([True, []], "differs"))
 
+    def test_texts_of_charts_and_replay_keep_apart_and_the_test_sees_it(self):
+        events = [{"step": step, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -900}} for step in (30, 31, 90)]
+        self.played("fling", program.fling(events=events))
+        task = self.report("fling")
+        for size in ((1400, 900), (800, 900), (375, 844)):
+            (page,) = self.open({**task, "size": size, "actions": [["evaluate", browser.CANVAS_FAULTS]]})
+            count, faults = page["values"][0]
+            self.assertGreater(count, 20)
+            self.assertEqual(faults, [], size)
+        for place in ("3", "-30"):
+            (page,) = self.open({**task, "actions": [["evaluate", browser.CANVAS_FAULTS.replace("at = x", f"at = {place}")]]})
+            self.assertNotEqual(page["values"][0][1], [])
+
+    def test_a_jump_by_an_input_is_dashed_and_a_flight_is_not(self):
+        jumps = """(() => {
+          const prototype = Path2D.prototype, {lineTo} = prototype, paths = new Set(), {stroke} = CanvasRenderingContext2D.prototype;
+          let dashed = 0;
+          prototype.lineTo = function (...at) { paths.add(this); return lineTo.apply(this, at); };
+          CanvasRenderingContext2D.prototype.stroke = function (...path) { dashed += paths.has(path[0]) && this.getLineDash().length > 0; return stroke.apply(this, path); };
+          dispatchEvent(new Event('beforeprint'));
+          return dashed;
+        })()"""
+        self.played("flown", program.fling())
+        self.played("placed", program.fling(events=[{"step": 30, "grab": {}}, {"step": 31, "place": {"x_px": 900, "y_px": 80}}, {"step": 40, "release": {"vx_px_per_s": 0, "vy_px_per_s": 0}}]))
+        flown, placed = self.open(*({**self.report(name), "actions": [["evaluate", jumps]]} for name in ("flown", "placed")))
+        self.assertEqual((flown["values"], flown["errors"], placed["errors"]), ([0], [], []))
+        self.assertGreater(placed["values"][0], 0)
+
     def test_a_run_that_becomes_non_finite_says_so_and_marks_the_place(self):
         text = "vx is infinite from step 120 of 600 (2.00 s)"
         run_altered("bounce_explodes", "run", "scenarios/flings/first-fling.json", "-o", self.folder / "broken.h5",

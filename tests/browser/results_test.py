@@ -101,6 +101,10 @@ class ResultsTest(browser.BrowserTest):
         for size in ((1400, 900), (800, 900), (375, 844)):
             for task, page in zip(tasks, self.open(*({**task, "size": size, "actions": [["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", FAULTS]]} for task in tasks))):
                 self.assertEqual(page["values"][1], [], (task["file"], size))
+        for size in ((1400, 900), (375, 844)):
+            (page,) = self.open({**tasks[3], "size": size, "actions": [["evaluate", browser.CANVAS_FAULTS]]})
+            self.assertGreater(page["values"][0][0], 10)
+            self.assertEqual(page["values"][0][1], [], size)
         for fault in (spoilt, cut):
             (page,) = self.open({**tasks[0], "size": (1400, 900), "actions": [["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", fault], ["evaluate", FAULTS]]})
             self.assertNotEqual(page["values"][2], [], fault)

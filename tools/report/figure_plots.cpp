@@ -164,7 +164,7 @@ class PlotDrawing {
     if (look.form == Form::band) {
       for (std::size_t row = series.x.size(); row-- > 0;)
         points.push_back(at(series.x[row], series.y_low[row]));
-      svg_.area(points, colour, 0.9);
+      svg_.area(points, colour, opacity_of(look));
     }
     if (look.form == Form::bars)
       for (const SvgPoint& end : points)

@@ -31,6 +31,14 @@ export function followLook(repaint) {
 /** By a contact's bit; as kWallTones of sim/result/figure.h. */
 export const wallColors = { 1: 'sky-blue', 2: 'vermilion', 4: 'purple', 8: 'orange' };
 
+// Whether a row's speed, or that of the row before, explains its distance from that, as run_path.cpp has it. Rows
+// without speeds are a hand's way.
+function isFlown({ t, x, y, vx, vy }, i) {
+  if (!vx) return true;
+  const speed = Math.max(Math.hypot(vx[i], vy[i]), Math.hypot(vx[i - 1], vy[i - 1]));
+  return Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) <= 1.1 * speed * (t[i] - t[i - 1]) + 2;
+}
+
 export class Painter {
   #images;
   #stamps = new Map();
@@ -78,18 +86,27 @@ export class Painter {
   #path(context, rows, end) {
     const { sizes } = this.scene;
     const scale = this.scale;
+    const flown = new Path2D(), jumps = new Path2D();
     let x = NaN, y = NaN;
-    context.beginPath();
     for (let i = 0; i < end; ++i) {
       const { sprite } = sizesAt(sizes, rows.step?.[i] ?? 0);
       const nextX = (rows.x[i] + sprite[0] / 2) * scale, nextY = (rows.y[i] + sprite[1] / 2) * scale;
       if (!Number.isFinite(nextX + nextY)) break;
       if (Math.abs(nextX - x) < 0.7 && Math.abs(nextY - y) < 0.7) continue;
-      if (Number.isNaN(x)) context.moveTo(nextX, nextY);
-      else context.lineTo(nextX, nextY);
+      if (!Number.isNaN(x) && !isFlown(rows, i)) {
+        jumps.moveTo(x, y);
+        jumps.lineTo(nextX, nextY);
+        x = NaN;
+      }
+      if (Number.isNaN(x)) flown.moveTo(nextX, nextY);
+      else flown.lineTo(nextX, nextY);
       [x, y] = [nextX, nextY];
     }
-    context.stroke();
+    context.stroke(flown);
+    context.save();
+    context.setLineDash([4 * this.ratio, 3 * this.ratio]);
+    context.stroke(jumps);
+    context.restore();
   }
 
   #paintWindow(context, { window }) {
