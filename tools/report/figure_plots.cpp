@@ -181,8 +181,8 @@ class PlotDrawing {
   // What a point is: its name, and its place in the words of the axes.
   [[nodiscard]] std::string tip(const Series& series, std::size_t row) const {
     const auto part = [](const Axis& axis, double value) {
-      const auto category = static_cast<std::size_t>(value);
-      if (category < axis.categories.size()) return "; " + axis.categories[category];
+      if (value >= 0.0 && value < static_cast<double>(axis.categories.size()))
+        return "; " + axis.categories[static_cast<std::size_t>(value)];
       return "; " + (axis.label.empty() ? "" : axis.label + ": ") + rounded(value, 5);
     };
     return series.name + (series.point_names.empty() ? "" : ", " + series.point_names[row]) +
