@@ -13,7 +13,7 @@
 #include "sim/reference/model.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
-#include "sim/result/table.h"
+#include "sim/result/result.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/study.h"
 
@@ -221,11 +221,12 @@ struct Card {
 /// The largest consequence for a user, one sentence.
 [[nodiscard]] std::string consequence_of(const Card& card);
 
-/// What differs, one by one: scenarios, invariants, claims, recordings. Tables without rows are left out.
-[[nodiscard]] std::vector<Table> card_tables(const Card& card);
-
 /// Where flings land, over displays and against the exact motion, and their energy by cause; base and
 /// candidate in the same plot.
 [[nodiscard]] std::vector<Figure> card_figures(const Card& card);
+
+/// The card as a result: its lines as the verdict's one table, whose long name says what was compared; the
+/// consequence in brief; the members of its JSON document; as tables what differs, one by one.
+[[nodiscard]] Result card_result(const Card& card);
 
 }  // namespace hyrax

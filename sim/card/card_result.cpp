@@ -1,51 +1,302 @@
-#include "sim/card/card.h"
-
+#include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
+#include <map>
 
 #include <fmt/format.h>
+
+#include "sim/card/card.h"
+#include "sim/card/flings.h"
 
 namespace hyrax {
 namespace {
 
-constexpr Tone kBefore = Tone::quiet;
-constexpr Tone kAfter = Tone::vermilion;
+// The card in the making: its lines for people, and its members of the JSON document.
+struct Lines {
+  std::vector<std::string> names;
+  std::vector<std::string> texts;
+  std::vector<Table> json;
 
-// How each core is drawn, and its part of a line.
-struct DrawnCore {
-  const char* name;
-  std::optional<Band> BeforeAfter<std::optional<Band>>::*band;
-  Tone tone;
+  // Without a name it continues the line before.
+  void add(const std::string& name, const std::string& text) {
+    names.push_back(name);
+    texts.push_back(text);
+  }
+  // A line for each of the first items.
+  template <class Items, class ToText>
+  void add_first(std::size_t most, const Items& items, const ToText& to_text) {
+    for (std::size_t index = 0; index < std::min(items.size(), most); ++index) add("", to_text(items[index]));
+    if (items.size() > most) add("", fmt::format("and {} more", items.size() - most));
+  }
 };
-constexpr DrawnCore kCores[] = {{"base", &BeforeAfter<std::optional<Band>>::before, kBefore},
-                                {"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter}};
 
-std::vector<LegendEntry> both_cores(Form form) {
-  std::vector<LegendEntry> legend;
-  for (const DrawnCore& core : kCores) legend.push_back({core.name, {.form = form, .tone = core.tone}});
-  return legend;
+// "35.2 (10 .. 80)"
+std::string text_of(const std::optional<Band>& band, double unit = 1.0) {
+  if (!band) return "not measured";
+  const auto digits = [unit](double value) {
+    const double shown = value / unit;
+    return std::fabs(shown) >= 100.0 ? fmt::format("{:.0f}", shown) : fmt::format("{:.3g}", shown);
+  };
+  return fmt::format("{} ({} .. {})", digits(band->median), digits(band->low), digits(band->high));
+}
+template <class OptionalBand>
+std::string text_of(const BeforeAfter<OptionalBand>& pair, const std::string& unit_name, double unit = 1.0) {
+  return fmt::format("{} -> {} {}", text_of(pair.before, unit), text_of(pair.after, unit), unit_name);
+}
+
+// ", 152 of 200 flings"; empty where the band is of all of them.
+std::string size_text(const std::optional<Band>& band, std::int64_t of) {
+  return band && band->samples < of ? fmt::format(", {} of {} flings", band->samples, of) : "";
+}
+
+// "12 of 1000, 1.2 % (0.7 .. 2.1 %)"
+std::string text_of(const Share& share) {
+  return fmt::format("{} of {} (95 %: {:.1f} .. {:.1f} %)", share.count, share.of, 100.0 * share.low(),
+                     100.0 * share.high());
+}
+
+std::string text_of(const ClassCounts& counts) {
+  std::string text = fmt::format("{} of {} the same", counts.same_bits, counts.total());
+  for (const DifferenceClass difference : kDifferenceClasses)
+    if (counts.of(difference) > 0) text += fmt::format(", {} {}", name_of(difference), counts.of(difference));
+  return text;
+}
+
+// The first few, and how many there are more.
+std::string list_text(const std::vector<std::string>& names, std::size_t most = 3) {
+  std::string text;
+  for (std::size_t index = 0; index < std::min(names.size(), most); ++index)
+    text += (index == 0 ? "" : ", ") + names[index];
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return text;
+}
+
+// Without columns null.
+Table one(const std::string& name = "", std::vector<Column> columns = {}) {
+  return {.name = name, .columns = std::move(columns), .shape = JsonShape::one};
+}
+
+Column text_or_null(const std::string& name, const std::string& text) {
+  return text.empty() ? column_of_one(name, "", one()) : column_of_one(name, "", text);
+}
+
+Table table_of(const std::optional<Band>& band) {
+  if (!band) return one();
+  return one("", {column_of_one("samples", "1", band->samples), column_of_one("median", "1", band->median),
+                  column_of_one("p10", "1", band->low), column_of_one("p90", "1", band->high)});
+}
+Table table_of(const Share& share) {
+  return one("", {column_of_one("count", "1", share.count), column_of_one("of", "1", share.of),
+                  column_of_one("low95", "1", share.low()), column_of_one("high95", "1", share.high())});
+}
+Table table_of(const ClassCounts& counts) {
+  Table table = one(
+      "", {column_of_one("count", "1", counts.total()), column_of_one("same_bits", "1", counts.same_bits)});
+  for (const DifferenceClass difference : kDifferenceClasses)
+    table.columns.push_back(column_of_one(std::string(name_of(difference)), "1", counts.of(difference)));
+  return table;
+}
+template <class Value>
+Table table_of(const std::vector<Value>& values) {
+  return {.columns = {{.values = values}}, .shape = JsonShape::values};
+}
+template <class Value>
+Table table_of(const BeforeAfter<Value>& pair);
+
+template <class Value>
+Column member(const std::string& name, const std::string& unit, const Value& value) {
+  if constexpr (requires { table_of(value); })
+    return column_of_one(name, unit, table_of(value));
+  else
+    return column_of_one(name, unit, value);
+}
+
+template <class Value>
+Table table_of(const BeforeAfter<Value>& pair) {
+  return one("", {member("before", "", pair.before), member("after", "", pair.after)});
+}
+
+void add_step(const Card& card, Lines& lines) {
+  const StepLine& line = card.step;
+  if (line.status == StepStatus::proved_equal)
+    lines.add("step", "same operations on every path: proved");
+  else if (line.status == StepStatus::not_proved)
+    lines.add("step", "not proved equal: " + line.why);
+  else
+    lines.add("step", line.why.empty() ? "changed" : "changed; not all paths are known: " + line.why);
+  if (line.changes.empty() && line.status == StepStatus::changed)
+    lines.add("", "the header did not change: an included header or a compiler option did");
+  lines.add_first(6, line.changes, change_text);
+  lines.json.push_back(one(
+      "step", {column_of_one("status", "", kStepStatusNames[static_cast<std::size_t>(line.status)]),
+               text_or_null("why", line.why), column_of_one("changes", "", changes_table(line.changes))}));
+  lines.json.push_back({.columns = {text_or_null("lacking", card.lacking)}, .shape = JsonShape::members});
 }
 
 Table scenario_table(const std::vector<ScenarioChange>& changed) {
-  const auto number = [&changed](const std::string& name, const std::string& long_name,
-                                 std::int64_t RunChange::*member) {
-    return column_of(name, "1", long_name, changed,
-                     [member](const ScenarioChange& each) { return each.change.*member; });
+  const auto of = [&changed](const char* name, const char* unit, const char* long_name, const auto& get,
+                             const char* key = "") {
+    Column column = column_of(name, unit, long_name, changed,
+                              [&get](const ScenarioChange& each) { return std::invoke(get, each.change); });
+    column.key = key;
+    return column;
   };
   return {"scenarios",
           "scenarios that differ",
           {column_of("scenario", "", "its file", changed, &ScenarioChange::path),
-           column_of("class", "", "class of difference", changed,
-                     [](const ScenarioChange& each) { return name_of(*each.change.difference); }),
-           column_of("largest", "px", "largest distance of two rows of the same step", changed,
-                     [](const ScenarioChange& each) {
-                       return each.change.largest ? each.change.largest->px : 0.0;
-                     }),
-           column_of("end", "px", "distance of the last rows", changed,
-                     [](const ScenarioChange& each) { return each.change.end_shift_px; }),
-           number("contacts_before", "contacts of the base", &RunChange::contacts_before),
-           number("contacts_after", "contacts of the candidate", &RunChange::contacts_after)}};
+           of("class", "", "class of difference",
+              [](const RunChange& change) { return name_of(*change.difference); }),
+           of(
+               "largest", "px", "largest distance of two rows of the same step",
+               [](const RunChange& change) { return change.largest ? change.largest->px : 0.0; }, "max_px"),
+           of("end", "px", "distance of the last rows", &RunChange::end_shift_px, "end_shift_px"),
+           of("contacts_before", "1", "contacts of the base", &RunChange::contacts_before),
+           of("contacts_after", "1", "contacts of the candidate", &RunChange::contacts_after),
+           of("moved", "1", "contacts of both at another step",
+              [](const RunChange& change) { return std::ssize(change.contacts.moved); }),
+           of("only_before", "1", "contacts of the base alone",
+              [](const RunChange& change) { return std::ssize(change.contacts.only_a); }),
+           of("only_after", "1", "contacts of the candidate alone",
+              [](const RunChange& change) { return std::ssize(change.contacts.only_b); }),
+           of("became_non_finite", "", "with the candidate alone", &RunChange::became_non_finite),
+           of("no_longer_settles", "", "it settles with the base alone", &RunChange::no_longer_settles)}};
+}
+
+void add_bits(const Card& card, Lines& lines) {
+  lines.add("bits", "scenarios: " + text_of(card.library.classes));
+  lines.add("", "random flings: " + text_of(card.random.classes));
+  const HardCaseLine& hard = card.hard_cases;
+  lines.add("",
+            fmt::format("hard cases: {} of {} the same, random runs: {} of {}", hard.cases - hard.other_cases,
+                        hard.cases, hard.other_random_runs.of - hard.other_random_runs.count,
+                        hard.other_random_runs.of));
+  if (card.library.cut > 0)
+    lines.add("", fmt::format("compared in their first {} rows only: {}", kCoreRunRowsMax, card.library.cut));
+  Table scenarios = table_of(card.library.classes);
+  scenarios.name = "scenarios";
+  scenarios.columns.push_back(column_of_one("cut", "1", card.library.cut));
+  scenarios.columns.push_back(column_of_one("changed", "", scenario_table(card.library.changed)));
+  lines.json.push_back(std::move(scenarios));
+}
+
+void add_contacts(const Card& card, Lines& lines) {
+  const ContactLine& line = card.contacts;
+  lines.add("contacts",
+            fmt::format("changed in {} of {} scenarios: {} moved, {} only before, {} only after ({} -> {})",
+                        line.scenarios, card.scenarios, line.moved, line.only_before, line.only_after,
+                        line.contacts.before, line.contacts.after));
+  lines.add("", "changed in random flings: " + text_of(card.random.changed_contacts));
+  lines.json.push_back(
+      one("contacts",
+          {column_of_one("scenarios", "1", line.scenarios), column_of_one("moved", "1", line.moved),
+           column_of_one("only_before", "1", line.only_before),
+           column_of_one("only_after", "1", line.only_after), member("contacts", "1", line.contacts)}));
+}
+
+void add_landing(const Card& card, Lines& lines) {
+  const FlingLine& line = card.random;
+  lines.add("landing", fmt::format("shift in x {} px, distance {} px, largest {:.3g} px{}",
+                                   text_of(line.shift_px), text_of(line.distance_px), line.distance_max_px,
+                                   size_text(line.distance_px, card.flings)));
+  lines.add("", fmt::format("of {} random flings at 60 Hz settle: {} -> {}", card.flings, line.settled.before,
+                            line.settled.after));
+  lines.json.push_back(one(
+      "flings",
+      {member("classes", "1", line.classes), member("contacts_changed", "1", line.changed_contacts),
+       member("settled", "1", line.settled), column_of_one("no_longer_settle", "1", line.no_longer_settle),
+       member("shift", "px", line.shift_px), member("distance", "px", line.distance_px),
+       column_of_one("distance_max", "px", line.distance_max_px)}));
+}
+
+void add_displays(const DisplayLine& line, Lines& lines) {
+  lines.add("displays",
+            fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} of {} flings",
+                        text_of(line.spread_px, "px"), line.spreads_px.before.size(), line.flings));
+  lines.json.push_back(
+      one("displays", {column_of_one("flings", "1", line.flings), member("spread", "px", line.spread_px)}));
+}
+
+void add_rest(const RestLine& line, Lines& lines) {
+  const auto moved = [&](auto display) {
+    const auto at = static_cast<std::size_t>(display);
+    return fmt::format("{:.3g} -> {:.3g} px at {:g} Hz", line.moved_px.before[at], line.moved_px.after[at],
+                       kDisplayRates_hz[at]);
+  };
+  const std::vector<double>& after = line.moved_px.after;
+  lines.add("rest", fmt::format("a dropped sprite still moves after 19 s by {}, at most by {}",
+                                moved(std::ranges::find(kDisplayRates_hz, 60.0) - kDisplayRates_hz.begin()),
+                                moved(std::ranges::max_element(after) - after.begin())));
+  const std::vector<double> rates_hz(kDisplayRates_hz.begin(), kDisplayRates_hz.end());
+  lines.json.push_back(one("rest", {member("rate", "Hz", rates_hz), member("moved", "px", line.moved_px)}));
+}
+
+void add_energy(const Card& card, Lines& lines) {
+  const EnergyLine& line = card.energy;
+  Table energy = one("energy");
+  const auto add = [&](const char* name, const char* text, const char* key, const auto& pair,
+                       const std::string& size) {
+    lines.add(name, text + text_of(pair, "px", kHeight_px2_per_s2) + size);
+    energy.columns.push_back(member(key, "px2/s2", pair));
+  };
+  add("energy", "as height, in flight: ", "drift", line.drift_px2_per_s2,
+      size_text(line.drift_px2_per_s2.after, card.flings));
+  add("", "at walls, by lift: ", "lift", line.lift_px2_per_s2, "");
+  add("", "by bounces: ", "bounce", line.bounce_px2_per_s2, "");
+  add("", "by friction: ", "friction", line.friction_px2_per_s2, "");
+  lines.json.push_back(std::move(energy));
+}
+
+void add_exact(const Card& card, Lines& lines) {
+  for (const ExactLine& exact : card.exact)
+    lines.add(&exact == &card.exact.front() ? "exact motion" : "",
+              fmt::format("after {:.0f} s at 60 Hz: {}{}", exact.t_s, text_of(exact.distance_px, "px"),
+                          size_text(exact.distance_px.after, card.flings)));
+  lines.json.push_back({.name = "exact",
+                        .columns = {column_of("t", "s", "", card.exact, &ExactLine::t_s),
+                                    column_of("distance", "px", "", card.exact, [](const ExactLine& exact) {
+                                      return table_of(exact.distance_px);
+                                    })}});
+}
+
+void add_speed(const CostLine& line, Lines& lines) {
+  lines.add("speed",
+            fmt::format("{}; ratio {:.3f} ({:.3f} .. {:.3f}), {} pairs", text_of(line.step_ns, "ns a step"),
+                        line.ratio.median, line.ratio.low, line.ratio.high, line.ratio.samples));
+  lines.json.push_back(one("cost", {member("step", "ns", line.step_ns), member("ratio", "1", line.ratio)}));
+}
+
+// "velocity 9, position 3" of "CASE: INVARIANT".
+std::string invariants_text(const std::vector<std::string>& broken) {
+  std::map<std::string, int> counts;
+  for (const std::string& name : broken) ++counts[name.substr(name.rfind(' ') + 1)];
+  std::vector<std::string> parts;
+  for (const auto& [invariant, count] : counts) parts.push_back(fmt::format("{} {}", invariant, count));
+  return list_text(parts, parts.size());
+}
+
+void add_hard_cases(const Card& card, Lines& lines) {
+  const HardCaseLine& hard = card.hard_cases;
+  Table json = one("hard_cases", {column_of_one("cases", "1", hard.cases),
+                                  column_of_one("cases_changed", "1", hard.other_cases),
+                                  member("random_runs_changed", "1", hard.other_random_runs)});
+  const auto add = [&](const char* name, const char* kind, const char* key, const InvariantLine& line) {
+    if (!card.lacking.empty()) return json.columns.push_back(column_of_one(key, "", one()));
+    const auto& [before, after] = line.random_runs;
+    lines.add(name,
+              fmt::format("{}: broken in hard cases {} -> {} of {}, in random runs {} -> {}", kind,
+                          line.cases.before, line.cases.after, hard.cases, before.count, text_of(after)));
+    if (!line.newly_broken.empty()) lines.add("", "newly broken: " + invariants_text(line.newly_broken));
+    if (!line.mended.empty()) lines.add("", "no longer broken: " + invariants_text(line.mended));
+    json.columns.push_back(column_of_one(
+        key, "",
+        one("", {member("cases_broken", "1", line.cases), member("random_runs_broken", "1", line.random_runs),
+                 member("newly_broken", "", line.newly_broken), member("mended", "", line.mended)})));
+  };
+  if (!card.lacking.empty()) lines.add("invariants", "not measured: " + card.lacking);
+  add("invariants", "of any core", "general", hard.general);
+  add("", "of the listing", "listing", hard.listing);
+  if (card.lacking.empty() && hard.cases == 0)
+    lines.add("", "hard cases: not measured: no scenarios in a folder named hard");
+  lines.json.push_back(std::move(json));
 }
 
 Table invariant_table(const HardCaseLine& hard) {
@@ -67,123 +318,115 @@ Table invariant_table(const HardCaseLine& hard) {
 }
 
 Table claim_table(const std::vector<ChangedClaim>& claims) {
+  const auto of = [&claims](const char* name, const char* key, const char* long_name, auto pair, auto side) {
+    Column column =
+        column_of(name, "", long_name, claims, [=](const ChangedClaim& claim) { return claim.*pair.*side; });
+    column.key = key;
+    return column;
+  };
+  using Texts = BeforeAfter<std::string>;
+  using Numbers = BeforeAfter<double>;
   return {"claims",
           "claims of the paper with another verdict",
           {column_of("claim", "", "section and name", claims, &ChangedClaim::id),
-           column_of("before", "", "verdict on the base", claims,
-                     [](const ChangedClaim& claim) { return claim.verdict.before; }),
-           column_of("after", "", "verdict on the candidate", claims,
-                     [](const ChangedClaim& claim) { return claim.verdict.after; }),
-           column_of("measured_before", "", "measured on the base", claims,
-                     [](const ChangedClaim& claim) { return claim.number.before; }),
-           column_of("measured_after", "", "measured on the candidate", claims,
-                     [](const ChangedClaim& claim) { return claim.number.after; }),
+           of("before", "verdict/before", "verdict on the base", &ChangedClaim::verdict, &Texts::before),
+           of("after", "verdict/after", "verdict on the candidate", &ChangedClaim::verdict, &Texts::after),
+           of("measured_before", "number/before", "measured on the base", &ChangedClaim::number,
+              &Numbers::before),
+           of("measured_after", "number/after", "measured on the candidate", &ChangedClaim::number,
+              &Numbers::after),
            column_of("unit", "", "of what is measured", claims, &ChangedClaim::unit)}};
 }
 
+void add_claims(const Card& card, Lines& lines) {
+  if (!card.lacking.empty()) {
+    lines.json.push_back(one("claims"));
+    return lines.add("paper's claims", "not measured: " + card.lacking);
+  }
+  const ClaimLine& line = card.claims;
+  lines.add("paper's claims", fmt::format("{} of {} change, {} more with another number", line.changed.size(),
+                                          line.claims, line.other_numbers));
+  if (!line.not_measured.empty())
+    lines.add("", fmt::format("{} not measured with one of the cores: {}", line.not_measured.size(),
+                              list_text(line.not_measured)));
+  lines.add_first(4, line.changed, [](const ChangedClaim& claim) {
+    return fmt::format("{} {} -> {}", claim.id, claim.verdict.before, claim.verdict.after);
+  });
+  lines.json.push_back(one("claims", {column_of_one("claims", "1", line.claims),
+                                      column_of_one("changed", "", claim_table(line.changed)),
+                                      member("not_measured", "", line.not_measured),
+                                      column_of_one("other_numbers", "1", line.other_numbers)}));
+}
+
 Table recording_table(const std::vector<MovedRecording>& moved) {
-  return {"recordings",
-          "recordings that end elsewhere",
-          {column_of("recording", "", "its file", moved, &MovedRecording::path),
-           column_of("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
+  Table table{"recordings",
+              "recordings that end elsewhere",
+              {column_of("recording", "", "its file", moved, &MovedRecording::path),
+               column_of("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
+  table.columns.front().key = "scenario";
+  table.columns.back().key = "px";
+  return table;
 }
 
-// The share of a sample up to each of its values. REQUIRES: ascending order.
-Series shares_up_to(const std::string& name, const std::vector<double>& values, Tone tone) {
-  Series series{.name = name, .look = {.tone = tone}};
-  for (std::size_t index = 0; index < values.size(); ++index) {
-    series.x.push_back(values[index]);
-    series.y.push_back(100.0 * static_cast<double>(index + 1) / static_cast<double>(values.size()));
+// "fling" of "folder/fling.json".
+std::string stem(const std::string& path) {
+  const std::size_t begin = path.rfind('/') + 1;
+  return path.substr(begin, path.rfind('.') - begin);
+}
+
+void add_recordings(const std::optional<RecordingLine>& line, Lines& lines) {
+  if (!line) {
+    lines.json.push_back(one("recordings"));
+    return lines.add("recordings", "not measured: no scenarios in a folder named recorded");
   }
-  return series;
+  std::vector<std::string> moved;
+  for (const MovedRecording& recording : line->moved)
+    moved.push_back(fmt::format("{} {:.3g} px", stem(recording.path), recording.px));
+  lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), line->recordings));
+  if (!moved.empty()) lines.add("", list_text(moved, 2));
+  lines.json.push_back(one("recordings", {column_of_one("recordings", "1", line->recordings),
+                                          column_of_one("moved", "", recording_table(line->moved))}));
 }
 
-Figure landing_figure(const Card& card) {
-  Plot plot{.x = {.label = "distance of the two landing places, px", .low = 0.0},
-            .y = {.label = "flings up to this distance, %", .low = 0.0, .high = 100.0},
-            .series = {shares_up_to("flings", card.random.distances_px, kAfter)},
-            .when_empty = "no fling settles with both cores"};
-  return {.suffix = "-landing",
-          .title = "Where flings land",
-          .subtitle = fmt::format("The same {} random flings with both cores at 60 Hz", card.flings),
-          .body = std::vector{std::move(plot)}};
-}
-
-Figure display_figure(const DisplayLine& line) {
-  Plot plot{.x = {.label = "spread of a fling's landing places, px", .low = 0.0},
-            .y = {.label = "flings up to this spread, %", .low = 0.0, .high = 100.0},
-            .series = {shares_up_to("base", line.spreads_px.before, kBefore),
-                       shares_up_to("candidate", line.spreads_px.after, kAfter)},
-            .when_empty = "no fling settles on every display"};
-  return {.suffix = "-displays",
-          .title = "The same fling on many displays",
-          .subtitle = fmt::format("Largest minus smallest x where it lands at 24 to 1000 Hz, {} of {} flings",
-                                  line.spreads_px.before.size(), line.flings),
-          .body = std::vector{std::move(plot)},
-          .legend = both_cores(Form::line)};
-}
-
-Figure exact_figure(const std::vector<ExactLine>& lines) {
-  Plot plot{.x = {.label = "time since the throw, s"},
-            .y = {.label = "distance from the exact motion, px", .low = 0.0}};
-  for (const DrawnCore& core : kCores) {
-    const Look outline{.tone = core.tone, .width_px = 1.5, .dash = Dash::short_dashes};
-    Series low{.name = std::string(core.name) + ", one of ten flings is nearer", .look = outline};
-    Series high{.name = std::string(core.name) + ", one of ten flings is farther", .look = outline};
-    Series median{.name = std::string(core.name) + ", median",
-                  .look = {.form = Form::line_and_points, .tone = core.tone}};
-    for (const ExactLine& line : lines) {
-      const std::optional<Band>& band = line.distance_px.*core.band;
-      if (!band) continue;
-      for (Series* const series : {&low, &high, &median}) series->x.push_back(line.t_s);
-      low.y.push_back(band->low);
-      high.y.push_back(band->high);
-      median.y.push_back(band->median);
-    }
-    for (Series* const series : {&low, &high, &median}) plot.series.push_back(std::move(*series));
-  }
-  return {.suffix = "-exact",
-          .title = "Distance from the exact motion",
-          .subtitle = "Median and, dashed, the ends of the middle 80 % of the flings, 60 rows a second",
-          .body = std::vector{std::move(plot)},
-          .legend = both_cores(Form::line_and_points)};
-}
-
-Figure energy_figure(const EnergyLine& energy) {
-  Plot plot{.x = {.label = "candidate minus base, energy as px of height"},
-            .y = {.categories = {"in flight, against the exact flight", "at walls, by lift", "by bounces",
-                                 "by friction"}},
-            .marks = {{.at = 0.0, .tone = Tone::hairline}}};
-  const std::array causes = {&energy.drift_px2_per_s2, &energy.lift_px2_per_s2, &energy.bounce_px2_per_s2,
-                             &energy.friction_px2_per_s2};
-  Series series{.name = "change", .look = {.form = Form::points, .tone = kAfter, .marker_size = 0.9}};
-  for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-    const auto& [before, after] = *causes[cause];
-    if (!before || !after) continue;
-    series.x.push_back((after->median - before->median) / kHeight_px2_per_s2);
-    series.y.push_back(static_cast<double>(cause));
-  }
-  plot.series.push_back(std::move(series));
-  return {.suffix = "-energy",
-          .title = "Change of energy by cause",
-          .subtitle = "Of a fling until it settles: difference of the medians of the flings",
-          .body = std::vector{std::move(plot)}};
-}
-
-}  // namespace
-
-std::vector<Table> card_tables(const Card& card) {
-  std::vector<Table> tables = {changes_table(card.step.changes), scenario_table(card.library.changed)};
-  tables.push_back(invariant_table(card.hard_cases));
-  tables.push_back(claim_table(card.claims.changed));
-  if (card.recordings) tables.push_back(recording_table(card.recordings->moved));
+// What differs, one by one. Tables without rows are left out.
+std::vector<Table> tables_of(const Card& card) {
+  std::vector<Table> tables = {changes_table(card.step.changes), scenario_table(card.library.changed),
+                               invariant_table(card.hard_cases), claim_table(card.claims.changed),
+                               recording_table(card.recordings.value_or(RecordingLine{}).moved)};
   std::erase_if(tables, [](const Table& table) { return row_count(table) == 0; });
   return tables;
 }
 
-std::vector<Figure> card_figures(const Card& card) {
-  return {landing_figure(card), display_figure(card.displays), exact_figure(card.exact),
-          energy_figure(card.energy)};
+}  // namespace
+
+Result card_result(const Card& card) {
+  Lines lines;
+  lines.json.push_back({.columns = {column_of_one("seed", "1", card.seed)}, .shape = JsonShape::members});
+  add_step(card, lines);
+  add_bits(card, lines);
+  add_contacts(card, lines);
+  add_landing(card, lines);
+  add_displays(card.displays, lines);
+  add_rest(card.rest, lines);
+  add_energy(card, lines);
+  add_exact(card, lines);
+  add_speed(card.cost, lines);
+  add_hard_cases(card, lines);
+  add_claims(card, lines);
+  add_recordings(card.recordings, lines);
+  const std::string consequence = consequence_of(card);
+  lines.json.push_back(
+      {.columns = {column_of_one("consequence", "", consequence)}, .shape = JsonShape::members});
+  return {.tables = tables_of(card),
+          .figures = card_figures(card),
+          .verdict = {.text = {Table{"card",
+                                     fmt::format("{} scenarios, {} random flings (seed {}); median "
+                                                 "(10 .. 90 %), before -> after",
+                                                 card.scenarios, card.flings, card.seed),
+                                     {{"line", "", "what is measured", std::move(lines.names)},
+                                      {"measured", "", "with its interval", std::move(lines.texts)}}}},
+                      .brief = consequence},
+          .summary = std::move(lines.json)};
 }
 
 }  // namespace hyrax

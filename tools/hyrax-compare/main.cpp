@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/card/card.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/app/command_line/options.h"
 #include "tools/files/failure.h"
@@ -14,10 +15,11 @@
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/hyrax-compare/card_output.h"
+#include "tools/files/table_text.h"
 #include "tools/hyrax-compare/core_file.h"
 #include "tools/hyrax-compare/core_process.h"
 #include "tools/report/page_file.h"
+#include "tools/report/result_page.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -106,6 +108,35 @@ std::string probed(const CoreFile& file, int number, const CardRequest& request,
   return rows;
 }
 
+// A screen: what was compared, the lines without their table's head, the consequence.
+std::string card_text(const Result& card, const std::string& candidate, const std::string& base) {
+  const auto& table = std::get<Table>(card.verdict.text.front());
+  const std::string lines = aligned_text(table);
+  return fmt::format("{} against {}\n  {}\n{}  {:<15} {}\n", candidate, base, table.long_name,
+                     lines.substr(lines.find('\n') + 1), "consequence", card.verdict.brief);
+}
+
+std::string card_json(const Result& card, const std::string& candidate, const std::string& base) {
+  Json::Object object{{"candidate", candidate}, {"base", base}};
+  add_members(object, card.summary);
+  return to_text(std::move(object), {.depth_indented = 2}) + "\n";
+}
+
+// @param command what made the page. ERRORS: as write_result_page's.
+void write_card_page(const std::string& path, const std::string& command, const Result& card,
+                     const std::string& candidate, const std::string& base) {
+  const auto name = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+  const auto& table = std::get<Table>(card.verdict.text.front());
+  ShownResult shown{.title = name(candidate) == name(base) ? name(base) + ": candidate against base"
+                                                           : name(candidate) + " against " + name(base),
+                    .subtitle = table.long_name,
+                    .verdict = {.text = {card.verdict.brief, table}},
+                    .tables = card.tables,
+                    .figures = card.figures,
+                    .origin = {{"candidate", candidate}, {"base", base}}};
+  write_result_page(path, command, {result_json(shown)});
+}
+
 ExitCode print_card(const Arguments& arguments, const std::string& command) {
   const bool has_candidate = !arguments.headers.empty();
   const bool has_base = arguments.headers.size() > 1;
@@ -144,11 +175,9 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
       in_process([&](PlayWatch& watch) { return probed(candidate, 1, request, watch); });
   print_text(in_process([&](PlayWatch& watch) {
     const ComparedCore from = load_core(base, 0, watch);
-    const Card card = measure_card(from, load_core(candidate, 1, watch), request);
-    const CardTitle title{headers[1], headers[0]};
-    if (!arguments.report.empty()) write_card_page(arguments.report, command, card, title);
-    return arguments.is_json ? to_text(card_json(card, title), {.depth_indented = 2}) + "\n"
-                             : card_text(card, title);
+    const Result card = card_result(measure_card(from, load_core(candidate, 1, watch), request));
+    if (!arguments.report.empty()) write_card_page(arguments.report, command, card, headers[1], headers[0]);
+    return (arguments.is_json ? card_json : card_text)(card, headers[1], headers[0]);
   }));
   return ExitCode::agreed;
 }

@@ -1,4 +1,4 @@
-// The tables and figures of a card, each value of which is another one.
+// A card as a result: its lines, its JSON, its tables and figures.
 #include <gtest/gtest.h>
 
 #include "sim/card/card.h"
@@ -9,9 +9,11 @@ namespace {
 
 TEST(CardResult, OfSameBitsHasNoTables) {
   Card card;
+  card.rest.moved_px = {std::vector(18, 0.0), std::vector(18, 0.0)};
   card.recordings = RecordingLine{};
-  EXPECT_TRUE(card_tables(card).empty());
-  for (const Figure& figure : card_figures(card))
+  const Result result = card_result(card);
+  EXPECT_TRUE(result.tables.empty());
+  for (const Figure& figure : result.figures)
     for (const Plot& plot : std::get<std::vector<Plot>>(figure.body))
       for (const Series& series : plot.series) EXPECT_TRUE(series.x.empty()) << figure.title;
 }
@@ -25,7 +27,8 @@ TEST(CardResult, IsTheOneApproved) {
                             .contacts_before = 3,
                             .contacts_after = 2,
                             .largest = WorstDistance{.px = 6.0},
-                            .end_shift_px = 5.0}}};
+                            .end_shift_px = 5.0,
+                            .no_longer_settles = true}}};
   card.hard_cases.general = {.newly_broken = {"one: finite"}, .mended = {"two: mirror"}};
   card.hard_cases.listing = {.newly_broken = {"three: speed"}, .mended = {"four: clamp"}};
   card.claims.changed = {{"2.1-gravity", {"holds", "does not hold"}, {1200.0, 1250.0}, "px/s2"}};
@@ -37,9 +40,36 @@ TEST(CardResult, IsTheOneApproved) {
                  .lift_px2_per_s2 = {Band{4, 1200.0, 0.0, 2400.0}, Band{4, 12000.0, 0.0, 24000.0}},
                  .bounce_px2_per_s2 = {Band{4, 12.0, 0.0, 24.0}, Band{4, -36.0, -48.0, 0.0}},
                  .friction_px2_per_s2 = {Band{4, -2400.0, -3600.0, 0.0}, Band{4, -6000.0, -7200.0, 0.0}}};
-  std::string text;
-  for (const Table& table : card_tables(card)) text += described(table);
-  for (const Figure& figure : card_figures(card)) text += described(figure);
+  card.seed = 7;
+  card.scenarios = 2;
+  card.step = {.status = StepStatus::changed, .why = "a path is not known"};
+  card.library.classes = {1, {2, 3, 4, 5}};
+  card.library.cut = 6;
+  card.contacts = {7, 8, 9, 10, {11, 12}};
+  card.random.classes = {13, {14, 15, 16, 17}};
+  card.random.changed_contacts = {18, 40};
+  card.random.settled = {19, 20};
+  card.random.no_longer_settle = 21;
+  card.random.shift_px = Band{22, 23.0, 24.0, 25.0};
+  card.random.distance_px = Band{26, 27.0, 28.0, 29.0};
+  card.random.distance_max_px = 30.0;
+  card.displays.spread_px.after = Band{31, 32.0, 33.0, 34.0};
+  card.cost = {{{35, 36.0, 37.0, 38.0}, {39, 40.0, 41.0, 42.0}}, {43, 44.0, 45.0, 46.0}};
+  card.hard_cases.cases = 47;
+  card.hard_cases.other_cases = 48;
+  card.hard_cases.other_random_runs = {49, 80};
+  card.hard_cases.general.cases = {50, 51};
+  card.hard_cases.general.random_runs = {{52, 80}, {53, 80}};
+  card.hard_cases.listing.cases = {54, 55};
+  card.claims.claims = 56;
+  card.claims.not_measured = {"one", "two"};
+  card.claims.other_numbers = 57;
+  card.rest.moved_px = {std::vector(18, 0.5), std::vector(18, 0.25)};
+  const Result result = card_result(card);
+  std::string text = described(result.verdict);
+  for (const Table& table : result.summary) text += described(table);
+  for (const Table& table : result.tables) text += described(table);
+  for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/card.txt", text);
 }
 
