@@ -43,6 +43,7 @@ TEST(HeaderConstants, AreReadWithTheirSigns) {
 TEST(HeaderChanges, CommentsBlanksAndLineEndsAreNone) {
   EXPECT_TRUE(header_changes(kHeader, kHeader).empty());
   EXPECT_TRUE(header_changes(kHeader, with("// A core.", "/* Another\n text; */ // with words")).empty());
+  EXPECT_TRUE(header_changes(kHeader, with("// A core.", "/*/ not its end */")).empty());
   EXPECT_TRUE(
       header_changes(kHeader, with("m_vy += GRAVITY * dt;", "m_vy +=\n   GRAVITY*dt ;\r\n\n")).empty());
   EXPECT_TRUE(header_changes("#define A 1 \\\n  + 2\nint b;", "#define A 1 + 2\nint b;").empty());

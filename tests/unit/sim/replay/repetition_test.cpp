@@ -70,8 +70,12 @@ TEST(SkippedRepetition, ChangesNothingInRandomFlings) {
 
 TEST(SkippedRepetition, MayEndAtAnyStepOfAPeriod) {
   // The rest of this fling repeats with a period of two steps.
-  for (std::int64_t steps = 6000; steps < 6010; ++steps)
-    expect_skipping_changes_nothing(fling_at(120.0, steps), 1, std::to_string(steps) + " steps");
+  for (std::int64_t steps = 6000; steps < 6010; ++steps) {
+    const RunSummary summary =
+        expect_skipping_changes_nothing(fling_at(120.0, steps), 1, std::to_string(steps) + " steps");
+    // One period to notice it, and one that is repeated.
+    EXPECT_EQ(summary.steps_computed, *summary.periodic_from_step + 2 * summary.period_steps);
+  }
 }
 
 TEST(SkippedRepetition, ContinuesAfterALaterInput) {
