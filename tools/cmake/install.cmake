@@ -4,13 +4,11 @@ include(CMakePackageConfigHelpers)
 
 set(hyrax_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hyrax)
 
-# First: who built hyrax-sim alone, as tools/run does, has not all of what is installed.
+# First: who built hyrax-sim alone, as tools/run does, has not all of what is installed, or has an older one.
 set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
 install(CODE "
-  if(NOT EXISTS \"${hyrax_program_object}\")
-    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target hyrax_program
-                    COMMAND_ERROR_IS_FATAL ANY)
-  endif()")
+  execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target hyrax_program
+                  COMMAND_ERROR_IS_FATAL ANY)")
 
 # The headers keep the path that the source includes them by, "sim/physics/physics.h".
 target_include_directories(hyrax_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hyrax>)

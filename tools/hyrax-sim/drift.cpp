@@ -31,9 +31,9 @@ struct DriftRequest {
 // A scenario or trajectory file that was read, or why it was not.
 struct DriftInput {
   std::string path;
-  bool is_file = false;  // A trajectory file.
-  std::optional<Scenario> scenario;
-  std::optional<Failure> failure;
+  bool is_file = false;               // A trajectory file.
+  std::optional<FileHead> head = {};  // Of a scenario file, the scenario alone.
+  std::optional<Failure> failure = {};
 };
 
 // Whether the path is a trajectory file's. By name first: a file with damaged first bytes is reported as a
@@ -48,9 +48,12 @@ bool is_trajectory(const std::string& path) {
 }
 
 DriftInput read_input(const std::string& path) {
-  DriftInput input{path, is_trajectory(path), {}, {}};
+  DriftInput input{path, is_trajectory(path)};
   try {
-    input.scenario = input.is_file ? TrajectoryFile::open(path).head().scenario : load_scenario(path);
+    if (input.is_file)
+      input.head = TrajectoryFile::open(path).head();
+    else
+      input.head.emplace().scenario = load_scenario(path);
   } catch (const Failure& failure) {
     input.failure = failure;
   }
@@ -61,9 +64,9 @@ DriftRun measure(const Core& core, const DriftRequest& request, const DriftInput
                  const DriftOptions& options) {
   if (request.output.empty())
     return input.is_file ? load_drift(core, input.path, options)
-                         : measure_drift(core, *input.scenario, options);
+                         : measure_drift(core, input.head->scenario, options);
   if (input.is_file) refuse_input(input.path + ": is a trajectory; -o needs a scenario");
-  return *write_run(core, request.output, *input.scenario,
+  return *write_run(core, request.output, input.head->scenario,
                     {.replay = {}, .drift = StoredDrift{options, request.stores_rows}})
               .drift;
 }
@@ -78,9 +81,10 @@ void report(const DriftRequest& request, const std::string& path, const DriftRep
   outcomes.add(Json(std::move(entry)));
 }
 
-void measure_one(const Core& core, const DriftRequest& request, const std::optional<GslOptions>& gsl,
+void measure_one(const Core& own_core, const DriftRequest& request, const std::optional<GslOptions>& gsl,
                  const DriftInput& input, Outcomes& outcomes) {
   if (input.failure) throw *input.failure;
+  const Core core = input.is_file ? core_of_file(own_core, input.path, *input.head) : own_core;
   DriftReport measured{
       .run = measure(core, request, input,
                      {.gsl = gsl, .keeps_rows = !request.figures.empty(), .model = reference_model(core)}),
@@ -105,8 +109,8 @@ void admit_outputs(const DriftRequest& request, const std::vector<std::string>& 
   if (!request.output.empty()) guard.admit("hyrax-sim drift: -o", request.output, {".h5"});
   if (request.figures.empty()) return;
   for (const DriftInput& input : inputs)
-    if (input.scenario)
-      for (const std::string& figure : drift_figure_paths(request.figures, input.scenario->name))
+    if (input.head)
+      for (const std::string& figure : drift_figure_paths(request.figures, input.head->scenario.name))
         guard.admit("hyrax-sim drift: --figures of " + input.path, figure);
 }
 

@@ -15,6 +15,7 @@
 #include "tools/app/command_line/options.h"
 #include "tools/app/drift/start_dependence.h"
 #include "tools/app/play/play_with_progress.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 
@@ -63,7 +64,13 @@ class DriftRecorder {
 
 /// Plays the scenario once. Shows progress.
 [[nodiscard]] DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options = {});
+/// What made a file's run: this program's core, or the paper's step with the constants in the file. Refers to
+/// `head`.
+/// ERRORS: Failure(bad_input) if another step made it, or if the reference does not allow its constants.
+[[nodiscard]] Core core_of_file(const Core& core, const std::string& path, const FileHead& head);
+
 /// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
+/// REQUIRES: a core as core_of_file's.
 /// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
 [[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options = {});
 

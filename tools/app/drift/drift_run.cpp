@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "sim/core/listing_core.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -132,12 +134,23 @@ DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions 
   return recorder.finish(summary.steps, summary.simulated_s);
 }
 
+Core core_of_file(const Core& core, const std::string& path, const FileHead& head) {
+  if (!head.constants)
+    refuse_input(path + ": needs the paper's step, with any constants (found the core " + head.physics +
+                 ", whose step is another)");
+  if (is_same_model(head.physics, core.name) && core.constants &&
+      numbers_of(*head.constants) == numbers_of(*core.constants))
+    return core;
+  Core other = listing_core(*head.constants);
+  other.name = head.physics;
+  require_paper_core(other, path);
+  return other;
+}
+
 DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options) {
   const TrajectoryFile file = TrajectoryFile::open(path);
   const FileHead& head = file.head();
-  require_own_core(core, path, head.physics);
-  if (!head.constants) file.refuse("attribute constants: is missing");
-  options.model = reference_model(head.physics, head.constants);
+  options.model = reference_model(core);
   DriftRecorder recorder(head.scenario, options);
   if (file.row_count() == head.steps + 1) {
     read_into(file, recorder.sinks());
