@@ -93,6 +93,7 @@ struct FlingLine {
   std::optional<Band> distance_px;    ///< Distance of the two places.
   double distance_max_px = 0.0;
   std::vector<double> distances_px;  ///< All of them, in ascending order.
+  std::optional<Figure> farthest;    ///< Both paths of the fling of distance_max_px, if that is not 0.
 };
 
 /// Where the first kDisplayFlings of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.

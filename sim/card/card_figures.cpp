@@ -112,8 +112,10 @@ Figure energy_figure(const EnergyLine& energy) {
 }  // namespace
 
 std::vector<Figure> card_figures(const Card& card) {
-  return {landing_figure(card), display_figure(card.displays), exact_figure(card.exact),
-          energy_figure(card.energy)};
+  std::vector<Figure> figures = {landing_figure(card), display_figure(card.displays),
+                                 exact_figure(card.exact), energy_figure(card.energy)};
+  if (card.random.farthest) figures.insert(figures.begin(), *card.random.farthest);
+  return figures;
 }
 
 }  // namespace hyrax

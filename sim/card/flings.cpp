@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/card/compared_core.h"
+#include "sim/compare/overlay.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/reference/flight.h"
@@ -46,6 +47,19 @@ double energy_drift_px2_per_s2(const Scenario& scenario, const CoreRun& run) {
   meter.rows(batch);
   meter.finish();
   return sum.sum();
+}
+
+Figure both_paths(const std::string& place, const CoreRun& base, const CoreRun& candidate) {
+  Overlay overlay;
+  for (std::size_t row = 0; row < std::min(base.rows.size(), candidate.rows.size()); ++row)
+    overlay.add(base.rows[row], candidate.rows[row]);
+  Figure figure = overlay.figure({.title = "The fling that lands farthest away",
+                                  .subtitle = "Both cores at 60 Hz, " + place,
+                                  .a = "base",
+                                  .b = "candidate",
+                                  .bounds = bounds_of(kWindow, kSprite)});
+  figure.suffix = "-farthest";
+  return figure;
 }
 
 double half_square_difference(double a, double b) { return 0.5 * (a - b) * (a + b); }
@@ -139,6 +153,8 @@ FlingLines measure_flings(const ComparedCore& base, const ComparedCore& candidat
     if (from.at_rest_since_s && to.at_rest_since_s) {
       shift_px.push_back(to.final.x_px - from.final.x_px);
       distances_px.push_back(change.end_shift_px);
+      if (change.end_shift_px > lines.random.distance_max_px)
+        lines.random.farthest = both_paths(place, from, to);
       lines.random.distance_max_px = std::max(lines.random.distance_max_px, change.end_shift_px);
     }
     if (!from.is_finite || !to.is_finite) continue;

@@ -41,7 +41,7 @@ class CardTest(browser.BrowserTest):
         (page,) = self.open({"file": str(self.folder / "card.html"), "actions": [
             ["evaluate", "document.body.innerText"], ["evaluate", "document.querySelectorAll('figure > .picture').length"]]})
         shown, figures = page["values"]
-        self.assertEqual((page["errors"], page["requests"], figures), ([], [], 4))
+        self.assertEqual((page["errors"], page["requests"], figures), ([], [], 5))
         for line in text.splitlines()[2:]:
             self.assertIn(" ".join(line[18:].split()), " ".join(shown.split()))
         self.assertIn(NAME, shown)

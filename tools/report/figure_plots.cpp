@@ -69,11 +69,12 @@ class PlotDrawing {
     box_.bottom = box_.top + height_of(right - left, height);
     const bool is_downwards = !plot.y.categories.empty();
     y_.place(is_downwards ? box_.top : box_.bottom, is_downwards ? box_.bottom : box_.top, kApartUp);
-    double ticks_width = 0.0;
-    for (const Tick& tick : y_.ticks()) ticks_width = std::max(ticks_width, text_width(tick.text, kTickSize));
-    box_.left += 10 + (has_names_above_ ? 0.0 : ticks_width);
-    x_.place(box_.left, box_.right, kApart);
-    if (plot.has_equal_scales) PlotScale::make_equal(x_, y_);
+    place_x();
+    if (plot.has_equal_scales) {  // An axis that is widened has other ticks.
+      PlotScale::make_equal(x_, y_);
+      place_x();
+      PlotScale::make_equal(x_, y_);
+    }
     x_label_ = lines_of(plot.x.label, box_.right - left, kTickSize);
   }
 
@@ -97,6 +98,14 @@ class PlotDrawing {
   }
 
  private:
+  // Right of the texts at the ticks of y.
+  void place_x() {
+    double ticks_width = 0.0;
+    for (const Tick& tick : y_.ticks()) ticks_width = std::max(ticks_width, text_width(tick.text, kTickSize));
+    box_.left = left_ + 10 + (has_names_above_ ? 0.0 : ticks_width);
+    x_.place(box_.left, box_.right, kApart);
+  }
+
   [[nodiscard]] SvgPoint at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
 
   [[nodiscard]] double height_of(double width, double height) const {

@@ -79,7 +79,7 @@ std::string figure_svg(const Figure& figure) {
 }
 
 std::string figure_html(const Figure& figure) {
-  constexpr double kLeft = kSheetMargin - 4;  // Where a sheet's texts begin.
+  constexpr double kLeft = kSheetMargin - 12;  // Before a sheet's texts; a font may be wider than text_width.
   const bool is_plots = std::holds_alternative<std::vector<Plot>>(figure.body);
   std::string html = is_plots ? "<div class=\"picture\">\n" : "<div class=\"picture\" tabindex=\"0\">\n";
   const auto add = [&](const char* css_class, double width) {
