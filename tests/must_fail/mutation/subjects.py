@@ -62,5 +62,6 @@ SUBJECTS = (
             functions=("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
     Subject("sim/scenario/apply.h", (_SHIPPED,), likely=_EVENTS),
     Subject(_CORE_OF, (_SHIPPED,), likely=_EVENTS, functions=("make",)),
-    Subject(_KERNEL_OF, (_SHIPPED,), likely=_EVENTS, functions=("apply", "state_of")),
+    Subject(_KERNEL_OF, (_SHIPPED,), likely=_EVENTS, functions=("apply", "state_of"), test="core_test",
+            test_units=("tests/unit/sim/core/further_members_test.cpp",)),
 )

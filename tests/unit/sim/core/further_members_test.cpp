@@ -43,6 +43,16 @@ TEST(FurtherMembers, GoOnFromStretchToStretch) {
   }
 }
 
+TEST(FurtherMembers, GoOnThroughAnAction) {
+  const MemberRun played(fling_at(60.0, 800, {{std::int64_t{350}, Fling{{-1500.0, -900.0}}}}));
+  Kicked body(300.0, 500.0, 2400.0, -700.0);
+  for (const Row& row : played.trace.rows()) {
+    if (row.step == 351) body.setVelocity(-1500.0, -900.0);
+    if (row.step > 0) body.update(1.0 / 60.0, 1920, 1080, 128, 128);
+    ASSERT_TRUE(same_bits(state_of(row), {body.x(), body.y(), body.vx(), body.vy()})) << row.step;
+  }
+}
+
 TEST(FurtherMembers, GoOnWhereARunIsResumed) {
   Scenario scenario = eventful_fling();
   scenario.length = std::int64_t{1500};
