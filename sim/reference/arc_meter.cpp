@@ -233,7 +233,9 @@ ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
   arc.exact_law_px_per_s = g.exact_law_speed.value();
   arc.differing_steps = g.differing_steps;
   arc.energy_largest_px2_per_s2 = g.energy_largest;
-  const double scale = arc.energy_scale_px2_per_s2();
+  const double of_one_px = model_.gravity_px_per_s2;
+  double& scale = arc.energy_scale_px2_per_s2;
+  if (const double largest = std::max(g.energy_largest, of_one_px); largest != 0.0) scale = largest;
   arc.energy_drift_max_px2_per_s2 = g.drift_largest;
   arc.energy_drift_end_px2_per_s2 = g.drift_last;
   arc.energy_drift_rel_max = g.drift_largest / scale;
@@ -270,7 +272,7 @@ ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErr
   contact.wall = wall;
   contact.overshoot_px = overshoot_px(wall, clamped.dt_s);
   contact.energy_jump_px2_per_s2 = energy_gain(seen_from_start(last_), seen_from_start(clamped));
-  contact.energy_jump_rel = contact.energy_jump_px2_per_s2 / arc.energy_scale_px2_per_s2();
+  contact.energy_jump_rel = contact.energy_jump_px2_per_s2 / arc.energy_scale_px2_per_s2;
   contact.energy_parts = contact_energy(clamped);
   std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
   if (impact) {

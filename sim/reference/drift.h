@@ -16,7 +16,7 @@ namespace hyrax {
 /// The two solutions of an arc may differ by kSolversApart_px + kSolversApart_rel times the arc's
 /// largest coordinate, their velocities by kSolversApart_px_per_s + kSolversApart_rel times its largest
 /// speed, and the energy of the closed form from what drag leaves of it by kSolversApartEnergy_rel of
-/// the sum of kEnergyScaleMin, the largest v^2 and the largest energy. Impacts may differ by
+/// the sum of kSolversApartEnergyMin, the largest v^2 and the largest energy. Impacts may differ by
 /// kSolversApart_rel of the way flown in the clamped frame more. Beyond that it is a fault of the
 /// reference, never of the run.
 inline constexpr double kSolversApart_px = 1e-9;
@@ -24,9 +24,7 @@ inline constexpr double kSolversApart_px_per_s = 1e-9;
 inline constexpr double kSolversApart_rel = 1e-13;
 inline constexpr double kSolversApartEnergy_rel = 1e-9;
 
-/// Relative energies are divided by no less: the energy of 1 px of height, so that arcs of almost no
-/// energy do not drown the rest.
-inline constexpr double kEnergyScaleMin_px2_per_s2 = Model{}.gravity_px_per_s2;
+inline constexpr double kSolversApartEnergyMin_px2_per_s2 = 1200.0;
 
 /// How an arc's energy drift at its last row came about, px^2/s^2: by the discretisation of gravity, which
 /// costs the same whatever the speed, and by drag along the path that follows from it. Their sum is the
@@ -54,7 +52,7 @@ struct ContactEnergyParts {
 /// Each distance is the largest hypot(dx, dy) over the arc's rows, each speed error the largest
 /// hypot(dvx, dvy). With e = (vx^2 + vy^2) / 2 + g (bottom - y), the drift is e of the run minus e
 /// of the matched ODE at the same moment, in the form that does not cancel; relative: divided by
-/// energy_scale_px2_per_s2().
+/// energy_scale_px2_per_s2.
 struct ArcErrors {
   std::int64_t first_step = 0;  ///< Row numbers.
   std::int64_t last_step = 0;
@@ -75,7 +73,10 @@ struct ArcErrors {
   /// fused or reordered operation shows here, where its size would pass for rounding.
   std::int64_t differing_steps = 0;
 
-  double energy_largest_px2_per_s2 = 0.0;    ///< Of the matched ODE.
+  double energy_largest_px2_per_s2 = 0.0;  ///< Of the matched ODE.
+  /// What relative energies are divided by: the largest, or the energy of 1 px of height where that is more,
+  /// so that arcs of almost no energy do not drown the rest; 1 where both are 0.
+  double energy_scale_px2_per_s2 = 1.0;
   double energy_drift_max_px2_per_s2 = 0.0;  ///< Magnitude.
   double energy_drift_end_px2_per_s2 = 0.0;  ///< Signed, at last_step.
   double energy_drift_rel_max = 0.0;
@@ -93,11 +94,6 @@ struct ArcErrors {
   /// "velocity", "energy", "model error", or "time of impact" of the contact that ended the arc; "the
   /// second solver failed"; "a value is not finite".
   std::string_view reference_fault;
-
-  [[nodiscard]] double energy_scale_px2_per_s2() const {
-    return energy_largest_px2_per_s2 < kEnergyScaleMin_px2_per_s2 ? kEnergyScaleMin_px2_per_s2
-                                                                  : energy_largest_px2_per_s2;
-  }
 };
 
 /// A contact that ended an arc, of no step too, against the true impact: the first time t* at which the

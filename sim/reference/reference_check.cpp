@@ -123,7 +123,7 @@ std::string_view ReferenceCheck::fault(double coordinate_largest_px) const {
   const double speed_largest_px_per_s = std::sqrt(g.speed_largest_squared);
   const double px_per_s_max = kSolversApart_px_per_s + kSolversApart_rel * speed_largest_px_per_s;
   const double energy_scale =
-      kEnergyScaleMin_px2_per_s2 + g.speed_largest_squared + g.energy_largest_px2_per_s2;
+      kSolversApartEnergyMin_px2_per_s2 + g.speed_largest_squared + g.energy_largest_px2_per_s2;
   if (!(g.position.value() <= px_max)) return "position differs";
   if (!(g.velocity.value() <= px_per_s_max)) return "velocity differs";
   if (!(g.model.value() <= px_max)) return "model error differs";

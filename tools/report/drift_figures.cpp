@@ -173,7 +173,7 @@ Figure energy_drift_figure(const DriftRun& run) {
   Plot plot = plot_over_time(run, {.label = "drift, % of the arc's largest energy"});
   plot.series = {
       series_of(run, "energy drift", {.tone = Tone::blue}, [](const RowErrors& row, const ArcErrors& arc) {
-        return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2();
+        return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2;
       })};
   plot.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(figure_of(run, kSuffixes[2], "Energy drift of each arc: the run minus the exact solution"),

@@ -185,6 +185,19 @@ TEST(EnergyDrift, IsRelativeToAPixelOfHeightAtLeast) {
   EXPECT_NEAR(arc.energy_drift_end_px2_per_s2, -kFall_px2_per_s3 * 0.5, 0.05 * kFall_px2_per_s3);
   EXPECT_EQ(arc.energy_drift_rel_end, arc.energy_drift_end_px2_per_s2 / 1200.0);
   EXPECT_EQ(arc.energy_drift_rel_max, arc.energy_drift_max_px2_per_s2 / 1200.0);
+
+  Measured of_moon;
+  measure(scenario, fly_by(paper_step(0.999), scenario), of_moon, nullptr, {.gravity_px_per_s2 = 200.0});
+  const ArcErrors& slow = of_moon.arcs.at(0);
+  EXPECT_EQ(slow.energy_drift_rel_end, slow.energy_drift_end_px2_per_s2 / 200.0);
+}
+
+TEST(EnergyDrift, IsZeroWhereThereIsNoEnergy) {
+  const Scenario scenario = open_sky({0.0, 0.0}, kRate_hz, 30);
+  const Model weightless{.gravity_px_per_s2 = 0.0};
+  Measured measured;
+  measure(scenario, fly_by(paper_step(0.999, 0.0), scenario), measured, nullptr, weightless);
+  EXPECT_EQ(measured.arcs.at(0).energy_drift_rel_max, 0.0);
 }
 
 TEST(EnergyDrift, IsRelativeToTheLargestEnergyWhereThatIsMore) {

@@ -54,7 +54,7 @@ TEST_P(EveryScenario, FollowsItsReferencesAndHasEnergyPartsThatAddUp) {
   for (const ArcErrors& arc : run.arcs) {
     expect_followed(arc);
     EXPECT_NEAR(arc.energy_parts.gravity + arc.energy_parts.drag, arc.energy_drift_end_px2_per_s2,
-                1e-9 + 1e-12 * arc.energy_scale_px2_per_s2());
+                1e-9 + 1e-12 * arc.energy_scale_px2_per_s2);
   }
   for (const ImpactErrors& contact : run.contacts) {
     const ContactEnergyParts& e = contact.energy_parts;

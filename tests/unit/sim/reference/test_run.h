@@ -108,9 +108,9 @@ inline Columns fly_by(const StepDouble& step, const Scenario& scenario) {
 }
 
 /// The paper's step in flight, with another drag factor.
-inline StepDouble paper_step(double air_drag) {
-  return [air_drag](Row& row) {
-    row.vy_px_per_s += 1200.0 * row.dt_s;
+inline StepDouble paper_step(double air_drag, double gravity_px_per_s2 = 1200.0) {
+  return [=](Row& row) {
+    row.vy_px_per_s += gravity_px_per_s2 * row.dt_s;
     row.vx_px_per_s *= air_drag;
     row.vy_px_per_s *= air_drag;
     row.x_px += row.vx_px_per_s * row.dt_s;

@@ -18,7 +18,7 @@ struct MeasuredRun : DriftRun {
       arcs.push_back({.first_step = first,
                       .last_step = first + 9,
                       .ended_by = ArcEnd::ground,
-                      .energy_largest_px2_per_s2 = 1e6});
+                      .energy_scale_px2_per_s2 = 1e6});
       contacts.push_back({.step = first + 10, .effective_restitution = 0.59});
       for (std::int64_t row = 0; row < 10; ++row) {
         const auto n = static_cast<double>(row);
@@ -74,10 +74,9 @@ TEST(EnergyDriftFigure, IsInPercentOfTheArcsEnergyAndBreaksBetweenArcs) {
   EXPECT_TRUE(std::isnan(series.y[10])) << "the gap";
 }
 
-// Of the energy of a pixel of height, where the arc has less.
-TEST(EnergyDriftFigure, IsInPercentOfAPixelOfHeightAtLeast) {
+TEST(EnergyDriftFigure, IsInPercentOfTheScaleOfTheArc) {
   MeasuredRun run(1);
-  run.arcs[0].energy_largest_px2_per_s2 = -5.0;
+  run.arcs[0].energy_scale_px2_per_s2 = 1200.0;
   EXPECT_NEAR(value_at(plot_of(energy_drift_of(run)).series[0], 0.15), -750.0, 1e-9);
 }
 
