@@ -1,6 +1,6 @@
 // The traced step of the paper's listing, interpreted: the rows and contacts of the shipped core.
-#include "sim/core/shipped_core.h"
 #include "sim/core/traced_core.h"
+#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
