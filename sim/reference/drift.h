@@ -24,7 +24,7 @@ inline constexpr double kSolversApart_px_per_s = 1e-9;
 inline constexpr double kSolversApart_rel = 1e-13;
 inline constexpr double kSolversApartEnergy_rel = 1e-9;
 
-inline constexpr double kSolversApartEnergyMin_px2_per_s2 = 1200.0;
+inline constexpr double kSolversApartEnergyMin_px2_per_s2 = Model{}.gravity_px_per_s2;
 
 /// How an arc's energy drift at its last row came about, px^2/s^2: by the discretisation of gravity, which
 /// costs the same whatever the speed, and by drag along the path that follows from it. Their sum is the
