@@ -11,7 +11,7 @@ from rows import PROJECT
 
 GOOGLETEST = pathlib.Path("/usr/src/googletest/googletest")  # libgtest-dev has a library for this machine only.
 PROCESSORS = os.environ["HYRAX_PROCESSORS"].split(",")
-LIBRARIES = ("ensemble", "replay", "core_record", "core", "physics", "trajectory", "trace", "scenario")
+LIBRARIES = ("ensemble", "replay", "shipped", "core_record", "core", "physics", "trajectory", "trace", "scenario")
 
 
 def emulator_of(triple):
@@ -29,7 +29,7 @@ class Kernels(unittest.TestCase):
                 succeed("cmake", "--log-level=WARNING", "-S", PROJECT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         f"-DCMAKE_TOOLCHAIN_FILE={PROJECT}/tools/cmake/cross.cmake", f"-DHYRAX_TRIPLE={triple}",
                         "-DHYRAX_SIM=OFF", "-DHYRAX_ENSEMBLE=ON", f"-DHYRAX_CORE_RECORD={os.environ['HYRAX_CORE_RECORD']}")
-                succeed("ninja", "-C", folder, "hyrax_ensemble", "hyrax_replay", timeout=600)
+                succeed("ninja", "-C", folder, "hyrax_ensemble", "hyrax_replay", "hyrax_shipped", timeout=600)
                 tests = PROJECT / "tests/unit/sim/ensemble/kernels_test.cpp"
                 succeed(f"{triple}-g++", "-static", "-std=c++20", "-O1", "-w", "-ffp-contract=off", f"-I{PROJECT}",
                         f"-isystem{GOOGLETEST}/include", f"-isystem{GOOGLETEST}", tests, GOOGLETEST / "src/gtest-all.cc",
