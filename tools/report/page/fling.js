@@ -102,13 +102,15 @@ export class Playground {
   #play(now) {
     const dt = this.last === null ? 0 : (now - this.last) / 1000;
     this.last = now;
-    if (!(dt > 0) || dt > longestFrame_s) return;
+    if (dt > 0 && dt <= longestFrame_s) this.#playFrame(dt);
+    if (this.#isHeld) Object.assign(this.body, this.core.liveVelocity(this.#ticksOf(performance.now())));
+  }
+  #playFrame(dt) {
     const before = this.body;
     this.body = { ...this.core.liveFrame(dt), step: 0 };
     const isStill = this.body.x === before.x && this.body.y === before.y && !this.#isHeld;
     this.still = isStill ? this.still + 1 : 0;
     for (const [name, value] of [['step', 0], ['x', this.body.x], ['y', this.body.y]]) this.trail[name].push(value);
-    if (this.#isHeld) Object.assign(this.body, this.core.liveVelocity(this.#ticksOf(performance.now())));
   }
 
   // What was flung so far as a run: some times a second, of which the hand needs all frames, and at most a fifth of the time.
