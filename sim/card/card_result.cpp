@@ -48,7 +48,7 @@ std::string size_text(const std::optional<Band>& band, std::int64_t of) {
   return band && band->samples < of ? fmt::format(", {} of {} flings", band->samples, of) : "";
 }
 
-// "12 of 1000, 1.2 % (0.7 .. 2.1 %)"
+// "12 of 1000 (95 %: 0.7 .. 2.1 %)"
 std::string text_of(const Share& share) {
   return fmt::format("{} of {} (95 %: {:.1f} .. {:.1f} %)", share.count, share.of, 100.0 * share.low(),
                      100.0 * share.high());
