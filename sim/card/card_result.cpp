@@ -269,6 +269,7 @@ std::string invariants_text(const std::vector<std::string>& broken) {
   std::map<std::string, int> counts;
   for (const std::string& name : broken) ++counts[name.substr(name.rfind(' ') + 1)];
   std::vector<std::string> parts;
+  parts.reserve(counts.size());
   for (const auto& [invariant, count] : counts) parts.push_back(fmt::format("{} {}", invariant, count));
   return list_text(parts, parts.size());
 }
