@@ -141,9 +141,12 @@ void PlotScale::add_round_numbers(std::vector<Tick>& ticks) const {
   const double span = part.high - part.low;
   const double step = round_step(span * apart_px_ / std::fabs(part.high_px - part.low_px));
   const int needed = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-  for (double number = std::ceil(part.low / step - 1e-9); number * step <= part.high + 1e-9 * span;
-       number += 1.0)
-    ticks.push_back({number * step, tick_text(number * step, std::max(axis_.decimals, needed))});
+  const double first = std::ceil(part.low / step - 1e-9);
+  for (double index = 0.0; index * step <= part.high - first * step + 1e-9 * span; index += 1.0) {
+    const double at = (first + index) * step;
+    if (!ticks.empty() && at <= ticks.back().at) continue;  // Numbers this large are farther apart.
+    ticks.push_back({at, tick_text(at, std::max(axis_.decimals, needed))});
+  }
 }
 
 std::vector<Tick> PlotScale::ticks() const {

@@ -62,6 +62,14 @@ TEST(PlotScale, TicksAreRoundDistinctAndWithinTheEnds) {
   EXPECT_EQ(texts_of(scale_of(signs, {})), (std::vector<std::string>{"−2", "0", "2"}));
 }
 
+TEST(PlotScale, TicksEndWhereNumbersAreFarApart) {
+  const Axis huge{.low = 1e19, .high = 1e19 + 4096.0};
+  const std::vector<Tick> ticks = scale_of(huge, {}).ticks();
+  EXPECT_GE(ticks.size(), 2u);
+  EXPECT_LE(ticks.size(), 6u);
+  for (std::size_t index = 1; index < ticks.size(); ++index) EXPECT_LT(ticks[index - 1].at, ticks[index].at);
+}
+
 TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
   const Axis axis{.is_logarithmic = true, .zero_at = 1e-4};
   EXPECT_EQ(texts_of(scale_of(axis, {0.0, 1.0})),
