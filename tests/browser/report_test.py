@@ -355,9 +355,14 @@ class ReportTest(browser.BrowserTest):
         self.played("fling", program.fling())
         passes = f"""(async () => {{
             const times = [], shown = [];
-            for (let i = 0; i < 150; ++i, await new Promise(requestAnimationFrame)) shown.push(frameTime / 1000) && times.push({number('t')});
-            const end = times.findIndex((t, i) => t < times[i - 1]) - 1, last = end < 0 ? times.length - 1 : end;
-            return [Math.min(...times), Math.max(...times), (times[last] - times[0]) / (shown[last] - shown[0])];
+            for (let i = 0; i < 200; ++i, await new Promise(requestAnimationFrame)) shown.push(frameTime / 1000) && times.push({number('t')});
+            let first = 0, last = 0; // Of the longest pass.
+            for (let i = 1, from = 0; i <= times.length; ++i)
+              if (!(times[i] >= times[i - 1])) {{
+                if (i - 1 - from > last - first) [first, last] = [from, i - 1];
+                from = i;
+              }}
+            return [Math.min(...times), Math.max(...times), (times[last] - times[first]) / (shown[last] - shown[first])];
           }})()"""
         contact = "Number(document.querySelectorAll('#contacts tbody tr')[{}].children[2].textContent)"
         (page,) = self.open({**self.report("fling"), "actions": [
@@ -367,7 +372,8 @@ class ReportTest(browser.BrowserTest):
             ["press", "s"], ["evaluate", passes], ["evaluate", contact.format(1)]]})
         values = page["values"]
         for (low, high, speed), at in ((values[6], values[7]), (values[9], values[10])):
-            self.assertTrue(at - 0.2 < low < at < high < at + 0.16, (low, high, at))
+            # From the row before, which a slow machine's frame of up to 0.25 s may put earlier.
+            self.assertTrue(at - 0.41 < low < at < high < at + 0.16, (low, high, at))
             self.assertAlmostEqual(speed, 0.1, delta=0.02)
 
     def test_names_and_descriptions_are_text(self):
