@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "sim/core/core.h"
-#include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/outcomes.h"
 #include "tools/app/command_line/shell_command.h"

@@ -13,7 +13,7 @@
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tests/must_fail/altered_cores/altered_core.h"
-#include "tests/must_fail/altered_cores/sim/physics/physics.h"
+#include "tests/must_fail/altered_cores/physics.h"
 #include "tools/hyrax-sim/program.h"
 
 namespace hyrax {

@@ -7,7 +7,6 @@
 #include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/reference_model.h"
-#include "sim/trajectory/physics_model.h"
 #include "sim/trajectory/waypoints.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/paper_model.h"

@@ -1,5 +1,4 @@
-// Takes the place of the shipped core where a source is compiled with this folder first: class physics, its
-// step altered as HYRAX_ALTERED_CORE says.
+// The core of the altered program: class physics, its step altered as HYRAX_ALTERED_CORE says.
 #pragma once
 
 #include <cmath>
