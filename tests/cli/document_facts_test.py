@@ -2,6 +2,7 @@
 """Numbers, options and totals that a document states are those of the source that decides them."""
 
 import json
+import math
 import re
 import sys
 import unittest
@@ -16,6 +17,8 @@ from rows import BUILDS  # noqa: E402 pylint: disable=wrong-import-position
 FORMAT, FILES, CORE, DRIFT = "scenarios/README.md", "golden/README.md", "sim/physics/README.md", "sim/reference/README.md"
 HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "sim/motion/state.h"
 HASH, ROUNDING, REST = "sim/trajectory/state_hash.h", "sim/compare/run_distance.cpp", "sim/trajectory/run_summary.h"
+CARD, STUDIES, PAGE, HYRAX = "sim/card/README.md", "sim/study/README.md", "tools/report/page/README.md", "tools/hyrax/README.md"
+FLINGS = "sim/card/flings.cpp"
 
 # Document and its words, with `{}` for each number; source, and the names that have these numbers there.
 STATED = (
@@ -28,8 +31,13 @@ STATED = (
         (FILES, "comparison fails (exit code {})", "disagreed"), (FILES, "is a scenario (exit code {}, nothing", "bad_input"),
         (FILES, "it ends with exit code {}. If none", "disagreed"), (FORMAT, "may not hold (exit code {})", "disagreed"),
         (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
-        ("sim/study/README.md", "`--gate` | exit code {} if", "disagreed"),
-        ("tools/hyrax/README.md", "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
+        (STUDIES, "`--gate` | exit code {} if", "disagreed"),
+        (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
+        (HYRAX, "{} done, {} the state hash differs, {} bad usage or input, {} a file or the screen cannot be used, {} arithmetic\n"
+         "is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
+        (CARD, "The exit code is {} whatever", "agreed"), (CARD, "{}: `golden/core` is damaged; {}: bad usage", "disagreed, bad_input"),
+        (CARD, "{}: a file cannot be read; {}: there is no", "cannot_access, golden_missing"),
+        (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),
         ("tools/own_core/README.md", "ends with exit code {} for any other", "bad_input"),
         ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, "| `" + name + "` | {}", HEADER, name)
@@ -70,6 +78,43 @@ STATED = (
     (DRIFT, "At most {} arcs and contacts are stored", "tools/app/drift/drift.h", "kArcsListedMax"),
     (DRIFT, "in x and in y: {} starts", "sim/search/contact_chance.h", "starts"),
     (DRIFT, "played for up to {} steps", "sim/search/contact_chance.cpp", "kStepsCompared"),
+    (DRIFT, "estimate.h), seed {}", "sim/search/contact_chance.h", "seed"),
+    (DRIFT, "GSL's `rk8pd` at {} integrates", "sim/reference/gsl_flight.h", "tolerance"),
+    (DRIFT, "more than {} px +\n{} times the arc's", "sim/reference/drift.h", "kSolversApart_px, kSolversApart_rel"),
+    (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"),
+    (DRIFT, "up to {} frames of equal dt", "sim/reference/arc_solution.h", "kFramesMax"),
+    (CARD, "takes more than {} s |", "tools/hyrax-compare/main.cpp", "limit_s.value_or"),
+    (CARD, "settle at {} Hz, after {} s:", FLINGS, "kRate_hz, kDuration_s"),
+    (CARD, "in a window of {} x {} px", FLINGS, "Size kWindow, kWindow{1920,"),
+    (CARD, "of the first {} flings:", "sim/card/flings.h", "kDisplayFlings"),
+    (CARD, "where a fling lands on {} displays", "sim/card/flings.h", "std::array<double,"),
+    (CARD, "is most on the {} displays", "sim/card/flings.h", "std::array<double,"),
+    (CARD, "dropped from {} px still moves up and down in the {}th second", FLINGS, "kHeight_px, kDuration_s"),
+    (CARD, "1 px is {} px²/s²", HEADER, "GRAVITY"),
+    (CARD, "after 1 to {} s at {} rows", FLINGS, "kExactSeconds, kRate_hz"),
+    (CARD, "ns a step in {} pairs", FLINGS, "kPairs"),
+    (CARD, "how many of {} random runs", "sim/card/card.cpp", "kRandomRuns"),
+    (CARD, "first {} rows are compared one by one, and the state hash up to {}", "sim/card/core_run.h",
+     "kCoreRunRowsMax, kCoreRunStepsMax"),
+    (STUDIES, "Times come in {} rounds", "sim/study/methods/cost.h", "repetitions"),
+    (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
+    (STUDIES, "in each of the {} flings, too", "sim/study/speed_error/speed_error.h", "kBandFlings"),
+    (STUDIES, "over {} random throws", "sim/study/paper/claim_probe.h", "kStarts"),
+    (STUDIES, "checks of every throw ({})", "sim/study/bounces/bounces_study.cpp", "kRounding"),
+    (PAGE, "Up to\n  {} rows are in the page", "tools/app/report/report_page.h", "kPageRowsMax"),
+    (PAGE, "the hash of each block of {} rows", HASH, "kBlockRows"),
+    (PAGE, "Runs of more than {} steps are not measured", "tools/report/wasm/shown_run.h", "kStepsMeasuredMax"),
+    (PAGE, "than {} members a sample", "sim/ensemble/member_numbers.h", "kSamplesMax"),
+    (PAGE, "the same in all members, within\n{}, are named", "sim/ensemble/member_numbers.cpp", "kRounding"),
+    (HYRAX, "not moved for {} frames it sleeps", "tools/hyrax/session.h", "kStillFrames"),
+    (HYRAX, "After {} frames (four and a half minutes", "tools/hyrax/recording.h", "kPartFrames"),
+    (HYRAX, "ends after 2^{} frames", "tools/hyrax/recording.h", "kFramesMax = std::int64_t{1} <<"),
+    (FILES, "every block of {} rows, with the golden", HASH, "kBlockRows"),
+    (FILES, "compiled core's bits in {} states", "sim/trace/host/compiled_core.h", "kCheckedSteps"),
+    (FILES, "apart the two cores are after {} s of it", "tools/app/causes/unnoticed.cpp", "kConsequence_s"),
+    ("sim/README.md", "within {} px of its last anchor until the end, for at least {} s", REST, "kStill_px, kLeastRest_s"),
+    ("sim/README.md", "ground contact leaves it below {} px/s", HEADER, "REST_THRESHOLD"),
+    ("sim/README.md", "XXH3-128 of {} rows; of all", HASH, "kBlockRows"),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
     ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
@@ -96,7 +141,7 @@ def stated(path, words):
 
 def decided(path, names):
     """The number that each name has."""
-    found = [re.search(re.escape(name) + r"(?: = | )" + NUMBER, text_of(path)) for name in names.split(", ")]
+    found = [re.search(re.escape(name) + r"(?: = | |\(|\{)" + NUMBER, text_of(path)) for name in names.split(", ")]
     return [value(each[1]) if each else None for each in found]
 
 
@@ -108,17 +153,33 @@ class Facts(unittest.TestCase):
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), decided(source, names), source)
 
-    def test_rates_at_which_rest_changes_follow_from_the_constants(self):
-        gravity, drag, restitution, threshold = decided(HEADER, "GRAVITY, AIR_DRAG, RESTITUTION, REST_THRESHOLD")
-        kept = drag * restitution
+    def test_numbers_that_follow_from_the_constants(self):
+        names = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
+        gravity, drag, restitution, friction, threshold = decided(HEADER, names)
+        kept, rate, dt = drag * restitution, -math.log(drag), 1 / 60
+        kappa = drag * rate / (1 - drag)
+        phi2 = ((1 - drag) / rate - 1) / -rate
         gains = [round(threshold / restitution * factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
         rates = [round(drag * gravity * restitution / threshold / factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
-        self.assertEqual(stated("README.md", "Below {} Hz a sprite on the floor"), rates[:1])
-        self.assertEqual(stated("sim/study/README.md", "| < {} px/s | above {} Hz | zero speed |"), [gains[0], rates[0]])
-        self.assertEqual(stated("sim/study/README.md", "| {} .. {} px/s | {} .. {} Hz | two-cycle:"), [*gains[:2], rates[1], rates[0]])
-        self.assertEqual(stated("sim/study/README.md", "| {} .. {} px/s | {} .. {} Hz | two-cycle or"),
-                         [gains[1], round(gains[2], 1), rates[2], rates[1]])
-        self.assertEqual(stated("sim/study/README.md", "| > {} px/s | below {} Hz | residual speed"), [round(gains[2], 1), rates[2]])
+        for document, words, numbers in (
+                ("README.md", "Below {} Hz a sprite on the floor", rates[:1]),
+                (STUDIES, "| < {} px/s | above {} Hz | zero speed |", [gains[0], rates[0]]),
+                (STUDIES, "| {} .. {} px/s | {} .. {} Hz | two-cycle:", [*gains[:2], rates[1], rates[0]]),
+                (STUDIES, "| {} .. {} px/s | {} .. {} Hz | two-cycle or", [gains[1], round(gains[2], 1), rates[2], rates[1]]),
+                (STUDIES, "| > {} px/s | below {} Hz | residual speed, constant: -{} a / (1 + {} * {})",
+                 [round(gains[2], 1), rates[2], restitution, restitution, drag]),
+                (STUDIES, "one step adds a = {} G dt", [drag]), (STUDIES, "below {} Hz the visible bounce ends", [round(rates[0], 1)]),
+                ("sim/README.md", "vy constant ({} px/s at {} Hz)", [round(-restitution * drag * gravity * dt / (1 + kept), 3), 60]),
+                ("sim/ensemble/README.md", "leaves at most {} |vx| dt", [round(1 / (1 - drag * friction), 2)]),
+                (CORE, "; {} of the energy remains", [restitution**2]),
+                (DRIFT, "k = -ln({}) / dt", [drag]), (DRIFT, "k = {} 1/s", [round(60 * rate, 7)]),
+                (DRIFT, "takes {} % of the speed", [round(100 * (1 - drag), 9)]),
+                (DRIFT, "(G² h / 2) t: {} px²/s² per second at {} Hz", [round(gravity**2 * dt / 2, 6), 60]),
+                (DRIFT, "a L / (1 - a) = {}", [round(kappa, 8)]),
+                (DRIFT, "phi2) G h = {} px/s", [round((drag - kappa**2 * phi2) * gravity * dt, 4)]),
+                (DRIFT, "not at the wall: {} / 2 of", [restitution**2]), (DRIFT, "It differs from {}, because", [restitution])):
+            with self.subTest(document=document, words=words):
+                self.assertEqual(stated(document, words), numbers)
 
     def test_inputs_have_the_codes_of_their_list(self):
         listed = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]
