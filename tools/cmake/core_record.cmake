@@ -28,12 +28,12 @@ set(definitions [==[$<TARGET_PROPERTY:${core},COMPILE_DEFINITIONS>]==])
 set(folders [==[$<TARGET_PROPERTY:${core},INCLUDE_DIRECTORIES>]==])
 set(libraries [==[${hyrax_trace_libraries}]==])
 ")
-  file(GLOB headers ${hyrax_trace_root}/sim/trace/*.h ${hyrax_trace_root}/sim/trace/host/*.h
-       ${hyrax_trace_root}/sim/trace/host/programs/*.cpp)
+  file(GLOB sources ${hyrax_trace_root}/sim/trace/*.* ${hyrax_trace_root}/sim/trace/host/*.*
+       ${hyrax_trace_root}/sim/trace/host/programs/*.*)
   add_custom_command(
     OUTPUT ${folder}/core_record.cpp
     COMMAND ${CMAKE_COMMAND} -D settings=${folder}/settings.cmake -P ${hyrax_record_script}
-    DEPENDS ${header} ${headers} ${hyrax_trace_libraries} ${hyrax_record_script} ${folder}/settings.cmake
+    DEPENDS ${header} ${sources} ${hyrax_trace_libraries} ${hyrax_record_script} ${folder}/settings.cmake
     DEPFILE ${folder}/core_record.d
     COMMENT "Tracing the step of ${header}"
     VERBATIM)
