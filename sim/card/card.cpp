@@ -20,19 +20,12 @@ constexpr std::uint64_t kRandomRuns = 500;
 
 std::string place_of(const NamedScenario& named) { return "scenario " + named.path; }
 
-// Without contacts, which are each core's own.
-void add_rows(const Core& core, const Scenario& scenario, StateHash& hash) {
-  for (Row row : play_by(core, scenario).rows) {
-    row.contact = 0;
-    hash.add(row);
-  }
-}
-
 }  // namespace
 
 std::string rows_hash(const ComparedCore& core, const CardRequest& request) {
   StateHash hash;
-  for (const NamedScenario& named : request.library) add_rows(core.at(place_of(named)), named.scenario, hash);
+  for (const NamedScenario& named : request.library)
+    hash.add(play_by(core.at(place_of(named)), named.scenario).hash);
   return hex(hash.value());
 }
 
@@ -73,7 +66,7 @@ using InvariantSet = std::bitset<kInvariantCount>;
 // A hard case or a random run, as one core plays it. Where a core lacks constants, nothing is judged.
 struct HeldRun {
   std::string name;
-  Digest state_hash{};        // Both cores' alike: of the rows without contacts where nothing is judged.
+  Digest hash{};              // CoreRun::hash.
   InvariantSet held = {};     // Where they were checked.
   InvariantSet failing = {};  // Do not hold,
   InvariantSet broken = {};   // and are not expected to fail.
@@ -86,29 +79,20 @@ struct HeldRun {
   }
 };
 
-HeldRun unjudged_run(const Core& core, const Scenario& scenario, const std::string& name) {
-  StateHash hash;
-  add_rows(core, scenario, hash);
-  return {.name = name, .state_hash = hash.value()};
-}
-
 std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vector<HardCase>& cases,
                                   bool is_judged) {
   std::vector<HeldRun> runs;
   for (const HardCase& hard_case : cases) {
     const Core& core = compared.at("hard case " + hard_case.name);
-    if (!is_judged) {
-      runs.push_back(unjudged_run(core, hard_case.scenario, hard_case.name));
-      continue;
-    }
+    HeldRun& run =
+        runs.emplace_back(HeldRun{.name = hard_case.name, .hash = play_by(core, hard_case.scenario).hash});
+    if (!is_judged) continue;
     const HardCaseResult result = play_hard_case(core, hard_case);
-    HeldRun run{.name = hard_case.name, .state_hash = result.state_hash};
     for (std::size_t index = 0; index < kInvariantCount; ++index) {
       const auto invariant = static_cast<Invariant>(index);
       run.add(invariant, result.measures[index],
               judge(hard_case, result, invariant) == CaseVerdict::expected_failure);
     }
-    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -118,17 +102,14 @@ std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vecto
   std::vector<HeldRun> runs;
   for (const RandomRun& each : random) {
     const Core& core = compared.at("random run " + each.scenario.name);
-    if (!is_judged) {
-      runs.push_back(unjudged_run(core, each.scenario, each.scenario.name));
-      continue;
-    }
+    HeldRun& run =
+        runs.emplace_back(HeldRun{.name = each.scenario.name, .hash = play_by(core, each.scenario).hash});
+    if (!is_judged) continue;
     const CheckedRun checked = check_run(core, each.scenario, each.stops);
-    HeldRun run{.name = each.scenario.name, .state_hash = checked.summary.state_hash};
     for (std::size_t index = 0; index < kInvariantCount; ++index) {
       const auto invariant = static_cast<Invariant>(index);
       run.add(invariant, checked.measures[index], is_broken_by_listing(invariant, each.scenario));
     }
-    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -136,9 +117,9 @@ std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vecto
 using HeldRuns = BeforeAfter<std::vector<HeldRun>>;
 
 std::int64_t other_bits(const HeldRuns& runs) {
-  return std::inner_product(
-      runs.before.begin(), runs.before.end(), runs.after.begin(), std::int64_t{0}, std::plus(),
-      [](const HeldRun& a, const HeldRun& b) { return a.state_hash != b.state_hash ? 1 : 0; });
+  return std::inner_product(runs.before.begin(), runs.before.end(), runs.after.begin(), std::int64_t{0},
+                            std::plus(),
+                            [](const HeldRun& a, const HeldRun& b) { return a.hash != b.hash ? 1 : 0; });
 }
 
 InvariantLine invariant_line(bool is_general, const HeldRuns& cases, const HeldRuns& random) {

@@ -13,12 +13,12 @@
 namespace hyrax {
 namespace {
 
-// Keeps rows up to the end of the first period, if the run repeats itself.
+// Keeps rows up to the end of the first period, if the run repeats itself, and hashes all of them.
 class RowCollector final : public RowSink {
  public:
   explicit RowCollector(CoreRun& run) : run_(run) {}
 
-  [[nodiscard]] Wants wants() const override { return {.rows_every = is_complete() ? 0 : 1}; }
+  [[nodiscard]] Wants wants() const override { return {.rows_every = is_complete() ? 0 : 1, .blocks = true}; }
   void rows(const Columns& batch) override {
     for (std::size_t index = 0; index < batch.size(); ++index) {
       const Row row = batch.row(index);
@@ -27,6 +27,14 @@ class RowCollector final : public RowSink {
     }
   }
   void repeats(const Repetition& repetition) override { run_.repetition = repetition; }
+  void block(const Block& block, std::int64_t count) override {
+    states_.shrink(0);
+    states_.append(block.rows, 0, block.rows.size());
+    for (std::size_t index = 0; index < states_.size(); ++index) states_.set_contact(index, 0);
+    hash_.add(digest(states_), count);
+  }
+
+  [[nodiscard]] Digest hash() const { return hash_.value(); }
 
   // Whether the rows have all of the first period.
   [[nodiscard]] bool has_period() const {
@@ -38,6 +46,8 @@ class RowCollector final : public RowSink {
   [[nodiscard]] bool is_complete() const { return has_period() || std::ssize(run_.rows) >= kCoreRunRowsMax; }
 
   CoreRun& run_;
+  RowBlock states_;
+  StateHash hash_;
 };
 
 // Rows that both runs must have so that none that differs is missed: of two that repeat, both periods.
@@ -109,7 +119,7 @@ CoreRun play_by(const Core& core, const Scenario& scenario) {
   run.final = summary.final;
   run.at_rest_since_s = summary.at_rest_since_s;
   run.is_finite = !summary.non_finite_step;
-  run.state_hash = summary.state_hash;
+  run.hash = collector.hash();
   if (!collector.has_period()) run.repetition.reset();  // It begins past the last row that is kept.
   run.is_cut = !run.repetition && (summary.final.step >= std::ssize(run.rows) ||
                                    (run.is_finite && summary.final.step < step_count(scenario)));
@@ -144,7 +154,7 @@ RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candida
   }
   if (base.is_cut || candidate.is_cut) {
     const bool is_known = base.final.step == candidate.final.step && base.final.step == step_count(scenario);
-    if (is_known && base.state_hash != candidate.state_hash) change.has_same_bits = false;
+    if (is_known && base.hash != candidate.hash) change.has_same_bits = false;
     change.is_cut = !is_known || !change.has_same_bits;
   }
   const bool has_other_length = base.rows.size() != candidate.rows.size();

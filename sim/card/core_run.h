@@ -16,7 +16,7 @@
 namespace hyrax {
 
 /// Of longer runs that do not repeat, only so many rows are kept and compared one by one; of the others the
-/// state hash says whether they are the same, up to kCoreRunStepsMax.
+/// hash says whether they are the same, up to kCoreRunStepsMax.
 inline constexpr std::int64_t kCoreRunRowsMax = 400'000;
 inline constexpr std::int64_t kCoreRunStepsMax = 20'000'000;
 
@@ -25,7 +25,7 @@ struct CoreRun {
   std::vector<Row> rows;                 ///< From row 0.
   std::optional<Repetition> repetition;  ///< If its first period is kept.
   Row final;                             ///< The last one that was played, kept or not.
-  Digest state_hash{};
+  Digest hash{};  ///< Of all rows that were played, without contacts: cores may tell those otherwise.
   std::optional<double> at_rest_since_s;
   bool is_finite = true;
   bool is_cut = false;  ///< There are rows that are neither kept nor repeat others.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/contact_kernel.h"
 #include "sim/core/listing_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
@@ -76,6 +77,20 @@ TEST(CompareRuns, FindsADifferenceBeforeAndPastTheLastRowKept) {
     EXPECT_FALSE(change.has_same_bits) << offset;
     EXPECT_EQ(change.is_cut, offset > 0);
   }
+}
+
+// Told by its rows alone, what stands at the left wall touches it in every step.
+TEST(CompareRuns, FindsNoOtherBitsWhereContactsAloneAreOthers) {
+  Scenario scenario = flung_at(kCoreRunRowsMax + 50'000);
+  scenario.start.x_px = 0.0;
+  Core by_rows = listing_core(kPaper);
+  by_rows.kernel = std::make_shared<const ContactKernel>(by_rows.kernel, nullptr, std::nullopt);
+  CoreRun base = play_by(listing_core(kPaper), scenario);
+  CoreRun candidate = play_by(by_rows, scenario);
+  const RunChange change = compare_runs(scenario, base, candidate);
+  EXPECT_NE(change.contacts_before, change.contacts_after);
+  EXPECT_TRUE(base.is_cut);
+  EXPECT_TRUE(change.has_same_bits);
 }
 
 }  // namespace
