@@ -11,8 +11,11 @@ import re
 import tempfile
 import unittest
 
+import h5py
+import numpy as np
+
 from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground
-from program import AGREED, DISAGREED, PROGRAM, SOURCE, main
+from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
 from process import succeed
 from traced import SHIPPED, traced
 
@@ -122,6 +125,32 @@ class Unnoticed(unittest.TestCase):
             self.assertEqual(written.exit_code, DISAGREED, written)
             self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {path[:-5] for path in os.listdir(folder)})
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
+
+
+class LongRun(unittest.TestCase):
+    """A golden file of blocks, by a core whose step is not the paper's with its constants."""
+
+    def test_its_rows_are_restored_by_the_accepted_step(self):
+        (edit,) = (edit for edit in SINGLE if edit.name == "half_moves")
+        core = traced(edit.apply(SHIPPED))
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            path = f"{folder}/scenarios/long.json"
+            os.mkdir(f"{folder}/scenarios")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(fling(name="long", steps=20000), file)
+            self.assertEqual(core.run("bless", path, "--reason", "x").exit_code, AGREED)
+            rows = {}
+            for name, played in (("accepted", core), ("program", traced(SHIPPED))):
+                self.assertEqual(played.run("run", path, "-o", f"{folder}/{name}.h5").exit_code,
+                                 AGREED if name == "accepted" else DISAGREED)
+                with h5py.File(f"{folder}/{name}.h5") as file:
+                    rows[name] = np.column_stack([file[f"trajectory/{field}"] for field in ("x", "y", "vx", "vy")])
+            (result,) = traced(SHIPPED).run("check", path, "--json").json["results"]
+        step = int(np.flatnonzero((rows["accepted"] != rows["program"]).any(axis=1))[0])
+        first = result["first_divergence"]
+        self.assertEqual((first["step"], first["field"], first["expected"]), (step, "x", rows["accepted"][step, 0]))
+        apart = np.hypot(*(rows["accepted"] - rows["program"])[:, :2].T)
+        self.assertAlmostEqual(result["max_px"] / apart.max(), 1.0)
 
 
 class CoreEdits(unittest.TestCase):

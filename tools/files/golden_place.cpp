@@ -47,9 +47,12 @@ ScenarioPlace scenario_place(const std::string& scenario_path) {
   return place;
 }
 
-GoldenPlace place_at(fs::path path) {
+GoldenPlace place_at(const fs::path& folder, const fs::path& below) {
+  fs::path path = folder / below;
   const std::string h5_path = path.replace_extension(".h5").generic_string();
-  return {.h5_path = h5_path, .txt_path = path.replace_extension(".txt").generic_string()};
+  return {.h5_path = h5_path,
+          .txt_path = path.replace_extension(".txt").generic_string(),
+          .folder = folder.generic_string()};
 }
 
 }  // namespace
@@ -60,11 +63,11 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
     const fs::path golden =
         golden_folder.empty() ? scenarios.parent_path() / "golden" : fs::path(golden_folder);
     const fs::path below = path.lexically_relative(scenarios);
-    GoldenPlace place = place_at(golden / below);
+    GoldenPlace place = place_at(golden, below);
     place.is_reserved = below.has_parent_path() && *below.begin() == "core";
     return place;
   }
-  if (!golden_folder.empty()) return place_at(fs::path(golden_folder) / path.filename());
+  if (!golden_folder.empty()) return place_at(golden_folder, path.filename());
   return std::nullopt;
 }
 

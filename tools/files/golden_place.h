@@ -12,6 +12,7 @@ struct GoldenPlace {
   std::string h5_path;       ///< The trajectory file.
   std::string txt_path;      ///< Its summary, for review in a diff.
   bool is_reserved = false;  ///< In golden/core/, which holds the accepted core.
+  std::string folder = {};   ///< The golden folder that both are in.
 };
 
 /// The scenario's path relative to the nearest folder named `scenarios`, in `golden_folder` or in the

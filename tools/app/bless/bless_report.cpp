@@ -70,7 +70,7 @@ void print_model_hint(const Core& core, const BlessReport& report) {
 void print_done(const Blessing& blessing) {
   if (blessing.has_failed()) return;
   const std::string path = printable(blessing.path);
-  const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
+  const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
   if (blessing.writes_golden_file() && blessing.keeps_h5)
     print_text("{}: agrees with {} already; its summary, {}, is written again\n", path, printable(h5_path),
                printable(txt_path));

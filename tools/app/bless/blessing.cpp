@@ -89,7 +89,7 @@ void take_over(PairComparison pair, Blessing& blessing) {
 
 // Sets what has to be blessed; returns the summary of the run.
 RunSummary compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
-  const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
+  const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
   const bool has_both = has_golden_file(*blessing.golden);
   if (!is_there(h5_path) && !is_there(txt_path)) {
     blessing.status = BlessStatus::fresh;
@@ -146,7 +146,7 @@ void plan(const Core& core, Blessing& blessing, const BlessOptions& options, con
 }
 
 void write_golden_file(const Core& core, const Blessing& blessing, const std::string& reason) {
-  const auto& [h5_path, txt_path, is_reserved] = *blessing.golden;
+  const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
   Scenario scenario = load_scenario(blessing.path);
   if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
   const FreshRun fresh = play_for_golden(core, scenario, core);

@@ -9,6 +9,7 @@
 
 #include "sim/cause/header_change.h"
 #include "sim/core/core.h"
+#include "sim/core/traced_core.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"
@@ -155,6 +156,14 @@ std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder)
   if (has_step && !read_step(core.step)) refuse_core(files.step, "is not the canonical text of a step");
   if (accepted_text(core) != accepted) refuse_core(files.accepted, "was changed after it was written");
   return core;
+}
+
+std::optional<Core> accepted_step(const std::string& golden_folder) try {
+  const std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
+  const std::optional<TracedStep> step = accepted ? read_step(accepted->step) : std::nullopt;
+  return step ? traced_core(*step) : std::nullopt;
+} catch (const Failure&) {
+  return std::nullopt;  // `check` reports it.
 }
 
 void write_accepted_core(const std::string& golden_folder, const AcceptedCore& core) {

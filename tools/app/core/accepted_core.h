@@ -56,6 +56,9 @@ struct CoreCommands {
 /// written or edited by hand; Failure(cannot_access) where a file cannot be read.
 [[nodiscard]] std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder);
 
+/// Plays its step; nothing if there is none that can be played.
+[[nodiscard]] std::optional<Core> accepted_step(const std::string& golden_folder);
+
 /// Replaces it. A killed program leaves the old one, or one that read_accepted_core calls half written.
 /// ERRORS: Failure(cannot_access).
 void write_accepted_core(const std::string& golden_folder, const AcceptedCore& core);

@@ -5,6 +5,7 @@
 
 #include "sim/cause/cause.h"
 #include "sim/core/core.h"
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/reference_model.h"
 #include "sim/trajectory/waypoints.h"
@@ -86,11 +87,20 @@ std::string changed_text(const std::string& fault) {
          "; restore it, or bless the scenario again";
 }
 
+// The cores that a file's rows may be of.
+std::vector<Core> cores_of(const StoredRun& kept, const GoldenPlace& place) {
+  std::vector<Core> cores;
+  if (kept.blocks.empty()) return cores;
+  if (kept.constants) cores.push_back(listing_core(*kept.constants));
+  if (auto accepted = accepted_step(place.folder)) cores.push_back(*std::move(accepted));
+  return cores;
+}
+
 PairComparison read_and_compare(const Core& core, const Scenario& scenario, const GoldenPlace& place,
                                 const std::string& text, FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
   require_own_core(core, place.h5_path, kept.physics);
-  ComparedRun compared = compare_with(core, kept, scenario);
+  ComparedRun compared = compare_with(core, kept, scenario, cores_of(kept, place));
   PairComparison pair{
       .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
   const std::optional<std::string> blessed_checksum = summary_file_checksum(text);

@@ -6,7 +6,6 @@
 
 #include "sim/compare/run_comparer.h"
 #include "sim/core/core.h"
-#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -71,7 +70,7 @@ class ContactSink final : public RowSink {
 };
 
 // Replays a stored block from its keyframe.
-RowBlock expand(const Core& core, const Scenario& scenario, const StoredBlock& kept) {
+RowBlock expand_by(const Core& core, const Scenario& scenario, const StoredBlock& kept) {
   RowBlock rows;
   BlockSink sink(rows);
   Replay replay(core, scenario, kept.keyframe, sink);
@@ -81,18 +80,32 @@ RowBlock expand(const Core& core, const Scenario& scenario, const StoredBlock& k
   return rows;
 }
 
+// By the first core that gives the block's digest.
+RowBlock expand(const std::vector<Core>& cores, const Scenario& scenario, const StoredBlock& kept) {
+  RowBlock rows;
+  for (const Core& core : cores) {
+    rows = expand_by(core, scenario, kept);
+    if (digest(rows) == kept.digest) break;
+  }
+  return rows;
+}
+
 // Since when a stored run has settled; nothing if it has not, or if its rows are neither stored nor restored.
-std::optional<double> settled_since_s(const Core& core, const StoredRun& kept, std::int64_t steps_played) {
+std::optional<double> settled_since_s(const std::vector<Core>& cores, const StoredRun& kept,
+                                      std::int64_t steps_played) {
   if (kept.blocks.empty()) return at_rest_since_s(kept.rows);
   if (step_count(kept.scenario) > std::max(steps_played, kStepsRestoredMax)) return std::nullopt;
-  const RunSummary summary = replay(core, kept.scenario);
-  return hex(summary.state_hash) == kept.state_hash ? summary.at_rest_since_s : std::nullopt;
+  for (const Core& core : cores)
+    if (const RunSummary summary = replay(core, kept.scenario); hex(summary.state_hash) == kept.state_hash)
+      return summary.at_rest_since_s;
+  return std::nullopt;
 }
 
 }  // namespace
 
-ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario) {
-  const Core restoring = kept.constants ? listing_core(*kept.constants) : core;
+ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario,
+                         std::vector<Core> restoring) {
+  restoring.push_back(core);
   RunComparer comparer(kept,
                        [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); });
   const RunSummary summary = replay(core, scenario, comparer, judged_options(scenario));

@@ -11,12 +11,15 @@
 
 namespace hyrax {
 
-/// Plays the scenario and compares it with the stored run.
+/// A run by the core, compared with the stored one.
 struct ComparedRun {
   Comparison comparison;
   RunSummary summary;
 };
-[[nodiscard]] ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario);
+/// @param restoring cores of which one, or this one, may have played the stored run: they restore rows that
+/// it keeps as blocks, where they give its digests.
+[[nodiscard]] ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario,
+                                       std::vector<Core> restoring = {});
 
 /// Whether the stored run's own scenario gives its rows and contacts. False where that would take too long to
 /// find out.
