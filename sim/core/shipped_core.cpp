@@ -6,8 +6,16 @@
 
 namespace hyrax {
 
+// With a core of one's own in the place of sim/physics/physics.h (tools/own_core), its name.
+#ifdef HYRAX_OWN_CORE
+constexpr std::string_view kCoreName = HYRAX_OWN_CORE;
+static_assert(!is_paper_model(kCoreName), "hyrax: the name of the paper's model; give the core another");
+#else
+constexpr std::string_view kCoreName = kPhysicsModel;
+#endif
+
 const Core& shipped_core() {
-  static const Core core = core_of<physics>(kPhysicsModel, built_core_record());
+  static const Core core = core_of<physics>(kCoreName, built_core_record());
   return core;
 }
 

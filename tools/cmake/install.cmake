@@ -45,30 +45,20 @@ add_custom_command(
 add_custom_target(hyrax_program ALL DEPENDS ${hyrax_program_object})
 add_dependencies(hyrax_program hyrax_trace_host)
 install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
-set(own_core_sources
-        motion/paper_constants.h motion/state.h motion/step.h
-        core/contact_log.h core/core.h core/core_of.h core/core_record.h core/kernel.h core/kernel_of.h core/stuck_speed.h
-        result/table.h
-        scenario/apply.h scenario/frame_clock.h scenario/scenario.h scenario/split_mix64.h
-        trajectory/columns.h trajectory/contact.h trajectory/physics_model.h trajectory/row.h trajectory/run_summary.h
-        trajectory/state_hash.h
-        trace/listing_step.h trace/operation.h trace/traced_step.h trace/host/compiled_core.h trace/host/core_calls.h trace/host/explorer.h
-        trace/host/number.h trace/host/number_functions.h
-        trace/host/programs/check_core.cpp trace/host/programs/record_step.cpp)
-foreach(source IN LISTS own_core_sources)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/sim/${source} included REGEX "^#include \"sim/")
-  list(TRANSFORM included REPLACE "^#include \"sim/(.*)\".*$" "\\1")
-  list(REMOVE_ITEM included ${own_core_sources} physics/physics.h) # Instead of the core there is the user's own.
-  if(included)
-    message(FATAL_ERROR "sim/${source} is installed, but not what it includes: ${included}")
-  endif()
-  cmake_path(GET source PARENT_PATH folder)
-  install(FILES ${PROJECT_SOURCE_DIR}/sim/${source} DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/sim/${folder})
-endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/tools/own_core/own_main.cpp
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/tools/own_core)
-install(FILES ${PROJECT_SOURCE_DIR}/tools/hyrax-sim/program.h
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/hyrax/own_core/tools/hyrax-sim)
+# Its sources, of which a cross build makes hyrax-replay, and a core of one's own its program.
+set(hyrax_source_folder ${CMAKE_INSTALL_DATADIR}/hyrax/source)
+install(FILES ${PROJECT_SOURCE_DIR}/CMakeLists.txt ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${hyrax_source_folder})
+install(FILES ${PROJECT_BINARY_DIR}/sim/hyrax_core_record/core_record.cpp DESTINATION ${hyrax_source_folder}/core_record)
+install(
+  DIRECTORY ${PROJECT_SOURCE_DIR}/sim ${PROJECT_SOURCE_DIR}/tools
+  DESTINATION ${hyrax_source_folder}
+  FILES_MATCHING
+  REGEX "/tools/(hyrax|hyrax-compare|own_core|report|store)$" EXCLUDE
+  PATTERN CMakeLists.txt
+  PATTERN *.cmake
+  PATTERN *.cpp
+  PATTERN *.h
+  PATTERN help.txt)
 
 install(
   EXPORT hyrax
@@ -82,8 +72,7 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion)
 set(PREFIX_FROM_PACKAGE /)
 cmake_path(RELATIVE_PATH PREFIX_FROM_PACKAGE BASE_DIRECTORY /${hyrax_package_folder})
-configure_file(${PROJECT_SOURCE_DIR}/tools/own_core/hyrax_add_scenarios.cmake
-               ${PROJECT_BINARY_DIR}/hyrax_add_scenarios.cmake @ONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config.cmake @ONLY)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/core_record.cmake ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
-              ${PROJECT_BINARY_DIR}/hyrax_add_scenarios.cmake DESTINATION ${hyrax_package_folder})
+              ${PROJECT_BINARY_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
+              ${PROJECT_SOURCE_DIR}/tools/own_core/hyrax_add_scenarios.cmake DESTINATION ${hyrax_package_folder})

@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""hyrax_add_scenarios in a MinGW build: its tests are the checks of hyrax-replay.exe, under Wine."""
+
+import os
+import shutil
+import unittest
+
+from hyrax_program import HyraxTest
+from process import run, skip_without, succeed
+from program import SOURCE
+
+EXAMPLE = SOURCE / "tests/cli/own_physics"
+CTEST_FAILED = 8
+
+
+class MinGW(HyraxTest):
+    """A project that has hyrax as a package of the machine that builds it: scenarios of its own core, and of the shipped one."""
+
+    def setUp(self):
+        super().setUp()
+        self.package = self.folder / "package"
+        environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
+        succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", self.package, env=environment)
+        shutil.copytree(EXAMPLE, self.folder, dirs_exist_ok=True)
+
+    def build(self, folder, *options):
+        succeed("cmake", "-S", ".", "-B", folder, "-G", "Ninja", *options, cwd=self.folder)
+        succeed("cmake", "--build", folder, cwd=self.folder, timeout=900)
+
+    def replace(self, path, old, new):
+        """Edits a file."""
+        text = (self.folder / path).read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        self.write(path, text.replace(old, new))
+
+    def ctest(self, exit_code):
+        """{test: is passed} under Wine, and all that the tests print."""
+        outcome = run("ctest", "--test-dir", "windows", "--verbose", cwd=self.folder, env=self.wine.environment,
+                      keeps_children=True, timeout=300)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line and " sec" in line]
+        return {line[3]: "Passed" in line for line in lines}, outcome.out
+
+    def test_scenarios_agree_until_a_constant_or_a_golden_file_changes(self):
+        self.build("host", f"-DCMAKE_PREFIX_PATH={self.package}")
+        succeed("host/elastic_box-sim", "bless", "scenarios", "--reason", "first results", cwd=self.folder)
+        for path in ("scenarios/flings/first-fling.json", "golden/flings/first-fling.h5", "golden/flings/first-fling.txt"):
+            target = self.folder / path.replace("scenarios/", "throws/").replace("golden/flings", "accepted")
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(SOURCE / path, target)
+        with open(self.folder / "CMakeLists.txt", "a", encoding="utf-8") as file:
+            file.write("hyrax_add_scenarios(throws/flings GOLDEN accepted)\n")
+        self.build("windows", "--toolchain", SOURCE / "tools/cmake/mingw.cmake", f"-Dhyrax_DIR={self.package}/lib/cmake/hyrax")
+        self.assertTrue((self.folder / "windows/elastic_box-replay.exe").read_bytes().startswith(b"MZ"))
+        names = ("elastic_box.billiard", "elastic_box.long/many-bounces")
+        passed, text = self.ctest(0)
+        self.assertEqual(passed, dict.fromkeys((*names, "hyrax.first-fling"), True))
+        self.assertEqual(text.count("1 checked: 1 agreed, 0 disagreed"), 3)
+        self.replace("elastic_box.h", "RESTITUTION = 1.0", "RESTITUTION = 0.999")
+        self.build("windows")
+        failed, text = self.ctest(CTEST_FAILED)
+        self.assertEqual(failed, {**dict.fromkeys(names, False), "hyrax.first-fling": True})
+        self.assertIn("billiard.txt: state hash differs (found ", text)
+        self.replace("accepted/first-fling.txt", "state hash: ", "state hash: 0")
+        self.assertFalse(self.ctest(CTEST_FAILED)[0]["hyrax.first-fling"])
+
+
+if __name__ == "__main__":
+    skip_without("wine")
+    unittest.main()
