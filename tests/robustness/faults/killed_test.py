@@ -7,12 +7,15 @@ moments are tried in addition.
 
 import os
 import random
+import re
 import shutil
 import signal
 import time
 
+import program
 from process import preloading
 from program import AGREED, ANOTHER_START, DISAGREED, ProgramTest, fling, main
+from traced import SHIPPED, TRACED, traced
 
 LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
 KILLS = int(os.environ.get("HYRAX_KILLS", "6"))
@@ -214,6 +217,51 @@ class Blessing(Killed):
         for _ in self.kill_everywhere("bless", "scenarios/fling.json", "--reason", "of an older form"):
             is_new = "\nchecksums: " in (self.folder / "now/golden/fling.txt").read_text()
             self.assertEqual(self.verdict("check")[0], AGREED if is_new else DISAGREED)
+
+
+class AcceptedCore(Killed):
+    """`bless` with a changed core replaces the golden files, then the three files of the accepted core."""
+
+    COMMAND = ("bless", "scenarios", "--reason", "stronger gravity", "--accept", "contacts")
+
+    def setUp(self):
+        super().setUp()
+        for name in ("a", "b"):
+            self.write_before(f"scenarios/{name}.json", fling(name=name))
+        self.expect(AGREED, "bless", "scenarios", "--reason", "the first", cwd=self.folder / "before")
+        core = traced(SHIPPED.replace("GRAVITY = 1200.0", "GRAVITY = 1250.0"))
+        os.environ.update(HYRAX_TRACED_HEADER=str(core.header), HYRAX_TRACED_STEP=str(core.step))
+        self.addCleanup(setattr, program, "PROGRAM", program.PROGRAM)
+        program.PROGRAM = TRACED
+
+    def state(self):
+        """How many golden files are the new ones, and of the core."""
+        new, _ = self.files("after")
+        now, _ = self.files("now")
+        counts = [0, 0]
+        for name, content in now.items():
+            counts[name.startswith("golden/core/")] += name.startswith("golden/") and content == new[name]
+        return counts
+
+    def test_at_every_call(self):
+        seen = set()
+        for _ in self.kill_everywhere(*self.COMMAND, tries_max=40):
+            files, core = self.state()
+            seen.add((files, core))
+            outcome = self.hyrax_sim("check", cwd=self.folder / "now")
+            is_mixed = files < 4 or core in (1, 2)
+            self.assertEqual(outcome.exit_code, DISAGREED if is_mixed else AGREED, (files, core, outcome))
+            if files == 4 and core == 0:  # Only the core is missing.
+                self.assertIn("core: changed\n", outcome.out)
+                self.assertIn("  to accept it    hyrax-sim bless --core --reason TEXT\n", re.sub(r"\S+/control_traced", "hyrax-sim", outcome.out))
+            elif files == 4 and core < 3:
+                self.assertIn("core: golden/core/physics.h: does not have the checksum in accepted.txt; take the folder", outcome.out)
+            elif files < 4:
+                self.assertIn("  line 16   constant: GRAVITY 1200 -> 1250", outcome.out)
+            self.assert_mended_by(*self.COMMAND)
+            self.expect(AGREED, "check", cwd=self.folder / "now")
+        self.assertLessEqual({(4, 0), (4, 1), (4, 2), (4, 3)}, seen)
+        self.assertGreater(len(seen), 5)
 
 
 if __name__ == "__main__":

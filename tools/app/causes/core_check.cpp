@@ -180,7 +180,7 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
     verdict_.why = "the constructor or a setter is another one, and no scenario shows it";
 }
 
-std::string core_text(const CoreVerdict& verdict, bool is_alone) {
+std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_agree) {
   if (verdict.status == CoreStatus::accepted) return "";
   std::string text = is_alone ? "core: " : fmt::format("core of {}: ", printable(verdict.golden_folder));
   if (verdict.status == CoreStatus::none) return text + verdict.why + "\n";
@@ -205,11 +205,11 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone) {
       text += fmt::format("  no scenario notices `{}` either; {} shows it\n", unnoticed.text,
                           unnoticed.scenario->name);
   }
-  if (printed.empty()) return text;
   const auto& [accept, write_unnoticed] = verdict.commands;
-  if (!write_unnoticed.empty())
+  if (!printed.empty() && !write_unnoticed.empty())
     text += fmt::format("  to write {}   {}\n", printed.size() == 1 ? "it  " : "them", write_unnoticed);
-  if (!accept.empty()) text += fmt::format("  to accept it    {}\n", accept);
+  const bool is_acceptable = !printed.empty() || (scenarios_agree && verdict.status == CoreStatus::changed);
+  if (is_acceptable && !accept.empty()) text += fmt::format("  to accept it    {}\n", accept);
   return text;
 }
 

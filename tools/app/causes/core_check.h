@@ -110,7 +110,9 @@ class CoreChecks {
 
 /// The verdict as text: complete lines; empty where the core is the accepted one.
 /// @param is_alone else the verdict names its golden folder.
-[[nodiscard]] std::string core_text(const CoreVerdict& verdict, bool is_alone = true);
+/// @param scenarios_agree all that were checked: then the core can be accepted as it is.
+[[nodiscard]] std::string core_text(const CoreVerdict& verdict, bool is_alone = true,
+                                    bool scenarios_agree = false);
 /// {"golden", "status", "why", "paths", "paths_taken", "changes", "unnoticed"}, an entry of "cores".
 [[nodiscard]] Json core_json(const CoreVerdict& verdict);
 

@@ -137,7 +137,8 @@ void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<
   const auto first_finite = std::ranges::find_if(
       groups, [](const DifferenceGroup& group) { return group.cause.kind != CauseKind::non_finite; });
   for (auto group = groups.begin(); group != first_finite; ++group) print_group(*group, checked);
-  for (const CoreVerdict* const core : cores) print_text("{}", core_text(*core, cores.size() == 1));
+  for (const CoreVerdict* const core : cores)
+    print_text("{}", core_text(*core, cores.size() == 1, groups.empty()));
   for (auto group = first_finite; group != groups.end(); ++group) print_group(*group, checked);
 }
 
