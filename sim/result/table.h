@@ -52,6 +52,8 @@ struct Column {                // NOLINT(misc-no-recursion): copied with the tab
                std::vector<std::optional<std::int64_t>>, Codes, std::vector<Table>>
       values;      // Without "= {}", for which clang 14 needs Table complete.
   int digits = 4;  ///< Significant digits in printed text; files have all.
+  /// Each value is printed with these digits; else all with as many decimals as the largest needs for them.
+  bool is_each_rounded = false;
   /// In JSON, where it is not NAME_UNIT; "OBJECT/KEY" is a member of an object, "-" is none.
   std::string key = {};
 };

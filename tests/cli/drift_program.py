@@ -41,4 +41,4 @@ class DriftTest(ProgramTest):
     def errors(self, run):
         """The part that does not depend on the machine's speed."""
         return {key: run[key] for key in ("whole", "arcs", "contacts", "skipped_arcs", "worst", "effective_restitution",
-                                          "margin", "differing_steps")}
+                                          "margin", "differing_steps", "reference_energy", "unlisted_energy")}

@@ -84,9 +84,10 @@ std::vector<std::string> printed(const Column& column) {
   const auto* const numbers = std::get_if<std::vector<double>>(&column.values);
   const NumberFormat format = numbers != nullptr ? format_of(*numbers, column.digits) : NumberFormat{};
   for (std::size_t row = 0; row < length(column); ++row)
-    texts.push_back(cell(column, row, [&format](const auto& value) {
+    texts.push_back(cell(column, row, [&](const auto& value) {
       if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-        return printed(value, format);
+        return column.is_each_rounded && std::isfinite(value) ? rounded(value, column.digits)
+                                                              : printed(value, format);
       else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
         return value;
       else

@@ -70,6 +70,7 @@ std::vector<Column> shown_columns(const auto& described, const std::vector<Recor
     Column column = column_of(each, first);
     column.name = shown.head;
     column.digits = 3;
+    column.is_each_rounded = true;
     if (shown.unit != nullptr) column.unit = shown.unit;
     if (auto* const numbers = std::get_if<std::vector<double>>(&column.values))
       for (double& value : *numbers) value *= shown.scale;
@@ -265,6 +266,12 @@ Column text_or_null(const std::string& name, std::string_view text) {
   return column_of_one(name, "", Table{.columns = {}, .shape = JsonShape::one});
 }
 
+Column energy_member(const std::string& name, double energy_px2_per_s2) {
+  Column column = column_of_one(name, "px2/s2", energy_px2_per_s2);
+  column.key = name;
+  return column;
+}
+
 Table members(std::vector<Column> columns) {
   return {.columns = std::move(columns), .shape = JsonShape::members};
 }
@@ -309,7 +316,9 @@ Result drift_result(const DriftReport& report, bool lists_all) {
           worst_table("worst", summary, &Worst::value),
           worst_table("worst_step", summary, &Worst::step),
           members({column_of_one("arcs_measured", "1", summary.arcs),
-                   column_of_one("contacts_measured", "1", summary.contacts)}),
+                   column_of_one("contacts_measured", "1", summary.contacts),
+                   energy_member("reference_energy", summary.reference_energy_px2_per_s2),
+                   energy_member("unlisted_energy", summary.unlisted_energy_px2_per_s2)}),
           restitution_member(summary.effective_restitution),
           margin_table({run.margin, report.contact_chance}),
           members({column_of_one("differing_steps", "1", summary.differing_steps),

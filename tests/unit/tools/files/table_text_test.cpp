@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tools/files/table_text.h"
@@ -58,6 +59,15 @@ TEST(AlignedText, ValuesOfVeryDifferentSizeEachHaveTheirDigits) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Table table{"t", "", {{"error", "px", "", std::vector<double>{1.23456e-9, 0.5, 0.0, infinity}, 3}}};
   EXPECT_EQ(aligned_text(table), "  error, px\n   1.23e-09\n        0.5\n          0\n   no bound\n");
+}
+
+TEST(AlignedText, ValuesOfOneColumnCanEachHaveTheirDigits) {
+  Table table{"t", "", {{"error", "px", "", std::vector{17.35, 0.2614, 0.0, HUGE_VAL, std::nan("")}, 3}}};
+  EXPECT_EQ(aligned_text(table),
+            "  error, px\n       17.4\n        0.3\n        0.0\n   no bound\n          -\n");
+  table.columns[0].is_each_rounded = true;
+  EXPECT_EQ(aligned_text(table),
+            "  error, px\n       17.4\n      0.261\n          0\n   no bound\n          -\n");
 }
 
 TEST(AlignedText, ATableWithoutRowsIsItsHead) {
