@@ -233,7 +233,7 @@ class Streams(ProgramTest):
         super().setUp()
         for number in range(40):
             name = f"a-name-that-takes-its-room-in-every-line-{number}"
-            self.write(f"scenarios/{name}.json", fling(name=name, steps=40))
+            one_scenario = self.write(f"scenarios/{name}.json", fling(name=name, steps=40))
         self.write("bad.json", "{")
         self.expect(AGREED, "run", "scenarios", "-o", "out/")
         self.one = sorted((self.folder / "out").iterdir())[0]
@@ -241,7 +241,7 @@ class Streams(ProgramTest):
                      ("run", "scenarios", "-o", "now/", "--json"), ("check", "scenarios"), ("check", "scenarios", "--json"),
                      ("drift", "scenarios", "--reference", "closed"), ("schema",), ("run", "--help"), ("--help",),
                      ("info",), ("info", "--json"), ("diff", self.one, self.one),
-                     ("study", "needs", "scenarios", "--quick", "--no-figures", "--json"),
+                     ("study", "needs", one_scenario, "--quick", "--no-figures", "--json"),
                      ("bless", "scenarios", "--reason", "x", "--golden", "g"))
 
     def test_a_full_standard_output_is_exit_3(self):

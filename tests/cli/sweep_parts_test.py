@@ -33,7 +33,7 @@ class Parts(SweepTest):
 
     def test_parts_give_the_file_of_one_process(self):
         whole = self.computed(document(members=70, keep=ALL))
-        for parts in (1, 3, 75):
+        for parts in (1, 3, 40):
             assert_same_bits(self, self.merged(parts), whole, f"{parts} parts")
             self.assertEqual((self.folder / f"merged-{parts}.h5").read_bytes(),
                              (self.folder / "sweep.h5").read_bytes())

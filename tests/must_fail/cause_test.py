@@ -3,10 +3,13 @@
 
     cause_test.py             tests, and compares README.md beside this file with the table
     cause_test.py --update    writes the table into README.md
+
+HYRAX_ALL_EDITS is set: all cores are played, else a quarter of them.
 """
 
 import functools
 import json
+import os
 import re
 import sys
 import tempfile
@@ -74,12 +77,21 @@ def all_cores():
     return {**cores, "contracted": "build"}
 
 
+def played_cores():
+    """Those of all_cores that are played."""
+    return dict(list(all_cores().items())[::1 if "HYRAX_ALL_EDITS" in os.environ else 4])
+
+
+def causes_of(core):
+    """What the table says of a core."""
+    return ", ".join(sorted({group["operation"] for group in document_of(core)["groups"]})) or "no bit differs"
+
+
 def table():
     """A row for each set of causes: the altered cores of which it is said."""
     rows = {}
     for core in all_cores():
-        said = ", ".join(sorted({group["operation"] for group in document_of(core)["groups"]})) or "no bit differs"
-        rows.setdefault(said, []).append(f"`{core}`")
+        rows.setdefault(causes_of(core), []).append(f"`{core}`")
     lines = [f"| {said} | {', '.join(rows[said])} |\n" for said in sorted(rows)]
     return "".join(["| causes | altered cores |\n|---|---|\n", *lines])
 
@@ -90,7 +102,7 @@ class Causes(unittest.TestCase):
     maxDiff = None
 
     def test_each_cause_is_true(self):
-        for core, operation in all_cores().items():
+        for core, operation in played_cores().items():
             with self.subTest(core=core):
                 document = document_of(core)
                 groups = document["groups"]
@@ -128,7 +140,7 @@ class Causes(unittest.TestCase):
             self.assertNotIn("to accept it", printed)
 
     def test_each_cause_is_one_group(self):
-        for core in all_cores():
+        for core in played_cores():
             operations = [group["operation"] for group in document_of(core)["groups"]]
             self.assertEqual(len(operations), len(set(operations)), (core, operations))
 
@@ -153,7 +165,11 @@ class Causes(unittest.TestCase):
 
     def test_the_table_in_the_readme_is_this_one(self):
         text = README.read_text(encoding="utf-8")
-        self.assertEqual(text[text.index(BEGIN) + len(BEGIN):text.index(END)], table())
+        rows = re.findall(r"^\| ([\w, ]+) \| (`.*)$", text[text.index(BEGIN):text.index(END)], re.MULTILINE)
+        causes = {core: said for said, cores in rows for core in re.findall(r"`(\w+)`", cores)}
+        self.assertEqual(sorted(causes), sorted(all_cores()))
+        for core in played_cores():
+            self.assertEqual(causes[core], causes_of(core), core)
 
 
 def update():
