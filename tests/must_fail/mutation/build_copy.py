@@ -5,6 +5,8 @@ commands with the paths replaced. The original is only read. Files that a mutant
 change are copied again afterwards.
 """
 
+import dataclasses
+import json
 import os
 import pathlib
 import re
@@ -13,14 +15,25 @@ import signal
 import subprocess
 import time
 
-from judge import Verdict
-from original_build import printed
-from workshop import CannotBuild
+from original_build import PROGRAM, CannotBuild, printed
 
 _ADDRESS_SPACE_MAX, _FILE_SIZE_MAX = 8 << 30, 4 << 30
+_CHECK_S_MAX = 2  # Of processor time; a check of all scenarios takes a tenth of a second.
 PASSED = ("Passed", "Skipped")
 _RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake", "compile_commands.json")
 _OUTCOME = re.compile(r"^ *\d+/\d+ Test +#\d+: (\S+) \.*(?:\*\*\*)? *(.*?) +([\d.]+) sec", re.MULTILINE)
+
+
+@dataclasses.dataclass(frozen=True)
+class Verdict:
+    """The fate of a mutant: caught, survived, equivalent, refused by the compiler, or not tried.
+
+    caught_by: `check`, or the test; difference: how that showed.
+    """
+
+    fate: str
+    caught_by: str = ""
+    difference: str = ""
 
 
 class BuildCopy:
@@ -51,16 +64,23 @@ class BuildCopy:
         if "no work to do" not in printed("ninja", "-C", self.folder, "-n", *build.programs):
             raise CannotBuild(f"{self.folder}: the copied build differs from {build.folder}")
 
-    def try_out(self, mutant, batches):
-        """The verdict on a mutant by these lists of tests, one after the other."""
+    def try_out(self, mutant, batches, subject=None, scenarios=""):
+        """The verdict on a mutant by these lists of tests, one after the other.
+
+        Where a subject is given, its units are compiled again, and `check` of the scenarios is asked first.
+        """
         path = self.source / mutant.path
+        units = subject.units_for(mutant) if subject else (mutant.path,)
+        objects = set().union(*(self._original.objects[unit] for unit in units))
         try:
             path.write_text(mutant.text_of(path.read_text(encoding="utf-8")), encoding="utf-8")
-            objects = self._original.objects[mutant.path]
+            self._add_flags(objects, mutant.flags)
             for name in objects:
                 self.folder.joinpath(name).unlink(missing_ok=True)
-            if not self.rebuild(objects):
+            if not self.rebuild({PROGRAM} if subject else objects):
                 return Verdict("refused")
+            if subject:
+                return self.check(scenarios) or self._fate(batches)
             if all(self.folder.joinpath(name).read_bytes() == self._original.folder.joinpath(name).read_bytes()
                    for name in objects):
                 return Verdict("equivalent", difference="same code")
@@ -69,6 +89,29 @@ class BuildCopy:
             return Verdict("not tried")
         finally:
             self._restore()
+
+    def check(self, scenarios):
+        """How `check` of the scenarios disagrees; None if it agrees."""
+        done = self._run(self.folder / PROGRAM, "check", "--json", "--jobs", "1", scenarios, cpu_s=_CHECK_S_MAX)
+        if done.returncode == 0:
+            return None
+        if done.returncode < 0:
+            hangs = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+            return Verdict("caught", "check", "hangs" if hangs else "crashes")
+        if not done.stdout:
+            return Verdict("caught", "check", "fails")
+        entry = next(each for each in json.loads(done.stdout)["results"] if each["status"] != "agreed")
+        first = entry["first_divergence"] or {}
+        kind = entry["class"] or ("failed" if entry["status"] == "failed" else "expect")
+        return Verdict("caught", "check", f"{entry['scenario']} {first.get('step', '')} {kind}")
+
+    def _add_flags(self, objects, flags):
+        """Compiles these objects with more flags."""
+        if flags:
+            path = self.folder / "build.ninja"
+            names = "|".join(map(re.escape, objects))
+            path.write_text(re.sub(rf"^(build (?:{names}): (?:.*\n)+?  FLAGS = .*)", rf"\1 {' '.join(flags)}",
+                                   path.read_text(encoding="utf-8"), flags=re.MULTILINE), encoding="utf-8")
 
     def _fate(self, batches):
         for tests in filter(None, batches):
@@ -100,14 +143,15 @@ class BuildCopy:
         if running:
             self._end(running)
 
-    def _run(self, *command):
+    def _run(self, *command, cpu_s="unlimited"):
         """Runs a command in its own session and kills what is left of it. Raises TimeoutError at the deadline."""
         if self._is_stopped or time.monotonic() >= self._deadline_s:
             raise TimeoutError
         self._temporary.mkdir(exist_ok=True)
-        limits = ("prlimit", f"--as={_ADDRESS_SPACE_MAX}", f"--fsize={_FILE_SIZE_MAX}", "--core=0")
-        with subprocess.Popen([*limits, *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True,
+        limits = ("prlimit", f"--as={_ADDRESS_SPACE_MAX}", f"--fsize={_FILE_SIZE_MAX}", "--core=0", f"--cpu={cpu_s}")
+        with subprocess.Popen([*limits, *map(str, command)], cwd=self.source, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace",
+                              start_new_session=True,
                               env={**os.environ, "TMPDIR": str(self._temporary)}) as process:
             self._running = process
             try:

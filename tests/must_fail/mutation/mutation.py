@@ -1,119 +1,117 @@
 #!/usr/bin/python3
-"""Makes every small change of the core, the jitter and the events, and runs `hyrax-sim check` to detect it.
+"""Makes small changes of the sources and sees whether they are detected.
 
-    mutation.py --build build/release                     # all mutants, in a table
-    mutation.py --build build/release --one-in 5          # a fifth of each kind of change in each file
-    mutation.py --build build/release --only 'update: .* <= '
+    mutation.py --build build/tools --core                # every change of the core, the clock and the events
+    mutation.py --build build/tools --core --one-in 20    # a twentieth of each kind of change in each file
+    mutation.py --build build/tools                       # 100 changes of the other sources, drawn at random
+    mutation.py --build build/tools --seed 7 --count 10   # ten, the same ones each time
+    mutation.py --build build/tools --only 'ulps.h: .* < '
 
-A mutant is caught (by a scenario, at a step, as a class of difference), or survives. One that survives must
-have its reason in reasons.json; where that names a unit test, the unit test must catch it. The exit
-code is 0 if all is as expected, 1 if not, 3 if nothing can be built.
+A mutant of the core must be caught by `hyrax-sim check` of all scenarios, or, where reasons.json says so, by the unit
+test of its folder. Of the other sources as many mutants are drawn from each folder, and the everyday tests that run
+their code must catch them: one that fails, or takes too long. Others are refused by the compiler, or equivalent (the
+compiler makes the same code of it, or reasons.json has the reason). The exit code is 0 if none survives and all
+reasons hold, 1 if not, 3 if nothing can be built.
 """
 
 import argparse
-import concurrent.futures
+import os
 import pathlib
+import random
 import re
+import signal
 import sys
 import tempfile
+import time
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "cli"))
+sys.dont_write_bytecode = True  # The source tree stays as it is.
+
 # pylint: disable=wrong-import-position
-from judge import Judge
+from build_copy import BuildCopy
+from original_build import Build, CannotBuild
 from reasons import faults_of, read_reasons
-from subjects import SUBJECTS
-from table import summary_of, table_of
-from workshop import CannotBuild, Workshop
+from subjects import drawn, mutants_by_subject, one_in
+from table import report_of
+from trials import Trials
 
-ALL_IS_WELL, SURVIVED, CANNOT_BUILD = 0, 1, 3
-
-
-def one_in(share, mutants):
-    """Every so-manieth mutant of each kind of change in each file, and at least one of each."""
-    alike = {}
-    for mutant in mutants:
-        alike.setdefault((mutant.path, mutant.kind), []).append(mutant)
-    chosen = {mutant for group in alike.values() for mutant in group[::share]}
-    return [mutant for mutant in mutants if mutant in chosen]
+NONE_SURVIVED, SURVIVED, CANNOT_BUILD = 0, 1, 3
 
 
-def try_all(judge, mutants, jobs):
-    """{mutant: Verdict}, in the order of the mutants."""
-    verdicts = {}
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        tries = [pool.submit(judge.try_out, mutant, f"mutant-{number}") for number, mutant in enumerate(mutants)]
-        for number, (mutant, one) in enumerate(zip(mutants, tries, strict=True), 1):
-            verdicts[mutant] = one.result()
-            if sys.stderr.isatty():
-                print(f"\r{number} of {len(mutants)} mutants", end="", file=sys.stderr)
-    if sys.stderr.isatty():
-        print(file=sys.stderr)
-    return verdicts
-
-
-def survivors_without_reason(judge, verdicts, reasons, jobs):
-    """Messages about mutants without a catch and without a reason."""
-    survivors = [mutant for mutant, verdict in verdicts.items() if verdict.fate == "survived"]
-    unexplained = [mutant for mutant in survivors if (mutant.path, mutant.name) not in reasons]
-    explained = [mutant for mutant in survivors if mutant not in unexplained
-                 and reasons[mutant.path, mutant.name].is_caught_by_unit_test]
-    judge.prepare_unit_tests(explained)
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        tries = [pool.submit(judge.fails_unit_test, mutant, f"unit-test-{number}")
-                 for number, mutant in enumerate(explained)]
-        unseen = [mutant for mutant, one in zip(explained, tries, strict=True) if not one.result()]
-    return [*(f"{mutant.path}: {mutant.name}: survived; add a scenario that catches it, or its reason to reasons.json"
-              for mutant in unexplained),
-            *(f"{mutant.path}: {mutant.name}: survived, its unit tests as well; add one that catches it"
-              for mutant in unseen)]
+def state_of(source):
+    """Time and size of every file of the project outside of build folders."""
+    paths = [path for top in source.iterdir() if top.name not in ("build", ".git")
+             for path in ([top] if top.is_file() else top.rglob("*")) if path.is_file()]
+    return {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in paths}
 
 
 def options():
     """The options of the command line."""
     here = pathlib.Path(__file__).resolve().parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of the project, all tests built")
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of all tests, by ninja")
     parser.add_argument("--source", type=pathlib.Path, default=here.parents[2], help="the project")
-    parser.add_argument("--scenarios", type=pathlib.Path, default="scenarios", help="what is checked")
     parser.add_argument("--reasons", type=pathlib.Path, default=here / "reasons.json", help="why some cannot be caught")
+    parser.add_argument("--core", action="store_true", help="changes the core, the clock and the events")
+    parser.add_argument("--scenarios", default="scenarios", help="what is checked of the core (scenarios)")
     parser.add_argument("--one-in", type=int, metavar="N", default=1,
-                        help="every Nth of each kind of change in each file, at least one of each (1)")
-    parser.add_argument("--only", type=re.compile, metavar="REGEX", help="those whose file and name match")
-    parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (2)")
+                        help="of the core, every Nth of each kind of change in each file, at least one of each (1)")
+    parser.add_argument("--count", type=int, default=100, metavar="N", help="mutants to draw of other sources (100)")
+    parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 32), help="repeats a draw")
+    parser.add_argument("--only", type=re.compile, default=re.compile(""), metavar="REGEX",
+                        help="those whose file and name match")
+    parser.add_argument("--tests", type=re.compile, default=re.compile(""), metavar="REGEX",
+                        help="asks only the everyday tests whose name matches")
+    parser.add_argument("--jobs", type=int, default=2, help="mutants at a time, each in a copy of the build (2)")
+    parser.add_argument("--minutes", type=float, default=120.0, help="time limit of all; the rest is not tried (120)")
+    parser.add_argument("--test-seconds", type=int, default=120, help="time limit of a test (120)")
     parser.add_argument("--markdown", type=pathlib.Path, metavar="FILE", help="writes the table there, too")
     parser.add_argument("--list", action="store_true", help="names the mutants, and builds none")
     return parser.parse_args()
 
 
-def main():
+def run(asked):
     """Tries the mutants that the options select; returns the exit code."""
-    asked = options()
-    mutants = [mutant for subject in SUBJECTS for mutant in subject.mutants(asked.source)]
-    chosen = [mutant for mutant in mutants if not asked.only or asked.only.search(f"{mutant.path}: {mutant.name}")]
-    chosen = one_in(asked.one_in, chosen)
+    deadline_s = time.monotonic() + 60.0 * asked.minutes
+    build = Build(asked.source, asked.build, asked.tests, of_units_only=asked.core)
+    by_subject = mutants_by_subject(build)
+    everything = [mutant for mutants in by_subject.values() for mutant in mutants]
+    matching = [[mutant for mutant in mutants if asked.only.search(f"{mutant.path}: {mutant.name}")]
+                for (subject, _), mutants in by_subject.items() if subject.is_core == asked.core]
+    mutants = one_in(asked.one_in, sum(matching, [])) if asked.core else (
+        drawn(asked.count, matching, random.Random(asked.seed)))
+    print(f"{'' if asked.core else f'Seed {asked.seed}: '}{len(mutants)} of {len(everything)} mutants", flush=True)
     if asked.list:
-        print("\n".join(f"{mutant.kind:16} {mutant.path}: {mutant.name}" for mutant in chosen))
-        return ALL_IS_WELL
+        print("\n".join(f"{mutant.path}:{mutant.line}: {mutant.kind}: {mutant.name}" for mutant in mutants))
+        return NONE_SURVIVED
     reasons = read_reasons(asked.reasons)
-    with tempfile.TemporaryDirectory(prefix="hyrax-mutation-") as folder:
-        paths = {mutant.path for mutant in chosen}
-        subjects = [subject for subject in SUBJECTS if subject.path in paths]
-        judge = Judge(Workshop(asked.source, asked.build, folder), subjects, asked.scenarios)
-        try:
-            judge.prepare()
-            verdicts = try_all(judge, chosen, asked.jobs)
-            faults = [*faults_of(reasons, mutants, verdicts),
-                      *survivors_without_reason(judge, verdicts, reasons, asked.jobs)]
-        except CannotBuild as why:
-            print(why, file=sys.stderr)
-            return CANNOT_BUILD
-    print(table_of(verdicts, reasons))
-    print(summary_of(verdicts, reasons))
+    before = state_of(build.source)
+    with tempfile.TemporaryDirectory(prefix="hyrax-mutation-", ignore_cleanup_errors=True) as folder:
+        os.chmod(folder, 0o755)  # Some tests run the programs as another user.
+        copies = [BuildCopy(build, pathlib.Path(folder, str(number)), asked.test_seconds, deadline_s)
+                  for number in range(asked.jobs)]
+        trials = Trials(build, copies, reasons, asked.scenarios if asked.core else None).run(mutants)
+    report = report_of(trials, reasons,
+                       lambda mutant: mutant.path if asked.core else "/".join(mutant.path.split("/")[:2]))
+    print(report)
     if asked.markdown:
-        asked.markdown.write_text(f"{summary_of(verdicts, reasons)}\n{table_of(verdicts, reasons)}", encoding="utf-8")
-    for fault in faults:
-        print(f"FAULT: {fault}")
-    return SURVIVED if faults else ALL_IS_WELL
+        asked.markdown.write_text(report, encoding="utf-8")
+    for path in sorted({path for path, _ in before.items() ^ state_of(build.source).items()}):
+        print(f"NOTE: {path}: was changed meanwhile, by someone else or by a test")
+    faults = faults_of(reasons, everything, {mutant: verdict for mutant, (verdict, _) in trials.items()})
+    if all(verdict.fate == "not tried" for verdict, _ in trials.values()):
+        faults.append(f"no mutant was tried within {asked.minutes:g} minutes")
+    print("".join(f"FAULT: {fault}\n" for fault in faults), end="")
+    return SURVIVED if faults else NONE_SURVIVED
+
+
+def main():
+    """Returns the exit code."""
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    try:
+        return run(options())
+    except CannotBuild as why:
+        print(why, file=sys.stderr)
+        return CANNOT_BUILD
 
 
 if __name__ == "__main__":

@@ -9,7 +9,11 @@ import re
 import subprocess
 import sys
 
-from workshop import CannotBuild
+PROGRAM = "bin/hyrax-sim"
+
+
+class CannotBuild(Exception):
+    """The build, or its tests, cannot be used."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,6 +28,11 @@ class Test:
     folder: pathlib.PurePath
     programs: frozenset
 
+    def is_of_folder(self, path):
+        """Whether it is the unit test of this source's folder."""
+        above = pathlib.PurePath("tests/unit")
+        return self.folder.is_relative_to(above) and path.is_relative_to(self.folder.relative_to(above))
+
 
 def printed(*command):
     """What a command writes to its standard output. Raises an error if it fails."""
@@ -33,15 +42,15 @@ def printed(*command):
 class Build:
     """Facts about a build of the project, which is brought up to date and then only read.
 
-    may_ask: a pattern of the names of the tests that are wanted.
+    may_ask: a pattern of the names of the tests that are wanted; of_units_only: of these only unit tests.
     """
 
-    def __init__(self, source, build, may_ask):
+    def __init__(self, source, build, may_ask, of_units_only=False):
         self.source, self.folder = source.resolve(), build.resolve()
-        self.tests = self._tests(may_ask)
-        self.programs = programs = set().union(*(test.programs for test in self.tests))
+        self.tests = [test for test in self._tests(may_ask) if not of_units_only or test.name.startswith("unit.")]
+        self.programs = programs = {PROGRAM}.union(*(test.programs for test in self.tests))
         command = ["ninja", "-C", self.folder, "--quiet", *programs]
-        if not programs or subprocess.run(command, check=False, stdout=sys.stderr).returncode != 0:
+        if not self.tests or subprocess.run(command, check=False, stdout=sys.stderr).returncode != 0:
             raise CannotBuild(f"{build}: its tests cannot be built")
         self.objects = self._objects()
         self._inputs = {program: set(printed("ninja", "-C", self.folder, "-t", "inputs", program).splitlines())

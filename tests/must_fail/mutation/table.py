@@ -1,21 +1,34 @@
-"""The verdicts on mutants as tables, in Markdown that reads well on a terminal, too."""
+"""The fates of mutants: the score with its interval, and tables in Markdown that read well on a terminal, too."""
 
 import collections
+import math
 import os
 import re
 
 _LONG = 60
 _AROUND = 24
+_FATES = ("caught", "unit test", "survived", "equivalent", "refused", "not tried")
+_Z_95 = 1.959963984540054  # Two-sided 95 % of the normal distribution.
 
-_KINDS = ("constant", "operator", "comparison", "dropped", "swapped", "confused", "float for double", "fused")
+
+def interval_of(successes, trials):
+    """The 95 % interval of a binomial share (Wilson 1927)."""
+    if trials == 0:
+        return 0.0, 1.0
+    share, z_squared = successes / trials, _Z_95**2
+    middle = share + z_squared / (2 * trials)
+    half = _Z_95 * math.sqrt(share * (1 - share) / trials + z_squared / (4 * trials**2))
+    return max(0.0, (middle - half) / (1 + z_squared / trials)), min(1.0, (middle + half) / (1 + z_squared / trials))
 
 
-def _fate(mutant, verdict, reasons):
-    """caught, unit test, equivalent, survived, or refused."""
+def fate_of(mutant, verdict, reasons):
+    """The verdict's, with the written reason; "unit test": caught by one, of a mutant of which a reason says that."""
     reason = reasons.get((mutant.path, mutant.name))
-    if verdict.fate != "survived" or reason is None:
+    if reason is None:
         return verdict.fate
-    return "unit test" if reason.is_caught_by_unit_test else "equivalent"
+    if reason.is_caught_by_unit_test:
+        return "unit test" if verdict.fate == "caught" and verdict.caught_by != "check" else verdict.fate
+    return "equivalent" if verdict.fate == "survived" else verdict.fate
 
 
 def _cut(line, first, last):
@@ -24,7 +37,7 @@ def _cut(line, first, last):
     return ("..." if first > 0 else "") + line[first:last] + ("..." if last < len(line) else "")
 
 
-def short(name):
+def _short(name):
     """A mutant's name; long lines are cut to the part around the change."""
     name, number = re.fullmatch(r"(.*?)( \[\d+\])?", name).groups(default="")
     place, _, change = name.partition(": ")
@@ -37,57 +50,32 @@ def short(name):
     return f"{place}: {before} -> {after}{number}"
 
 
-def table_of(verdicts, reasons):
-    """One line per mutant: the change, the scenario that catches it, the step, and the class of the difference."""
-    lines = ["| file | mutant | caught by | step | class |", "|---|---|---|---|---|"]
-    for mutant, verdict in verdicts.items():
-        fate = _fate(mutant, verdict, reasons)
-        caught_by = verdict.caught_by if fate == "caught" else fate
-        name = short(mutant.name).replace("|", "\\|")
-        lines.append(row((mutant.path.rpartition("/")[2], f"`{name}`", caught_by, verdict.step, verdict.difference)))
+def _row(cells):
+    return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
+
+
+def _score(count):
+    caught = count["caught"] + count["unit test"]
+    tried = caught + count["survived"]
+    if tried == 0:
+        return "Score: none, since no mutant could be judged."
+    low, high = interval_of(caught, tried)
+    return (f"Score: {caught} of {tried} caught, {caught / tried:.1%}; 95 % interval {low:.1%} to {high:.1%} (Wilson). "
+            "Refused, equivalent and untried mutants are not counted.")
+
+
+def report_of(trials, reasons, group_of):
+    """Score; mutants by group and fate; a line a mutant. trials: {mutant: (Verdict, seconds)}"""
+    fates = {mutant: fate_of(mutant, verdict, reasons) for mutant, (verdict, _) in trials.items()}
+    count = collections.Counter((group_of(mutant), fate) for mutant, fate in fates.items())
+    lines = [_score(collections.Counter(fates.values())), "", _row(("source", "mutants", *_FATES)),
+             "|---" * (len(_FATES) + 2) + "|"]
+    for name, groups in [*((f"`{group}`", [group]) for group in dict.fromkeys(map(group_of, trials))),
+                         ("all", {group for group, _ in count})]:
+        cells = [sum(count[group, fate] for group in groups) for fate in _FATES]
+        lines.append(_row((name, sum(cells), *cells)))
+    lines += ["", _row(("source", "mutant", "fate", "by", "s")), "|---|---|---|---|---|"]
+    for mutant, (verdict, seconds) in trials.items():
+        how = " ".join(filter(None, (verdict.caught_by, verdict.difference)))
+        lines.append(_row((f"{mutant.path}:{mutant.line}", f"`{_short(mutant.name)}`", fates[mutant], how, f"{seconds:.0f}")))
     return "\n".join(lines) + "\n"
-
-
-def row(cells):
-    """A line of a table in Markdown."""
-    return "| " + " | ".join(str(cell) for cell in cells) + " |"
-
-
-def summary_of(verdicts, reasons):
-    """Mutants by kind and file; how the caught ones showed; and the score."""
-    fates = {mutant: _fate(mutant, verdict, reasons) for mutant, verdict in verdicts.items()}
-    count = collections.Counter((mutant.path, fate) for mutant, fate in fates.items())
-    columns = ("caught", "unit test", "equivalent", "refused", "survived")
-    head = ("file", "mutants", "caught by check", "caught by a unit test", "equivalent", "refused by the compiler",
-            "survived")
-    lines = [row(head), "|---" * len(head) + "|"]
-    for path in dict.fromkeys(mutant.path for mutant in verdicts):
-        cells = [count[path, column] for column in columns]
-        lines.append(row((f"`{path}`", sum(cells), *cells)))
-    total = [sum(1 for fate in fates.values() if fate == column) for column in columns]
-    lines += [row(("all", sum(total), *total)), ""]
-    lines += [_by_kind(verdicts, fates), _by_class(verdicts, fates), _by_scenario(verdicts, fates)]
-    to_be_caught = sum(total) - total[2] - total[3]
-    lines.append(f"{total[0] + total[1]} of {to_be_caught} that change a result are caught.")
-    return "\n".join(lines) + "\n"
-
-
-def _by_kind(verdicts, fates):
-    lines = [row(("change", "mutants", "caught", "equivalent")), "|---|---|---|---|"]
-    for kind in _KINDS:
-        of_kind = [fates[mutant] for mutant in verdicts if mutant.kind == kind]
-        caught = sum(1 for fate in of_kind if fate in ("caught", "unit test"))
-        lines.append(row((kind, len(of_kind), caught, of_kind.count("equivalent"))))
-    return "\n".join(lines) + "\n"
-
-
-def _by_class(verdicts, fates):
-    classes = collections.Counter(verdict.difference for mutant, verdict in verdicts.items()
-                                  if fates[mutant] == "caught")
-    return "Caught as: " + ", ".join(f"{name} {count}" for name, count in classes.most_common()) + ".\n"
-
-
-def _by_scenario(verdicts, fates):
-    scenarios = collections.Counter(verdict.caught_by for mutant, verdict in verdicts.items()
-                                    if fates[mutant] == "caught" and verdict.caught_by)
-    return "First red: " + ", ".join(f"{name} {count}" for name, count in scenarios.most_common()) + ".\n"

@@ -1,4 +1,4 @@
-"""Tries mutants in copies of a build, by the everyday tests, the nearest first."""
+"""Tries mutants in copies of a build: the core's by `check`, all others by the everyday tests, the nearest first."""
 
 import concurrent.futures
 import pathlib
@@ -7,9 +7,9 @@ import re
 import sys
 import time
 
-from build_copy import PASSED
-from judge import Verdict
-from workshop import CannotBuild
+from build_copy import PASSED, Verdict
+from original_build import CannotBuild
+from subjects import SUBJECTS
 
 _SLOW_S = 5.0
 _NOT_STARTED = Verdict("not tried"), 0.0
@@ -21,19 +21,20 @@ def batches_of(mutant, tests, seconds):
     names = {path.parent.name, *re.findall(r"[a-z0-9]+", path.stem)}
     batches = [[], [], [], []]
     for test in tests:
-        above = pathlib.PurePath("tests/unit")
-        is_of_folder = test.folder.is_relative_to(above) and path.is_relative_to(test.folder.relative_to(above))
         is_alike = not names.isdisjoint(re.findall(r"[a-z0-9]+", test.name))
         is_slow = seconds[test.name] > _SLOW_S
-        batches[0 if is_of_folder else 1 if is_alike and not is_slow else 2 if not is_slow else 3].append(test)
+        batches[0 if test.is_of_folder(path) else 1 if is_alike and not is_slow else 2 if not is_slow else 3].append(test)
     return batches
 
 
 class Trials:
-    """Tries mutants in several copies of a build at a time."""
+    """Tries mutants in several copies of a build at a time.
 
-    def __init__(self, build, copies):
-        self._build, self._copies = build, copies
+    scenarios: what `check` is asked, if the mutants are the core's; else None.
+    """
+
+    def __init__(self, build, copies, reasons, scenarios=None):
+        self._build, self._copies, self._reasons, self._scenarios = build, copies, reasons, scenarios
         self._free = queue.SimpleQueue()
         self._seconds = {}
         for copy in copies:
@@ -54,9 +55,20 @@ class Trials:
                     copy.stop()
                 raise
 
+    def _tests_of(self, mutant):
+        """Of a mutant of the core only the unit tests of its folder, where a reason says that they catch it."""
+        tests = self._build.tests_of(mutant.path)
+        if self._scenarios is None:
+            return tests
+        reason = self._reasons.get((mutant.path, mutant.name))
+        path = pathlib.PurePath(mutant.path)
+        return [test for test in tests if reason and reason.is_caught_by_unit_test and test.is_of_folder(path)]
+
     def _measure(self, mutants):
         """Every test must pass in a copy without a change, or mutants would be caught for no reason."""
-        tests = {test.name: test for mutant in mutants for test in self._build.tests_of(mutant.path)}
+        if self._scenarios and (found := self._copies[0].check(self._scenarios)):
+            raise CannotBuild(f"the unchanged program disagrees with {self._scenarios}: {found.difference}")
+        tests = {test.name: test for mutant in mutants for test in self._tests_of(mutant)}
         outcomes = self._copies[0].outcomes(tests.values(), "-j", str(len(self._copies))) if tests else []
         self._seconds = {name: seconds for name, outcome, seconds in outcomes if outcome in PASSED}
         failed = sorted(tests.keys() - self._seconds.keys())
@@ -66,8 +78,13 @@ class Trials:
     def _try_out(self, mutant):
         copy = self._free.get()
         begin_s = time.monotonic()
+        batches = batches_of(mutant, self._tests_of(mutant), self._seconds)
         try:
-            verdict = copy.try_out(mutant, batches_of(mutant, self._build.tests_of(mutant.path), self._seconds))
+            if self._scenarios is None:
+                verdict = copy.try_out(mutant, batches)
+            else:
+                subject = next(subject for subject in SUBJECTS if subject.path == mutant.path)
+                verdict = copy.try_out(mutant, batches, subject, self._scenarios)
             seconds = time.monotonic() - begin_s
             print(f"{mutant.path}:{mutant.line}: {verdict.fate} {verdict.caught_by} {seconds:.0f} s", file=sys.stderr)
             return verdict, seconds

@@ -1,0 +1,121 @@
+#!/usr/bin/python3
+"""Which mutants a few lines have, which reasons hold, and the interval of a score."""
+
+import unittest
+
+from build_copy import Verdict
+from mutators import Mutant, mutants_of, numbers_near
+from reasons import Reason, faults_of
+from slips import names_in, slips_of
+from table import interval_of
+
+
+class Reasons(unittest.TestCase):
+    """A reason must name an existing mutant, and agree with its fate."""
+
+    mutant = Mutant("a.h", "control", "a -> b")
+
+    def faults(self, reason, *verdict):
+        """Those of the mutant with this reason and this verdict."""
+        return faults_of({("a.h", "a -> b"): reason} if reason else {}, [self.mutant], {self.mutant: Verdict(*verdict)})
+
+    def test_hold_or_are_a_fault(self):
+        equivalent, of_unit, undefined = Reason(""), Reason("", True), Reason("", may_crash=True)
+        for reason, verdict, says in (
+                (None, ("caught", "check"), None), (None, ("survived",), "survived; add a test that catches it"),
+                (None, ("caught", "unit.a"), None), (None, ("refused",), None),
+                (equivalent, ("survived",), None), (equivalent, ("equivalent",), None), (equivalent, ("not tried",), None),
+                (equivalent, ("caught", "check", "rounding"), "is said to be equivalent, and is caught"),
+                (equivalent, ("caught", "unit.a"), "is said to be equivalent, and is caught"),
+                (equivalent, ("refused",), "is said to be equivalent, and is refused"),
+                (undefined, ("caught", "check", "crashes"), None), (undefined, ("caught", "check", "rounding"), "is caught"),
+                (of_unit, ("caught", "unit.a"), None), (of_unit, ("survived",), "survived; add a test that catches it"),
+                (of_unit, ("caught", "check"), "is said to be caught by a unit test alone, and is caught")):
+            with self.subTest(reason=reason, verdict=verdict):
+                faults = self.faults(reason, *verdict)
+                self.assertEqual(len(faults), 1 if says else 0, faults)
+                self.assertIn(says or "", "".join(faults))
+
+    def test_of_a_mutant_that_is_gone_are_a_fault(self):
+        (fault,) = faults_of({("a.h", "gone"): Reason("")}, [self.mutant], {})
+        self.assertIn("there is no such mutant", fault)
+
+
+class Interval(unittest.TestCase):
+    """Values of Wilson's interval from Newcombe (1998), Statistics in Medicine 17, table I."""
+
+    def test_against_published_values(self):
+        published = ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611))
+        for successes, trials, low, high in published:
+            self.assertEqual(tuple(round(bound, 4) for bound in interval_of(successes, trials)), (low, high))
+
+
+class Mutators(unittest.TestCase):
+    """The mutants of a few lines."""
+
+    def names(self, text, kind):
+        """The mutants of a kind."""
+        return [mutant.name for mutant in mutants_of("a.h", text) if mutant.kind == kind]
+
+    def test_constants(self):
+        self.assertEqual(numbers_near("1200.0"),
+                         ["1200.0000000000002", "1199.9999999999998", "1212.0", "1188.0", "-1200.0"])
+        self.assertEqual(numbers_near("0.0"), ["5e-324", "-5e-324", "-0.0"])
+        self.assertEqual(numbers_near("1'000.0")[2:], ["1010.0", "990.0", "-1000.0"])
+        self.assertEqual(numbers_near("12"), ["13", "11"])
+        self.assertEqual(numbers_near("0x9Eu"), ["0x9Fu", "0x1Eu"])
+
+    def test_comparisons_by_strictness_and_direction(self):
+        self.assertEqual(self.names("int f() {\n  if (a < b) c();\n}\n", "comparison"),
+                         ["f: if (a < b) c(); -> if (a <= b) c();", "f: if (a < b) c(); -> if (a > b) c();"])
+
+    def test_statements(self):
+        text = "void f() {\n  a();\n  if (b) {\n    c();\n    d();\n  }\n}\n"
+        self.assertEqual(self.names(text, "dropped"),
+                         ["f: without c();", "f: without d();", "f: without a();", "f: without if (b) {...}"])
+        self.assertEqual(self.names(text, "swapped"), ["f: d(); before c();", "f: if (b) {...} before a();"])
+
+    def test_statements_of_try_and_throw(self):
+        text = "void f() {\n  try {\n    a();\n  } catch (const Error& why) {\n    throw Failure(why);\n  }\n}\n"
+        self.assertEqual(self.names(text, "dropped"),
+                         ["f: without a();", "f: without throw Failure(why);", "f: without try {...}"])
+
+    def test_members_of_a_class_with_a_base(self):
+        text = "class A : public B {\n public:\n  void f() { a(); }\n};\n"
+        self.assertEqual(self.names(text, "dropped"), ["f: without a();"])
+
+    def test_a_constructor_whose_members_take_braces(self):
+        text = "A::A(int b) : c_(b), d_(e({0, 0})), f_([this] { g(); }) {\n  h();\n}\n"
+        self.assertEqual(self.names(text, "dropped"), ["A: without h();"])
+
+    def test_no_text_within_a_literal(self):
+        self.assertEqual(self.names('void f() {\n  a(R"({"b": 1, "c": 2 < 3})");\n}\n', "constant"), [])
+
+    def test_types_but_not_those_of_templates(self):
+        text = "double f(std::optional<double> a) {\n  return static_cast<double>(a);\n}\n"
+        self.assertEqual(len(self.names(text, "float for double")), 2)
+
+    def test_x_and_y_where_they_are_used(self):
+        text = "void f(double x, double y) {\n  m_x = x;\n  m_y = y;\n}\n"
+        self.assertEqual(self.names(text, "confused"),
+                         ["f: m_x = x; -> m_y = x;", "f: m_x = x; -> m_x = y;", "f: m_y = y; -> m_x = y;",
+                          "f: m_y = y; -> m_y = x;"])
+
+    def test_a_duplicate_line_is_numbered(self):
+        self.assertEqual(self.names("void f() {\n  a();\n  a();\n}\n", "dropped"),
+                         ["f: without a();", "f: without a(); [2]"])
+
+    def test_slips_of_a_person(self):
+        header = ("enum class Wall { left, right = 4 };  // Sides.\nconstexpr std::size_t kBlock = 8;\n"
+                  "struct Size {\n  double wide = 0.0;\n  double high = 0.0;\n  int other = 0;\n};\n")
+        text = "void f(int a, int b) {\n  g(a, h(size.wide, b), kBlock);\n  if (is(Wall::right)) k(a);\n}\n"
+        found = [(slip.kind, slip.replacement) for slip in slips_of("a.h", text, names_in([header]))]
+        self.assertEqual(found, [("swapped arguments", "h(size.wide, b), a"),
+                                 ("swapped arguments", "kBlock, h(size.wide, b)"),
+                                 ("swapped arguments", "b, size.wide"), ("wrong member", "high"),
+                                 ("named size", "(kBlock - 1)"), ("named size", "(kBlock + 1)"),
+                                 ("neighbouring enumerator", "left")])
+
+
+if __name__ == "__main__":
+    unittest.main()
