@@ -14,11 +14,6 @@
 namespace hyrax {
 namespace {
 
-std::uint8_t with_rest_bit(std::uint8_t walls, const State& after) {
-  const bool rests = touches(walls, Wall::ground) && after.vy_px_per_s == 0.0;
-  return static_cast<std::uint8_t>(walls | (rests ? kRestBit : 0));
-}
-
 // The contacts of rows that were played from `from`. @param contact_of of a step: contact byte of (from, dt,
 // after). @param meeting_at what that step did at a wall: (wall, from, dt, after).
 template <class ContactOf, class MeetingAt>
@@ -44,23 +39,28 @@ void tell_contacts(const Stretch& stretch, State from, std::size_t first_row, Ro
   }
 }
 
-void tell_by_step(const Stretch& stretch, const State& start, const StepProgram& step, TracedBody& traced,
-                  std::size_t first_row, RowBlock& rows, StretchLog& log) {
+void tell_by_step(const Stretch& stretch, const State& start, TracedBody& traced, std::size_t first_row,
+                  RowBlock& rows, StretchLog& log) {
   TracedBody before = traced;
   tell_contacts(
       stretch, start, first_row, rows, log,
-      [&](const State& from, double dt_s, const State& after) {
+      [&](const State& from, double dt_s, const State&) {
         const std::array<double, kMembersOfRows> state = {from.x_px, from.y_px, from.vx_px_per_s,
                                                           from.vy_px_per_s};
         std::copy(state.begin(), state.end(), traced.members().begin());
         before = traced;
         traced.update(dt_s, stretch.window.width_px, stretch.window.height_px, stretch.sprite.width_px,
                       stretch.sprite.height_px);
-        return with_rest_bit(step.contact_bits(traced.path()), after);
+        return traced.contact();
       },
       [&](Wall wall, const State&, double dt_s, const State&) {
         return before.meeting(wall, dt_s, stretch.window, stretch.sprite);
       });
+}
+
+std::uint8_t with_rest_bit(std::uint8_t walls, const State& after) {
+  const bool rests = touches(walls, Wall::ground) && after.vy_px_per_s == 0.0;
+  return static_cast<std::uint8_t>(walls | (rests ? kRestBit : 0));
 }
 
 // Where the row is what the paper's step makes of the one before, its contacts are that step's.
@@ -122,7 +122,7 @@ void ContactKernel::play(const Stretch& stretch, CoreBody& body, RestAnchor& res
   const std::size_t first_row = rows.size();
   KernelOver::play(played, body, rest, rows, log);
   if (!stretch.is_held && traced)
-    tell_by_step(stretch, from, *step_, *traced, first_row, rows, log);
+    tell_by_step(stretch, from, *traced, first_row, rows, log);
   else if (!stretch.is_held)
     tell_by_rows(stretch, from, constants_, first_row, rows, log);
   if (traced) keep_traced(*traced, body.object);
