@@ -5,6 +5,7 @@ HYRAX_ALL_EDITS is set: all of them, else a few.
 """
 
 import concurrent.futures
+import dataclasses
 import json
 import os
 import re
@@ -16,7 +17,7 @@ import numpy as np
 
 from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
-from process import succeed
+from process import preloading, succeed
 from traced import SHIPPED, traced
 
 EDITS = [edit for edit in ALL if "HYRAX_ALL_EDITS" in os.environ or edit.name in EVERYDAY]
@@ -127,30 +128,85 @@ class Unnoticed(unittest.TestCase):
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
 
 
-class LongRun(unittest.TestCase):
-    """A golden file of blocks, by a core whose step is not the paper's with its constants."""
+def edit_of(name):
+    """The core with an edit."""
+    (edit,) = (edit for edit in ALL if edit.name == name)
+    return traced(edit.apply(SHIPPED))
 
-    def test_its_rows_are_restored_by_the_accepted_step(self):
-        (edit,) = (edit for edit in SINGLE if edit.name == "half_moves")
-        core = traced(edit.apply(SHIPPED))
-        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            path = f"{folder}/scenarios/long.json"
-            os.mkdir(f"{folder}/scenarios")
-            with open(path, "w", encoding="utf-8") as file:
-                json.dump(fling(name="long", steps=20000), file)
-            self.assertEqual(core.run("bless", path, "--reason", "x").exit_code, AGREED)
-            rows = {}
-            for name, played in (("accepted", core), ("program", traced(SHIPPED))):
-                self.assertEqual(played.run("run", path, "-o", f"{folder}/{name}.h5").exit_code,
-                                 AGREED if name == "accepted" else DISAGREED)
-                with h5py.File(f"{folder}/{name}.h5") as file:
-                    rows[name] = np.column_stack([file[f"trajectory/{field}"] for field in ("x", "y", "vx", "vy")])
-            (result,) = traced(SHIPPED).run("check", path, "--json").json["results"]
+
+class Library(unittest.TestCase):
+    """A library of its own, blessed by cores that are given."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="hyrax-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        os.mkdir(f"{self.folder}/scenarios")
+
+    def add(self, name, **members):
+        """A scenario; returns its path."""
+        path = f"{self.folder}/scenarios/{name}.json"
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(fling(name=name, **members), file)
+        return path
+
+    def expect(self, core, exit_code, *arguments, **options):
+        """The outcome of a command with a core."""
+        outcome = core.run(*arguments, **options)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        return outcome
+
+    def groups(self, core):
+        """{scenario: (operation, detail)} of what `check` says differs."""
+        groups = self.expect(core, DISAGREED, "check", "--json", f"{self.folder}/scenarios").json["groups"]
+        return {os.path.basename(path)[:-5]: (group["operation"], group["detail"]) for group in groups for path in group["scenarios"]}
+
+    def test_rows_of_a_long_golden_file_are_restored_by_the_accepted_step(self):
+        core = edit_of("half_moves")  # Not the paper's step with its constants.
+        path = self.add("long", steps=20000)
+        self.expect(core, AGREED, "bless", path, "--reason", "x")
+        rows = {}
+        for name, played, exit_code in (("accepted", core, AGREED), ("program", traced(SHIPPED), DISAGREED)):
+            self.expect(played, exit_code, "run", path, "-o", f"{self.folder}/{name}.h5")
+            with h5py.File(f"{self.folder}/{name}.h5") as file:
+                rows[name] = np.column_stack([file[f"trajectory/{field}"] for field in ("x", "y", "vx", "vy")])
+        (result,) = self.expect(traced(SHIPPED), DISAGREED, "check", path, "--json").json["results"]
         step = int(np.flatnonzero((rows["accepted"] != rows["program"]).any(axis=1))[0])
         first = result["first_divergence"]
         self.assertEqual((first["step"], first["field"], first["expected"]), (step, "x", rows["accepted"][step, 0]))
         apart = np.hypot(*(rows["accepted"] - rows["program"])[:, :2].T)
         self.assertAlmostEqual(result["max_px"] / apart.max(), 1.0)
+
+    def test_a_step_that_changes_while_its_header_does_not(self):
+        path = self.add("a")
+        self.expect(traced(SHIPPED), AGREED, "bless", path, "--reason", "x")
+        core = dataclasses.replace(edit_of("GRAVITY_1250.0"), header=traced(SHIPPED).header)
+        says = "the core's step changed, its header did not: an included header or a compiler option"
+        self.assertEqual(self.groups(core), {"a": ("core", says)})
+        self.assertEqual(self.expect(core, AGREED, "check", "--core", path).out, f"core: changed\n  {says}\n")
+
+    def test_golden_files_of_several_cores(self):
+        old, new, third = traced(SHIPPED), edit_of("GRAVITY_1250.0"), edit_of("AIR_DRAG_0.998")
+        path, _ = self.add("a"), self.add("b")
+        self.expect(old, AGREED, "bless", f"{self.folder}/scenarios", "--reason", "x")
+        self.expect(new, AGREED, "bless", path, "--reason", "y", "--accept", "contacts")
+        other = ("unknown", "blessed with another core than the accepted one")
+        self.assertEqual(self.groups(old), {"a": other})
+        self.assertEqual(self.groups(new), {"b": ("core", "GRAVITY 1200 -> 1250")})
+        self.assertEqual(self.groups(third), {"a": other, "b": ("core", "AIR_DRAG 0.999 -> 0.998")})
+
+    def test_another_c_library_whose_pow_gives_other_bits(self):
+        core, path = edit_of("drag_by_time"), self.add("a")
+        source, library = f"{self.folder}/pow.c", f"{self.folder}/pow.so"
+        with open(source, "w", encoding="utf-8") as file:
+            file.write("double exp(double); double log(double); double pow(double x, double y) { return exp(y * log(x)) * (1 - 1e-15); }")
+        succeed("cc", "-shared", "-fPIC", "-fno-builtin", source, "-o", library, "-lm")
+        self.expect(core, AGREED, "bless", path, "--reason", "x")
+        self.expect(core, AGREED, "check", path)
+        environment = {**os.environ, **preloading(library)}
+        (group,) = self.expect(core, DISAGREED, "check", "--json", path, env=environment).json["groups"]
+        self.assertEqual(group["operation"], "unknown")
+        self.assertRegex(group["detail"], "^the accepted core gives other bits, too: .* the C library, ")
 
 
 class CoreEdits(unittest.TestCase):

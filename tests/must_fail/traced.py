@@ -54,10 +54,10 @@ class TracedCore:
     step: pathlib.Path
     why: str
 
-    def run(self, *arguments, **options):
+    def run(self, *arguments, env=None, **options):
         """The program with this core, in the folder of the library. One without a step plays the shipped core's."""
         step, why = (self.step, {}) if not self.why else (SOURCE / "golden/core/step.txt", {"HYRAX_TRACED_WHY": self.why})
-        environment = {**os.environ, **why, "HYRAX_TRACED_HEADER": str(self.header), "HYRAX_TRACED_STEP": str(step)}
+        environment = {**(env or os.environ), **why, "HYRAX_TRACED_HEADER": str(self.header), "HYRAX_TRACED_STEP": str(step)}
         return run(TRACED, *arguments, cwd=LIBRARY, env=environment, **options)
 
 

@@ -22,6 +22,9 @@
 namespace hyrax {
 namespace {
 
+constexpr std::string_view kHeaderIsSame =
+    "the core's step changed, its header did not: an included header or a compiler option";
+
 // IEEE-754 does not fix the bits of other functions.
 bool depends_on_library(const Expression& expression) {
   constexpr std::array<std::string_view, 16> kExact = {
@@ -115,10 +118,7 @@ CauseBase CoreCheck::base() const {
       .has_further_members = steps_->accepted && steps_->accepted->members.size() > kMembersOfRows,
       .why_not_played = why_not_played(),
       .is_same_core = verdict_.status == CoreStatus::accepted || verdict_.status == CoreStatus::proved_equal,
-      .core_change =
-          changes.empty()
-              ? "the core's step changed, its header did not: an included header or a compiler option"
-              : changes_sentence(changes),
+      .core_change = changes.empty() ? std::string(kHeaderIsSame) : changes_sentence(changes),
       .calls_libm =
           steps_->accepted && std::ranges::any_of(steps_->accepted->expressions, depends_on_library)};
 }
@@ -190,6 +190,8 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
   text += verdict.status == CoreStatus::changed
               ? "changed\n"
               : fmt::format("not proved equal to the accepted one: {}\n", verdict.why);
+  if (verdict.changes.empty() && verdict.status == CoreStatus::changed)
+    text += fmt::format("  {}\n", kHeaderIsSame);
   for (const auto& [change, scenarios] : verdict.changes)
     text += fmt::format("  {}{}\n", change_text(change),
                         scenarios ? fmt::format("; alone reproduces {}", *scenarios) : "");
