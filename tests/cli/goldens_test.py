@@ -8,7 +8,8 @@ import h5py
 import numpy
 import xxhash
 
-from program import SOURCE
+from process import succeed
+from program import PROGRAM, SOURCE
 
 BYTES_MAX = 10_000_000
 
@@ -53,6 +54,14 @@ class Goldens(unittest.TestCase):
             for step, speed in list(zip(contacts["step"], speeds, strict=True))[:20]:
                 self.assertRegex(text, rf"\n  {step}( .. \d+)? \w+ at {decimal(speed)} px/s\n", golden)
         self.assertGreater(compared, 80)
+
+    def test_every_path_of_the_step_is_taken_by_two_scenarios(self):
+        scenarios = sorted(f"scenarios/{name}.json" for name in names("scenarios", ".json"))
+        paths = [succeed(PROGRAM, "check", "--json", *half, cwd=SOURCE).json["cores"][0]
+                 for half in (scenarios[::2], scenarios[1::2], ["scenarios/flings/first-fling.json"])]
+        taken = [core["paths_taken"] for core in paths]
+        self.assertEqual(taken[:2], [core["paths"] for core in paths[:2]])
+        self.assertIn(taken[2], range(1, paths[2]["paths"]))  # The control: one scenario takes some of them only.
 
     def test_every_golden_file_has_its_scenario_and_the_other_way_round(self):
         scenarios = names("scenarios", ".json")
