@@ -35,7 +35,7 @@ EDITS = {
     "quadratic drag": ((DRAG, "const double drag = 1.0 - 1e-4 * dt * std::sqrt(m_vx * m_vx + m_vy * m_vy);\n"
                               "    m_vx *= drag;\n    m_vy *= drag;"),),
 }
-EVERYDAY = ("half moves", "reflected", "sub-steps")
+EVERYDAY = ("reflected", "sub-steps")
 
 STEPS = 900
 START = {"x_px": 20.25, "y_px": 150.5, "vx_px_per_s": 2400, "vy_px_per_s": -900}

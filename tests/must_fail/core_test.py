@@ -82,9 +82,6 @@ class ChangedCore(ProgramTest):
         outcome = self.check("none")
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 
-    def test_drag_before_gravity(self):
-        self.assert_nearly_all_red("drag_before_gravity", that_exercise("gravity"))
-
     def test_gravity_by_one_ulp(self):
         self.assert_nearly_all_red("gravity_by_one_ulp", that_exercise("gravity"))
 
