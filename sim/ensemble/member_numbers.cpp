@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/result/estimate.h"
+#include "sim/result/number_text.h"
 
 namespace hyrax {
 namespace {
@@ -20,8 +21,8 @@ bool is_prime(std::int64_t number) {
 }
 
 std::string sampled_note(std::int64_t members, std::int64_t stride) {
-  return stride == 1 ? "all " + std::to_string(members) + " members"
-                     : "1 of every " + std::to_string(stride) + " of " + std::to_string(members) + " members";
+  const std::string all = with_decimals(static_cast<double>(members), 0) + " members";
+  return stride == 1 ? "all " + all : "1 of every " + std::to_string(stride) + " of " + all;
 }
 
 Plot histogram(const MemberNumbers& numbers) {
@@ -118,10 +119,13 @@ std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, st
   constexpr std::size_t kPlotsOfARow = 3;
   for (std::size_t first = 0; first < results.size(); first += kPlotsOfARow) {
     std::vector<Plot> plots;
-    for (std::size_t at = first; at < std::min(first + kPlotsOfARow, results.size()); ++at)
+    std::string title = "How the members end: ";
+    for (std::size_t at = first; at < std::min(first + kPlotsOfARow, results.size()); ++at) {
       plots.push_back(histogram(*results[at]));
+      title += (at == first ? "" : ", ") + results[at]->name();
+    }
     figures.push_back({.suffix = "-distribution-" + std::to_string(first / kPlotsOfARow + 1),
-                       .title = first == 0 ? "How the members end" : "How the members end, continued",
+                       .title = std::move(title),
                        .subtitle = "Share of the members with a number in each interval",
                        .note = sampled_note(members, sample_stride(members, kSamplesMax)),
                        .note_tone = Tone::quiet,

@@ -7,6 +7,7 @@
 #include "sim/core/core.h"
 #include "sim/ensemble/member_numbers.h"
 #include "sim/replay/fingerprint.h"
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/trajectory/physics_model.h"
 #include "sim/trajectory/state_hash.h"
@@ -173,6 +174,8 @@ std::string constants_text(const std::vector<MemberNumbers>& numbers) {
   return text;
 }
 
+std::string count_text(std::int64_t count) { return with_decimals(static_cast<double>(count), 0); }
+
 Json sweep_result(const Core& core, const std::string& path) {
   const EnsembleReader reader(path);
   const Sweep& sweep = reader.sweep();
@@ -180,22 +183,25 @@ Json sweep_result(const Core& core, const std::string& path) {
   for (std::size_t index = 0; index < reader.columns().size(); ++index) add_numbers(numbers, reader, index);
   std::string varied;
   for (const VariedKey& key : sweep.vary) varied += (varied.empty() ? "" : ", ") + key.pointer;
-  ShownResult result{.title = sweep.base.name,
-                     .subtitle = fmt::format("{} flings that differ in {}", sweep.members, varied),
-                     .tables = {member_table(numbers)},
-                     .figures = member_figures(numbers, reader.rows()),
-                     .origin = {{"file", path}, {"seed of the draws", std::to_string(sweep.seed)}}};
+  ShownResult result{
+      .title = sweep.base.name,
+      .subtitle = fmt::format("{} flings that differ in {}", count_text(sweep.members), varied),
+      .tables = {member_table(numbers)},
+      .figures = member_figures(numbers, reader.rows()),
+      .origin = {{"file", path}, {"seed of the draws", std::to_string(sweep.seed)}}};
   if (reader.head().is_part)
     result.verdict.text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.",
                                                  reader.head().part.index, reader.head().part.count,
-                                                 reader.rows()));
+                                                 count_text(reader.rows())));
   if (const std::int64_t between = rows_between_read(reader); between > 1)
-    result.verdict.text.emplace_back(fmt::format(
-        "All numbers are those of a sample: 1 of every {} of {} members.", between, reader.rows()));
+    result.verdict.text.emplace_back(
+        fmt::format("All numbers are those of a sample: 1 of every {} of {} members.", between,
+                    count_text(reader.rows())));
   for (const MemberNumbers& each : numbers)
     if (each.name() == "at_rest_since")
-      result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.", each.known(),
-                                                   each.known() + each.missing()));
+      result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.",
+                                                   count_text(each.known()),
+                                                   count_text(each.known() + each.missing())));
   if (const std::string constants = constants_text(numbers); !constants.empty())
     result.verdict.text.emplace_back("The same in all members: " + constants + ".");
   result.origin.emplace_back("sweep", reader.head().sweep_text);
