@@ -262,6 +262,7 @@ class LanePlayer::Sliding {
     if (is_tracked() && lanes_.moved[lane] != 0.0) {
       const std::int64_t frames_after = left + steps - static_cast<std::int64_t>(lanes_.moved[lane]);
       slide.member->rest.t_s = slide.member->timeline.time_s(-frames_after);  // It is at the end of the leg.
+      slide.member->rest.y_px = slide.member->world.state.y_px;               // The ground of all its rows.
     }
     const bool stands = is_in(lanes_.is_at_rest, lane);
     if (left > 0 && !stands) return left;

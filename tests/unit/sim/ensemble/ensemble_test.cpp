@@ -174,6 +174,20 @@ TEST(Ensemble, EqualsTheReplayOfATrace) {
   expect_same(sweep, "a trace that varies");
 }
 
+// The anchor of rest moves four frames into the slide, 0.4 px below where it was; a hitch then lifts the
+// sprite by little more than what moves the anchor again.
+TEST(Ensemble, EqualsTheReplayWhereASlideIsFollowedByAHop) {
+  Scenario base = fling_at(60.0, 1700, {{std::int64_t{1528}, Hitch{0.07805447451969494}}});
+  base.window = {137, 979};
+  base.sprite = {22, 5};
+  base.clock.base = FixedStep{0.01437251433599018};
+  base.start = {1035.1689219779505, 646.2350539075571};
+  base.start_velocity.vy_px_per_s = -1303.3649095226378;
+  Sweep sweep = sweep_over(base, 1);
+  sweep.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real, ChoiceDraw{{50.364585217972945}}}};
+  expect_same_in_all_details(sweep, "a hop after a slide");
+}
+
 TEST(Ensemble, EqualsTheReplayOfAnyFling) {
   const std::uint64_t seed = seed_of_today();
   for (std::uint64_t number = 0; number < 60; ++number) {
