@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/trajectory/columns.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
@@ -95,10 +96,9 @@ std::string_view meaning(DifferenceClass difference, bool builds_differ) {
 
 }  // namespace
 
-std::string_view unit_of(std::string_view field) {
-  if (field == "t" || field == "dt") return " s";
-  if (field == "x" || field == "y") return " px";
-  return field == "vx" || field == "vy" ? " px/s" : "";
+std::string unit_of(std::string_view field) {
+  const auto column = std::ranges::find(kRowColumns, field, &RowColumn::name);
+  return column == kRowColumns.end() ? "" : std::string(" ") + column->unit;
 }
 
 std::string ulps_text(const std::optional<std::uint64_t>& ulps) {

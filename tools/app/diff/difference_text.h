@@ -24,7 +24,7 @@ namespace hyrax {
 [[nodiscard]] std::string field_value_text(std::string_view field, double value);
 
 /// " px" and so on; empty for a field without unit.
-[[nodiscard]] std::string_view unit_of(std::string_view field);
+[[nodiscard]] std::string unit_of(std::string_view field);
 
 /// "3 ulps"; empty without any, or beyond a million: they say how far rounding went, and nothing of more.
 [[nodiscard]] std::string ulps_text(const std::optional<std::uint64_t>& ulps);
