@@ -141,14 +141,15 @@ class Place(Unwritable):
                          (CANNOT_ACCESS, "golden/fling.h5: cannot be read: Permission denied\n"))
 
     def checked_without(self, folder):
-        """The outcome of `check` by a user who may not read this folder."""
+        """The outcome of `check` by a user who may not read this folder; that of hyrax-replay has the same counts."""
         command = self.unprivileged()
         secret = self.folder / folder
         secret.mkdir()
         secret.chmod(0)
-        done = run(*command, PROGRAM, "check", cwd=self.folder)
+        done, twin = (run(*command, program, "check", cwd=self.folder) for program in (PROGRAM, os.environ["HYRAX_REPLAY"]))
         secret.chmod(0o755)
-        self.assertEqual(done.exit_code, CANNOT_ACCESS, done)
+        self.assertEqual((done.exit_code, twin.exit_code), (CANNOT_ACCESS, CANNOT_ACCESS), (done, twin))
+        self.assertEqual(twin.out.splitlines()[-1], done.out.splitlines()[-1])
         return done
 
     def test_a_folder_without_read_permission(self):

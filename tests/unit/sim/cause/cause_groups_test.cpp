@@ -108,6 +108,17 @@ TEST(Cause, IsAnInputThatDiffers) {
             (Cause{CauseKind::input, "inputs differ: fling in frame 41 -> fling in frame 40"}));
 }
 
+// The frame of a hitch has another length, whatever the clock gives.
+TEST(Cause, IsAHitchThatDiffers) {
+  const Program program;
+  const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Hitch{0.1}}});
+  Scenario longer = scenario;
+  longer.events = {{std::int64_t{40}, Hitch{0.2}}};
+  StoredRun golden = run_of(longer);
+  golden.scenario = scenario;
+  EXPECT_EQ(program.cause_of(golden, run_of(scenario)).kind, CauseKind::input);
+}
+
 TEST(Cause, IsAnInputOfAnotherEffect) {
   const Program program;
   const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Fling{{-1500.0, -900.0}}}});

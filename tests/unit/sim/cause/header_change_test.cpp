@@ -1,6 +1,9 @@
 // A header's change is said in its own words, and layout is none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/cause/header_change.h"
 
 namespace hyrax {
@@ -57,6 +60,13 @@ TEST(HeaderChanges, OfAConstantHasNameAndBothValues) {
   EXPECT_EQ(change.from.value, 1200.0);
   EXPECT_EQ(change.to.value, 1250.0);
   EXPECT_EQ(only_change(with("-0.5", "-0.25")).detail, "DRAG -0.5 -> -0.25");
+  const Table table = changes_table({change, only_change(with("m_vx *= DRAG;", ""))});
+  for (const auto& [name, value] : {std::pair("from", 1200.0), {"to", 1250.0}}) {
+    const auto& numbers =
+        std::get<std::vector<double>>(std::ranges::find(table.columns, name, &Column::name)->values);
+    EXPECT_EQ(numbers[0], value) << name;
+    EXPECT_TRUE(std::isnan(numbers[1])) << name;
+  }
 }
 
 TEST(HeaderChanges, OfAStatementHasItsTextsAndLine) {

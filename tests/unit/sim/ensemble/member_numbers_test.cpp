@@ -31,6 +31,8 @@ TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   EXPECT_LE(numbers.sample().size(), 20'000u);
   std::vector<int> met(kGrid);
   for (const double value : numbers.sample()) ++met[static_cast<std::size_t>(value)];
+  for (std::int64_t row = 0; row < std::ssize(numbers.sample()); ++row)  // A page counts on its members.
+    ASSERT_EQ(numbers.sample()[static_cast<std::size_t>(row)], static_cast<double>(row * 53 % kGrid));
   EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
   EXPECT_EQ(sample_stride(kMembers, 20'000), 53);
   EXPECT_EQ(sample_stride(20'000, 20'000), 1);

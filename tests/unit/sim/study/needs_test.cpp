@@ -11,6 +11,7 @@
 #include "sim/study/study.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
+#include "tests/unit/sim/result/described.h"
 #include "tests/unit/sim/study/clocks.h"
 #include "tools/files/scenario_reader.h"
 
@@ -167,6 +168,8 @@ TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   EXPECT_EQ(row_count(coverage), coverage_columns().size());
   EXPECT_EQ(std::get<std::vector<std::int64_t>>(coverage.columns[2].values)[0], 5) << "need gravity";
   ASSERT_EQ(result.figures.size(), 1u);
+  expect_approved("tests/unit/sim/study/approved/needs-of-many.txt",
+                  described(result.verdict) + described(result.tables[1]));
   EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
   EXPECT_EQ(studied(std::vector<std::string>(4, "flings/first-fling")).figures.size(), 4u);
 }

@@ -1,0 +1,48 @@
+// All that is measured of two cores, from a small library and few flings: the card is the one approved.
+#include <gtest/gtest.h>
+
+#include "sim/card/card.h"
+#include "sim/core/listing_core.h"
+#include "sim/core/shipped_core.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/result/described.h"
+
+namespace hyrax {
+namespace {
+
+// Bounces higher and slides farther than the constants that it has say.
+Core lively_core() {
+  Constants constants = shipped_core().constants.value();
+  constants.restitution = 0.9;
+  constants.ground_friction = 0.95;
+  Core lively = listing_core(constants);
+  lively.constants = shipped_core().constants;
+  return lively;
+}
+
+TEST(MeasuredCard, IsTheOneApproved) {
+  PlayWatch watch{};
+  const auto compared = [&watch](int number, const Core& core, const CoreRecord& record) {
+    return compared_core(number, {.counted = core, .timed = core, .lacking = {}}, record, watch);
+  };
+  const ComparedCore base = compared(0, shipped_core(), shipped_core().record);
+  const ComparedCore candidate = compared(1, lively_core(), {.why_incomplete = "not traced"});
+  std::int64_t now_ns = 0, calls = 0;
+  CardRequest request{.library = {{"flings/calm.json", fling_at(60.0, 400)},
+                                  {"recorded/eventful.json", eventful_fling()},
+                                  {"hard/slow.json", fling_at(24.0, 100)}},
+                      .seed = 3,
+                      .flings = 6,
+                      .now_ns = [&] { return now_ns += 100'000 + 400 * (++calls % 7); }};
+  request.recordings = {request.library[1]};
+  request.hard = {request.library[2]};
+  request.rows_hash = {rows_hash(base, request), rows_hash(candidate, request)};
+  const Result result = card_result(measure_card(base, candidate, request));
+  std::string text = described(result.verdict);
+  for (const Table& table : result.summary) text += described(table);
+  for (const Figure& figure : result.figures) text += described(figure);
+  expect_approved("tests/unit/sim/card/measured.txt", text);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,77 @@
+// What of a replay is a stored run's: one place of it is changed, wherever it is.
+#include "sim/cause/run_match.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/cause/observed_step.h"
+#include "tests/unit/sim/cause/hand_step.h"
+
+namespace hyrax {
+namespace {
+
+constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
+
+class StoredRuns : public testing::Test {
+ protected:
+  [[nodiscard]] RunMatch match_of(const StoredRun& run) const { return match(core, scenario, run); }
+
+  HandStep listing;
+  Core core = hand_core(listing);
+  Scenario scenario = fling_at(60.0, 300);
+};
+
+TEST_F(StoredRuns, MatchInRowsTimesAndContacts) {
+  const StoredRun whole = run_of(scenario);
+  EXPECT_TRUE(match_of(whole).is_whole());
+  for (const std::size_t row : {0, 1, 150, 299, 300}) {
+    StoredRun run = whole;
+    run.rows.t_s[row] += 1.0;
+    EXPECT_FALSE(match_of(run).times) << row;
+    EXPECT_TRUE(match_of(run).rows) << row;
+    run = whole;
+    run.rows.vx_px_per_s[row] += 1.0;
+    EXPECT_FALSE(match_of(run).rows) << row;
+  }
+  for (std::size_t contact = 0; contact <= whole.contacts.size(); ++contact) {
+    StoredRun run = whole;
+    if (contact < whole.contacts.size())
+      ++run.contacts[contact].last_step;
+    else
+      ++run.contacts_total;
+    EXPECT_FALSE(match_of(run).contacts) << contact;
+    EXPECT_TRUE(match_of(run).rows) << contact;
+  }
+}
+
+TEST_F(StoredRuns, MatchInBlocksHoweverTheyAreCounted) {
+  for (const std::int64_t steps : {kRows - 1, kRows, 5 * kRows - 1, 5 * kRows + 7}) {
+    scenario = fling_at(60.0, steps);
+    const StoredRun whole = run_of(scenario);
+    EXPECT_TRUE(match_of(whole).is_whole()) << steps;
+    for (std::size_t block = 0; block < whole.blocks.size(); ++block) {
+      StoredRun run = whole;
+      run.blocks[block].keyframe.row.t_s += 1.0;
+      EXPECT_FALSE(match_of(run).times) << steps << ", block " << block;
+      run = whole;
+      run.blocks[block].digest[0] ^= 1;
+      EXPECT_FALSE(match_of(run).rows) << steps << ", block " << block;
+    }
+  }
+}
+
+// Those of the block that differs, and of the one before it.
+TEST_F(StoredRuns, ShowTheStepsAroundTheFirstDifference) {
+  const Scenario even = fling_at(60.0, 4 * kRows + 9);
+  for (const std::int64_t frame : {std::int64_t{3}, kRows, 2 * kRows - 2, 2 * kRows - 1, 4 * kRows + 5}) {
+    Scenario flung = even;
+    flung.events = {{frame, Fling{{-900.0, -900.0}}}};
+    const std::vector<ObservedStep> steps = observed_steps(run_of(flung), run_of(even), core);
+    const std::int64_t block = (frame + 1) / kRows;  // Of the first row that differs.
+    EXPECT_EQ(steps.front().step, std::max<std::int64_t>(0, block - 1) * kRows + 1) << frame;
+    EXPECT_GE(steps.back().step, std::min((block + 1) * kRows - 1, 4 * kRows + 9)) << frame;
+    EXPECT_EQ(std::ranges::count(steps, true, &ObservedStep::follows_input), 1) << frame;
+  }
+}
+
+}  // namespace
+}  // namespace hyrax
