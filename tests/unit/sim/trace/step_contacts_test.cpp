@@ -40,96 +40,86 @@ void meet(Wall wall, double vx, double vy) {
 }
 void meet(Wall, const recording::Real&, const recording::Real&) {}
 
-template <class F>
-auto right_of(const F& f) {
-  return to_real(f.window_width - f.sprite_width);
+auto right_of(const auto& f) { return to_real(f.window_width - f.sprite_width); }
+auto bottom_of(const auto& f) { return to_real(f.window_height - f.sprite_height); }
+
+// Turns a body around at a wall, and puts it there.
+void turn_x(auto& b, Wall wall, const auto& x, const auto& vx) {
+  meet(wall, b.vx, b.vy);
+  b.x = x;
+  b.vx = vx;
 }
-template <class F>
-auto bottom_of(const F& f) {
-  return to_real(f.window_height - f.sprite_height);
+void turn_y(auto& b, Wall wall, const auto& y, const auto& vy) {
+  meet(wall, b.vx, b.vy);
+  b.y = y;
+  b.vy = vy;
 }
 
-template <class B, class F>
-void meet_x(B& b, const F& f) {
-  if (b.x < 0.0) {
-    meet(Wall::left, b.vx, b.vy);
-    b.x = 0.0;
-    b.vx = -b.vx * 0.6;
-  } else if (b.x > right_of(f)) {
-    meet(Wall::right, b.vx, b.vy);
-    b.x = right_of(f);
-    b.vx = -b.vx * 0.6;
-  }
+void meet_x(auto& b, const auto& f) {
+  if (b.x < 0.0)
+    turn_x(b, Wall::left, 0.0, -b.vx * 0.6);
+  else if (b.x > right_of(f))
+    turn_x(b, Wall::right, right_of(f), -b.vx * 0.6);
 }
-template <class B, class F>
-void meet_y(B& b, const F& f) {
+void meet_y(auto& b, const auto& f) {
   if (b.y < 0.0) {
-    meet(Wall::top, b.vx, b.vy);
-    b.y = 0.0;
-    b.vy = -b.vy * 0.6;
+    turn_y(b, Wall::top, 0.0, -b.vy * 0.6);
   } else if (b.y > bottom_of(f)) {
-    meet(Wall::ground, b.vx, b.vy);
-    b.y = bottom_of(f);
-    b.vy = -b.vy * 0.6;
+    turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
     b.vx = b.vx * 0.8;
     if (fabs(b.vy) < 5.0) b.vy = 0.0;
   }
 }
-template <class B, class D>
-void fall(B& b, const D& dt) {
-  b.vy = b.vy + dt * 1200.0;
+void meet_walls(auto& b, const auto& f) {
+  meet_x(b, f);
+  meet_y(b, f);
 }
-template <class B, class D>
-void move(B& b, const D& dt) {
+void fall(auto& b, const auto& dt) { b.vy = b.vy + dt * 1200.0; }
+void move(auto& b, const auto& dt) {
   b.x = b.x + b.vx * dt;
   b.y = b.y + b.vy * dt;
 }
+void fly(auto& b, const auto& f) {
+  fall(b, f.dt);
+  move(b, f.dt);
+}
 
 struct HalfMoves {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
     move(b, f.dt * 0.5);
     move(b, f.dt * 0.5);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
   }
 };
 struct ExactFlight {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     move(b, f.dt);
     b.y = b.y + f.dt * f.dt * 600.0;
     fall(b, f.dt);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
   }
 };
 struct TimedDrag {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
     const auto drag = pow(decltype(b.vx)(0.999), f.dt * 60.0);
     b.vx = b.vx * drag;
     b.vy = b.vy * drag;
     move(b, f.dt);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
   }
 };
 struct YFirst {
   static constexpr bool kTellsVelocity = false;  // In a corner the order in which they are met makes no bit.
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
     meet_y(b, f);
     meet_x(b, f);
   }
 };
 struct InFloat {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
     const auto x = to_single(b.x) + to_single(b.vx) * to_single(f.dt);
     b.y = to_real(to_single(b.y) + to_single(b.vy) * to_single(f.dt));
@@ -146,192 +136,124 @@ struct InFloat {
   }
 };
 struct Fused {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     b.vy = fma(decltype(b.vy)(1200.0), f.dt, b.vy);
     b.x = fma(b.vx, f.dt, b.x);
     b.y = fma(b.vy, f.dt, b.y);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
   }
 };
 struct Reflected {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
-    if (!(b.x >= 0.0)) {
-      meet(Wall::left, b.vx, b.vy);
-      b.x = -b.x;
-      b.vx = -b.vx;
-    } else if (b.x + to_real(f.sprite_width) >= to_real(f.window_width)) {
-      meet(Wall::right, b.vx, b.vy);
-      b.x = right_of(f) * 2.0 - b.x;
-      b.vx = -b.vx;
-    }
-    if (b.y - bottom_of(f) > 0.0) {
-      meet(Wall::ground, b.vx, b.vy);
-      b.y = bottom_of(f) * 2.0 - b.y;
-      b.vy = -b.vy * 0.9;
-    }
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    if (!(b.x >= 0.0))
+      turn_x(b, Wall::left, -b.x, -b.vx);
+    else if (b.x + to_real(f.sprite_width) >= to_real(f.window_width))
+      turn_x(b, Wall::right, right_of(f) * 2.0 - b.x, -b.vx);
+    if (b.y - bottom_of(f) > 0.0) turn_y(b, Wall::ground, bottom_of(f) * 2.0 - b.y, -b.vy * 0.9);
   }
 };
 struct SubSteps {
   static constexpr bool kTellsVelocity = false;
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     for (int half = 0; half < 2; ++half) {
       fall(b, f.dt * 0.5);
       move(b, f.dt * 0.5);
-      meet_x(b, f);
-      meet_y(b, f);
+      meet_walls(b, f);
     }
   }
 };
 struct WallsOnTheBound {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
-    if (b.x <= 0.0) {
-      meet(Wall::left, b.vx, b.vy);
-      b.x = 0.0;
-      b.vx = fabs(b.vx);
-    } else if (b.x >= right_of(f)) {
-      meet(Wall::right, b.vx, b.vy);
-      b.x = right_of(f);
-      b.vx = -fabs(b.vx);
-    }
-    if (b.y >= bottom_of(f)) {
-      meet(Wall::ground, b.vx, b.vy);
-      b.vy = 0.0;
-      b.y = bottom_of(f);
-    }
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    if (b.x <= 0.0)
+      turn_x(b, Wall::left, 0.0, fabs(b.vx));
+    else if (b.x >= right_of(f))
+      turn_x(b, Wall::right, right_of(f), -fabs(b.vx));
+    if (b.y >= bottom_of(f)) turn_y(b, Wall::ground, bottom_of(f), 0.0);
   }
 };
 struct NeverNegativeBounds {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     auto right = right_of(f);
     if (right < 0.0) right = 0.0;
-    fall(b, f.dt);
-    move(b, f.dt);
-    if (b.x < 0.0) {
-      meet(Wall::left, b.vx, b.vy);
-      b.x = 0.0;
-      b.vx = -b.vx;
-    }
-    if (b.x > right) {
-      meet(Wall::right, b.vx, b.vy);
-      b.x = right;
-      b.vx = -b.vx;
-    }
+    fly(b, f);
+    if (b.x < 0.0) turn_x(b, Wall::left, 0.0, -b.vx);
+    if (b.x > right) turn_x(b, Wall::right, right, -b.vx);
     meet_y(b, f);
   }
 };
 
 struct SpeedLimit {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
     if (b.vx > 2000.0) b.vx = 2000.0;
     if (b.vx < -2000.0) b.vx = -2000.0;
     if (b.vy > 2000.0) b.vy = 2000.0;
     move(b, f.dt);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
   }
 };
 struct Verlet {
   static constexpr bool kTellsVelocity = false;  // The second half of the fall is after the walls.
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     fall(b, f.dt * 0.5);
     move(b, f.dt);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
     fall(b, f.dt * 0.5);
   }
 };
 struct QuadraticDrag {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
     const auto drag = sqrt(b.vx * b.vx + b.vy * b.vy) * f.dt * -0.0002 + 1.0;
     b.vx = b.vx * drag;
     b.vy = b.vy * drag;
     move(b, f.dt);
-    meet_x(b, f);
-    meet_y(b, f);
+    meet_walls(b, f);
   }
 };
 struct WallsFirst {
   static constexpr bool kTellsVelocity = false;  // What it falls with comes later.
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    meet_x(b, f);
-    meet_y(b, f);
-    fall(b, f.dt);
-    move(b, f.dt);
+  void operator()(auto& b, const auto& f) const {
+    meet_walls(b, f);
+    fly(b, f);
   }
 };
 struct ByItsMiddle {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
+  void operator()(auto& b, const auto& f) const {
     const auto half = to_real(f.sprite_width) * 0.5;
-    fall(b, f.dt);
-    move(b, f.dt);
-    if (b.x + half < half) {
-      meet(Wall::left, b.vx, b.vy);
-      b.x = 0.0;
-      b.vx = -b.vx;
-    } else if (b.x + half > to_real(f.window_width) - half) {
-      meet(Wall::right, b.vx, b.vy);
-      b.x = right_of(f);
-      b.vx = -b.vx;
-    }
+    fly(b, f);
+    if (b.x + half < half)
+      turn_x(b, Wall::left, 0.0, -b.vx);
+    else if (b.x + half > to_real(f.window_width) - half)
+      turn_x(b, Wall::right, right_of(f), -b.vx);
     meet_y(b, f);
   }
 };
 struct RightFirst {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
-    if (right_of(f) < b.x) {
-      meet(Wall::right, b.vx, b.vy);
-      b.x = right_of(f);
-      b.vx = -b.vx * 0.6;
-    } else if (!(0.0 <= b.x)) {
-      meet(Wall::left, b.vx, b.vy);
-      b.x = 0.0;
-      b.vx = -b.vx * 0.6;
-    }
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    if (right_of(f) < b.x)
+      turn_x(b, Wall::right, right_of(f), -b.vx * 0.6);
+    else if (!(0.0 <= b.x))
+      turn_x(b, Wall::left, 0.0, -b.vx * 0.6);
     meet_y(b, f);
   }
 };
 struct ByTheRoomLeft {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
-    if (b.x < 0.0) {
-      meet(Wall::left, b.vx, b.vy);
-      b.x = 0.0;
-      b.vx = -b.vx;
-    } else if (right_of(f) - b.x < 0.0) {
-      meet(Wall::right, b.vx, b.vy);
-      b.x = right_of(f);
-      b.vx = -b.vx;
-    }
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    if (b.x < 0.0)
+      turn_x(b, Wall::left, 0.0, -b.vx);
+    else if (right_of(f) - b.x < 0.0)
+      turn_x(b, Wall::right, right_of(f), -b.vx);
     meet_y(b, f);
   }
 };
 struct AllInside {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
     if (!(b.x >= 0.0 && b.x <= right_of(f))) {
       meet(b.x < 0.0 ? Wall::left : Wall::right, b.vx, b.vy);
       if (b.x < 0.0)
@@ -345,44 +267,31 @@ struct AllInside {
 };
 struct DragAtTheEnd {
   static constexpr bool kTellsVelocity = false;
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
-    meet_x(b, f);
-    meet_y(b, f);
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    meet_walls(b, f);
     b.vx = b.vx * 0.999;
     b.vy = b.vy * 0.999;
   }
 };
 struct StickyFloor {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
     meet_x(b, f);
     if (b.y > bottom_of(f)) {
-      meet(Wall::ground, b.vx, b.vy);
-      b.y = bottom_of(f);
-      b.vy = 0.0;
+      turn_y(b, Wall::ground, bottom_of(f), 0.0);
       if (fabs(b.vx) < 50.0) b.vx = 0.0;
     }
   }
 };
 struct TimedFriction {
-  template <class B, class F>
-  void operator()(B& b, const F& f) const {
-    fall(b, f.dt);
-    move(b, f.dt);
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
     meet_x(b, f);
     if (b.y < 0.0) {
-      meet(Wall::top, b.vx, b.vy);
-      b.y = 0.0;
-      b.vy = -b.vy * 0.6;
+      turn_y(b, Wall::top, 0.0, -b.vy * 0.6);
     } else if (b.y > bottom_of(f)) {
-      meet(Wall::ground, b.vx, b.vy);
-      b.y = bottom_of(f);
-      b.vy = -b.vy * 0.6;
+      turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
       b.vx = b.vx * pow(decltype(b.vx)(0.8), f.dt * 60.0);
     }
   }
