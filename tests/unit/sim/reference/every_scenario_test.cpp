@@ -10,19 +10,11 @@
 #include "sim/core/shipped_core.h"
 #include "sim/reference/gsl_flight.h"
 #include "tests/unit/sim/reference/test_run.h"
+#include "tests/unit/sim/replay/some_flings.h"
 #include "tools/files/scenario_reader.h"
 
 namespace hyrax {
 namespace {
-
-std::vector<std::string> scenario_paths() {
-  std::vector<std::string> paths;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(std::string(HYRAX_SOURCE_DIR) + "/scenarios"))
-    if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
 
 // Speeds are at most the root of twice the energy.
 double speed_rounding_px_per_s(const ArcErrors& arc) {
@@ -66,7 +58,7 @@ TEST_P(EveryScenario, FollowsItsReferencesAndHasEnergyPartsThatAddUp) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(scenario_paths()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(scenario_files()), [](const auto& test) {
   std::string name = std::filesystem::path(test.param).stem().string();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

@@ -27,21 +27,10 @@ RunSummary expect_skipping_changes_nothing(const Scenario& scenario, std::int64_
   const RunSummary a = play(scenario, skipping, true);
   const RunSummary b = play(scenario, computing, false);
   EXPECT_TRUE(same_trace(skipping, computing)) << which;
-  EXPECT_EQ(a.state_hash, b.state_hash) << which;
-  EXPECT_EQ(a.steps, b.steps) << which;
   EXPECT_EQ(b.steps_computed, b.steps) << which;
-  EXPECT_EQ(a.contacts, b.contacts) << which;
-  EXPECT_EQ(a.clamped_steps, b.clamped_steps) << which;
-  EXPECT_EQ(a.rest_steps, b.rest_steps) << which;
-  EXPECT_TRUE(same_row(a.final, b.final)) << which << "\n" << a.final << "\n" << b.final;
-  EXPECT_TRUE(same_bits(a.simulated_s, b.simulated_s)) << which;
-  EXPECT_EQ(a.at_rest_since_s, b.at_rest_since_s) << which;
-  EXPECT_EQ(a.periodic_from_step, b.periodic_from_step) << which;
-  EXPECT_EQ(a.period_steps, b.period_steps) << which;
-  EXPECT_EQ(a.out_of_bounds_step, b.out_of_bounds_step) << which;
-  EXPECT_EQ(a.had_gravity, b.had_gravity) << which;
-  EXPECT_EQ(a.had_drag, b.had_drag) << which;
-  EXPECT_EQ(a.had_friction, b.had_friction) << which;
+  RunSummary expected = b;
+  expected.steps_computed = a.steps_computed;
+  EXPECT_EQ(text_of(a), text_of(expected)) << which;
   return a;
 }
 
