@@ -23,7 +23,7 @@ class StoredRuns : public testing::Test {
 TEST_F(StoredRuns, MatchInRowsTimesAndContacts) {
   const StoredRun whole = run_of(scenario);
   EXPECT_TRUE(match_of(whole).is_whole());
-  for (const std::size_t row : {0, 1, 150, 299, 300}) {
+  for (const std::size_t row : {0U, 1U, 150U, 299U, 300U}) {
     StoredRun run = whole;
     run.rows.t_s[row] += 1.0;
     EXPECT_FALSE(match_of(run).times) << row;
