@@ -29,7 +29,9 @@ STATED = (
     *((document, words, "tools/files/failure.h", names) for document, words, names in (
         (FILES, "missing (exit code {})", "golden_missing"), (FILES, "`unreferenced` (exit code {})", "disagreed"),
         (FILES, "comparison fails (exit code {})", "disagreed"), (FILES, "is a scenario (exit code {}, nothing", "bad_input"),
-        (FILES, "it ends with exit code {}. If none", "disagreed"), (FORMAT, "may not hold (exit code {})", "disagreed"),
+        (FILES, "it ends with exit code {}. If none", "disagreed"), (FILES, "; exit code {} is bad", "disagreed"),
+        (CARD, "A core is refused (exit {},", "bad_input"), ("sim/ensemble/README.md", "that are missing (exit {})", "golden_missing"),
+        ("tests/README.md", "refused at start, exit code {} |", "not_strict_ieee"), (FORMAT, "may not hold (exit code {})", "disagreed"),
         (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
         (STUDIES, "`--gate` | exit code {} if", "disagreed"),
         (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
@@ -106,6 +108,9 @@ STATED = (
     (PAGE, "Runs of more than {} steps are not measured", "tools/report/wasm/shown_run.h", "kStepsMeasuredMax"),
     (PAGE, "than {} members a sample", "sim/ensemble/member_numbers.h", "kSamplesMax"),
     (PAGE, "the same in all members, within\n{}, are named", "sim/ensemble/member_numbers.cpp", "kRounding"),
+    (PAGE, "with shift {} steps", "tools/report/page/player.js", "event.shiftKey ?"),
+    (FILES, "and the {} worst scenarios", "tools/app/causes/group_text.cpp", "kWorstListed"),
+    ("tools/own_core/README.md", "AIR_DRAG {} .. {}, REST", "sim/study/reference_model.cpp", "constants.air_drag,, 0.5,"),
     (HYRAX, "not moved for {} frames it sleeps", "tools/hyrax/session.h", "kStillFrames"),
     (HYRAX, "After {} frames (four and a half minutes", "tools/hyrax/recording.h", "kPartFrames"),
     (HYRAX, "ends after 2^{} frames", "tools/hyrax/recording.h", "kFramesMax = std::int64_t{1} <<"),
@@ -120,7 +125,8 @@ STATED = (
     ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("CHANGELOG.md", "\n## {}", "CMakeLists.txt", "project(hyrax-sim VERSION"),
 )
-NUMBER = r"(-?\d[\d,']*(?:\.\d+)?(?:e[+-]?\d+)?)"
+WORDS = "zero one two three four five six seven eight nine ten".split()
+NUMBER = r"(-?\d[\d,']*(?:\.\d+)?(?:e[+-]?\d+)?|" + "|".join(WORDS) + ")"
 
 
 def text_of(path):
@@ -129,13 +135,18 @@ def text_of(path):
 
 
 def value(text):
-    """The number, whatever marks its thousands."""
-    return float(re.sub("[,']", "", text))
+    """The number, whatever marks its thousands, or in letters."""
+    return float(WORDS.index(text) if text in WORDS else re.sub("[,']", "", text))
+
+
+def place_of(path, words):
+    """The first place with these words."""
+    return re.search(NUMBER.join(map(re.escape, words.split("{}"))), text_of(path))
 
 
 def stated(path, words):
-    """The numbers of the first place with these words; none if there is no such place."""
-    found = re.search(NUMBER.join(map(re.escape, words.split("{}"))), text_of(path))
+    """The numbers of that place; none if there is no such place."""
+    found = place_of(path, words)
     return [value(text) for text in found.groups()] if found else []
 
 
@@ -152,6 +163,13 @@ class Facts(unittest.TestCase):
         for document, words, source, names in STATED:
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), decided(source, names), source)
+
+    def test_every_exit_code_in_a_document_is_one_of_these(self):
+        for document in {row[0] for row in STATED} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
+            prose = re.sub(r"```.*?```", lambda block: " " * len(block[0]), text_of(document), flags=re.DOTALL)
+            spans = [place_of(document, row[1]).span() for row in STATED if row[0] == document]
+            for code in re.finditer(r"exit(?: code)? (\d+)", prose):
+                self.assertTrue(any(first <= code.start(1) < last for first, last in spans), (document, code[0]))
 
     def test_numbers_that_follow_from_the_constants(self):
         names = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
