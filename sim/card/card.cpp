@@ -6,7 +6,6 @@
 #include <functional>
 #include <numeric>
 
-#include "sim/card/compared_core.h"
 #include "sim/card/flings.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
@@ -71,45 +70,40 @@ struct HeldRun {
   InvariantSet failing = {};  // Do not hold,
   InvariantSet broken = {};   // and are not expected to fail.
 
-  void add(Invariant invariant, const InvariantMeasure& measure, bool is_expected_to_fail) {
-    const auto index = static_cast<std::size_t>(invariant);
-    held[index] = measure.is_checked && measure.holds;
-    failing[index] = !measure.holds;
-    broken[index] = failing[index] && !is_expected_to_fail;
+  void add(const InvariantMeasures& measures, const auto& is_expected_to_fail) {
+    for (std::size_t index = 0; index < kInvariantCount; ++index) {
+      held[index] = measures[index].is_checked && measures[index].holds;
+      failing[index] = !measures[index].holds;
+      broken[index] = failing[index] && !is_expected_to_fail(static_cast<Invariant>(index));
+    }
   }
 };
 
-std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vector<HardCase>& cases,
-                                  bool is_judged) {
-  std::vector<HeldRun> runs;
-  for (const HardCase& hard_case : cases) {
-    const Core& core = compared.at("hard case " + hard_case.name);
-    HeldRun& run =
-        runs.emplace_back(HeldRun{.name = hard_case.name, .hash = play_by(core, hard_case.scenario).hash});
-    if (!is_judged) continue;
-    const HardCaseResult result = play_hard_case(core, hard_case);
-    for (std::size_t index = 0; index < kInvariantCount; ++index) {
-      const auto invariant = static_cast<Invariant>(index);
-      run.add(invariant, result.measures[index],
-              judge(hard_case, result, invariant) == CaseVerdict::expected_failure);
-    }
-  }
-  return runs;
+void judge_into(const Core& core, const HardCase& hard_case, HeldRun& run) {
+  const HardCaseResult result = play_hard_case(core, hard_case);
+  run.add(result.measures, [&](Invariant invariant) {
+    return judge(hard_case, result, invariant) == CaseVerdict::expected_failure;
+  });
 }
 
-std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::vector<RandomRun>& random,
-                                  bool is_judged) {
+void judge_into(const Core& core, const RandomRun& random, HeldRun& run) {
+  run.add(check_run(core, random.scenario, random.stops).measures,
+          [&](Invariant invariant) { return is_broken_by_listing(invariant, random.scenario); });
+}
+
+const std::string& name_of(const HardCase& hard_case) { return hard_case.name; }
+const std::string& name_of(const RandomRun& random) { return random.scenario.name; }
+
+// @param kind of the runs, for messages.
+template <class Played>
+std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::string& kind,
+                                  const std::vector<Played>& all, bool is_judged) {
   std::vector<HeldRun> runs;
-  for (const RandomRun& each : random) {
-    const Core& core = compared.at("random run " + each.scenario.name);
+  for (const Played& played : all) {
+    const Core& core = compared.at(kind + " " + name_of(played));
     HeldRun& run =
-        runs.emplace_back(HeldRun{.name = each.scenario.name, .hash = play_by(core, each.scenario).hash});
-    if (!is_judged) continue;
-    const CheckedRun checked = check_run(core, each.scenario, each.stops);
-    for (std::size_t index = 0; index < kInvariantCount; ++index) {
-      const auto invariant = static_cast<Invariant>(index);
-      run.add(invariant, checked.measures[index], is_broken_by_listing(invariant, each.scenario));
-    }
+        runs.emplace_back(HeldRun{.name = name_of(played), .hash = play_by(core, played.scenario).hash});
+    if (is_judged) judge_into(core, played, run);
   }
   return runs;
 }
@@ -159,8 +153,10 @@ HardCaseLine measure_hard_cases(const ComparedCore& base, const ComparedCore& ca
       if (!hard_case.is_long) cases.push_back(std::move(hard_case));
   std::vector<RandomRun> runs;
   for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(core, request.seed, run));
-  const HeldRuns held{held_runs_of(base, cases, is_judged), held_runs_of(candidate, cases, is_judged)};
-  const HeldRuns random{held_runs_of(base, runs, is_judged), held_runs_of(candidate, runs, is_judged)};
+  const HeldRuns held{held_runs_of(base, "hard case", cases, is_judged),
+                      held_runs_of(candidate, "hard case", cases, is_judged)};
+  const HeldRuns random{held_runs_of(base, "random run", runs, is_judged),
+                        held_runs_of(candidate, "random run", runs, is_judged)};
   return {.cases = std::ssize(cases),
           .other_cases = other_bits(held),
           .other_random_runs = {other_bits(random), std::ssize(runs)},

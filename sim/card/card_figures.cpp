@@ -1,6 +1,5 @@
 #include "sim/card/card.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 

@@ -3,13 +3,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "sim/compare/comparison.h"
 #include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/row_sink.h"
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <tuple>
 
-#include "sim/cause/observed_step.h"
 #include "sim/cause/run_match.h"
 #include "sim/trajectory/row.h"
 

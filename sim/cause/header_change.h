@@ -3,13 +3,13 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/core/core_record.h"
 #include "sim/result/table.h"
+#include "sim/trace/traced_step.h"
 
 namespace hyrax {
 
@@ -56,5 +56,9 @@ struct StepProof {
 /// @param base_name as "the accepted core".
 [[nodiscard]] StepProof prove_equal(const std::string& base_name, const CoreRecord& base,
                                     const CoreRecord& core);
+
+/// The step in which every constant of the value `from` is `to`: canonical. The step itself where it has
+/// none. REQUIRES: canonical.
+[[nodiscard]] TracedStep with_constant(const TracedStep& step, double from, double to);
 
 }  // namespace hyrax

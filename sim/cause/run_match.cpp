@@ -4,6 +4,7 @@
 
 #include "sim/compare/comparison.h"
 #include "sim/replay/replay.h"
+#include "sim/scenario/apply.h"
 
 namespace hyrax {
 namespace {
@@ -103,6 +104,124 @@ RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run)
   }
   if (matcher.differs()) return {};
   return matcher.finish(replay.finish());
+}
+
+namespace {
+
+constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
+
+class RowsSink final : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
+  }
+  [[nodiscard]] const Columns& rows() const { return rows_; }
+
+ private:
+  Columns rows_;
+};
+
+// Hitches and resizes leave position and velocity as they are.
+bool sets_state(const Action& action) {
+  return !std::holds_alternative<Hitch>(action) && !std::holds_alternative<Resize>(action);
+}
+
+// `world` is that of the row before rows[0], or of rows[0] itself if `rows` begins with it.
+class StepCollector {
+ public:
+  StepCollector(const std::vector<Input>& inputs, const World& world, std::int64_t step)
+      : inputs_(inputs), world_(world), step_(step) {
+    next_input_ = static_cast<std::size_t>(std::ranges::lower_bound(inputs_, step, {}, &Input::frame) -
+                                           inputs_.begin());
+  }
+
+  void take(const Row& row) {
+    bool follows_input = false;
+    for (; next_input_ < inputs_.size() && inputs_[next_input_].frame == step_; ++next_input_) {
+      apply(inputs_[next_input_].action, world_);
+      follows_input |= sets_state(inputs_[next_input_].action);
+    }
+    ++step_;
+    if (!world_.is_held) steps_.push_back({step_, follows_input, world_, row.dt_s, state_of(row)});
+    world_.state = state_of(row);
+  }
+  [[nodiscard]] std::vector<ObservedStep> steps() && { return std::move(steps_); }
+
+ private:
+  const std::vector<Input>& inputs_;
+  World world_;
+  std::int64_t step_;
+  std::size_t next_input_ = 0;
+  std::vector<ObservedStep> steps_;
+};
+
+World world_of(const Keyframe& keyframe) {
+  return {state_of(keyframe.row), keyframe.window, keyframe.sprite, keyframe.is_held};
+}
+
+// The number of the first block, counting repetitions, that is not the same in both.
+std::int64_t first_block_that_differs(const std::vector<StoredBlock>& a, const std::vector<StoredBlock>& b) {
+  std::int64_t same = 0;
+  std::int64_t left_a = 0, left_b = 0;
+  for (std::size_t at_a = 0, at_b = 0; at_a < a.size() && at_b < b.size();) {
+    if (a[at_a].digest != b[at_b].digest) break;
+    if (left_a == 0) left_a = a[at_a].count;
+    if (left_b == 0) left_b = b[at_b].count;
+    const std::int64_t both = std::min(left_a, left_b);
+    same += both;
+    if ((left_a -= both) == 0) ++at_a;
+    if ((left_b -= both) == 0) ++at_b;
+  }
+  return same;
+}
+
+// The keyframe of block `number`, counting repetitions. REQUIRES: the run has blocks.
+Keyframe keyframe_of_block(const std::vector<StoredBlock>& blocks, std::int64_t number) {
+  std::int64_t first = 0;
+  for (const StoredBlock& block : blocks) {
+    if (number < first + block.count || &block == &blocks.back()) {
+      Keyframe keyframe = block.keyframe;
+      keyframe.row.step += (number - first) * kRows;
+      keyframe.timeline.frames += (number - first) * kRows;
+      return keyframe;
+    }
+    first += block.count;
+  }
+  return {};
+}
+
+std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun& other, const Core& core) {
+  const std::int64_t differing = first_block_that_differs(run.blocks, other.blocks);
+  const Keyframe from = keyframe_of_block(run.blocks, std::max<std::int64_t>(0, differing - 1));
+  RowsSink sink;
+  Replay replay(core, run.scenario, from, sink);
+  replay.play_to(std::min(run.steps, from.row.step + 2 * kRows - 1));
+  static_cast<void>(replay.finish());
+  StepCollector collector(run.inputs, world_of(from), from.row.step);
+  for (std::size_t index = 0; index < sink.rows().size(); ++index) collector.take(sink.rows().row(index));
+  return std::move(collector).steps();
+}
+
+}  // namespace
+
+std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other, const Core& core) {
+  if (!run.blocks.empty()) return steps_of_blocks(run, other, core);
+  if (run.rows.size() == 0) return {};
+  World start{state_of(run.rows.row(0)), run.scenario.window, run.scenario.sprite};
+  StepCollector collector(run.inputs, start, 0);
+  for (std::size_t index = 1; index < run.rows.size(); ++index) collector.take(run.rows.row(index));
+  return std::move(collector).steps();
+}
+
+bool StepJudge::gives(const ObservedStep& observed) {
+  const auto& [state, window, sprite, is_held] = observed.before;
+  const Stretch stretch{.window = window, .sprite = sprite, .dt_s = &observed.dt_s, .frames = 1};
+  CoreBody after{state};
+  RestAnchor rest;
+  rows_.shrink(0);
+  core_.kernel->play(stretch, after, rest, rows_, log_);
+  return same_bits(after.state, observed.after);
 }
 
 }  // namespace hyrax

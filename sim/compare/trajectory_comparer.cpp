@@ -1,7 +1,6 @@
 #include "sim/compare/trajectory_comparer.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hyrax {
 namespace {

@@ -1,7 +1,6 @@
 #include "sim/reference/exact_fling.h"
 
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 #include "sim/reference/flight.h"

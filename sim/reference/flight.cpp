@@ -1,7 +1,6 @@
 #include "sim/reference/flight.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 

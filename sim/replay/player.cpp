@@ -1,7 +1,6 @@
 #include "sim/replay/player.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "sim/scenario/schedule.h"

@@ -1,19 +1,91 @@
 // The replay's inside: plays stretches, and passes on of every row what the sinks want.
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/core/core.h"
-#include "sim/replay/contact_tracker.h"
 #include "sim/replay/replay.h"
-#include "sim/replay/tee.h"
 #include "sim/scenario/frame_clock.h"
+#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
+
+class ContactTracker {
+ public:
+  /// Refers to the sinks.
+  explicit ContactTracker(std::span<RowSink* const> sinks);
+
+  /// A contact begins at contact.step.
+  void begin(const Contact& contact);
+  /// The wall clamped for the last time at `last_step`.
+  void end(Wall wall, std::int64_t last_step);
+  /// Counts contacts that need not be passed on. REQUIRES: is_full(), or there are none.
+  void count(const WallCounts& begun);
+  /// The run ends at `last_step`, and with it the contacts that go on.
+  void finish(std::int64_t last_step);
+
+  [[nodiscard]] const WallCounts& counts() const { return counts_; }
+  /// Whether no further contact will be passed on.
+  [[nodiscard]] bool is_full() const { return passed_ >= passed_max_; }
+
+ private:
+  static constexpr std::int64_t kNone = -1;
+  struct Open {
+    std::int64_t index = kNone;  ///< Among those passed on.
+    std::int64_t step = 0;
+  };
+
+  std::vector<RowSink*> sinks_;
+  std::int64_t passed_max_;
+  std::int64_t passed_ = 0;
+  std::array<Open, 4> open_;
+  WallCounts counts_{};
+};
+
+/// Passes each sink the rows and blocks that it wants.
+class Tee {
+ public:
+  static constexpr std::int64_t kNoRow = std::numeric_limits<std::int64_t>::max();
+
+  /// @param first_step the first row that the sinks may get. Refers to the sinks.
+  Tee(std::span<RowSink* const> sinks, std::int64_t first_step);
+
+  /// The next row that any of them wants; kNoRow: none.
+  [[nodiscard]] std::int64_t next_row() const { return next_row_; }
+  /// REQUIRES: row.step == next_row().
+  void row(const Row& row);
+  [[nodiscard]] bool wants_blocks() const { return wants_blocks_; }
+  void block(const Block& block, std::int64_t count);
+  void repeats(const Repetition& repetition);
+  /// Passes on what is left. @param last the run's last row.
+  void finish(const Row& last);
+
+ private:
+  struct Outlet {
+    RowSink& sink;
+    RowSink::Wants wants;
+    std::int64_t next_row = kNoRow;
+    std::int64_t last_row = -1;  // That it got.
+    Columns batch = {};
+  };
+
+  void pass(Outlet& outlet, const Row& row);
+  static void flush(Outlet& outlet);
+  static void set_next_row(Outlet& outlet, std::int64_t after_step);
+  void find_next_row();
+
+  std::vector<Outlet> outlets_;
+  std::int64_t next_row_ = kNoRow;
+  bool wants_blocks_ = false;
+};
 
 /// Rows that repeat: whole periods, as many as fit a block.
 struct Cycle {

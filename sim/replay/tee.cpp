@@ -1,4 +1,4 @@
-#include "sim/replay/tee.h"
+#include "sim/replay/player.h"
 
 #include <algorithm>
 #include <cassert>

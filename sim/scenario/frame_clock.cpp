@@ -1,7 +1,6 @@
 #include "sim/scenario/frame_clock.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "sim/scenario/split_mix64.h"

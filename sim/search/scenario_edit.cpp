@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <cmath>
 #include <string_view>
 
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/numbers.h"
 #include "sim/scenario/schedule.h"
 
 namespace hyrax {

@@ -1,7 +1,6 @@
 #include "sim/trajectory/state_hash.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 #include <vector>
 

@@ -79,8 +79,8 @@ class Paper(ProgramTest):
             document["verdicts"]["7-fast"] = 1
             document["more"] = 1
         self.study(BAD_INPUT, "--expect", self.expected(change_form), says=(
-            'expected.json: /format: must be "hyrax-verdicts/1" (found "hyrax-verdicts/2")',
-            "expected.json: /verdicts/7-fast: must be a text (found 1)",
+            'expected.json: /format: unknown format (found hyrax-verdicts/2); allowed: hyrax-verdicts/1',
+            "expected.json: /verdicts/7-fast: must be a text in double quotes (found 1)",
             "expected.json: /more: unknown key (found more); allowed: format, verdicts"))
         twice = EXPECTED.read_text(encoding="utf-8").replace('"7-fast": "holds"', '"7-fast": "holds", "7-fast": "holds"')
         self.study(BAD_INPUT, "--expect", self.write("twice.json", twice), says="/verdicts/7-fast: duplicate key")

@@ -48,19 +48,23 @@ void JsonPlace::breaks_rule(const std::string& rule) const {
 }
 
 bool JsonPlace::is_object_of(const std::vector<std::string_view>& keys) const {
-  if (!is_there()) return false;
+  each_member([&](const std::string& key, const JsonPlace& here) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) here.wrong(unknown_word("key", key, keys));
+  });
+  return is_there() && json_->get<Json::Object>() != nullptr;
+}
+
+void JsonPlace::each_member(
+    const std::function<void(const std::string& key, const JsonPlace& here)>& visit) const {
+  if (!is_there()) return;
   const auto* object = json_->get<Json::Object>();
-  if (object == nullptr) {
-    breaks_rule("must be an object");
-    return false;
-  }
+  if (object == nullptr) return breaks_rule("must be an object");
   std::unordered_set<std::string_view> seen;
   for (const auto& [key, value] : *object) {
     const JsonPlace here(&value, pointer_to(pointer_, key), *problems_);
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) here.wrong(unknown_word("key", key, keys));
+    visit(key, here);
     if (!seen.insert(key).second) here.wrong("duplicate key; keep one of the two");
   }
-  return true;
 }
 
 JsonPlace JsonPlace::member(std::string_view key) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -51,6 +52,8 @@ class JsonPlace {
 
   /// Whether this is an object; if not, and for unknown and duplicate keys, adds an error.
   [[nodiscard]] bool is_object_of(const std::vector<std::string_view>& keys) const;
+  /// Visits the members of an object of any keys; if it is none, and for duplicate keys, adds an error.
+  void each_member(const std::function<void(const std::string& key, const JsonPlace& here)>& visit) const;
   [[nodiscard]] JsonPlace member(std::string_view key) const;
   /// The member; adds an error if it is missing.
   [[nodiscard]] JsonPlace required(std::string_view key) const;

@@ -125,22 +125,13 @@ VariedKey read_key(const JsonPlace& here, const std::string& pointer) {
   return key;
 }
 
-std::vector<VariedKey> read_vary(const JsonPlace& here, JsonProblems& problems) {
+std::vector<VariedKey> read_vary(const JsonPlace& here) {
   std::vector<VariedKey> vary;
-  if (!here.is_there()) return vary;
-  const auto* const object = here.json()->get<Json::Object>();
-  if (object == nullptr) {
-    here.breaks_rule("must be an object");
-    return vary;
-  }
-  std::set<std::string_view> seen;
-  for (const auto& [pointer, json] : *object) {
-    const JsonPlace place(&json, pointer_to(here.pointer(), pointer), problems);
-    if (!seen.insert(pointer).second) place.wrong("duplicate key; keep one of the two");
+  here.each_member([&](const std::string& pointer, const JsonPlace& place) {
     if (pointer == "/expect" || pointer.starts_with("/expect/"))
       place.wrong("the members have no expect; it is dropped from the base");
     vary.push_back(read_key(place, pointer));
-  }
+  });
   std::sort(vary.begin(), vary.end(),
             [](const VariedKey& a, const VariedKey& b) { return a.pointer < b.pointer; });
   return vary;
@@ -218,14 +209,14 @@ void read_members(const JsonPlace& document, SweepDraft& draft) {
     members.breaks_rule("must be a multiple of the grids' combinations, " + std::to_string(product));
 }
 
-SweepDraft read_draft(const JsonPlace& document, const std::string& source, JsonProblems& problems) {
+SweepDraft read_draft(const JsonPlace& document, const std::string& source) {
   SweepDraft draft;
   if (!document.is_object_of({"$schema", "format", "base", "members", "seed", "vary", "keep"})) return draft;
   const auto format = document.required("format").text();
   if (format && *format != kSweepFormat)
     document.member("format").wrong(unknown_word("format", *format, {kSweepFormat}));
   read_base(document.required("base"), source, draft);
-  draft.vary = read_vary(document.required("vary"), problems);
+  draft.vary = read_vary(document.required("vary"));
   read_members(document, draft);
   const bool is_drawn = std::any_of(draft.vary.begin(), draft.vary.end(), [](const VariedKey& key) {
     return std::holds_alternative<UniformDraw>(key.variation) ||
@@ -345,7 +336,7 @@ std::string canonical_text(const Sweep& sweep, const Json& base) {
 SweepFile parse_sweep(std::string_view text, const std::string& source, SweepCheck check) {
   const Json document = parse_json(text, source);
   JsonProblems problems;
-  SweepDraft draft = read_draft(JsonPlace(&document, "", problems), source, problems);
+  SweepDraft draft = read_draft(JsonPlace(&document, "", problems), source);
   problems.throw_if_any(source);
   SweepFile file;
   Sweep& sweep = file.sweep;

@@ -1,9 +1,12 @@
-// A core from a header: compiled, traced and loaded.
+// A core from a header: compiled, traced, and loaded into a process of its own, where it can end only itself.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "sim/card/compared_core.h"
+#include "sim/card/play_watch.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/temporary_folder.h"
 
@@ -32,9 +35,18 @@ struct CoreFile {
 [[nodiscard]] CoreFile core_of_golden(const CoreRecord& shipped, const std::string& golden_folder,
                                       const TemporaryFolder& folder, const std::string& name);
 
-/// Loads a core's library into a core process (core_process.h), for as long as it runs.
+/// Loads a core's library into a core process, for as long as it runs.
 /// ERRORS: Failure(cannot_access); CoreRefused.
 [[nodiscard]] LibraryCore& load_library(const std::string& library, int number, PlayWatch& watch);
 [[nodiscard]] ComparedCore load_core(const CoreFile& file, int number, PlayWatch& watch);
+
+/// Returns what `work` does, done in a process of its own. Cores may be loaded there alone.
+/// @param headers by ComparedCore::number: they name a core in messages.
+/// @param folder for the text on its way back.
+/// ERRORS: what work throws, as a Failure; Failure(bad_input) "HEADER: refused: ...", with the place, if a
+/// core ends the process, is refused or takes longer than the limit. REQUIRES: no other thread runs.
+[[nodiscard]] std::string in_core_process(const std::vector<std::string>& headers, unsigned limit_s,
+                                          const TemporaryFolder& folder,
+                                          const std::function<std::string(PlayWatch&)>& work);
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-#include "tools/hyrax-compare/core_process.h"
+#include "tools/hyrax-compare/core_file.h"
 
 #include <cerrno>
 #include <csignal>

@@ -17,7 +17,6 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
 #include "tools/hyrax-compare/core_file.h"
-#include "tools/hyrax-compare/core_process.h"
 #include "tools/report/page_file.h"
 #include "tools/report/result_page.h"
 #include "tools/store/output_guard.h"

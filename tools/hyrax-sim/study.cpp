@@ -15,7 +15,7 @@
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/progress.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/files/json_pointer.h"
+#include "tools/files/json_reader.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
@@ -31,58 +31,24 @@ namespace {
 
 constexpr std::string_view kVerdictsFormat = "hyrax-verdicts/1";
 
-// Reads { "format": "hyrax-verdicts/1", "verdicts": { "2.3-energy": "does not hold", ... } } and collects
-// every fault of its form. Whether its names and verdicts exist is the study's to judge.
-class VerdictsReader {
- public:
-  explicit VerdictsReader(const std::string& path)
-      : expected_{path, {}}, document_(parse_json(read_text_file(path), path)) {}
-
-  [[nodiscard]] ExpectedVerdicts read() {
-    const Json::Object* const members = document_.get<Json::Object>();
-    if (members == nullptr) {
-      refuse("/", "must be an object with the keys format, verdicts");
-    } else {
-      for (const auto& [key, value] : *members) read_member(key, value);
-      for (const char* const key : {"format", "verdicts"})
-        if (document_.find(key) == nullptr) refuse(std::string("/") + key, "is missing");
-    }
-    if (!faults_.empty()) refuse_input(faults_);
-    return std::move(expected_);
+// Reads { "format": "hyrax-verdicts/1", "verdicts": { "2.3-energy": "does not hold", ... } }. Whether its
+// names and verdicts exist is the study's to judge.
+ExpectedVerdicts read_verdicts(const std::string& path) {
+  const Json json = parse_json(read_text_file(path), path);
+  JsonProblems problems;
+  const JsonPlace document(&json, "", problems);
+  ExpectedVerdicts expected{path, {}};
+  if (document.is_object_of({"format", "verdicts"})) {
+    const JsonPlace format = document.required("format");
+    if (const auto name = format.text(); name && *name != kVerdictsFormat)
+      format.wrong(unknown_word("format", *name, {kVerdictsFormat}));
+    document.required("verdicts").each_member([&](const std::string& name, const JsonPlace& verdict) {
+      expected.verdicts.emplace_back(name, verdict.text().value_or(""));
+    });
   }
-
- private:
-  void refuse(const std::string& place, const std::string& rule) {
-    faults_ += (faults_.empty() ? "" : "\n") + expected_.path + ": " + place + ": " + rule;
-  }
-
-  void read_member(const std::string& key, const Json& value) {
-    if (key == "verdicts") return read_verdicts(value);
-    if (key != "format") return refuse("/" + key, unknown_word("key", key, {"format", "verdicts"}));
-    const std::string* const format = value.get<std::string>();
-    if (format == nullptr || *format != kVerdictsFormat)
-      refuse("/format", "must be \"" + std::string(kVerdictsFormat) + "\" (found " + to_text(value) + ")");
-  }
-
-  void read_verdicts(const Json& value) {
-    const Json::Object* const verdicts = value.get<Json::Object>();
-    if (verdicts == nullptr) return refuse("/verdicts", "must be an object with a verdict for each name");
-    std::set<std::string> names;
-    for (const auto& [name, verdict] : *verdicts) {
-      const std::string* const text = verdict.get<std::string>();
-      if (!names.insert(name).second)
-        refuse(pointer_to("/verdicts", name), "duplicate key");
-      else if (text == nullptr)
-        refuse(pointer_to("/verdicts", name), "must be a text (found " + to_text(verdict) + ")");
-      else
-        expected_.verdicts.emplace_back(name, *text);
-    }
-  }
-
-  ExpectedVerdicts expected_;
-  Json document_;
-  std::string faults_;
-};
+  problems.throw_if_any(path);
+  return expected;
+}
 
 struct StudyArguments {
   std::vector<std::string> files;  ///< The study's name, then scenarios.
@@ -185,7 +151,7 @@ StudyRequest request_of(const Core& core, const Study& study, const StudyArgumen
   }
   if (!arguments.within.empty())
     request.within_px = parse_length_px(arguments.within, "hyrax-sim study " + study.name + ": --within");
-  if (!arguments.expect_file.empty()) request.expected = VerdictsReader(arguments.expect_file).read();
+  if (!arguments.expect_file.empty()) request.expected = read_verdicts(arguments.expect_file);
   return request;
 }
 

@@ -1,4 +1,4 @@
-#include "tools/hyrax/monitor.h"
+#include "tools/hyrax/window.h"
 
 #include <shellscalingapi.h>
 

@@ -1,4 +1,4 @@
-#include "tools/hyrax/tray.h"
+#include "tools/hyrax/window.h"
 
 #include <shellapi.h>
 

@@ -1,15 +1,39 @@
-// The window that shows the hyrax.
+// What the system shows: monitors and pointer, the window of the hyrax, the icon and the menu.
 #pragma once
 
 #include <exception>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include <windows.h>
 
+#include "tools/hyrax/desk.h"
 #include "tools/hyrax/frame_log.h"
 #include "tools/hyrax/pet.h"
 
 namespace hyrax {
+
+struct Monitor {
+  HMONITOR handle;
+  Desk desk;
+};
+
+/// The monitor at the point, or the nearest one; without any, an arbitrary desk.
+[[nodiscard]] Monitor monitor_under(ScreenPoint point);
+
+/// Its current work area, and the size of the sprite at its scaling. Nothing if it was disconnected.
+[[nodiscard]] std::optional<Desk> desk_of(HMONITOR monitor);
+
+/// Frames per second, 30 .. 240; 60 if unknown.
+[[nodiscard]] int refresh_hz(HMONITOR monitor);
+
+/// The pointer when the current message was sent; it may have moved since.
+[[nodiscard]] ScreenPoint pointer_of_message();
+/// The pointer now. Nothing if the system refuses, as on a locked desktop.
+[[nodiscard]] std::optional<ScreenPoint> pointer();
+/// Whether the main button is pressed now.
+[[nodiscard]] bool is_button_down();
 
 /// What is drawn.
 struct SpriteLook {
@@ -68,5 +92,47 @@ class Window {
   int modals_ = 0;
   std::exception_ptr failure_;
 };
+
+class TrayIcon {
+ public:
+  /// @param message sent to the window when the icon is clicked.
+  TrayIcon(HWND window, UINT message);
+  TrayIcon(const TrayIcon&) = delete;
+  TrayIcon& operator=(const TrayIcon&) = delete;
+  ~TrayIcon();
+
+  /// Adds the icon; needed again after the task bar was restarted.
+  void show() const;
+  /// Shows a notification beside it.
+  void notify(const std::string& sentence) const;
+
+ private:
+  HWND window_;
+  UINT message_;
+};
+
+enum class Choice {
+  none = 0,
+  throw_it = 1,
+  pause = 2,
+  reset = 3,
+  start_recording = 4,
+  save_recording = 5,
+  save_just_happened = 6,
+  about = 7,
+  quit = 8,
+};
+
+struct MenuState {
+  bool is_replay = false;  ///< A replay takes no inputs.
+  bool is_paused = false;
+  bool is_recording = false;
+};
+
+/// Shows the menu at the pointer until the user makes a choice or closes it.
+[[nodiscard]] Choice choose_from_menu(HWND window, const MenuState& state);
+
+/// Shows the version in a message box.
+void show_about(HWND window);
 
 }  // namespace hyrax

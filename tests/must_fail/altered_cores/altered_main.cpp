@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/cause/constant_change.h"
+#include "sim/cause/header_change.h"
 #include "sim/core/core_of.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"

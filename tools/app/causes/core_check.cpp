@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
-#include "sim/cause/constant_change.h"
+#include "sim/cause/header_change.h"
 #include "sim/cause/run_match.h"
 #include "sim/core/contact_kernel.h"
 #include "sim/core/traced_core.h"

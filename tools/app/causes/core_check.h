@@ -14,12 +14,35 @@
 #include "sim/cause/cause_groups.h"
 #include "sim/cause/header_change.h"
 #include "sim/core/core.h"
-#include "tools/app/causes/unnoticed.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trace/step_difference.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
+
+/// A difference of two steps that no scenario of the library shows.
+struct UnnoticedDifference {
+  std::string text;
+  std::optional<Scenario> scenario;  ///< Shows it, where the search found a step.
+  std::string consequence;           ///< As "after 5 s 12.3 px apart".
+  std::int64_t steps_tried = 0;
+};
+
+/// The accepted core, this program's, and their steps. Refers to all.
+struct CorePair {
+  const StepPair& steps;
+  const Core& accepted;
+  const Core& program;
+};
+
+/// Marks in `noticed` (one a difference) those that a row of the scenario shows, played by the accepted core.
+void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed);
+
+/// Searches for a scenario for each difference that is not noticed: the same on every machine.
+[[nodiscard]] std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores,
+                                                                const std::vector<bool>& noticed);
 
 enum class CoreStatus : std::uint8_t {
   none,          ///< No accepted core, or a damaged one.

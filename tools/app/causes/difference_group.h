@@ -1,7 +1,6 @@
 // Scenarios whose runs are not their golden files', grouped by cause: what `check` and `bless` show.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

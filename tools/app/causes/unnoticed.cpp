@@ -1,4 +1,4 @@
-#include "tools/app/causes/unnoticed.h"
+#include "tools/app/causes/core_check.h"
 
 #include <fmt/format.h>
 

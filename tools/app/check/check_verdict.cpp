@@ -3,7 +3,6 @@
 #include <chrono>
 #include <exception>
 #include <new>
-#include <optional>
 
 #include "sim/cause/watched_core.h"
 #include "sim/study/reference_model.h"

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "sim/cause/header_change.h"
-#include "sim/core/core.h"
 #include "sim/core/traced_core.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"

@@ -1,11 +1,7 @@
 #include "tools/app/runs/scenario_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cassert>
 
-#include "sim/core/core.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -15,7 +11,7 @@
 #include "tools/app/play/play_with_progress.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
-#include "tools/report/run_figure.h"
+#include "tools/report/run_scene.h"
 #include "tools/store/drift_tables.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"

@@ -1,5 +1,5 @@
 // A traced step with another constant is the step of a header with that constant.
-#include "sim/cause/constant_change.h"
+#include "sim/cause/header_change.h"
 #include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>

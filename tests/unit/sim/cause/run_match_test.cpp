@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/cause/observed_step.h"
 #include "tests/unit/sim/cause/hand_step.h"
 
 namespace hyrax {

@@ -15,7 +15,7 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
-#include "tools/hyrax/session.h"
+#include "tools/hyrax/pet.h"
 
 namespace hyrax {
 namespace {

@@ -9,7 +9,7 @@
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/hyrax/session.h"
+#include "tools/hyrax/pet.h"
 
 namespace hyrax {
 namespace {

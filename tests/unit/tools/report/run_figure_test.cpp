@@ -1,4 +1,3 @@
-#include "tools/report/run_figure.h"
 
 #include <array>
 #include <cmath>
