@@ -13,7 +13,7 @@ from program import AGREED, main
 D = decimal.Decimal
 decimal.getcontext().prec = 50
 SEED = 20
-CASES = 120
+CASES = 60
 RIGHT_PX, BOTTOM_PX = 1920 - 128, 1080 - 128
 GRAVITY = D(1200)
 DRAG = -D(0.999).ln()
