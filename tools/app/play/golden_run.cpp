@@ -69,22 +69,16 @@ class ContactSink final : public RowSink {
   std::size_t next_ = 0;
 };
 
-// Replays a stored block from its keyframe.
-RowBlock expand_by(const Core& core, const Scenario& scenario, const StoredBlock& kept) {
-  RowBlock rows;
-  BlockSink sink(rows);
-  Replay replay(core, scenario, kept.keyframe, sink);
-  replay.play_to(
-      std::min(replay.steps(), kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1));
-  static_cast<void>(replay.finish());
-  return rows;
-}
-
-// By the first core that gives the block's digest.
+// Replays a stored block from its keyframe, by the first core that gives its digest.
 RowBlock expand(const std::vector<Core>& cores, const Scenario& scenario, const StoredBlock& kept) {
+  const std::int64_t end_step = kept.keyframe.row.step + static_cast<std::int64_t>(kBlockRows) - 1;
   RowBlock rows;
   for (const Core& core : cores) {
-    rows = expand_by(core, scenario, kept);
+    rows.shrink(0);
+    BlockSink sink(rows);
+    Replay replay(core, scenario, kept.keyframe, sink);
+    replay.play_to(std::min(replay.steps(), end_step));
+    static_cast<void>(replay.finish());
     if (digest(rows) == kept.digest) break;
   }
   return rows;
