@@ -1,7 +1,6 @@
 #include "sim/ensemble/ensemble.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "sim/core/core.h"
 #include "sim/motion/displays.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/draws.h"

@@ -1,6 +1,5 @@
 #include "sim/search/step_watch.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <string>
-
-#include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
 
 namespace hyrax {

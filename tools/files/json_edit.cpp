@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
-#include <vector>
 
 #include "tools/files/json.h"
 

@@ -1,7 +1,6 @@
 #include "tools/files/scenario_changes.h"
 
 #include <algorithm>
-#include <string_view>
 #include <vector>
 
 #include "tools/files/json.h"

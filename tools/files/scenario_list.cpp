@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iterator>
 
-#include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
 

@@ -1,7 +1,6 @@
 #include "tools/files/unknown_word.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "tools/files/printable.h"
 

@@ -8,7 +8,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "sim/core/core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/options.h"

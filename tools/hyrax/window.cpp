@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <string>
 using std::max;
 using std::min;
 #include <gdiplus.h>

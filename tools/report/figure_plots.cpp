@@ -3,8 +3,6 @@
 #include <cassert>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "sim/result/number_text.h"
 #include "tools/report/figure_body.h"
 #include "tools/report/label_placer.h"

@@ -1,10 +1,8 @@
 #include "tools/report/look.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
 #include <fmt/format.h>

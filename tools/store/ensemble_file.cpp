@@ -10,7 +10,6 @@
 
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
 #include "tools/files/sweep_reader.h"
 #include "tools/store/isolated_read.h"
 #include "tools/store/provenance.h"

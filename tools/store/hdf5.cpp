@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
-#include <numeric>
 #include <system_error>
 
 namespace hyrax::h5 {

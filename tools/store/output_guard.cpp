@@ -1,6 +1,5 @@
 #include "tools/store/output_guard.h"
 
-#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <fstream>

@@ -15,7 +15,6 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/store/input_record.h"
 #include "tools/store/isolated_read.h"
-#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {

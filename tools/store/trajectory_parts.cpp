@@ -1,7 +1,6 @@
 #include "tools/store/trajectory_parts.h"
 
 #include <cassert>
-#include <functional>
 
 #include "tools/files/scenario_writer.h"
 #include "tools/store/input_record.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/core/core.h"
 #include "sim/motion/step.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/study/methods/many_flings.h"

@@ -1,10 +1,8 @@
 #include "sim/study/frame_rate/frame_rate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "sim/core/core.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method.h"

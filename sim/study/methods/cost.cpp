@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <functional>
 #include <iterator>
 #include <numeric>
 

@@ -1,6 +1,5 @@
 #include "sim/study/methods/script.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>

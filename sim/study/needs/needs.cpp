@@ -6,11 +6,9 @@
 
 #include "sim/cause/watched_core.h"
 #include "sim/compare/comparison.h"
-#include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/problem.h"
-#include "sim/study/methods/script.h"
 #include "sim/trace/step_program.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"

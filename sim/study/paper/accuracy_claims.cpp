@@ -1,6 +1,5 @@
 // Sections 2.3, 2.4 and 4.1: oscillators, order, energy drift and missed collisions, each over many starts.
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/core/core.h"
 #include "sim/motion/step.h"
 #include "sim/result/estimate.h"
 

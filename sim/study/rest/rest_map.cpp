@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "sim/core/core.h"
 #include "sim/reference/flight.h"
 #include "sim/study/methods/many_flings.h"
 

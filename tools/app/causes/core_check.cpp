@@ -4,12 +4,10 @@
 
 #include <algorithm>
 
-#include "sim/cause/header_change.h"
 #include "sim/cause/run_match.h"
 #include "sim/core/contact_kernel.h"
 #include "sim/core/traced_core.h"
 #include "sim/result/figure.h"
-#include "sim/trace/step_difference.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/printable.h"

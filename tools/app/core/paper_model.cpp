@@ -1,6 +1,5 @@
 #include "tools/app/core/paper_model.h"
 
-#include "sim/core/core.h"
 #include "sim/study/reference_model.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"

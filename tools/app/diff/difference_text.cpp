@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include "sim/trajectory/columns.h"
-#include "tools/files/json.h"
 
 namespace hyrax {
 namespace {

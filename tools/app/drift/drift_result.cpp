@@ -6,7 +6,6 @@
 #include "sim/reference/drift_columns.h"
 #include "sim/result/number_text.h"
 #include "tools/app/drift/drift.h"
-#include "tools/files/table_text.h"
 
 namespace hyrax {
 namespace {

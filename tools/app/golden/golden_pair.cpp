@@ -1,10 +1,8 @@
 #include "tools/app/golden/golden_pair.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "sim/cause/cause.h"
-#include "sim/core/core.h"
 #include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/reference_model.h"
@@ -12,7 +10,6 @@
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/paper_model.h"
 #include "tools/app/drift/start_dependence.h"
-#include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"

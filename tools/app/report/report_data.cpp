@@ -1,7 +1,5 @@
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "sim/core/core.h"
 #include "sim/replay/fingerprint.h"

@@ -10,7 +10,6 @@
 #include <map>
 #include <mutex>
 
-#include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/progress.h"
 #include "tools/app/command_line/workers.h"
