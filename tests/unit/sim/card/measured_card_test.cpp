@@ -37,8 +37,10 @@ TEST(MeasuredCard, IsTheOneApproved) {
   request.recordings = {request.library[1]};
   request.hard = {request.library[2]};
   request.rows_hash = {rows_hash(base, request), rows_hash(candidate, request)};
-  const Result result = card_result(measure_card(base, candidate, request));
-  std::string text = described(result.verdict);
+  const Card card = measure_card(base, candidate, request);
+  const Result result = card_result(card);
+  std::string text = "at most " + six_digits(card.displays.distance_max_px) + " px apart on a display\n";
+  text += described(result.verdict);
   for (const Table& table : result.summary) text += described(table);
   for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/measured.txt", text);

@@ -69,6 +69,10 @@ TEST_F(StoredRuns, ShowTheStepsAroundTheFirstDifference) {
     EXPECT_EQ(steps.front().step, std::max<std::int64_t>(0, block - 1) * kRows + 1) << frame;
     EXPECT_GE(steps.back().step, std::min((block + 1) * kRows - 1, 4 * kRows + 9)) << frame;
     EXPECT_EQ(std::ranges::count(steps, true, &ObservedStep::follows_input), 1) << frame;
+    flung.events = {{frame, Resize{Size{1900, 1060}, {}}}, {frame, Hitch{0.1}}};  // They set no state.
+    EXPECT_EQ(std::ranges::count(observed_steps(run_of(flung), run_of(even), core), true,
+                                 &ObservedStep::follows_input),
+              0);
   }
 }
 
