@@ -1,12 +1,10 @@
-#include "tools/hyrax/recorder.h"
+#include "tools/hyrax/app.h"
 
 #include <shlobj.h>
 
 #include <utility>
 
 #include "tools/files/atomic_file.h"
-#include "tools/files/failure.h"
-#include "tools/hyrax/frame_pacer.h"
 #include "tools/hyrax/report.h"
 
 namespace hyrax {
