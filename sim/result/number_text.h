@@ -16,7 +16,7 @@ namespace hyrax {
   std::snprintf(letters, sizeof letters, "%.*f", decimals, value == 0.0 ? 0.0 : size);
   std::string text = letters;
   const std::size_t point = std::min(text.find('.'), text.size());
-  for (std::size_t at = point; at > 3; at -= 3) text.insert(at - 3, ",");
+  for (std::size_t at = point; at > 3; at -= 3) text.insert(at - 3, 1, ',');
   const bool is_zero = text.find_first_not_of("0.,") == text.npos;
   return value < 0.0 && !is_zero ? "-" + text : text;
 }
