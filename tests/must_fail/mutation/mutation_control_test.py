@@ -59,7 +59,7 @@ class Fates(unittest.TestCase):
         scenario, step, kind = verdict.difference.split()
         self.assertTrue((SOURCE / scenario).is_file(), verdict)
         self.assertGreater(int(step), 0)
-        self.assertEqual(kind, "contacts")
+        self.assertEqual(kind, "rounding")
 
     def test_a_change_without_effect_survives(self):
         self.assertEqual(self.fate("m_x = rightBound * 1.0;", self.build.tests), Verdict("survived"))
