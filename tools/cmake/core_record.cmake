@@ -38,6 +38,7 @@ set(libraries [==[${hyrax_trace_libraries}]==])
     COMMENT "Tracing the step of ${header}"
     VERBATIM)
   add_library(${target} STATIC ${folder}/core_record.cpp)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # A copy of a build for mutants knows no included sources.
   target_include_directories(${target} PRIVATE ${hyrax_trace_root})
   target_compile_features(${target} PRIVATE cxx_std_20)
 endfunction()

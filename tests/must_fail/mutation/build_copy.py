@@ -20,7 +20,8 @@ from original_build import PROGRAM, CannotBuild, printed
 _ADDRESS_SPACE_MAX, _FILE_SIZE_MAX = 8 << 30, 4 << 30
 _CHECK_S_MAX = 2  # Of processor time; a check of all scenarios takes a tenth of a second.
 PASSED = ("Passed", "Skipped")
-_RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake", "compile_commands.json", "settings.cmake")
+_RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake", "compile_commands.json", "settings.cmake",
+              "unity_0_cxx.cxx")
 _OUTCOME = re.compile(r"^ *\d+/\d+ Test +#\d+: (\S+) \.*(?:\*\*\*)? *(.*?) +([\d.]+) sec", re.MULTILINE)
 
 
