@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "sim/result/estimate.h"
@@ -20,41 +21,9 @@ bool is_prime(std::int64_t number) {
   return true;
 }
 
-std::string sampled_note(std::int64_t members, std::int64_t stride) {
-  const std::string all = with_decimals(static_cast<double>(members), 0) + " members";
-  return stride == 1 ? "all " + all : "1 of every " + std::to_string(stride) + " of " + all;
-}
-
-Plot histogram(const MemberNumbers& numbers) {
-  const double low = numbers.smallest(), high = numbers.largest();
-  // Whole numbers of a small range have a bin each.
-  const bool is_counted = numbers.is_whole() && high - low < kBins;
-  const int bins = is_counted ? static_cast<int>(high - low) + 1 : kBins;
-  const double from = is_counted ? low - 0.5 : low;
-  const double width = is_counted ? 1.0 : std::max(high - low, 1e-300) / bins;
-  std::vector<double> counts(static_cast<std::size_t>(bins));
-  double known = 0.0;
-  for (const double value : numbers.sample()) {
-    if (!std::isfinite(value)) continue;
-    const double place = std::floor((value - from) / width);
-    counts[static_cast<std::size_t>(std::clamp(place, 0.0, bins - 1.0))] += 1.0;
-    ++known;
-  }
-  Series series{.name = numbers.name(), .look = {.form = Form::band, .tone = Tone::blue}};
-  for (int bin = 0; bin < bins; ++bin)
-    for (const int side : {0, 1}) {
-      series.x.push_back(from + (bin + side) * width);
-      series.y.push_back(100.0 * counts[static_cast<std::size_t>(bin)] / std::max(known, 1.0));
-      series.y_low.push_back(0.0);
-    }
-  Axis axis{.label = numbers.label()};
-  constexpr int kTicksMax = 12;
-  for (int bin = 0; is_counted && bins <= kTicksMax && bin < bins; ++bin)
-    axis.ticks.push_back({low + bin, std::to_string(static_cast<std::int64_t>(low) + bin)});
-  return {.x = std::move(axis),
-          .y = {.label = "members, %", .low = 0.0},
-          .series = {std::move(series)},
-          .when_empty = "no member has this number"};
+std::string count_note(std::int64_t count, std::int64_t members) {
+  const auto text = [](std::int64_t number) { return with_decimals(static_cast<double>(number), 0); };
+  return (count == members ? "all " : text(count) + " of ") + text(members) + " members";
 }
 
 std::vector<const MemberNumbers*> results_of(const std::vector<MemberNumbers>& numbers) {
@@ -99,6 +68,40 @@ void MemberNumbers::add(double value) {
   mean_ += (value - mean_) / static_cast<double>(known_);
 }
 
+void MemberNumbers::bin(double value) {
+  if (!std::isfinite(value)) return;
+  if (bins_.empty()) {
+    const double range = largest_ - smallest_;
+    const bool is_counted = is_whole_ && range < kBins;
+    bins_.resize(is_counted ? static_cast<std::size_t>(range) + 1 : kBins);
+    bins_from_ = is_counted ? smallest_ - 0.5 : smallest_;
+    if (!is_counted) bin_width_ = std::max(range, 1e-300) / kBins;
+  }
+  const double place = std::floor((value - bins_from_) / bin_width_);
+  ++bins_[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(bins_.size() - 1)))];
+}
+
+Plot MemberNumbers::histogram() const {
+  Series series{.name = name_, .look = {.form = Form::band, .tone = Tone::blue}};
+  Axis axis{.label = label()};
+  const double known = static_cast<double>(std::reduce(bins_.begin(), bins_.end()));
+  constexpr std::size_t kTicksMax = 12;
+  for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
+    const double left = bins_from_ + static_cast<double>(bin) * bin_width_;
+    for (const double x : {left, bins_from_ + static_cast<double>(bin + 1) * bin_width_}) {
+      series.x.push_back(x);
+      series.y.push_back(100.0 * static_cast<double>(bins_[bin]) / known);
+      series.y_low.push_back(0.0);
+    }
+    if (bins_from_ != smallest_ && bins_.size() <= kTicksMax)
+      axis.ticks.push_back({left + 0.5, std::to_string(static_cast<std::int64_t>(left + 0.5))});
+  }
+  return {.x = std::move(axis),
+          .y = {.label = "members, %", .low = 0.0},
+          .series = {std::move(series)},
+          .when_empty = "no member has this number"};
+}
+
 double MemberNumbers::smallest() const { return known_ == 0 ? kNotGiven : smallest_; }
 double MemberNumbers::largest() const { return known_ == 0 ? kNotGiven : largest_; }
 double MemberNumbers::mean() const { return known_ == 0 ? kNotGiven : mean_; }
@@ -121,13 +124,13 @@ std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers, st
     std::vector<Plot> plots;
     std::string title = "How the members end: ";
     for (std::size_t at = first; at < std::min(first + kPlotsOfARow, results.size()); ++at) {
-      plots.push_back(histogram(*results[at]));
+      plots.push_back(results[at]->histogram());
       title += (at == first ? "" : ", ") + results[at]->name();
     }
     figures.push_back({.suffix = "-distribution-" + std::to_string(first / kPlotsOfARow + 1),
                        .title = std::move(title),
                        .subtitle = "Share of the members with a number in each interval",
-                       .note = sampled_note(members, sample_stride(members, kSamplesMax)),
+                       .note = count_note(results[first]->known() + results[first]->missing(), members),
                        .note_tone = Tone::quiet,
                        .body = std::move(plots)});
   }

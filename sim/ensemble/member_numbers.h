@@ -11,7 +11,7 @@
 
 namespace hyrax {
 
-/// So many values make the figures and quantiles of a number.
+/// So many values make the points and quantiles of a number.
 inline constexpr std::int64_t kSamplesMax = 20'000;
 
 /// The member whose number, and every multiple of it, is in a sample of at most `samples_max` of `members`: a
@@ -30,6 +30,8 @@ class MemberNumbers {
 
   /// The next member's; NaN: it has none.
   void add(double value);
+  /// When all are added, each once more: its interval of the distribution.
+  void bin(double value);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& unit() const { return unit_; }
@@ -52,6 +54,9 @@ class MemberNumbers {
   [[nodiscard]] double quantile(double part) const;
   /// Every K-th member's number, from member 0.
   [[nodiscard]] const std::vector<double>& sample() const { return sample_; }
+  /// The share of the members in each interval, which are equally wide, or one a whole number of a small
+  /// range.
+  [[nodiscard]] Plot histogram() const;
 
  private:
   std::string name_;
@@ -66,9 +71,12 @@ class MemberNumbers {
   double largest_ = 0.0;
   double mean_ = 0.0;
   std::vector<double> sample_;
+  double bins_from_ = 0.0;
+  double bin_width_ = 1.0;
+  std::vector<std::int64_t> bins_;
 };
 
-/// How each result that is no constant is distributed: figures of the samples.
+/// How each result that is no constant is distributed over what was added and binned of `members`.
 [[nodiscard]] std::vector<Figure> member_figures(const std::vector<MemberNumbers>& numbers,
                                                  std::int64_t members);
 

@@ -102,12 +102,15 @@ void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, 
                      column.unit, column.long_name, role, (reader.rows() + between - 1) / between);
   const std::int64_t rows_at_once = between == 1 ? 1 << 16 : 1;
   std::vector<std::byte> bytes;
-  for (std::int64_t row = 0; row < reader.rows(); row += std::max(rows_at_once, between)) {
-    const std::int64_t count = std::min(rows_at_once, reader.rows() - row);
-    bytes.resize(static_cast<std::size_t>(count) * column.row_bytes());
-    reader.read(index, row, count, bytes.data());
-    for (std::size_t value = 0; value < static_cast<std::size_t>(count) * column.width; ++value)
-      all[first + value % column.width].add(number_at(column.type, bytes.data() + 8 * value));
+  for (const auto take : {&MemberNumbers::add, &MemberNumbers::bin}) {
+    if (take == &MemberNumbers::bin && role != MemberRole::result) continue;
+    for (std::int64_t row = 0; row < reader.rows(); row += std::max(rows_at_once, between)) {
+      const std::int64_t count = std::min(rows_at_once, reader.rows() - row);
+      bytes.resize(static_cast<std::size_t>(count) * column.row_bytes());
+      reader.read(index, row, count, bytes.data());
+      for (std::size_t value = 0; value < static_cast<std::size_t>(count) * column.width; ++value)
+        (all[first + value % column.width].*take)(number_at(column.type, bytes.data() + 8 * value));
+    }
   }
 }
 
@@ -166,10 +169,12 @@ std::string constants_text(const std::vector<MemberNumbers>& numbers) {
   std::string text;
   for (const MemberNumbers& each : numbers) {
     if (each.role() != MemberRole::result || each.known() == 0 || !each.is_constant()) continue;
-    const bool is_zero = each.largest() != each.smallest() || std::abs(each.largest()) < 1e-9;
+    const bool is_zero = std::abs(each.mean()) < 1e-9;
     const bool is_rounded = is_zero && (each.largest() != 0.0 || each.smallest() != 0.0);
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", each.label(),
-                        is_rounded ? "0 (rounding)" : fmt::format("{:.6g}", each.mean()));
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", each.name(),
+                        is_zero ? "0" : rounded(each.mean(), 6),
+                        each.unit() == "1" || each.unit().empty() ? "" : " " + each.unit());
+    if (is_rounded) text += " (rounding)";
   }
   return text;
 }

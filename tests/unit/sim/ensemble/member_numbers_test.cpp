@@ -15,6 +15,7 @@ MemberNumbers numbers_of(const std::vector<double>& values, MemberRole role = Me
                          const std::string& name = "x", const std::string& unit = "px") {
   MemberNumbers numbers(name, unit, "what " + name + " is", role, static_cast<std::int64_t>(values.size()));
   for (const double value : values) numbers.add(value);
+  for (const double value : values) numbers.bin(value);
   return numbers;
 }
 
@@ -36,6 +37,16 @@ TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
   EXPECT_EQ(sample_stride(kMembers, 20'000), 53);
   EXPECT_EQ(sample_stride(20'000, 20'000), 1);
+}
+
+TEST(MemberFigures, CountAllMembersWhateverTheSampleIs) {
+  std::vector<double> values(100'000);
+  values[1] = 1.0;  // The sample holds every seventh.
+  const Figure figure = member_figures({numbers_of(values)}, 100'000).front();
+  EXPECT_EQ(figure.note, "all 100,000 members");
+  const Series& bars = std::get<std::vector<Plot>>(figure.body).front().series.front();
+  EXPECT_EQ(bars.y, (std::vector{99.999, 99.999, 0.001, 0.001}));
+  EXPECT_EQ(member_figures({numbers_of(values)}, 200'000).front().note, "100,000 of 200,000 members");
 }
 
 TEST(MemberFigures, LeaveOutWhatIsConstantButForRounding) {
