@@ -6,6 +6,7 @@
 
 #include "sim/card/card.h"
 #include "sim/card/flings.h"
+#include "sim/result/number_text.h"
 
 namespace hyrax {
 namespace {
@@ -32,10 +33,7 @@ struct Lines {
 // "35.2 (10 .. 80)"
 std::string text_of(const std::optional<Band>& band, double unit = 1.0) {
   if (!band) return "not measured";
-  const auto digits = [unit](double value) {
-    const double shown = value / unit;
-    return std::fabs(shown) >= 100.0 ? fmt::format("{:.0f}", shown) : fmt::format("{:.3g}", shown);
-  };
+  const auto digits = [unit](double value) { return rounded(value / unit, 3); };
   return fmt::format("{} ({} .. {})", digits(band->median), digits(band->low), digits(band->high));
 }
 template <class OptionalBand>
@@ -194,9 +192,10 @@ void add_contacts(const Card& card, Lines& lines) {
 
 void add_landing(const Card& card, Lines& lines) {
   const FlingLine& line = card.random;
-  lines.add("landing", fmt::format("shift in x {} px, distance {} px, largest {:.3g} px{}",
-                                   text_of(line.shift_px), text_of(line.distance_px), line.distance_max_px,
-                                   size_text(line.distance_px, card.flings)));
+  lines.add("landing",
+            fmt::format("shift in x {} px, distance {} px, largest {} px{}", text_of(line.shift_px),
+                        text_of(line.distance_px), rounded(line.distance_max_px, 3),
+                        size_text(line.distance_px, card.flings)));
   lines.add("", fmt::format("of {} random flings at 60 Hz settle: {} -> {}", card.flings, line.settled.before,
                             line.settled.after));
   lines.json.push_back(one(
@@ -218,8 +217,8 @@ void add_displays(const DisplayLine& line, Lines& lines) {
 void add_rest(const RestLine& line, Lines& lines) {
   const auto moved = [&](auto display) {
     const auto at = static_cast<std::size_t>(display);
-    return fmt::format("{:.3g} -> {:.3g} px at {:g} Hz", line.moved_px.before[at], line.moved_px.after[at],
-                       kDisplayRates_hz[at]);
+    return fmt::format("{} -> {} px at {:g} Hz", rounded(line.moved_px.before[at], 3),
+                       rounded(line.moved_px.after[at], 3), kDisplayRates_hz[at]);
   };
   const std::vector<double>& after = line.moved_px.after;
   lines.add("rest", fmt::format("a dropped sprite still moves after 19 s by {}, at most by {}",
@@ -382,7 +381,7 @@ void add_recordings(const std::optional<RecordingLine>& line, Lines& lines) {
   }
   std::vector<std::string> moved;
   for (const MovedRecording& recording : line->moved)
-    moved.push_back(fmt::format("{} {:.3g} px", stem(recording.path), recording.px));
+    moved.push_back(fmt::format("{} {} px", stem(recording.path), rounded(recording.px, 3)));
   lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), line->recordings));
   if (!moved.empty()) lines.add("", list_text(moved, 2));
   lines.json.push_back(one("recordings", {column_of_one("recordings", "1", line->recordings),

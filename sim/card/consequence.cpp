@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/card/card.h"
+#include "sim/result/number_text.h"
 
 namespace hyrax {
 namespace {
@@ -15,17 +16,16 @@ struct Visible {
 };
 
 std::string landing_sentence(const FlingLine& line) {
-  return fmt::format("A fling lands {:.3g} px from where it did (median; one in ten {:.3g} px or more).",
-                     line.distance_px->median, line.distance_px->high);
+  return fmt::format("A fling lands {} px from where it did (median; one in ten {} px or more).",
+                     rounded(line.distance_px->median, 3), rounded(line.distance_px->high, 3));
 }
 
 std::string display_sentence(const DisplayLine& line) {
   const Band& before = *line.spread_px.before;
   const Band& after = *line.spread_px.after;
   return fmt::format(
-      "The same fling on displays of 24 to 1000 Hz lands {:.3g} px apart instead of {:.3g} px (median of "
-      "{}).",
-      after.median, before.median, after.samples);
+      "The same fling on displays of 24 to 1000 Hz lands {} px apart instead of {} px (median of {}).",
+      rounded(after.median, 3), rounded(before.median, 3), after.samples);
 }
 
 // What does not end well at all comes first.
@@ -54,12 +54,12 @@ std::string farthest(const Card& card, double& far_px) {
       far_px = changed.change.largest->px;
     }
   if (far_px > RestAnchor::kStill_px)
-    return fmt::format("Most flings look the same; in {} the sprite is up to {:.3g} px from where it was.",
-                       largest->path, far_px);
+    return fmt::format("Most flings look the same; in {} the sprite is up to {} px from where it was.",
+                       largest->path, rounded(far_px, 3));
   far_px = std::max({far_px, card.random.distance_max_px, card.displays.distance_max_px});
   if (far_px > RestAnchor::kStill_px)
-    return fmt::format("Most flings look the same; the farthest of {} lands {:.3g} px from where it did.",
-                       card.flings, far_px);
+    return fmt::format("Most flings look the same; the farthest of {} lands {} px from where it did.",
+                       card.flings, rounded(far_px, 3));
   return "";
 }
 
@@ -90,7 +90,8 @@ std::string broken_sentence(const HardCaseLine& hard) {
 std::string unseen_sentence(const Card& card, double far_px) {
   const HardCaseLine& hard = card.hard_cases;
   if (far_px > 0.0)
-    return fmt::format("None that can be seen: no sprite is more than {:.2g} px from where it was.", far_px);
+    return fmt::format("None that can be seen: no sprite is more than {} px from where it was.",
+                       rounded(far_px, 2));
   if (!card.library.changed.empty() || card.random.classes.same_bits < card.flings)
     return "None that can be seen: only speeds differ.";
   if (hard.other_cases > 0 || hard.other_random_runs.count > 0)

@@ -194,9 +194,9 @@ class Text(CauseTest):
         text = self.altered("gravity_stronger").out
         self.assertRegex(text, r"^core: changed\n  line \d+ +constant: GRAVITY 1200 -> 1250; alone reproduces 3\n"
                                r"3 of 3 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 3 golden files\.\n"
-                               r"  Contacts differ \(class contacts\): at most \d+(\.\d+)? px, \d+ contacts moved, "
-                               r"comes to rest up to [\d.]+ px away\.\n"
-                               r"  worst   scenarios/\S+\.json: [\d.]+ px at step \d+, [\d.]+ s, \d+ contacts moved")
+                               r"  Contacts differ \(class contacts\): at most [\d.,]+ px, \d+ contacts moved, "
+                               r"comes to rest up to [\d.,]+ px away\.\n"
+                               r"  worst   scenarios/\S+\.json: [\d.,]+ px at step \d+, [\d.]+ s, \d+ contacts moved")
         self.assertIn("  to see all      hyrax-sim check --verbose\n", text)
         self.assertTrue(text.endswith("3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n"))
 

@@ -121,11 +121,11 @@ class Diff(ProgramTest):
         self.assertEqual(lines[2], f"  rest       0.25 px apart: x {last['x']:.6g} -> {last['x'] - 0.25:.6g}, "
                                    f"y {last['y']:.6g} px; settled since 4 s")
         self.assertEqual(lines[3:6], ["  contacts   no contact moved",
-                                      "  energy     at most -4.8e+03 px²/s², at step 100", "  class      values"])
+                                      "  energy     at most -4,800 px²/s², at step 100", "  class      values"])
 
     def test_energy_that_is_gained_has_a_sign(self):
         self.change("trajectory/y", 100, lambda value: value - 1.0)
-        self.assertIn("  energy     at most +1.2e+03 px²/s², at step 100\n", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+        self.assertIn("  energy     at most +1,200 px²/s², at step 100\n", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
 
     def test_a_run_that_does_not_settle_ends_somewhere(self):
         self.change("trajectory/x", 299, lambda value: value + 9.0)

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "sim/reference/energy_causes.h"
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/failure.h"
@@ -133,8 +134,8 @@ Figure whole_figure(const DriftRun& run) {
   if (const auto& whole = run.whole.run; whole && !series.x.empty()) {
     series.x.push_back(run.simulated_s);
     series.y.push_back(whole->end_px);
-    subtitle +=
-        fmt::format("; at the end {:.3g} px, {:.3g} px of height", whole->end_px, whole->energy_end_px);
+    subtitle += fmt::format("; at the end {} px, {} px of height", rounded(whole->end_px, 3),
+                            rounded(whole->energy_end_px, 3));
   } else {
     series = {.name = series.name, .look = series.look};
     plot.when_empty += ": " + run.whole.why_not;

@@ -179,7 +179,8 @@ Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judge
     steps += played.result.steps;
     knife_edges += played.result.knife_edges;
   }
-  Verdict verdict{{fmt::format("hard-cases: {} cases, {} steps, each step checked", cases.size(), steps),
+  Verdict verdict{{fmt::format("hard-cases: {} cases, {}, each step checked", cases.size(),
+                               counted(static_cast<double>(steps), "step")),
                    invariant_table(judgements)},
                   {}};
   if (knife_edges > 0)

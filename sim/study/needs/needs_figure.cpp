@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/study/needs/coverage.h"
 
 namespace hyrax {
@@ -72,7 +73,7 @@ struct DistanceAxis {
 
 std::string length_text(double length_px) {
   if (!std::isfinite(length_px)) return "without bound";
-  return length_px >= 1000.0 ? fmt::format("{:.0f} px", length_px) : fmt::format("{:.3g} px", length_px);
+  return rounded(length_px, 3) + " px";
 }
 
 Figure needs_figure(const ScenarioNeeds& needs, double within_px) {

@@ -101,8 +101,7 @@ std::vector<std::string> differences(const std::vector<Claim>& claims, const Ver
 }
 
 std::string number_text(const Claim& claim, bool has_all_digits) {
-  const std::string number =
-      has_all_digits ? fmt::format("{}", claim.number) : fmt::format("{:.4g}", claim.number);
+  const std::string number = has_all_digits ? fmt::format("{}", claim.number) : rounded(claim.number);
   return claim.unit == "1" ? number : number + " " + unit_text(claim.unit);
 }
 
@@ -116,7 +115,7 @@ Verdict verdict_of(const std::vector<Claim>& claims) {
   const auto number = [](const Claim& claim) {
     std::string text = number_text(claim, claim.is_exact);
     if (!claim.range) return text;
-    return fmt::format("{} ({:.4g} .. {:.4g})", text, claim.range->front(), claim.range->back());
+    return fmt::format("{} ({} .. {})", text, rounded(claim.range->front()), rounded(claim.range->back()));
   };
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
   return {{std::move(sentence), Table{"claims",

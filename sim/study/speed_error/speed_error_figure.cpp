@@ -310,8 +310,9 @@ std::vector<std::string> convergence_sentences(const SpeedError& study) {
   return {
       "Drag per frame keeps the paper's step from converging: each frame takes 0.1 % of the speed, however "
       "short it is.",
-      fmt::format("Over {}, its error is {:.3g} px at 60 Hz and {:.3g} px at {:.0f} Hz.",
-                  study.problems.front().label, at_60->model_px, last.model_px, last.rate_hz)};
+      fmt::format("Over {}, its error is {} px at 60 Hz and {} px at {:.0f} Hz.",
+                  study.problems.front().label, rounded(at_60->model_px, 3), rounded(last.model_px, 3),
+                  last.rate_hz)};
 }
 
 }  // namespace hyrax

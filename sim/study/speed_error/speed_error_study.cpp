@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/study/speed_error/speed_error.h"
 #include "sim/study/study.h"
 
@@ -45,7 +46,7 @@ std::string cost_text(const Cost& cost) {
 std::string band_text(const Band& band) {
   constexpr double kRounding_px = 1e-6;
   if (band.high < kRounding_px) return "rounding";
-  return fmt::format("{:.3g} ({:.3g} .. {:.3g})", band.median, band.low, band.high);
+  return fmt::format("{} ({} .. {})", rounded(band.median, 3), rounded(band.low, 3), rounded(band.high, 3));
 }
 
 std::string set_up_text(const SpeedError& study, std::size_t problem, std::size_t method) {
@@ -176,10 +177,9 @@ std::string paper_text(const SpeedError& study, std::size_t problem) {
   const WorkPoint* const point = find_point(study, problem, 0, 60.0);
   if (point == nullptr || std::isnan(point->errors.contact_time_s)) return "";
   return fmt::format(
-      "At 60 Hz the paper's step ends {:.3g} px from the exact position, and its first impacts are up to "
-      "{:.3g} "
-      "ms off.",
-      point->errors.end_px, 1e3 * point->errors.contact_time_s);
+      "At 60 Hz the paper's step ends {} px from the exact position, and its first impacts are up to {} ms "
+      "off.",
+      rounded(point->errors.end_px, 3), rounded(1e3 * point->errors.contact_time_s, 3));
 }
 
 // One screen: a flight, and a fling or the last of the scenarios that were given.

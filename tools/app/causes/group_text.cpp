@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/result/number_text.h"
 #include "tools/app/command_line/print.h"
 #include "tools/files/printable.h"
 
@@ -14,11 +15,8 @@ constexpr std::size_t kWorstListed = 3;
 
 bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == CauseKind::non_finite; }
 
-// Three digits say how far; more are in the JSON document. Whole px from 1,000 px on.
-std::string px_text(double px) {
-  const bool is_long = px >= 1e3 && px < 1e6;
-  return is_long ? fmt::format("{:.0f} px", px) : fmt::format("{:.3g} px", px);
-}
+// Three digits say how far; more are in the JSON document.
+std::string px_text(double px) { return rounded(px, 3) + " px"; }
 
 std::string contacts_text(std::int64_t contacts) {
   if (contacts == 0) return "no contact moved";

@@ -8,6 +8,7 @@
 
 #include "sim/cause/watched_core.h"
 #include "sim/compare/run_distance.h"
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/shrink.h"
 #include "tools/app/expect/judged_run.h"
@@ -50,7 +51,7 @@ std::string consequence_of(const CorePair& cores, Scenario scenario) {
   const RunSummary after = play(cores.program, scenario);
   const double apart_px = distance_px(state_of(before.final), state_of(after.final));
   if (after.non_finite_step) return fmt::format("not finite from step {}", *after.non_finite_step);
-  return fmt::format("after {:.3g} s {:.3g} px apart", after.final.t_s, apart_px);
+  return fmt::format("after {:.3g} s {} px apart", after.final.t_s, rounded(apart_px, 3));
 }
 
 bool differs(const CorePair& cores, const Scenario& scenario) {

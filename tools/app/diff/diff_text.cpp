@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/result/number_text.h"
 #include "tools/app/diff/difference_text.h"
 
 namespace hyrax {
@@ -30,15 +31,16 @@ std::string end_text(const TrajectoryDiff& diff) {
   const Row& a = diff.end_a.row;
   const Row& b = diff.end_b.row;
   const double shift_px = distance_px(state_of(a), state_of(b));
-  const std::string apart = shift_px == 0.0 ? "the same place" : fmt::format("{:.3g} px apart", shift_px);
+  const std::string apart = shift_px == 0.0 ? "the same place" : rounded(shift_px, 3) + " px apart";
   return fmt::format("  {:<11}{}: x {}, y {} px; {}\n", diff.comparison.rest_shift_px ? "rest" : "end", apart,
                      change_text(a.x_px, b.x_px), change_text(a.y_px, b.y_px), settled_text(diff));
 }
 
 std::string energy_text(const EnergyDifference& energy) {
   if (!energy.largest()) return "  energy     no difference\n";
-  return fmt::format("  energy     at most {:+.3g} px²/s², at step {}\n", energy.largest()->px2_per_s2,
-                     energy.largest()->step);
+  const double change = energy.largest()->px2_per_s2;
+  return fmt::format("  energy     at most {}{} px²/s², at step {}\n", change > 0.0 ? "+" : "",
+                     rounded(change, 3), energy.largest()->step);
 }
 
 std::string worst_text(std::string_view field, const WorstDifference& worst) {
@@ -61,7 +63,7 @@ Comparison as_far_as_it_says_something(Comparison comparison, bool is_same_scena
 
 std::string distance_sentence(const TrajectoryDiff& diff) {
   const auto& largest = diff.comparison.largest;
-  return largest ? fmt::format("at most {:.3g} px apart", largest->px) : "no position differs";
+  return largest ? "at most " + rounded(largest->px, 3) + " px apart" : "no position differs";
 }
 
 std::string contacts_sentence(const ContactChanges& contacts) {
@@ -73,7 +75,7 @@ std::string contacts_sentence(const ContactChanges& contacts) {
 std::string consequence_text(const TrajectoryDiff& diff) {
   const auto& largest = diff.comparison.largest;
   std::string text = fmt::format(
-      "  apart      {}", largest ? fmt::format("at most {:.3g} px", largest->px) : distance_sentence(diff));
+      "  apart      {}", largest ? "at most " + rounded(largest->px, 3) + " px" : distance_sentence(diff));
   if (largest) text += fmt::format(", at step {} ({:.4g} s)", largest->step, diff.largest_at_s.value_or(0.0));
   text += diff.is_by_time ? "; rows of the same time\n" : "\n";
   return text + end_text(diff) +

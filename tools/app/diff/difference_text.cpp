@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/result/number_text.h"
 #include "sim/trajectory/columns.h"
 
 namespace hyrax {
@@ -36,7 +37,7 @@ std::string divergence_text(const Divergence& first) {
   if (const std::string ulps = ulps_text(first.ulps); !ulps.empty())
     text += fmt::format("  distance   {}\n", ulps);
   else if (first.expected && first.actual && std::isfinite(*first.expected - *first.actual))
-    text += fmt::format("  distance   {:.3g}{}\n", std::abs(*first.actual - *first.expected),
+    text += fmt::format("  distance   {}{}\n", rounded(std::abs(*first.actual - *first.expected), 3),
                         unit_of(first.field));
   return text;
 }

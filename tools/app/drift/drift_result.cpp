@@ -10,13 +10,7 @@
 namespace hyrax {
 namespace {
 
-// Three digits, and an exponent only where it is shorter.
-std::string number(double value) {
-  const double size = std::fabs(value);
-  if (size == 0.0 || (size >= 1e-3 && size < 999.5)) return fmt::format("{:.3g}", value);
-  if (size >= 999.5 && size < 1e6) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.1e}", value);
-}
+std::string number(double value) { return rounded(value, 3); }
 std::string number(const std::optional<Worst>& worst) {
   return worst ? number(worst->value) : std::string("-");
 }
