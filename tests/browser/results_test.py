@@ -14,12 +14,12 @@ from program import AGREED, BAD_INPUT, SOURCE
 
 HOSTILE = browser.HOSTILE
 FIGURES = "document.querySelectorAll('figure').length"
-DRAWN = "document.querySelectorAll('.picture > svg').values().filter(each => each.checkVisibility()).toArray().length"
+DRAWN = "document.querySelectorAll('.picture > :is(svg, table)').values().filter(each => each.checkVisibility()).toArray().length"
 BROKEN = "document.body.innerText.includes('cannot be shown')"
 
 TONES = ["ink", "vermilion", "orange", "blue", "green", "purple", "sky-blue", "lavender"]
 
-# Texts of pictures that lie on one another or leave their picture; texts of tables that are wider than their place.
+# Texts of pictures that lie on one another or leave their picture, and pictures and texts that are wider than their place.
 FAULTS = """(() => {
   const faults = [], meets = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 2 && b.top < a.bottom - 2;
   for (const svg of [...document.querySelectorAll('.picture > svg')].filter(each => each.checkVisibility())) {
@@ -31,10 +31,11 @@ FAULTS = """(() => {
       for (let j = 0; j < i; ++j) if (meets(box, boxes[j])) faults.push(`overlap: ${texts[i].textContent} and ${texts[j].textContent}`);
     });
   }
-  for (const cell of document.querySelectorAll('h1, h2:not(.unseen), h3, .verdict td, .verdict th'))
+  for (const cell of document.querySelectorAll('h1, h2:not(.unseen), h3, .picture, .listing td'))
     if (cell.scrollWidth > cell.clientWidth + 1 || cell.getBoundingClientRect().right > innerWidth + 1) faults.push(`cut: ${cell.textContent}`);
   return faults;
 })()"""
+SCROLLING = "[...document.querySelectorAll('.verdict .table')].some(each => each.scrollWidth > each.clientWidth + 1)"
 
 
 def closest(colors):
@@ -84,28 +85,31 @@ class ResultsTest(browser.BrowserTest):
         tasks.append(self.report("sweep"))
         actions = [["evaluate", FIGURES], ["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", BROKEN],
                    ["evaluate", "document.documentElement.scrollWidth <= innerWidth"],
-                   ["evaluate", "[...document.querySelectorAll('.picture > svg')].some(svg => svg.outerHTML.includes('NaN'))"]]
-        for size in ((1280, 900), (390, 844)):
-            for task, page in zip(tasks, self.open(*({**task, "size": size, "actions": actions} for task in tasks))):
-                figures, _, is_broken, fits, has_nan = page["values"]
+                   ["evaluate", "[...document.querySelectorAll('.picture > svg')].some(svg => svg.outerHTML.includes('NaN'))"], ["axe"]]
+        for look in ({"size": (1280, 900)}, {"size": (390, 844), "scheme": "dark"}):
+            for task, page in zip(tasks, self.open(*({**task, **look, "actions": actions} for task in tasks))):
+                figures, _, is_broken, fits, has_nan, faults = page["values"]
                 self.assertGreater(figures, 0, task["file"])
-                self.assertEqual((is_broken, fits, has_nan), (False, True, False), task["file"])
+                self.assertEqual((is_broken, fits, has_nan, faults), (False, True, False, []), task["file"])
                 self.assertEqual((page["errors"], page["requests"]), ([], []), task["file"])
 
     def test_nothing_overlaps_or_is_cut_off_and_the_test_sees_it(self):
-        flings = str(SOURCE / "scenarios/flings")
-        tasks = [self.study("rest"), self.study("frame-rate"), self.study("needs", flings), self.grid()]
+        tasks = [self.study("rest"), self.study("frame-rate"), self.study("needs", str(SOURCE / "scenarios/flings")), self.grid(), self.study("bounces"),
+                 self.study("speed-error"), self.study("paper"), self.study("hard-cases", str(SOURCE / "scenarios/hard"))]
         texts = "[...document.querySelectorAll('.picture > .wide text')]"
         spoilt = f"(texts => ['x', 'y'].forEach(name => texts[1].setAttribute(name, texts[0].getAttribute(name))))({texts})"
         cut = f"{texts}[0].setAttribute('x', '-40')"
         for size in ((1400, 900), (800, 900), (375, 844)):
-            for task, page in zip(tasks, self.open(*({**task, "size": size, "actions": [["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", FAULTS]]} for task in tasks))):
-                self.assertEqual(page["values"][1], [], (task["file"], size))
+            for task, page in zip(tasks, self.open(*({**task, "size": size, "actions": [["evaluate", FAULTS], ["evaluate", SCROLLING]]} for task in tasks))):
+                self.assertEqual(page["values"][0], [], (task["file"], size))
+                is_of_many_columns = any(name in task["file"] for name in ("speed-error", "hard-cases"))
+                self.assertFalse(page["values"][1] and not is_of_many_columns, (task["file"], size))
         for size in ((1400, 900), (375, 844)):
             (page,) = self.open({**tasks[3], "size": size, "actions": [["evaluate", browser.CANVAS_FAULTS]]})
             self.assertGreater(page["values"][0][0], 10)
             self.assertEqual(page["values"][0][1], [], size)
-        for fault in (spoilt, cut):
+        scrolls = "document.querySelector('.picture > .wide').style.width = '2000px'"
+        for fault in (spoilt, cut, scrolls):
             (page,) = self.open({**tasks[0], "size": (1400, 900), "actions": [["wait", f"{DRAWN} >= {FIGURES}"], ["evaluate", fault], ["evaluate", FAULTS]]})
             self.assertNotEqual(page["values"][2], [], fault)
 
@@ -176,7 +180,12 @@ class ResultsTest(browser.BrowserTest):
         self.assertGreater(background, 10_000)
         self.assertNotIn("y", names)
         self.assertIn("x", names)
-        self.assertRegex(verdict, "The same in all members: .*y, px 952")
+        self.assertRegex(verdict, r"The same in all members: y 952 px, .*contacts\.top 0, ")
+        with h5py.File(self.folder / "grid.h5", "r+") as file:
+            file["members/y"][0] += 1e-10
+            file["members/vx"][:] = numpy.linspace(-1e-24, 1e-24, 240)
+        self.report("grid")
+        self.assertIn("y 952 px, vx 0 px/s (rounding), ", (self.folder / "grid.html").read_text(encoding="utf-8"))
 
     def test_carries_only_what_it_shows(self):
         results = pathlib.Path(self.study("rest")["file"]).read_text(encoding="utf-8")
@@ -203,13 +212,16 @@ class ResultsTest(browser.BrowserTest):
         self.assertIn("no rule of the study is broken", page["values"][0])
         self.assertTrue(page["values"][1])
 
-    def test_letters_are_11_px_at_least_or_the_picture_scrolls(self):
+    def test_letters_are_11_px_at_least_and_the_test_sees_it(self):
         least = """Math.min(...[...document.querySelectorAll('.picture > svg')].filter(each => each.checkVisibility()).map(svg =>
           svg.getBoundingClientRect().width / svg.viewBox.baseVal.width * Math.min(...[...svg.querySelectorAll('text')].map(each => Number(each.getAttribute('font-size'))))))"""
-        for task in (self.study("speed-error"), self.study("hard-cases", str(SOURCE / "scenarios/hard"))):
-            for size in ((375, 844), (700, 900), (800, 900), (1100, 900), (1400, 900)):
-                (page,) = self.open({**task, "size": size, "actions": [["evaluate", least]]})
-                self.assertGreater(page["values"][0], 10.99, (task["file"], size))
+        tasks = [self.study("speed-error"), self.study("hard-cases", str(SOURCE / "scenarios/hard"))]
+        for task, size in itertools.product(tasks, ((375, 844), (700, 900), (800, 900), (1100, 900), (1400, 900))):
+            (page,) = self.open({**task, "size": size, "actions": [["evaluate", least]]})
+            self.assertGreater(page["values"][0], 10.99, (task["file"], size))
+        small = "document.querySelectorAll('.picture > .narrow').forEach(each => (each.style.width = '250px'))"
+        (page,) = self.open({**tasks[0], "size": (375, 844), "actions": [["evaluate", small], ["evaluate", least]]})
+        self.assertLess(page["values"][1], 10.99)
 
     def test_lights_a_series_in_all_pictures_and_names_its_points(self):
         of = "[...document.querySelectorAll('.wide [data-series]')].filter(each => each.classList.contains('dim')).map(each => each.dataset.series)"

@@ -63,7 +63,8 @@ class PlotDrawing {
     for (const std::string& name : plot.y.categories)
       names_width = std::max(names_width, text_width(name, kTickSize));
     has_names_above_ = names_width > kNamesMax * (right - left);
-    box_ = {left, top + kLabelLine + marks_height() + 4, right, 0.0};
+    y_label_ = lines_of(plot.y.label, right - left, kTickSize);
+    box_ = {left, top + kLabelLine + text_lines(y_label_) + marks_height() + 4, right, 0.0};
     box_.bottom = box_.top + height_of(right - left, height);
     const bool is_downwards = !plot.y.categories.empty();
     y_.place(is_downwards ? box_.top : box_.bottom, is_downwards ? box_.bottom : box_.top, kApartUp);
@@ -77,14 +78,11 @@ class PlotDrawing {
   }
 
   /// Of the plot with what is below its axis.
-  [[nodiscard]] double bottom() const {
-    const auto lines = static_cast<double>(std::max(x_label_.size(), std::size_t{1}));
-    return box_.bottom + kBelow - 8 + (lines - 1) * kTextLine;
-  }
+  [[nodiscard]] double bottom() const { return box_.bottom + kBelow - 8 + text_lines(x_label_); }
 
   void draw() {
     if (is_empty(plot_)) {
-      svg_.text(box_.centre(), plot_.when_empty, {.size = 13.0, .side = Side::middle});
+      draw_lines(lines_of(plot_.when_empty, box_.width(), kTickSize), box_.centre(), Side::middle);
       return;
     }
     draw_axes();
@@ -151,10 +149,19 @@ class PlotDrawing {
       else
         svg_.text({box_.left - 8, y}, tick.text, {.size = kTickSize, .side = Side::right});
     }
-    svg_.text({left_, box_.top - marks_height() - 14}, plot_.y.label, {.size = kTickSize});
-    for (std::size_t line = 0; line < x_label_.size(); ++line)
-      svg_.text({box_.right, box_.bottom + 36 + kTextLine * static_cast<double>(line)}, x_label_[line],
-                {.size = kTickSize, .side = Side::right});
+    draw_lines(y_label_, {left_, box_.top - marks_height() - 14 - text_lines(y_label_)}, Side::left);
+    draw_lines(x_label_, {box_.right, box_.bottom + 36}, Side::right);
+  }
+
+  // The height of all but the first.
+  static double text_lines(const std::vector<std::string>& lines) {
+    return lines.empty() ? 0.0 : kTextLine * static_cast<double>(lines.size() - 1);
+  }
+  void draw_lines(const std::vector<std::string>& lines, SvgPoint at, Side side) {
+    for (const std::string& line : lines) {
+      svg_.text(at, line, {.size = kTickSize, .side = side});
+      at.y += kTextLine;
+    }
   }
 
   void draw_series(const Series& series) {
@@ -267,8 +274,25 @@ class PlotDrawing {
   PlotScale x_, y_;
   SvgBox box_;
   bool has_names_above_ = false;
-  std::vector<std::string> x_label_;  // Its lines.
+  std::vector<std::string> x_label_, y_label_;  // Their lines.
 };
+
+// Takes the names of curves out of a plot that is too narrow for them, with the room beside the curves; an
+// area is left to the figure's legend.
+std::vector<LegendEntry> take_names(Plot& plot) {
+  std::vector<LegendEntry> names;
+  std::erase_if(plot.texts, [&](const PointText& text) {
+    const Series* its = nullptr;
+    for (const Series& series : plot.series)
+      if (series.look.form != Form::points && !series.name.empty() && text.text.starts_with(series.name) &&
+          (its == nullptr || series.name.size() > its->name.size()))
+        its = &series;
+    if (its != nullptr && its->look.form != Form::band) names.push_back({text.text, its->look});
+    return its != nullptr;
+  });
+  if (!names.empty()) plot.x.high = kNotGiven;
+  return names;
+}
 
 }  // namespace
 
@@ -288,9 +312,12 @@ double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double 
     const std::size_t column = index % beside;
     if (column == 0 && index > 0) top = end + kBetween;
     const double start = static_cast<double>(column) * part;
-    PlotDrawing drawing(svg, plots[index], start + kSheetMargin, start + part - kRight, top, height);
+    Plot plot = plots[index];
+    const bool is_narrow = part < kPlotMin && plot.y.categories.empty();
+    const std::vector<LegendEntry> names = is_narrow ? take_names(plot) : std::vector<LegendEntry>();
+    PlotDrawing drawing(svg, plot, start + kSheetMargin, start + part - kRight, top, height);
     drawing.draw();
-    end = std::max(end, drawing.bottom());
+    end = std::max(end, draw_legend(svg, names, width, drawing.bottom()));
   }
   return end;
 }

@@ -28,6 +28,25 @@ void draw_sign(Svg& svg, const Look& look, double x, double y) {
 
 namespace {
 
+std::string listing_html(const Listing& listing) {
+  std::string html = "<table class=\"listing\">\n<thead><tr>";
+  for (const ListColumn& column : listing.columns) html += "<th>" + escaped(column.title) + "</th>";
+  html += "</tr></thead>\n<tbody>\n";
+  for (const std::vector<ListField>& row : listing.rows) {
+    html += "<tr>";
+    for (std::size_t index = 0; index < row.size(); ++index) {
+      const auto& [text, detail, fill] = row[index];
+      html += listing.columns[index].is_right ? "<td class=\"number\">" : "<td>";
+      html += fill == Tone::none ? escaped(text)
+                                 : "<mark style=\"background:var(--" + css_name_of(fill) + ")\">" +
+                                       escaped(text) + "</mark>";
+      html += detail.empty() ? "</td>" : "<small>" + escaped(detail) + "</small></td>";
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table>\n";
+}
+
 // Draws legend and body from `top` on; returns where they end.
 double draw_data(Svg& svg, const Figure& figure, double width, double top) {
   const double start = draw_legend(svg, figure.legend, width, top);
@@ -80,20 +99,17 @@ std::string figure_svg(const Figure& figure) {
 
 std::string figure_html(const Figure& figure) {
   constexpr double kLeft = kSheetMargin - 12;  // Before a sheet's texts; a font may be wider than text_width.
-  const bool is_plots = std::holds_alternative<std::vector<Plot>>(figure.body);
-  std::string html = is_plots ? "<div class=\"picture\">\n" : "<div class=\"picture\" tabindex=\"0\">\n";
+  std::string html = "<div class=\"picture\">\n";
+  if (const auto* const listing = std::get_if<Listing>(&figure.body))
+    return html + listing_html(*listing) + "</div>\n";
   const auto add = [&](const char* css_class, double width) {
     Sheet sheet{.width = width};
     sheet.height = draw_data(sheet.svg, figure, width, 0.0) + 4;
     html += svg_element(figure.title, css_class, sheet, kLeft);
   };
-  if (is_plots) {
-    add("narrow", 320 + kLeft);
-    add("medium", 680 + kLeft);
-    add("wide", 1080 + kLeft);
-  } else {
-    add("whole", std::visit([](const auto& body) { return sheet_width(body); }, figure.body));
-  }
+  add("narrow", 320 + kLeft);
+  add("medium", 680 + kLeft);
+  add("wide", 1080 + kLeft);
   return html + "<style>" + dark_rules(html) + "</style>\n</div>\n";
 }
 

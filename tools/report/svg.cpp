@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 namespace hyrax {
-namespace {
 
 std::string escaped(std::string_view text) {
   std::string result;
@@ -23,6 +22,8 @@ std::string escaped(std::string_view text) {
   }
   return result;
 }
+
+namespace {
 
 constexpr std::string_view kLetters =
     "font-family=\"Helvetica Neue,Helvetica,Arial,Liberation Sans,sans-serif\" stroke-linejoin=\"round\"";

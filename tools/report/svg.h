@@ -68,6 +68,9 @@ class Svg {
   std::string body_;
 };
 
+/// A text as XML and HTML show it. Control characters become blanks.
+[[nodiscard]] std::string escaped(std::string_view text);
+
 /// What is drawn, with its size.
 struct Sheet {
   double width = 0.0;

@@ -44,7 +44,7 @@ function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
   const overlay = (name, tint, values) => (other ? [{ name, color: tint, dash: true, values: spread(rows, other.rows.step, values) }] : []);
   const positive = value => value > 0;
-  const errorSeries = (name, tint, key, width = 1.5) => ({ name, color: tint, width, values: spread(rows, errors.step, errors[key], positive) });
+  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], positive) });
   const label = other?.label;
   const charts = [
     { id: 'position', title: 'Position', unit: 'px', decimals: 1, series: [
@@ -53,17 +53,17 @@ function chartsOf(result, sizes) {
     { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
       { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy },
       ...overlay(`vx, ${label}`, 'blue', other?.rows.vx), ...overlay(`vy, ${label}`, 'orange', other?.rows.vy)] },
-    ...(result.run.constants ? [{ id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [
-      { name: 'run', color: 'green', values: energyOf(result, sizes) },
-      ...(errors?.step.length ? [{ name: 'exact flight', color: 'purple', dash: true, values: spread(rows, errors.step, errors.energy) }] : [])] }] : []),
+    ...(result.run.constants ? [{ id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [{ name: 'run', color: 'green', values: energyOf(result, sizes) }] }] : []),
     { id: 'dt', title: 'Frame time', unit: 'ms', decimals: 3, range: fromZero, series: [
       { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
   ];
-  if (errors?.step.length)
+  if (errors?.step.length) {
+    // With the drag of 60 Hz both are the same, as in drift_figures.cpp.
+    const areOne = errors.model.every((px, i) => Math.abs(px - errors.truncation[i]) <= 1e-9 * px);
     charts.splice(charts.length - 1, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
-      // At 60 Hz the model is the truncation: one line on the other.
-      errorSeries('model', 'orange', 'model', 4), errorSeries('truncation', 'blue', 'truncation'), errorSeries('implementation', 'green', 'implementation')] },
-    ...driftCharts(result));
+      ...(areOne ? [errorSeries('model and truncation', 'blue', 'truncation')] : [errorSeries('model', 'orange', 'model'), errorSeries('truncation', 'blue', 'truncation')]),
+      errorSeries('implementation', 'green', 'implementation')] }, ...driftCharts(result));
+  }
   return [...overview(result), ...distanceChart(result), ...charts];
 }
 

@@ -51,8 +51,9 @@ class Explorer {
     this.numbers = numbersOf(sweep, this.members);
     const inputs = this.numbers.filter(each => each.isInput), results = this.numbers.filter(each => !each.isInput);
     const grids = inputs.filter(each => each.isGrid);
-    const [x, y] = grids.length > 1 ? grids : [inputs[0], results[0] ?? inputs[0]];
-    this.shown = { x, y, tint: results.find(each => each !== y) ?? results[0] ?? y };
+    // Of inputs that are no grids the one of most values, in the colours of the next.
+    const [most, next] = inputs.map(each => [new Set(each.values).size, each]).sort(([a], [b]) => b - a).map(([, each]) => each);
+    this.shown = grids.length > 1 ? { x: grids[0], y: grids[1], tint: results[0] } : { x: most, y: results[0], tint: next ?? results[1] ?? results[0] };
     const choice = (key, label) => make('label', {}, `${label} `, make('select', { id: `members-${key}`, onchange: event => this.#choose(key, event.target.value) },
       ...this.numbers.map(({ name }) => make('option', { value: name, selected: this.shown[key].name === name }, name))));
     const share = sweep.count === this.members.length ? `all ${grouped(sweep.count, 0)} members` : `${grouped(this.members.length, 0)} of ${grouped(sweep.count, 0)} members`;

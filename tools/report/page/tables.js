@@ -21,7 +21,7 @@ export function tableOf(table) {
   const lines = Array.from({ length: rows }, (_, row) => make('tr', {}, ...columns.map((column, i) =>
     make('td', { class: kinds[i] }, cellText(column.values[row], column.digits)))));
   const place = make('div', { class: 'table', tabindex: '0', role: 'group', 'aria-label': table.long_name || table.name },
-    make('table', {}, make('thead', {}, head), make('tbody', {}, ...lines)));
+    make('table', { class: kinds.at(-1) === 'text' ? 'prose' : null }, make('thead', {}, head), make('tbody', {}, ...lines)));
   if (rows >= table.row_count) return place;
   return make('div', {}, place, make('p', { class: 'quiet' }, `The first ${rows.toLocaleString('en')} of ${table.row_count.toLocaleString('en')} rows; the file has all.`));
 }

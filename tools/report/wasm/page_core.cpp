@@ -129,13 +129,8 @@ Start start_in_input() {
   return {{n[0], n[1], n[2], n[3]}, size(4), size(6)};
 }
 
-// Errors of the run and energy of the matched ODE.
-constexpr ColumnOf<RowErrors> kErrorColumns[] = {{"step", "", "row", &RowErrors::step},
-                                                 kDriftRowColumns[0],
-                                                 kDriftRowColumns[1],
-                                                 kDriftRowColumns[2],
-                                                 kReferenceRowColumns[4],
-                                                 kDriftRowColumns[4]};
+constexpr ColumnOf<RowErrors> kErrorColumns[] = {
+    {"step", "", "row", &RowErrors::step}, kDriftRowColumns[0], kDriftRowColumns[1], kDriftRowColumns[2]};
 
 using CausePoint = ShownDrift::CausePoint;
 constexpr ColumnOf<CausePoint> kCauseColumns[] = {

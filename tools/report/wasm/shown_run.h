@@ -67,8 +67,8 @@ class EvidenceCheck final : public RowSink {
   std::optional<std::int64_t> block_;
 };
 
-/// What the reference says of the run: errors and energy of every row of an arc, the errors of contacts, and
-/// the causes of energy drift at the ends of arcs and at contacts, in order of steps.
+/// What the reference says of the run: errors of every row of an arc and of contacts, and the causes of
+/// energy drift at the ends of arcs and at contacts, in order of steps.
 class ShownDrift final : public DriftSink {
  public:
   struct CausePoint {

@@ -154,6 +154,30 @@ TEST(PlotSvg, PlotsAreSideBySideWhereThereIsRoom) {
   EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
 }
 
+TEST(PlotSvg, NamesOfCurvesAreBelowANarrowPlot) {
+  const Plot plot{.x = {.label = "time, s", .low = 0.0, .high = 40.0},
+                  .series = {{.name = "exact", .x = {1.0, 2.0}, .y = {1.0, 2.0}}},
+                  .texts = {{2.0, 2.0, "exact: order 2.00"}}};
+  const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
+  const std::size_t medium = html.find("class=\"medium\"");
+  const std::string narrow = html.substr(0, medium), wider = html.substr(medium);
+  EXPECT_GT(place_of(narrow, "exact: order 2.00").y, place_of(narrow, "time, s").y);
+  EXPECT_LT(place_of(wider, "exact: order 2.00").y, place_of(wider, "time, s").y);
+  EXPECT_FALSE(box_of(narrow, "30")) << "no room for names beside the curves";
+  EXPECT_TRUE(box_of(wider, "30"));
+}
+
+TEST(PlotSvg, LongTextsAreBrokenOnANarrowSheet) {
+  std::string text = "what";
+  for (int word = 0; word < 12; ++word) text += " happens";
+  const Plot empty{.when_empty = text}, drawn{.y = {.label = text}, .series = {{.x = {1.0}, .y = {1.0}}}};
+  for (const Plot& plot : {empty, drawn}) {
+    const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
+    EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
+    EXPECT_TRUE(box_of(html, text)) << "the wide one has room";
+  }
+}
+
 TEST(PlotSvg, APlotWithoutPointsSaysWhyAndHasNoAxes) {
   const Plot drawn{.y = {.label = "distance, px"}, .series = {{.x = {1.0, 2.0}, .y = {1.0, 2.0}}}};
   const Plot empty{.y = {.label = "cost, ns"}, .when_empty = "not measured"};
@@ -232,6 +256,34 @@ TEST(GridSvg, APartOfAFieldHasItsColourAndText) {
                                   std::string(">7<"), std::string(">17<")})
     EXPECT_TRUE(has(svg, part)) << part;
   EXPECT_FALSE(has(svg, colour_of(Tone::notable)));
+}
+
+TEST(GridSvg, ARowsNameIsAboveItsFieldsOnANarrowSheet) {
+  Grid grid{.rows = {"window-grows-under-the-sprite"},
+            .columns = std::vector(16, std::pair(std::string("comes-to-rest"), Tone::ink))};
+  grid.cells = {
+      {0, 0, Tone::good, "25"}, {0, 15, Tone::good, "7", 0.0, 0.5}, {0, 15, Tone::bad, "17", 0.5, 1.0}};
+  const std::string html = figure_html({.title = "Grid", .body = grid});
+  const std::size_t medium = html.find("class=\"medium\""), wide = html.find("class=\"wide\"");
+  const auto rise = [&](const std::string& svg) {
+    return place_of(svg, "25").y - place_of(svg, grid.rows[0]).y;
+  };
+  EXPECT_GT(rise(html.substr(0, medium)), 15.0);
+  EXPECT_EQ(rise(html.substr(medium, wide - medium)), 0.0);
+  EXPECT_FALSE(has(html.substr(0, medium), ">17<")) << "wider than its field";
+  EXPECT_TRUE(has(html.substr(wide), ">17<"));
+  EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
+}
+
+TEST(ListingHtml, IsATableThatWrapsWithItsColours) {
+  const Listing listing{.columns = {{.title = "section"}, {.title = "measured", .is_right = true}},
+                        .rows = {{{"<3>", "a detail", Tone::bad}, {"0.6"}}}};
+  EXPECT_EQ(
+      figure_html({.title = "t", .body = listing}),
+      "<div class=\"picture\">\n<table "
+      "class=\"listing\">\n<thead><tr><th>section</th><th>measured</th></tr></thead>\n"
+      "<tbody>\n<tr><td><mark style=\"background:var(--fill-bad)\">&lt;3></mark><small>a detail</small></td>"
+      "<td class=\"number\">0.6</td></tr>\n</tbody></table>\n</div>\n");
 }
 
 TEST(FigureSvg, HasADarkPictureOfTheSameColoursAsThePage) {
