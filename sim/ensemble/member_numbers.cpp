@@ -93,8 +93,9 @@ Plot MemberNumbers::histogram() const {
       series.y.push_back(100.0 * static_cast<double>(bins_[bin]) / known);
       series.y_low.push_back(0.0);
     }
+    const double number = smallest_ + static_cast<double>(bin);
     if (bins_from_ != smallest_ && bins_.size() <= kTicksMax)
-      axis.ticks.push_back({left + 0.5, std::to_string(static_cast<std::int64_t>(left + 0.5))});
+      axis.ticks.push_back({number, with_decimals(number, 0)});
   }
   return {.x = std::move(axis),
           .y = {.label = "members, %", .low = 0.0},
