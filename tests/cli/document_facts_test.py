@@ -3,8 +3,10 @@
 
 import json
 import math
+import pathlib
 import re
 import sys
+import tempfile
 import unittest
 
 from documentation_test import DOCUMENTS
@@ -180,7 +182,9 @@ class Facts(unittest.TestCase):
         phi2 = ((1 - drag) / rate - 1) / -rate
         gains = [round(threshold / restitution * factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
         rates = [round(drag * gravity * restitution / threshold / factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
+        band = re.search(r"return Band\{.*?values, (\S+)\), quantile\(values, (\S+)\),\s+quantile\(values, (\S+)\)\}", text_of("sim/result/estimate.h"))
         for document, words, numbers in (
+                (STUDIES, "| median ({} .. {} %) | quantiles", [100 * float(band[2]), 100 * float(band[3])]),
                 ("README.md", "Below {} Hz a sprite on the floor", rates[:1]),
                 (STUDIES, "| < {} px/s | above {} Hz | zero speed |", [gains[0], rates[0]]),
                 (STUDIES, "| {} .. {} px/s | {} .. {} Hz | two-cycle:", [*gains[:2], rates[1], rates[0]]),
@@ -199,6 +203,12 @@ class Facts(unittest.TestCase):
                 (DRIFT, "not at the wall: {} / 2 of", [restitution**2]), (DRIFT, "It differs from {}, because", [restitution])):
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), numbers)
+
+    def test_the_first_anchor_of_rest_is_the_row_of_the_start(self):
+        scenario = SOURCE / "scenarios/hard/sprite-fills-window.json"  # It never moves.
+        with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
+            still = json.loads(run(PROGRAM, "run", scenario, "--json", "-o", pathlib.Path(folder) / "run.h5").out)
+        self.assertEqual(stated(FORMAT, "Settled: row {} is the first anchor"), [still["runs"][0]["at_rest_since_s"]])
 
     def test_inputs_have_the_codes_of_their_list(self):
         listed = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]

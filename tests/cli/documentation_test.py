@@ -203,7 +203,8 @@ class Documents(unittest.TestCase):
             with self.on_each(document), Scratch() as scratch:
                 for block in blocks:
                     seen += block.kind == "console"
-                    self.assertEqual(*scratch.try_out(block))
+                    with self.subTest(block="; ".join(block.commands)):
+                        self.assertEqual(*scratch.try_out(block))
                 for picture, drawn in pictures_of(document, scratch):
                     pictures += 1
                     self.assertEqual(said_by(picture), said_by(drawn), picture)

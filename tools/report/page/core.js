@@ -1,5 +1,6 @@
 // The page's core: the C++ of hyrax-sim as WebAssembly. Lists pass through its memory.
-import { bytes, element, root, rowFields, unzipped } from './data.js';
+import { bytes, rowFields, unzipped } from './data.js';
+import { element, root } from './document.js';
 
 export class Core {
   static async start() {

@@ -1,8 +1,4 @@
-// The data that hyrax-sim wrote into the page.
-
-export const root = document.documentElement;
-export const element = id => document.getElementById(id);
-export const report = JSON.parse(element('data').textContent);
+// Arrays of numbers, as hyrax-sim writes them into the page.
 
 export function bytes(base64) {
   const text = atob(base64);
@@ -26,21 +22,15 @@ export async function unzipped(array) {
   return new Response(stream).arrayBuffer();
 }
 
-/** An element with attributes and children; text stays text. */
-export function make(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
-    else if (value !== null && value !== false) made.setAttribute(name, value === true ? '' : value);
+/** Smallest and largest value that is known; null and null if none is. */
+export function rangeOf(values) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) {
+    if (value === null || value === undefined) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
   }
-  made.append(...children);
-  return made;
-}
-
-export function save(name, type, text) {
-  const link = make('a', { href: URL.createObjectURL(new Blob([text], { type })), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  return low > high ? [null, null] : [low, high];
 }
 
 /** The first index whose value is at least `wanted`; values rise. */

@@ -1,5 +1,5 @@
 // Contacts, what was modelled and left out, how it was made.
-import { element, make, report, save } from './data.js';
+import { element, make, report, save } from './document.js';
 import { count, rounded } from './numbers.js';
 import { wallColors } from './painter.js';
 

@@ -1,6 +1,7 @@
 // The playground: the reader grabs the hyrax and flings it, at the display's own frame times. Each throw is a run of its
 // own, and flies beside the same throw at other frame rates and without frames.
-import { element, lastAtMost, make, report, root, save } from './data.js';
+import { lastAtMost } from './data.js';
+import { element, make, report, root, save } from './document.js';
 import { fixed, rounded } from './numbers.js';
 import { scenarioText } from './record.js';
 import { placeAt, playedHere, sizesAt } from './replay.js';

@@ -1,47 +1,15 @@
 // The members of a sweep over two of their numbers, in the colours of a third: cells that tile where both are grids,
 // points elsewhere. A click replays a member beside its neighbours.
 import uPlot from 'uplot';
+import { itemsOf, numbersOf, recordOf, stops, viridis } from './cells.js';
 import { Core } from './core.js';
-import { bytes, doubles, element, firstAtLeast, make, report, save } from './data.js';
+import { doubles, firstAtLeast, rangeOf } from './data.js';
+import { element, make, report, save } from './document.js';
 import { grouped, rounded } from './numbers.js';
 import { Moment } from './moment.js';
 import { color, followLook, Painter } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { placeAt, playedHere, sizesOf } from './replay.js';
-
-const cellsMax = 100; // Along an axis.
-const pointsMax = 5000;
-const stops = ['440154', '472d7b', '3b528b', '2c728e', '21918c', '28ae80', '5ec962', 'addc30', 'fde725']
-  .map(hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16)));
-
-/** Viridis, for 0 .. 1. */
-function viridis(part) {
-  const at = Math.min(Math.max(part, 0), 1) * (stops.length - 1), low = Math.min(Math.floor(at), stops.length - 2);
-  return `rgb(${stops[low].map((from, i) => Math.round(from + (at - low) * (stops[low + 1][i] - from))).join(' ')})`;
-}
-
-function rangeOf(values) {
-  let low = Infinity, high = -Infinity;
-  for (const value of values) if (value < low || value > high) [low, high] = [Math.min(low, value), Math.max(high, value)];
-  return [low, high];
-}
-
-// What can stand on an axis or be a colour: {name, label, values, isGrid, text(value)}.
-function numbersOf({ inputs, results }, members) {
-  return [
-    ...inputs.map(({ name, is_seed, is_grid, values }) => ({ name, label: name, isGrid: is_grid, isInput: true, all: doubles(values), stride: is_seed ? 2 : 1 })),
-    ...results.map(({ name, unit, values }) => ({ name, label: unit && unit !== '1' ? `${name}, ${unit}` : name, isGrid: false, all: doubles(values), stride: 1 }))]
-    .map(each => ({ ...each, values: each.stride === 1 ? each.all : members.map((_, i) => each.all[2 * i] * 2 ** 32 + each.all[2 * i + 1]) }));
-}
-
-// The edges of a grid's cells: halfway between its values, or even ones of many values.
-function edgesOf(values) {
-  const found = [...new Set(values)].sort((a, b) => a - b), count = Math.min(found.length, cellsMax);
-  const [low, high] = [found[0], found.at(-1)], half = (high - low || 1) / (2 * (found.length - 1 || 1));
-  if (count === found.length)
-    return [low - half, ...found.slice(1).map((each, i) => (each + found[i]) / 2), high + half];
-  return Array.from({ length: count + 1 }, (_, i) => low - half + (i * (high - low + 2 * half)) / count);
-}
 
 class Explorer {
   constructor(sweep, place, play) {
@@ -78,33 +46,9 @@ class Explorer {
     this.#draw();
   }
 
-  // Cells {x, y, row, value, count} by place, or points.
-  #collect() {
-    const { x, y, tint } = this.shown;
-    this.edges = x.isGrid && y.isGrid && x !== y ? [edgesOf(x.values), edgesOf(y.values)] : null;
-    const rows = this.members.length;
-    if (!this.edges) {
-      const stride = Math.ceil(rows / pointsMax);
-      this.items = Array.from({ length: Math.ceil(rows / stride) }, (_, i) => ({ row: i * stride, x: x.values[i * stride], y: y.values[i * stride], value: tint.values[i * stride] }))
-        .filter(item => Number.isFinite(item.x + item.y));
-      return;
-    }
-    const [across, up] = this.edges, cells = new Map();
-    for (let row = 0; row < rows; ++row) {
-      const column = firstAtLeast(across, x.values[row]) - 1, line = firstAtLeast(up, y.values[row]) - 1;
-      const key = column + line * cellsMax;
-      if (!cells.has(key)) cells.set(key, { column, line, row, x: x.values[row], y: y.values[row], sum: 0, count: 0 });
-      const cell = cells.get(key);
-      if (!Number.isFinite(tint.values[row])) continue;
-      cell.sum += tint.values[row];
-      ++cell.count;
-    }
-    this.items = [...cells.values()].map(cell => ({ ...cell, value: cell.count ? cell.sum / cell.count : NaN }));
-  }
-
   #draw() {
     const { x, y, tint } = this.shown;
-    this.#collect();
+    Object.assign(this, itemsOf(this.shown));
     [this.low, this.high] = rangeOf(this.items.map(({ value }) => value));
     const padded = values => {
       const [low, high] = rangeOf(values), room = (high - low || 1) * 0.03;
@@ -195,21 +139,11 @@ class Explorer {
     this.play(this, row, this.#neighbours(item).map(each => each.row));
   }
 
-  /** The record of a sample's member, and its varied numbers as texts by pointer. */
-  recordOf(row) {
-    const record = doubles(this.sweep.record), texts = {};
-    for (const [key, { name, place }] of this.sweep.inputs.entries()) {
-      const { all, stride } = this.numbers[key], values = all.slice(stride * row, stride * (row + 1));
-      values.forEach((value, i) => (record[place + i] = value));
-      texts[name] = stride === 1 ? String(values[0]) : String((BigInt(values[0]) << 32n) | BigInt(values[1]));
-    }
-    return { record, texts };
-  }
   // Numbers stay texts, so that each has all its digits.
   scenarioOf(row, stateHash) {
     const raw = text => JSON.rawJSON?.(text) ?? Number(text);
     const scenario = JSON.parse(this.sweep.scenario, (_, value, { source } = {}) => (typeof value === 'number' && source ? raw(source) : value));
-    for (const [pointer, text] of Object.entries(this.recordOf(row).texts)) {
+    for (const [pointer, text] of Object.entries(recordOf(this.sweep, this.numbers, row).texts)) {
       const keys = pointer.slice(1).split('/'), last = keys.pop();
       keys.reduce((object, key) => object[key], scenario)[last] = raw(text);
     }
@@ -229,7 +163,7 @@ class Stage {
   /** Plays a member of an explorer beside others, below the explorer's picture. */
   show(explorer, row, neighbours) {
     const played = each => {
-      const { record } = explorer.recordOf(each);
+      const { record } = recordOf(explorer.sweep, explorer.numbers, each);
       return { ...playedHere(this.core, record, { inputs: explorer.sweep.events }), record };
     };
     const place = element('member'), result = played(row), { rows, contacts, check } = result;
@@ -238,7 +172,7 @@ class Stage {
     const member = explorer.members[row];
     element('member-heading').textContent = `Member ${grouped(member, 0)}`;
     element('member-number').value = member;
-    const inputs = Object.entries(explorer.recordOf(row).texts).map(([name, text]) => `${name} ${text}`).join(', ');
+    const inputs = Object.entries(recordOf(explorer.sweep, explorer.numbers, row).texts).map(([name, text]) => `${name} ${text}`).join(', ');
     element('member-note').textContent = `${inputs}. Ends at x ${rounded(rows.x.at(-1), 6)}, y ${rounded(rows.y.at(-1), 6)} px after ${grouped(check.steps, 0)} steps; contacts ` +
       `${Object.entries(check.contacts).filter(([, count]) => count).map(([wall, count]) => `${wall} ${count}`).join(', ') || 'none'}. Thin: ${neighbours.length} neighbours.`;
     element('download-member').onclick = () => save(`member-${member}.json`, 'application/json', explorer.scenarioOf(row, check.stateHash));

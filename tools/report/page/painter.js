@@ -1,5 +1,6 @@
 // Draws the window to scale: the path, contacts, the hyrax.
-import { bytes, element, firstAtLeast, root } from './data.js';
+import { bytes, firstAtLeast } from './data.js';
+import { element, root } from './document.js';
 import { sizesAt } from './replay.js';
 
 const poses = ['fly', 'stand', 'held'];

@@ -1,5 +1,6 @@
 // The replay's controls: play, step, scrub, speed, keys.
-import { element, firstAtLeast, lastAtMost, make, root } from './data.js';
+import { firstAtLeast, lastAtMost } from './data.js';
+import { element, make, root } from './document.js';
 import { fixed } from './numbers.js';
 import { color, wallColors } from './painter.js';
 

@@ -1,5 +1,5 @@
 // The page of results: verdicts, figures and tables of studies, sweeps and comparisons.
-import { element, make, report, root, save } from './data.js';
+import { element, make, report, root, save } from './document.js';
 import { count } from './numbers.js';
 import { csvOfTable, tableOf, tableOfFigure } from './tables.js';
 

@@ -1,7 +1,8 @@
 // Puts the page together: replays the runs, shows one, follows the reader.
-import { Charts, distancesFrom } from './charts.js';
+import { Charts } from './charts.js';
 import { Core } from './core.js';
-import { doubles, element, firstAtLeast, lastAtMost, make, report, root, rowsOf } from './data.js';
+import { doubles, firstAtLeast, lastAtMost, rowsOf } from './data.js';
+import { element, make, report, root } from './document.js';
 import { showContacts, showDetails } from './details.js';
 import { Playground } from './fling.js';
 import { Moment } from './moment.js';
@@ -9,6 +10,7 @@ import { fixed } from './numbers.js';
 import { followLook, Painter } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { placeAt, replay, sizesOf } from './replay.js';
+import { distancesFrom } from './series.js';
 import { showVerdict } from './verdict.js';
 
 const worst = { agrees: 0, none: 1, differs: 2 };

@@ -1,5 +1,5 @@
 // A table {name, long_name, row_count, columns: [{name, unit, digits, values}]} on the page and as CSV.
-import { make } from './data.js';
+import { make } from './document.js';
 import { exact, rounded } from './numbers.js';
 
 const rowsShown = 500;

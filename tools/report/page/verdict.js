@@ -1,5 +1,5 @@
 // The verdict: tiles that say first what a reader wants to know.
-import { make, element } from './data.js';
+import { make, element } from './document.js';
 import { count, rounded } from './numbers.js';
 
 const walls = ['left', 'right', 'top', 'ground'];

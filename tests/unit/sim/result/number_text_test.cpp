@@ -7,7 +7,7 @@
 namespace hyrax {
 namespace {
 
-// The cases are the pages', too: tests/cli/number_text_test.py gives them to numbers.js.
+// The cases are the pages', too: tests/unit/tools/report/page_test.mjs gives them to numbers.js.
 TEST(Rounded, WritesNumbersForPeople) {
   std::ifstream cases(std::string(HYRAX_SOURCE_DIR) + "/tests/unit/sim/result/numbers.txt");
   double value = 0.0;

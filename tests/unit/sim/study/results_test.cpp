@@ -35,6 +35,11 @@ Result quick(const Study& study) {
     request.scenarios = {named("calm", fling_at(60.0, 300)), named("eventful", fling_at(144.0, 500))};
     request.scenarios[1].scenario.events = {{std::int64_t{40}, Hitch{0.1}}, {2.5, Fling{{-700.0, -300.0}}}};
   }
+  if (study.name == "hard-cases") {  // One that breaks an expectation, and one of expected failures.
+    request.scenarios[0].scenario.expect.emplace().final_x_px = Interval{-2.0, -1.0};
+    request.scenarios.push_back(named("wide", fling_at(60.0, 120)));
+    request.scenarios.back().scenario.sprite.width_px = 3000;
+  }
   if (study.name == "needs") {
     request.within_px = 40.0;  // Some method is cheaper than the paper's step.
     // More parts than are printed and drawn.

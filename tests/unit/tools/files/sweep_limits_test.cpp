@@ -95,6 +95,31 @@ TEST(SweepNames, AreCutToWhatAScenarioMayHave) {
   EXPECT_EQ(member_scenario(parse_sweep(text, "Two B.json").sweep, 7).name, "-wo---member-7");
 }
 
+// Its last member alone is beyond the limit of a position.
+std::string refusal_of_grid(std::int64_t members) {
+  const std::string count = std::to_string(members);
+  const std::string text = R"({"format": "hyrax-sweep/1", "members": )" + count + R"(, "seed": 1,
+    "vary": {"/start/x_px": {"grid": [0, 1000000100000, )" +
+                           count + R"(]}}, "base": {"format": "hyrax-scenario/1",
+    "window": {"width_px": 8, "height_px": 6}, "sprite": {"width_px": 6, "height_px": 3},
+    "start": {"x_px": 1, "y_px": 2}, "clock": {"rate_hz": 60}, "steps": 1}})";
+  try {
+    static_cast<void>(parse_sweep(text, "far.json"));
+  } catch (const Failure& failure) {
+    return failure.what();
+  }
+  return "accepted";
+}
+
+TEST(SweepLimits, AMemberBeyondThemIsNamedUpToTheMillionth) {
+  EXPECT_EQ(refusal_of_grid(2),
+            "far.json: member 1: /start/x_px: must be -1e+12 .. 1e+12 (found 1000000100000)");
+  EXPECT_EQ(refusal_of_grid(1'000'000),
+            "far.json: member 999999: /start/x_px: must be -1e+12 .. 1e+12 (found 1000000100000)");
+  EXPECT_EQ(refusal_of_grid(1'000'001),
+            "far.json: /vary/~1start~1x_px: /start/x_px: must be -1e+12 .. 1e+12 (found 1000000100000)");
+}
+
 TEST(SweepLimits, AreOfEveryNumberOfAScenario) {
   Scenario scenario = to_scenario(document(), "test", "");
   for (const char* const pointer : {"/events/0/step", "/events/1/at_s", "/events/2/hitch/dt_s", "/steps"})

@@ -1,0 +1,198 @@
+// What the pages compute from a report, without a browser: series of charts, cells of a sweep, sizes, files, numbers.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+const page = new URL('../../../../tools/report/page/', import.meta.url);
+const load = name => import(new URL(`${name}.js`, page));
+const [cells, data, { Moment }, numbers, { scenarioText }, replay, series] =
+  await Promise.all(['cells', 'data', 'moment', 'numbers', 'record', 'replay', 'series'].map(load));
+
+const base64 = values => Buffer.from(Float64Array.from(values).buffer).toString('base64');
+const count = length => Array.from({ length }, (_, i) => i);
+
+// Five rows, of which every second step is recorded; the window and the sprite grow in step 5.
+const rows = { step: [0, 2, 4, 6, 8], t: [0, 0.5, 1, 2, 3], dt: [0, 0.25, 0.25, 0.5, 0.5], x: [0, 3, 6, 9, 12], y: [0, 10, 20, 30, 40],
+  vx: [6, 6, 6, 6, -8], vy: [8, 10, 20, 30, 0], contact: [0, 0, 0, 0, 8] };
+const inputs = [{ kind: 'grab', frame: 1 }, { kind: 'resize', frame: 4, window: [200, 130], sprite: [20, 30] }, { kind: 'resize', frame: 6, window: [210, 140] },
+  { kind: 'resize', frame: 7, sprite: [21, 31] }];
+const sizes = replay.sizesOf([100, 80, 10, 20, 0, 0], inputs);
+const errors = { step: [0, 4, 8], model: [0, 1e-3, 2], truncation: [0, 2e-3, 3], implementation: [0, 1e-9, 2e-9] };
+const causes = { step: [0, 4, 8], gravity: [0, 1, 2], drag: [0, -1, -2], lift: [0, 3, 4], bounce: [0, 5, 7], sum: [0, 8, 11] };
+const contactErrors = { step: [4, 6], time_error: [0.001, NaN], effective_restitution: [0.5, 0.625] };
+const result = { rows, errors, causes, contactErrors, run: { constants: [500] }, contacts: { step: [4, 6], wall: [3, 1] } };
+const said = charts => charts.map(({ id, title, unit, series: all }) => [`${id}: ${title}, ${unit}`, ...all.map(({ name, color, dash, points, steps, values }) =>
+  [`${name} ${color}${dash ? ' dashed' : ''}${points ? ' points' : ''}${steps ? ' steps' : ''}`, values])]);
+
+test('each size is in force from the row after its frame', () => {
+  assert.deepEqual(sizes.map(({ step, window, sprite }) => [step, ...window, ...sprite]),
+    [[0, 100, 80, 10, 20], [5, 200, 130, 20, 30], [7, 210, 140, 20, 30], [8, 210, 140, 21, 31]]);
+  assert.deepEqual(count(10).map(step => replay.sizesAt(sizes, step).step), [0, 0, 0, 0, 0, 5, 5, 7, 8, 8]);
+});
+
+test('charts have these series, units and values', () => {
+  const drift = (name, tint, key) => [`${name} ${tint}`, [causes[key][0], undefined, causes[key][1], undefined, causes[key][2]]];
+  assert.deepEqual(said(series.chartsOf(result, sizes)), [
+    ['position: Position, px', ['x blue', rows.x], ['y orange', rows.y]],
+    ['velocity: Velocity, px/s', ['vx blue', rows.vx], ['vy orange', rows.vy]],
+    // (vx² + vy²) / 2 + 500 (window height - sprite height - y)
+    ['energy: Energy, px²/s²', ['run green', [50 + 500 * 60, 68 + 500 * 50, 218 + 500 * 40, 468 + 500 * 70, 32 + 500 * 69]]],
+    ['errors: Errors, px', ['model orange', [null, null, 1e-3, null, 2]], ['truncation blue', [null, null, 2e-3, null, 3]], ['implementation green', [null, null, 1e-9, null, 2e-9]]],
+    ['drift: Energy drift by cause, px of height', drift('gravity', 'blue', 'gravity'), drift('drag', 'green', 'drag'), drift('lift', 'vermilion', 'lift'),
+      drift('late bounce', 'purple', 'bounce'), drift('all', 'ink dashed', 'sum')],
+    ['contact-time: Contact time error, ms', ['late by vermilion points', [null, null, 1, null, null]]],
+    ['contact-restitution: Effective restitution, ', ['speed after / before purple points', [null, null, 0.5, 0.625, null]]],
+    ['dt: Frame time, ms', ['dt blue steps', [null, 250, 250, 500, 500]]],
+  ]);
+});
+
+test('errors with the drag of 60 Hz are one line', () => {
+  const errorNames = model => series.chartsOf({ ...result, errors: { ...errors, model } }, sizes).find(({ id }) => id === 'errors').series.map(({ name }) => name);
+  assert.deepEqual(errorNames([0, 2e-3, 3]), ['model and truncation', 'implementation']);
+  assert.deepEqual(errorNames([0, 2e-3, 3.00001]), ['model', 'truncation', 'implementation']);
+});
+
+test('another run is drawn dashed, with its distance', () => {
+  const other = { label: 'golden', name: 'golden file', rows: { step: [2, 4, 5, 8], x: [3, 2, 0, 12], y: [10, 23, 0, 40], vx: [1, 2, 3, 4], vy: [5, 6, 7, 8] } };
+  other.distances = series.distancesFrom(other.rows, rows);
+  assert.deepEqual(other.distances, [null, 0, 5, null, 0]);
+  const [distance, position, velocity] = said(series.chartsOf({ ...result, other }, sizes));
+  assert.deepEqual(distance, ['distance: Distance from the golden file, px', ['distance vermilion', [null, null, 5, null, null]]]);
+  assert.deepEqual(position.slice(3), [['x, golden blue dashed', [null, 3, 2, null, 12]], ['y, golden orange dashed', [null, 10, 23, null, 40]]]);
+  assert.deepEqual(velocity.slice(3), [['vx, golden blue dashed', [null, 1, 2, null, 4]], ['vy, golden orange dashed', [null, 5, 6, null, 8]]]);
+});
+
+test('the value of a moment is the last contact, and the place on a line', () => {
+  const drift = { known: { steps: [0, 4, 8], values: [0, 10, 20], isJoined: true } }, late = { known: { steps: [4, 6], values: [7, 9] } };
+  assert.deepEqual(count(5).map(i => series.valueAt(rows, drift, i)), [0, 5, 10, 15, 20]);
+  assert.deepEqual(count(5).map(i => series.valueAt(rows, late, i)), [null, null, 7, 9, 9]);
+  assert.equal(series.valueAt(rows, { values: rows.vy }, 3), 30);
+});
+
+test('a chart as CSV has each row, empty where it has no value', () => {
+  assert.equal(series.csvOf({ unit: 'ms', series: [{ name: 'a "b"', values: [null, undefined, NaN, -0, 0.1] }] }, rows),
+    '"step","t_s","a ""b"" (ms)"\n0,0,\n2,0.5,\n4,1,\n6,2,-0.0\n8,3,0.1\n');
+  assert.match(series.csvOf({ unit: '', series: [{ name: 'ratio', values: [] }] }, rows), /^"step","t_s","ratio"\n/);
+});
+
+test('axes are of whole decades, and of what is drawn', () => {
+  const axis = series.logAxis();
+  assert.deepEqual(axis.range(null, 2e-3, 5), [1e-3, 10]);
+  assert.deepEqual(axis.range(null, 1, 1), [1, 10]);
+  assert.deepEqual(axis.splits(null, 0, 1e-3, 10).map(Math.log10).map(Math.round), [-3, -2, -1, 0, 1]);
+  assert.deepEqual(axis.splits(null, 0, 1e-12, 1).map(Math.log10).map(Math.round), [-12, -9, -6, -3, 0]);
+  assert.deepEqual(axis.values(null, [1e-12, 1, 10]), ['10⁻¹²', '10⁰', '10¹']);
+  assert.equal(series.rangeText([3, null, -2, undefined, NaN], 'px'), '−2 to 3 px');
+  assert.equal(series.rangeText([null, NaN], 'px'), 'no value');
+  assert.deepEqual([99999, -1234, 100000, -2.5e6].map(series.thousands), ['99,999', '−1,234', '0.1 M', '−2.5 M']);
+});
+
+test('the overview of many rows has each row and contact once', () => {
+  for (const length of [series.overviewRowsMin - 1, series.overviewRowsMin, series.overviewRowsMin + 1, 60_001]) {
+    const all = count(length), step = Float64Array.from(all), t = step.map(i => i / 100), zeros = step.map(() => 0);
+    const many = { step, t, dt: zeros, x: zeros, y: zeros, vx: step.map(i => (i * 7919) % 1009), vy: zeros, contact: zeros };
+    const contacts = { step: all.filter(i => i % 97 === 1), wall: [] };
+    const charts = series.chartsOf({ ...result, rows: many, contacts }, sizes).filter(chart => chart.isOverview);
+    assert.equal(charts.length, length < series.overviewRowsMin ? 0 : 2);
+    if (!charts.length) continue;
+    const [speed, met] = charts.map(chart => chart.series[0].known), ends = [...speed.steps.slice(1), length];
+    assert.ok(speed.steps.length > 300 && speed.steps.length <= 400);
+    speed.steps.forEach((from, i) => {
+      const part = all.slice(from, ends[i]), seconds = (part.length - 1) / 100 || 1;
+      assert.equal(speed.values[i], part.reduce((most, row) => Math.max(most, many.vx[row]), 0));
+      assert.ok(Math.abs(met.values[i] - part.filter(row => row % 97 === 1).length / seconds) < 1e-9);
+    });
+    assert.equal(speed.steps[0], 0);
+    assert.deepEqual(charts.map(({ unit }) => unit), ['px/s', '1/s']);
+  }
+});
+
+test('searches agree with a plain loop', () => {
+  for (const length of [0, 1, 2, 3, 8, 17]) {
+    const values = count(length).map(i => 2 * Math.floor(i / 2));
+    for (let wanted = -1; wanted <= length + 1; ++wanted) {
+      assert.equal(data.firstAtLeast(values, wanted), values.filter(value => value < wanted).length);
+      assert.equal(data.lastAtMost(values, wanted), values.filter(value => value <= wanted).length - 1);
+    }
+  }
+  assert.deepEqual(data.rangeOf([undefined, 4, null, -1, NaN]), [-1, 4]);
+  assert.deepEqual(data.rangeOf([NaN]), [null, null]);
+  assert.deepEqual([...data.doubles(base64([1.5, -0, NaN]))], [1.5, -0, NaN]);
+});
+
+test('a place looks the way it came from', () => {
+  assert.deepEqual([-1, 0, 0.49, 0.5, 2.9, 3, 9].map(time => replay.placeAt({ t: rows.t, x: [0, 3, 1, 1, 5], y: rows.y }, time)).map(({ x, y, vx }) => [x, y, vx]),
+    [[0, 0, 0], [0, 0, 0], [0, 0, 0], [3, 10, 3], [1, 30, 0], [5, 40, 4], [5, 40, 4]]);
+});
+
+const number = (values, isGrid) => ({ values, isGrid });
+
+test('a cell is the mean of its members', () => {
+  const x = number([1, 2, 4, 1, 2, 4, 1], true), y = number([0, 0, 0, 10, 10, 10, 0], true), tint = number([1, 2, 3, 4, NaN, 6, 9], false);
+  const { edges, items } = cells.itemsOf({ x, y, tint });
+  assert.deepEqual(edges, [[0.25, 1.5, 3, 4.75], [-5, 5, 15]]);
+  assert.deepEqual(items.map(({ column, line, row, x: across, y: up, count: of, value }) => [column, line, row, across, up, of, value]),
+    [[0, 0, 0, 1, 0, 2, 5], [1, 0, 1, 2, 0, 1, 2], [2, 0, 2, 4, 0, 1, 3], [0, 1, 3, 1, 10, 1, 4], [1, 1, 4, 2, 10, 0, NaN], [2, 1, 5, 4, 10, 1, 6]]);
+});
+
+test('of many values cells are even, and hold every member once', () => {
+  for (const side of [1, 99, 100, 101, 250]) {
+    const x = number(count(side * 2).map(i => i % side), true), y = number(count(side * 2).map(i => Math.floor(i / side)), true);
+    const { edges: [across], items } = cells.itemsOf({ x, y, tint: number(x.values, false) });
+    assert.equal(across.length, Math.min(side, 100) + 1);
+    assert.ok(across[0] < 0 && across.at(-1) > side - 1);
+    assert.equal(items.reduce((sum, item) => sum + item.count, 0), 2 * side);
+    for (const { column, value } of items) assert.ok(across[column] <= value && value <= across[column + 1], `${side}: ${value}`);
+  }
+});
+
+test('points are at most 5000 members, evenly taken', () => {
+  for (const [members, shown, stride] of [[1, 1, 1], [4999, 4999, 1], [5000, 5000, 1], [5001, 2501, 2], [10001, 3334, 3]]) {
+    const x = number(count(members), true), { edges, items } = cells.itemsOf({ x, y: number(x.values.map(i => 2 * i), false), tint: number(x.values.map(i => 3 * i), false) });
+    assert.deepEqual([edges, items.length, ...Object.values(items.at(-1))], [null, shown, ...[1, 1, 2, 3].map(factor => factor * stride * (shown - 1))]);
+  }
+  assert.equal(cells.itemsOf({ x: number([1, NaN], false), y: number([1, 1], false), tint: number([1, 1], false) }).items.length, 1);
+});
+
+test('a member has its own record, seeds with all 64 bits', () => {
+  const sweep = { record: base64([0, 0, 0, 0, 9]), inputs: [{ name: '/start/x_px', place: 1, is_seed: false, is_grid: true, values: base64([5, 0.1]) },
+    { name: '/clock/jitter/seed', place: 2, is_seed: true, values: base64([0, 7, 0xffffffff, 0xfffffffe]) }],
+  results: [{ name: 'final_x', unit: 'px', values: base64([1, 2]) }, { name: 'contacts', unit: '1', values: base64([3, 4]) }] };
+  const all = cells.numbersOf(sweep, [10, 20]);
+  assert.deepEqual(all.map(({ label, isGrid, isInput, values }) => [label, isGrid, isInput, ...values]), [['/start/x_px', true, true, 5, 0.1],
+    ['/clock/jitter/seed', undefined, true, 7, 2 ** 64], ['final_x, px', false, undefined, 1, 2], ['contacts', false, undefined, 3, 4]]);
+  const { record, texts } = cells.recordOf(sweep, all, 1);
+  assert.deepEqual([...record], [0, 0.1, 0xffffffff, 0xfffffffe, 9]);
+  assert.deepEqual(texts, { '/start/x_px': '0.1', '/clock/jitter/seed': '18446744073709551614' });
+});
+
+test('the scale of colours is viridis', () => {
+  assert.deepEqual([-1, 0, 0.0625, 0.5, 1, 2].map(cells.viridis), ['rgb(68 1 84)', 'rgb(68 1 84)', 'rgb(70 23 104)', 'rgb(33 145 140)', 'rgb(253 231 37)', 'rgb(253 231 37)']);
+});
+
+test('a fling is written with each number and input', () => {
+  const record = [800, 600, 64, 32, 1, 2, 3, 4, 1, 0, 0, 2, 3, 0.016, 0.017, -0, 0, 4, 0, 0, 5, 0, 0, 0, 0, 0, 1, 6, 10, 20, 0, 0, 0, 1, 1, 30, 40, 0, 0, 0, 2, 0, 50, 60, 0, 0];
+  const { events, ...rest } = JSON.parse(scenarioText(record, 'abc', 'fling', 'by hand'));
+  assert.deepEqual(events, [{ step: 0, grab: {} }, { step: 1, release: { vx_px_per_s: 10, vy_px_per_s: 20 } }, { step: 1, place: { x_px: 30, y_px: 40 } },
+    { step: 2, fling: { vx_px_per_s: 50, vy_px_per_s: 60 } }]);
+  assert.deepEqual(rest, { format: 'hyrax-scenario/1', name: 'fling', description: 'by hand', window: { width_px: 800, height_px: 600 }, sprite: { width_px: 64, height_px: 32 },
+    start: { x_px: 1, y_px: 2, vx_px_per_s: 3, vy_px_per_s: 4 }, clock: { dt_s: [0.016, 0.017, -0] }, expect: { state_hash: 'abc' } });
+});
+
+test('a moment stays in the run, and tells each change once', () => {
+  const moment = new Moment(rows), seen = [];
+  moment.listen(({ index }) => seen.push(index));
+  for (const index of [0, 1.4, 1, 99, 4, -3]) moment.show(index);
+  moment.replace({ ...rows, step: [0, 2], t: [0, 0.5] });
+  assert.deepEqual(seen, [1, 4, 0, 1]);
+  assert.deepEqual(moment.body(), { step: 2, t: 0.5, x: 3, y: 10, vx: 6, vy: 10, contact: 0 });
+});
+
+test('numbers are written as the program writes them', () => {
+  const cases = readFileSync(new URL('../../sim/result/numbers.txt', import.meta.url), 'utf8').trim().split('\n').map(line => line.split(/\s+/));
+  assert.ok(cases.length > 10);
+  for (const [value, digits, text] of cases) assert.equal(numbers.rounded(Number(value), Number(digits)), text.replaceAll('-', '−'));
+  assert.deepEqual([[1234.5, 1], [-0.04, 1], [-2e9, 3], [Infinity, 2]].map(each => numbers.fixed(...each)), ['1,234.5', '0.0', '−2.000e9', '–']);
+  assert.deepEqual([[1, 'row'], [1000, 'row']].map(each => numbers.count(...each)), ['1 row', '1,000 rows']);
+  assert.deepEqual([-0, 0, 0.1, 1e21].map(numbers.exact), ['-0.0', '0', '0.1', '1e+21']);
+});
