@@ -43,7 +43,8 @@ struct StepFacts {
 /// contacts come from ContactKernel (sim/core/contact_kernel.h).
 /// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
 /// have another step than the listing's to find the walls by: `listing(const Bounds&)`, with `fly` and
-/// `meet_walls_in_x`. Without both there are no contacts.
+/// `meet_walls_in_x`. A core that knows its walls tells them: `contact` and `meeting` as TracedBody's
+/// (sim/trace/step_player.h). Without all of these there are no contacts.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
@@ -106,6 +107,7 @@ class KernelOf final : public Kernel {
   using Core = typename Cores::Core;
   using Listing = decltype(listing_of(std::declval<const Cores&>(), Bounds()));
   static constexpr bool kTellsContacts = !std::is_same_v<Listing, std::monostate>;
+  static constexpr bool kKnowsContacts = requires(const Core core) { core.contact(); };
 
   // The core with the rest of the world, as hyrax::apply takes it.
   struct Body : Core {
@@ -230,6 +232,14 @@ class KernelOf final : public Kernel {
           ++log.rows[contact];
           log.had_friction |= touches(contact, Wall::ground) && flight.vx_px_per_s != 0.0;
         }
+      }
+      if constexpr (kKnowsContacts) {
+        contact = body.contact();
+        if (contact != 0) ++log.rows[contact];
+        log.had_friction |= touches(contact, Wall::ground) && before.vx() != 0.0;
+        if (is_contact_change(contact_before, contact))
+          log_contact_changes(contact_before, contact, state_of(body), frame, log,
+                              [&](Wall wall) { return before.meeting(wall, dt_s, window, sprite); });
       }
       pack_row(row, dt_s, body.x(), body.y(), body.vx(), body.vy(), contact);
       row += kPackedRowBytes;

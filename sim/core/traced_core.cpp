@@ -22,8 +22,7 @@ std::optional<Core> traced_core(const TracedStep& step) {
   if (!program) return std::nullopt;
   const StepFacts facts{.has_further_members = step.members.size() > kMembersOfRows};
   Core core{.name = kPhysicsModel};
-  core.kernel = std::make_shared<const ContactKernel>(
-      std::make_shared<const KernelOf<TracedCores>>(TracedCores{program}, facts), program, std::nullopt);
+  core.kernel = std::make_shared<const KernelOf<TracedCores>>(TracedCores{std::move(program)}, facts);
   return core;
 }
 
