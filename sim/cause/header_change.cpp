@@ -15,7 +15,8 @@ namespace {
 // Changes are found by a table of pairs of statements.
 constexpr std::size_t kStatementsMax = 4000;
 
-// Tokens up to `;`, `{`, `}` or a label's `:`, or a directive of the preprocessor.
+// Tokens up to `;`, `{`, `}` or a label's `:`, or a directive of the preprocessor; `for (...; ...; ...) {` is
+// one.
 struct HeaderStatement {
   std::vector<std::string_view> tokens;
   std::int64_t line = 0;
@@ -51,8 +52,10 @@ class HeaderReader {
       }
       const std::string_view token = next_token();
       open_.tokens.push_back(token);
+      parentheses_ += token == "(" ? 1 : token == ")" ? -1 : 0;
       const bool is_label = token == ":" && open_.tokens.size() == 2;  // As `public:`.
-      if (!is_directive_ && (is_label || token == ";" || token == "{" || token == "}")) close();
+      const bool is_end = token == ";" && parentheses_ <= 0;
+      if (!is_directive_ && (is_label || is_end || token == "{" || token == "}")) close();
     }
     close();
     return std::move(statements_);
@@ -62,6 +65,7 @@ class HeaderReader {
   void close() {
     if (!open_.tokens.empty()) statements_.push_back(std::move(open_));
     open_ = {};
+    parentheses_ = 0;
     is_directive_ = false;
   }
 
@@ -131,6 +135,7 @@ class HeaderReader {
   std::size_t at_ = 0;
   std::int64_t line_ = 1;
   bool is_directive_ = false;
+  int parentheses_ = 0;  // Open in this statement.
   HeaderStatement open_;
   std::vector<HeaderStatement> statements_;
 };
@@ -204,6 +209,16 @@ std::vector<HeaderConstant> header_constants(std::string_view header) {
   for (const HeaderStatement& statement : HeaderReader(header).statements())
     if (const auto constant = constant_of(statement)) constants.push_back(*constant);
   return constants;
+}
+
+std::vector<double> header_literals(std::string_view header) {
+  std::vector<double> literals;
+  for (const HeaderStatement& statement : HeaderReader(header).statements()) {
+    if (constant_of(statement)) continue;
+    for (const std::string_view token : statement.tokens)
+      if (const std::optional<double> literal = number_of(token)) literals.push_back(*literal);
+  }
+  return literals;
 }
 
 std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current) {

@@ -23,6 +23,9 @@ struct HeaderConstant {
 /// In order of the header.
 [[nodiscard]] std::vector<HeaderConstant> header_constants(std::string_view header);
 
+/// The numbers of its other statements.
+[[nodiscard]] std::vector<double> header_literals(std::string_view header);
+
 enum class HeaderChangeKind : std::uint8_t { constant, added, removed, altered };
 inline constexpr std::array<std::string_view, 4> kHeaderChangeNames = {"constant", "added", "removed",
                                                                        "altered"};

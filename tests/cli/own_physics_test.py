@@ -474,12 +474,26 @@ class OwnPhysics(OutsideProject):
         self.assertIn("golden/billiard.h5: attribute physics: is of another core (found elastic_box); this program's "
                       "core is hyrax-physics/1", outcome.out)
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake")
-        self.assertEqual(self.state_of("golden"), before)
         self.expect(BAD_INPUT, "drift", "golden/billiard.h5",
                     says="golden/billiard.h5: needs the paper's step, with any constants (found the core elastic_box, whose step is another)")
         program.PROGRAM = self.program
         outcome = self.expect(BAD_INPUT, "check", SOURCE / FLING)
         self.assertIn("is of another core (found hyrax-physics/1); this program's core is elastic_box", outcome.out)
+
+    def test_the_accepted_core_of_another_class_is_not_replaced_without_accept(self):
+        self.blessed()
+        for path in self.folder.glob("golden/**/billiard.*"):
+            path.unlink()
+        shutil.rmtree(self.folder / "golden/long")
+        before = self.state_of("golden")
+        program.PROGRAM = HYRAX_SIM
+        says = "the accepted core is of another class (found elastic_box); this program's is hyrax-physics/1"
+        self.assertEqual(self.expect(BAD_INPUT, "check", "--core").out, f"core: not proved equal to the accepted one: {says}\n")
+        self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake",
+                    says="nothing written: golden/core: the accepted core is of another class (found elastic_box); --accept shape replaces it")
+        self.assertEqual(self.state_of("golden"), before)
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
+        self.expect(AGREED, "check", "--core")
 
     def test_a_still_sprite_has_the_same_bits_in_both_and_is_told_apart_all_the_same(self):
         self.write("scenarios/still.json", program.fling(name="still", steps=0))

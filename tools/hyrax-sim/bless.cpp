@@ -86,9 +86,9 @@ ExitCode bless(const Core& core, BlessRequest& request) {
     print_text("no golden file without a scenario\n");
   ExitCode exit_code = ExitCode::agreed;
   for (const Blessing& blessing : report.blessings) exit_code = more_serious(exit_code, blessing.exit_code);
-  if (request.accepts_core_only)
-    for (const CoreAcceptance& acceptance : report.cores)
-      if (!acceptance.why_not.empty()) exit_code = more_serious(exit_code, ExitCode::disagreed);
+  for (const CoreAcceptance& acceptance : report.cores)
+    if (acceptance.is_refused || (request.accepts_core_only && !acceptance.why_not.empty()))
+      exit_code = more_serious(exit_code, ExitCode::disagreed);
   return exit_code;
 }
 

@@ -105,6 +105,10 @@ std::string refusal_sentence(const BlessReport& report) {
   if (failed > 0)
     return fmt::format("hyrax-sim bless: nothing written: {} of {} scenarios failed", failed,
                        blessings.size());
+  for (const CoreAcceptance& core : report.cores)
+    if (core.is_refused)
+      return fmt::format("hyrax-sim bless: nothing written: {}: {}", accepted_core_folder(core.golden_folder),
+                         core.why_not);
   const auto refused = std::ranges::count(blessings, BlessStatus::refused, &Blessing::status);
   if (refused == 0) return "";
   const Blessing& widest = *std::ranges::max_element(blessings, {}, [](const Blessing& blessing) {

@@ -38,6 +38,7 @@ struct CoreAcceptance {
   std::string golden_folder;
   AcceptedCore core;        ///< This program's.
   std::string why_not;      ///< As "3 of 99 scenarios do not agree, the first is ..."; empty: it is accepted.
+  bool is_refused = false;  ///< Then nothing is written: --accept does not allow another class.
   CoreVerdict differences;  ///< From the one accepted before.
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "sim/trajectory/physics_model.h"
 #include "tools/app/causes/library.h"
 #include "tools/app/check/check_verdict.h"
 #include "tools/files/scenario_list.h"
@@ -17,14 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_accepted_already(const AcceptedCore& program, const std::string& golden_folder) {
-  try {
-    const std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
-    return accepted && accepted->header == program.header && accepted->step == program.step &&
-           accepted->model == program.model;
-  } catch (const Failure&) {
-    return false;  // A damaged one is replaced.
-  }
+// A damaged one is replaced.
+std::optional<AcceptedCore> accepted_before(const std::string& golden_folder) try {
+  return read_accepted_core(golden_folder);
+} catch (const Failure&) {
+  return std::nullopt;
 }
 
 std::string canonical_path(const std::string& path) {
@@ -54,18 +52,27 @@ LibraryCheck check_library(const Core& core, const Library& library, const std::
 }
 
 std::optional<CoreAcceptance> plan(const Core& core, const Library& library,
-                                   const std::set<std::string>& blessed, const std::string& reason) {
+                                   const std::set<std::string>& blessed, const BlessOptions& options) {
   AcceptedCore accepted = program_core(core);
-  if (is_accepted_already(accepted, library.golden_folder)) return std::nullopt;
+  const std::optional<AcceptedCore> before = accepted_before(library.golden_folder);
+  if (before && before->header == accepted.header && before->step == accepted.step &&
+      before->model == accepted.model)
+    return std::nullopt;
   LibraryCheck check = check_library(core, library, blessed);
-  accepted.reason = reason;
+  accepted.reason = options.reason;
   check.cores.erase(accepted.name());
   check.cores.erase("");
   accepted.agreeing_cores.assign(check.cores.begin(), check.cores.end());
-  CoreAcceptance acceptance{library.golden_folder, std::move(accepted), "", {}};
+  CoreAcceptance acceptance{library.golden_folder, std::move(accepted), "", false, {}};
   if (!check.disagreeing.empty()) {
     acceptance.why_not = fmt::format("{} of {} scenarios do not agree, the first is {}",
                                      check.disagreeing.size(), check.checked, check.disagreeing.front());
+    return acceptance;
+  }
+  if (before && !is_same_model(before->model, core.name) && options.accepted < DifferenceClass::shape) {
+    acceptance.is_refused = true;
+    acceptance.why_not = fmt::format(
+        "the accepted core is of another class (found {}); --accept shape replaces it", before->model);
     return acceptance;
   }
   CoreCheck differences(core, library.golden_folder, {});
@@ -83,7 +90,7 @@ std::vector<CoreAcceptance> plan_core_acceptances(const Core& core, const std::v
   for (const Blessing& blessing : blessings) blessed.insert(canonical_path(blessing.path));
   std::vector<CoreAcceptance> acceptances;
   for (const Library& library : libraries_of(arguments, options.golden_folder))
-    if (auto acceptance = plan(core, library, blessed, options.reason))
+    if (auto acceptance = plan(core, library, blessed, options))
       acceptances.push_back(std::move(*acceptance));
   return acceptances;
 }

@@ -30,11 +30,13 @@ bool depends_on_library(const Expression& expression) {
   return expression.op == Operator::call && std::ranges::find(kExact, expression.name) == kExact.end();
 }
 
-// What both headers call a number: those that only one of them has stay numbers, and so do 0 and 1, which are
-// in every step.
+// What both headers call a number. Those that only one of them has stay numbers, and those that the program's
+// header writes as numbers, too; so do 0 and 1, which are in every step.
 NumberNames shared_names(std::string_view accepted, std::string_view program) {
   NumberNames names;
-  std::set<double> ambiguous = {0.0, 1.0};
+  const std::vector<double> literals = header_literals(program);
+  std::set<double> ambiguous(literals.begin(), literals.end());
+  ambiguous.insert({0.0, 1.0});
   const std::vector<HeaderConstant> others = header_constants(accepted);
   for (const HeaderConstant& constant : header_constants(program))
     if (std::ranges::find(others, constant) == others.end() ||
@@ -92,6 +94,7 @@ void CoreCheck::compare() {
     verdict_.status = CoreStatus::not_proved;
     verdict_.why = fmt::format("the accepted core is of another class (found {}); this program's is {}",
                                accepted_->model, program.model);
+    verdict_.exit_code = ExitCode::bad_input;  // As for golden files of another class.
     return;
   }
   if (!accepted_->step.empty()) steps_->accepted = read_step(accepted_->step);

@@ -88,6 +88,20 @@ TEST(HeaderChanges, AStatementIsQuotedAsTheHeaderHasIt) {
   EXPECT_EQ(change.detail, "m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);");
 }
 
+TEST(HeaderChanges, ALoopIsOneStatementAndALambdaInACallIsNot) {
+  EXPECT_EQ(only_change(with("m_vx *= DRAG;", "for (int i = 0; i < 2; ++i) m_vx *= DRAG;")).detail,
+            "m_vx *= DRAG; -> for (int i = 0; i < 2; ++i) m_vx *= DRAG;");
+  const std::string called = with("m_vx *= DRAG;", "each([](double& v) { v *= DRAG; v += 1; });");
+  EXPECT_EQ(
+      header_changes(called, with("m_vx *= DRAG;", "each([](double& v) { v *= DRAG; v += 2; });"))[0].detail,
+      "v += 1; -> v += 2;");
+}
+
+TEST(HeaderLiterals, AreTheNumbersThatAreNotThoseOfConstants) {
+  EXPECT_EQ(header_literals(with("m_vx *= DRAG;", "if (dt < 1200) m_vx *= 0.5f * DRAG;")),
+            (std::vector{1200.0, 0.5, 0.0, 0.0}));
+}
+
 TEST(HeaderChanges, AnAccessSpecifierIsNoPartOfWhatFollows) {
   const std::string labelled = with("class physics {", "class physics {\n public:");
   const std::vector<HeaderChange> changes =
