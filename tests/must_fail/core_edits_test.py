@@ -15,7 +15,7 @@ import unittest
 import h5py
 import numpy as np
 
-from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground
+from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground, when
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
 from process import preloading, succeed
 from traced import SHIPPED, traced
@@ -126,6 +126,17 @@ class Unnoticed(unittest.TestCase):
             self.assertEqual(written.exit_code, DISAGREED, written)
             self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {path[:-5] for path in os.listdir(folder)})
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
+
+    def test_a_number_of_the_header_is_not_called_by_the_name_of_a_constant(self):
+        outcome = traced(when("1200_high", "screenHeight == 1200").apply(SHIPPED)).run("check", "--core")
+        self.assertIn("\n  no scenario notices `window_height == 1200`", outcome.out)
+
+    def test_a_dt_of_minus_0_is_shown_only_where_0_does_not_show_it(self):
+        for sign, dt_s in (("", "0"), (" && std::signbit(dt)", "-0")):
+            core = traced(when("no_time", f"dt == 0.0 && m_vx > 123456.0{sign}").apply(SHIPPED))
+            outcome = core.run("check", "--core")
+            self.assertIn(f'"clock": {{ "dt_s": {dt_s} }}', outcome.out)
+            self.assertRegex(outcome.out, r"after 0 s [\d,]+ px/s apart in this one")
 
 
 def edit_of(name):

@@ -49,9 +49,14 @@ std::string consequence_of(const CorePair& cores, Scenario scenario) {
   scenario.length = static_cast<std::int64_t>(std::min(steps, static_cast<double>(kConsequenceSteps)));
   const RunSummary before = play(cores.accepted, scenario);
   const RunSummary after = play(cores.program, scenario);
-  const double apart_px = distance_px(state_of(before.final), state_of(after.final));
   if (after.non_finite_step) return fmt::format("not finite from step {}", *after.non_finite_step);
-  return fmt::format("after {:.3g} s {} px apart", after.final.t_s, rounded(apart_px, 3));
+  const State from = state_of(before.final), to = state_of(after.final);
+  const double apart_px = distance_px(from, to);
+  const double apart_px_per_s =
+      std::hypot(to.vx_px_per_s - from.vx_px_per_s, to.vy_px_per_s - from.vy_px_per_s);
+  const bool is_of_speed = apart_px == 0.0 && apart_px_per_s > 0.0;
+  return fmt::format("after {:.3g} s {} {} apart", after.final.t_s,
+                     rounded(is_of_speed ? apart_px_per_s : apart_px, 3), is_of_speed ? "px/s" : "px");
 }
 
 bool differs(const CorePair& cores, const Scenario& scenario) {
@@ -93,6 +98,10 @@ std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const s
         };
         Scenario scenario =
             shrink(cores.program, scenario_of(search), shows, {.trials_max = kShrinkTrials}).scenario;
+        Scenario unsigned_dt = scenario;  // A dt of -0 only where it is what differs.
+        if (auto* const step = std::get_if<FixedStep>(&unsigned_dt.clock.base))
+          step->dt_s = std::fabs(step->dt_s);
+        if (shows(unsigned_dt)) scenario = std::move(unsigned_dt);
         const std::vector<bool> others = shown_by(cores, scenario);
         for (std::size_t other = index + 1; other < others.size(); ++other)
           if (others[other] && !shown[other]) shown[other] = unnoticed.size();
