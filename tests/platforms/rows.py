@@ -99,10 +99,10 @@ HEADERS_OF_32_BITS = "-idirafter /usr/include/x86_64-linux-gnu"
 WITHOUT_GUARDS = "-DHYRAX_CONTROL_WITHOUT_GUARDS"
 
 
-def native(compiler, package, daily, *nightly):
-    """A compiler for this processor, with each of these flags."""
+def native(compiler, package, all_flags, daily=None):
+    """A compiler for this processor, with each of these flags; by day with those named."""
     return [Row(f"{compiler} {flags}", compiler, flags, needs=(Needs(compiler, package),), is_nightly=flags != daily)
-            for flags in (daily, *nightly)]
+            for flags in all_flags]
 
 
 def level(number, cpu):
@@ -127,9 +127,9 @@ def emulated(name, triple, emulator, **options):
 
 BUILDS = (
     Row("g++ -O3", "g++", "-O3", needs=(GXX,), variants=THIS_BUILD, is_nightly=True),
-    *native("g++", "g++", "-O3 -march=native", "-O0", "-O2", "-O2 -flto"),
-    *native("clang++", "clang", "-O2", "-O0", "-O3 -march=native"),
-    *native("clang++-22", "clang-22", "-O3 -march=native", "-O0", "-O2"),
+    *native("g++", "g++", ("-O0", "-O2", "-O2 -flto", "-O3 -march=native"), daily="-O3 -march=native"),
+    *native("clang++", "clang", ("-O0", "-O2", "-O3 -march=native"), daily="-O2"),
+    *native("clang++-22", "clang-22", ("-O0", "-O2", "-O3 -march=native")),
     level(1, ()), level(2, V2), level(3, V3), level(4, V4),
     # Under qemu-user, for not every kernel of 64 bits runs programs of 32.
     Row("i386 with SSE2", "g++", "-O2 -m32", more_flags=HEADERS_OF_32_BITS, runner=("qemu-i386",), runs_on="qemu-i386",

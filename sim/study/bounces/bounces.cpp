@@ -15,7 +15,7 @@ constexpr double kMinute_s = 60.0, kTenMinutes_s = 600.0;
 
 State stepped_for(const Constants& laws, StepOrder order, State body, double rate_hz, double duration_s) {
   for (std::int64_t frame = std::llround(duration_s * rate_hz); frame > 0; --frame)
-    body = stepped(laws, order, body, 1.0 / rate_hz, kFlingBounds);
+    body = stepped(laws, order, body, 1.0 / rate_hz, kDesktop);
   return body;
 }
 
@@ -44,7 +44,7 @@ std::vector<KeptEnergy> kept_energies(const Core& core, const std::vector<double
       const State start = flings.start(number);
       const auto [minute, ten_minutes] = play(start);
       const auto energy_of = [&](const State& body) {
-        return energy(body, laws.gravity_px_per_s2, kFlingBounds);
+        return energy(body, laws.gravity_px_per_s2, kDesktop);
       };
       kept.push_back({method, rate_hz, number, std::hypot(start.vx_px_per_s, start.vy_px_per_s),
                       energy_of(minute) / energy_of(start), energy_of(ten_minutes) / energy_of(start)});
@@ -59,7 +59,7 @@ std::vector<KeptEnergy> kept_energies(const Core& core, const std::vector<double
       });
   ExactFling exact{FixedLaws(model_of(laws))};
   add(BounceMethod::exact, 0.0, [&](const State& start) {
-    exact.start(start, kFlingBounds);
+    exact.start(start, kDesktop);
     const State minute = exact.at(kMinute_s);
     return std::pair(minute, exact.at(kTenMinutes_s));
   });

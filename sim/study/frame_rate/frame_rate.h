@@ -97,7 +97,7 @@ struct FrameRateStudy {
 
 /// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
 inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
-inline constexpr Bounds kDrawnBounds = kFlingBounds;
+inline constexpr Bounds kDrawnBounds = kDesktop;
 
 /// Where the drawn fling settles against the display rate, how far off many flings settle, the path of the
 /// drawn one by either method.

@@ -20,8 +20,8 @@ Sweep with_jitter_seed(Sweep sweep, std::int64_t part) {
 ManyFlings::ManyFlings(const Clock& clock, double duration_s, std::int64_t flings) {
   Scenario& base = sweep_.base;
   base.sprite = {128, 128};
-  base.window = {static_cast<std::int32_t>(kFlingBounds.right_px) + base.sprite.width_px,
-                 static_cast<std::int32_t>(kFlingBounds.bottom_px) + base.sprite.height_px};
+  base.window = {static_cast<std::int32_t>(kDesktop.right_px) + base.sprite.width_px,
+                 static_cast<std::int32_t>(kDesktop.bottom_px) + base.sprite.height_px};
   base.clock = clock;
   base.length = std::llround(std::ceil(duration_s / base_dt_s(clock)));
   sweep_.members = flings;
@@ -29,8 +29,8 @@ ManyFlings::ManyFlings(const Clock& clock, double duration_s, std::int64_t fling
   for (const Keep each : {Keep::final, Keep::contacts, Keep::at_rest}) sweep_.keep.add(each);
   sweep_.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 2000.0}},
                  {"/start/vy_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 500.0}},
-                 {"/start/x_px", ScenarioNumberKind::real, UniformDraw{0.0, kFlingBounds.right_px}},
-                 {"/start/y_px", ScenarioNumberKind::real, UniformDraw{0.0, kFlingBounds.bottom_px}}};
+                 {"/start/x_px", ScenarioNumberKind::real, UniformDraw{0.0, kDesktop.right_px}},
+                 {"/start/y_px", ScenarioNumberKind::real, UniformDraw{0.0, kDesktop.bottom_px}}};
 }
 
 State ManyFlings::start(std::int64_t fling) const {

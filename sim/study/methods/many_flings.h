@@ -9,8 +9,8 @@
 
 namespace hyrax {
 
-/// The desktop of 1920 x 1080 px with a sprite of 128 x 128.
-inline constexpr Bounds kFlingBounds{1792.0, 952.0};
+/// The paper's desktop: 1920 x 1080 px with a sprite of 128 x 128.
+inline constexpr Bounds kDesktop{1792.0, 952.0};
 inline constexpr std::uint64_t kFlingSeed = 77;
 /// Fling i has the jitter seed kJitterSeed + i mod kJitterSeeds.
 inline constexpr std::uint64_t kJitterSeed = 11;

@@ -8,12 +8,11 @@
 
 #include "sim/core/core.h"
 #include "sim/scenario/split_mix64.h"
+#include "sim/study/methods/many_flings.h"
 #include "sim/study/paper/paper_claim.h"
 
 namespace hyrax {
 
-/// The paper's desktop: bounds of 1920 x 1080 with a sprite of 128.
-inline constexpr Bounds kDesktop{1792, 952};
 inline constexpr double kSpriteSide_px = 128.0;
 /// Far from all walls: flight alone.
 inline constexpr Bounds kOpen{2'000'000'000, 2'000'000'000};

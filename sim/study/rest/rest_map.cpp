@@ -8,7 +8,7 @@
 namespace hyrax {
 namespace {
 
-constexpr Bounds kBounds = kFlingBounds;
+constexpr Bounds kBounds = kDesktop;
 constexpr double kSettled_s = 15.0;  // Longer than any fling of the map takes to settle.
 
 double gain_px_per_s(const Core& core, double rate_hz) {

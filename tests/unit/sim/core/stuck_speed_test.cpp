@@ -122,7 +122,7 @@ TEST(StuckSpeed, IsComputedForACoreThatIsNotTheListing) {
 }
 
 bool is_stuck(double vx_px_per_s, double x_px, std::vector<double> dt_s, const Constants& constants) {
-  const Stretch stretch{.window = kDesktop,
+  const Stretch stretch{.window = kDesktopWindow,
                         .sprite = kHyrax,
                         .dt_s = dt_s.data(),
                         .is_dt_fixed = false,

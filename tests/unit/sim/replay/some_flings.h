@@ -13,14 +13,14 @@
 
 namespace hyrax {
 
-inline constexpr Size kDesktop{1920, 1080};
+inline constexpr Size kDesktopWindow{1920, 1080};
 inline constexpr Size kHyrax{128, 128};
 
 /// A throw across a desktop at a fixed rate.
 inline Scenario fling_at(double rate_hz, std::int64_t steps, std::vector<Event> events = {}) {
   Scenario scenario;
   scenario.name = "fling";
-  scenario.window = kDesktop;
+  scenario.window = kDesktopWindow;
   scenario.sprite = kHyrax;
   scenario.start = {300.0, 500.0};
   scenario.start_velocity = {2400.0, -700.0};
@@ -43,7 +43,7 @@ inline Scenario eventful_fling() {
                                 {std::int64_t{110}, Release{{700.0, -1200.0}}},
                                 {std::int64_t{150}, Resize{Size{900, 500}, {}}},
                                 {std::int64_t{180}, Resize{{}, Size{1000, 64}}},
-                                {std::int64_t{200}, Resize{kDesktop, kHyrax}},
+                                {std::int64_t{200}, Resize{kDesktopWindow, kHyrax}},
                                 {4.5, Stop{}}});
   scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.1, 7};
   return scenario;

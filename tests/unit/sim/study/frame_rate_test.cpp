@@ -104,7 +104,7 @@ TEST(ManyFlings, AreTheCoresBitForBit) {
       const FrameClock frames(clock);
       State body = flings.start(fling);
       for (std::int64_t frame = 0; frame < flings.frames(); ++frame)
-        body = shipped_core().step(body, frames.dt_s(frame), kFlingBounds);
+        body = shipped_core().step(body, frames.dt_s(frame), kDesktop);
       EXPECT_TRUE(same_bits(body, results[static_cast<std::size_t>(fling)].final)) << fling;
     }
   }

@@ -23,7 +23,7 @@ namespace {
 Keyframe start() {
   Keyframe start;
   start.row.x_px = 300.0;
-  start.window = kDesktop;
+  start.window = kDesktopWindow;
   start.sprite = kHyrax;
   return start;
 }

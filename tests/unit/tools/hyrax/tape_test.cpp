@@ -20,7 +20,7 @@ Keyframe start() {
   start.row.y_px = 500.0;
   start.row.vx_px_per_s = 2400.0;
   start.row.vy_px_per_s = -0.0;
-  start.window = kDesktop;
+  start.window = kDesktopWindow;
   start.sprite = kHyrax;
   return start;
 }
