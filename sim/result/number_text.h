@@ -50,8 +50,9 @@ namespace hyrax {
 }
 
 /// "1 step", "11,400 steps".
-[[nodiscard]] inline std::string counted(double count, const std::string& noun) {
-  return with_decimals(count, 0) + " " + noun + (count == 1.0 ? "" : "s");
+template <class Count>
+[[nodiscard]] std::string counted(Count count, const std::string& noun) {
+  return with_decimals(static_cast<double>(count), 0) + " " + noun + (count == 1 ? "" : "s");
 }
 
 }  // namespace hyrax

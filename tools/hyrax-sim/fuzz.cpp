@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "sim/core/core.h"
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
@@ -142,8 +143,9 @@ std::string commands_for(const Core& core, const FuzzRequest& request, const Wri
 
 void print_outcome(const FuzzRequest& request, const FuzzLimits& limits, const FuzzOutcome& outcome) {
   if (request.printing.is_quiet()) return;
-  print_text("seed {}: {} runs in {:.1f} s ({:.3g} per minute)\n", limits.seed, outcome.runs,
-             outcome.elapsed_s, static_cast<double>(outcome.runs) / outcome.elapsed_s * 60.0);
+  print_text("seed {}: {} in {:.1f} s ({} per minute)\n", limits.seed, counted(outcome.runs, "run"),
+             outcome.elapsed_s,
+             with_decimals(static_cast<double>(outcome.runs) / outcome.elapsed_s * 60.0, 0));
 }
 
 void print_failure(const Core& core, const FuzzRequest& request, const FuzzFailure& failure,
@@ -177,9 +179,9 @@ ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
   const OtherProgram* const against = other ? &*other : nullptr;
   const FuzzOutcome outcome = fuzz(core, limits, against);
   if (outcome.not_compared > 0)
-    print_error(fmt::format(
-        "hyrax-sim fuzz: {} runs were not compared: {} did not end them in the time that was left",
-        outcome.not_compared, request.against));
+    print_error(
+        fmt::format("hyrax-sim fuzz: not compared: {}, which {} did not end in the time that was left",
+                    counted(outcome.not_compared, "run"), request.against));
   if (other && !limits.runs) other->set_deadline(in_s(std::max(limits.time_s, kShrinking_s)));
   if (!request.printing.is_json) print_outcome(request, limits, outcome);
   Json::Array failures;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "sim/result/number_text.h"
 #include "sim/scenario/scenario.h"
 #include "tools/app/clock/frame_times.h"
 #include "tools/app/command_line/options.h"
@@ -70,7 +71,7 @@ ExitCode write_new(const NewRequest& request) {
     print_json(written);
     return ExitCode::agreed;
   }
-  print_text("written: {} ({} steps)\n", path, steps);
+  print_text("written: {} ({})\n", path, counted(steps, "step"));
   if (frames && frames->dropped.value_or(0) > 0)
     print_text("{} of the {} frames were dropped: computed, but never on the display; they are steps too\n",
                *frames->dropped, steps);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
@@ -148,11 +149,11 @@ void print_shrunk(const ShrinkRequest& request, const Scenario& before, const Sh
                                    {"after", size_json(after)},
                                    {"trials", outcome.shrunk.trials},
                                    {"complete", outcome.shrunk.is_complete}});
-  print_text("written: {} ({} frames and {} events, from {} and {})\n", request.output, step_count(after),
-             after.events.size(), step_count(before), before.events.size());
+  print_text("written: {} ({} and {}, from {} and {})\n", request.output, counted(step_count(after), "frame"),
+             counted(after.events.size(), "event"), step_count(before), before.events.size());
   if (request.printing.is_quiet()) return;
   print_text("kept: {}\n", outcome.kept);
-  print_text("{} scenarios tried{}\n", outcome.shrunk.trials,
+  print_text("{} tried{}\n", counted(outcome.shrunk.trials, "scenario"),
              outcome.shrunk.is_complete ? "" : ", the limit; a smaller one may exist");
 }
 

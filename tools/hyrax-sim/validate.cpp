@@ -1,3 +1,4 @@
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/outcomes.h"
@@ -15,8 +16,9 @@ struct ValidateRequest {
 
 void print_good(const std::string& path, const Scenario& scenario, const Printing& printing) {
   if (printing.is_json || printing.is_quiet()) return;
-  print_text("{}: {}, {} steps", path, VerdictWord{"good", true}, step_count(scenario));
-  if (printing.is_verbose()) print_text(", {} events, name {}", scenario.events.size(), scenario.name);
+  print_text("{}: {}, {}", path, VerdictWord{"good", true}, counted(step_count(scenario), "step"));
+  if (printing.is_verbose())
+    print_text(", {}, name {}", counted(scenario.events.size(), "event"), scenario.name);
   print_text("\n");
 }
 

@@ -39,7 +39,7 @@ std::string place(const Box& sprite) {
 // "600 steps · 10 s · 60 Hz · window 1920 × 1080 px · sprite 128 × 128 px".
 std::string run_subtitle(const Scenario& scenario, const Columns& rows) {
   const std::int64_t steps = rows.size() == 0 ? 0 : rows.step.back();
-  return fmt::format("{} · {} s · {} · window {} · sprite {}", counted(static_cast<double>(steps), "step"),
+  return fmt::format("{} · {} s · {} · window {} · sprite {}", counted(steps, "step"),
                      rounded(rows.size() == 0 ? 0.0 : rows.t_s.back(), 6), rate(scenario.clock),
                      sides(scenario.window), sides(scenario.sprite));
 }

@@ -179,10 +179,10 @@ Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judge
     steps += played.result.steps;
     knife_edges += played.result.knife_edges;
   }
-  Verdict verdict{{fmt::format("hard-cases: {} cases, {}, each step checked", cases.size(),
-                               counted(static_cast<double>(steps), "step")),
-                   invariant_table(judgements)},
-                  {}};
+  Verdict verdict{
+      {fmt::format("hard-cases: {} cases, {}, each step checked", cases.size(), counted(steps, "step")),
+       invariant_table(judgements)},
+      {}};
   if (knife_edges > 0)
     verdict.text.push_back(
         fmt::format("  rounding alone decided {} times whether a wall was met", knife_edges));
