@@ -33,19 +33,23 @@ double zero_speed_hz(const Core& core) {
          constants.rest_threshold_px_per_s;
 }
 
-}  // namespace
+// The last moment of hitch_family.
+constexpr std::int64_t kHitchAtRest = 500;
+constexpr double kRestFastest_hz = 1e3, kZenoFastest_hz = 1e4;  // Of the families.
 
 // On the floor each step of gravity adds a = drag * G * h to vy, and the bounce keeps restitution * a of it.
 // The rest rule sets vy to 0 in every step if that is below its threshold; at other rates a two-cycle or
 // residual speed is left. The position stands still at every rate.
 bool ends_at_zero_speed(const Core& core, double rate_hz) { return rate_hz > zero_speed_hz(core); }
 
+// By when it has settled, and is known to have, up to that rate.
 double time_to_rest_s(const Core& core, const Scenario& drop, double rate_max_hz) {
   const double bounce = core.constants->restitution;
   const DropTimes times(core, drop, rate_max_hz);
   return times.fall_s * (1.0 + 2.0 * bounce / (1.0 - bounce)) + times.sink_s + 1.5;
 }
 
+// The first frame before kHitchAtRest in which the sprite lands, without its events.
 std::optional<std::int64_t> first_landing(const Core& core, const Scenario& scenario) {
   const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
   State body = start_state(scenario);
@@ -56,45 +60,56 @@ std::optional<std::int64_t> first_landing(const Core& core, const Scenario& scen
   return std::nullopt;
 }
 
-std::vector<HardCase> any_frame_family(const Core&, const Scenario& base) {
-  Family family(base);
+bool is_drop(const ScenarioForm& form) {
+  return form.is_left_alone && form.has_room && form.is_inside && form.is_still &&
+         form.start.y_px < form.bounds.bottom_px && std::holds_alternative<double>(form.scenario.length);
+}
+
+}  // namespace
+
+void any_frame_family(const Core&, const ScenarioForm& form, Family& family) {
+  const auto* const step = std::get_if<FixedStep>(&form.scenario.clock.base);
+  if (step == nullptr || !(step->dt_s >= 0.1) || form.scenario.clock.jitter || !form.scenario.events.empty())
+    return;
   for (const double dt_s : {0.0, 4.9406564584124654e-324, 1e-310, 1e-9, 1e-6, 1e-3, 0.02, 0.25, 0.5, 10.0,
                             1e3, 1e6, kFrameMax_s}) {
-    Scenario scenario = family.base();
+    Scenario scenario = form.scenario;
     scenario.clock.base = FixedStep{dt_s};
     family.add("dt-" + text_of(dt_s), "a frame far from the sixtieth of a second that it was made for",
                scenario);
   }
-  return family.take();
 }
 
 // A hitch of half a second at each kind of moment, and of the hours for which a machine is suspended.
-std::vector<HardCase> hitch_family(const Core& core, const Scenario& base) {
-  Family family(base);
+void hitch_family(const Core& core, const ScenarioForm& form, Family& family) {
+  if (!(form.is_steady && form.length > kHitchAtRest && !form.scenario.events.empty() &&
+        has_only<Hitch>(form.scenario.events)))
+    return;
   struct Moment {
     const char* name;
     std::int64_t frame;
   };
-  const std::optional<std::int64_t> landing = first_landing(core, base);
-  if (!landing) return {};
+  const std::optional<std::int64_t> landing = first_landing(core, form.scenario);
+  if (!landing) return;
   for (const Moment moment : {Moment{"in-flight", *landing * 2 / 5}, Moment{"before-contact", *landing - 1},
                               Moment{"at-contact", *landing}, Moment{"after-contact", *landing + 1},
                               Moment{"at-rest", kHitchAtRest}})
     for (const double dt_s : {0.5, 3600.0, 28800.0}) {
-      Scenario scenario = family.base();
+      Scenario scenario = form.scenario;
       scenario.events = {{moment.frame, Hitch{dt_s}}};
       family.add(std::string(moment.name) + "-" + text_of(dt_s) + "-s",
                  "one frame takes long: nothing may be launched or fall through", scenario);
     }
-  return family.take();
 }
 
-std::vector<HardCase> rest_family(const Core& core, const Scenario& base) {
-  Family family(base);
+void rest_family(const Core& core, const ScenarioForm& form, Family& family) {
+  if (!is_drop(form) || ends_at_zero_speed(core, 1.0 / base_dt_s(form.scenario.clock)) ||
+      !(std::get<double>(form.scenario.length) > time_to_rest_s(core, form.scenario, kRestFastest_hz)))
+    return;
   for (const double rate_hz :
        {20.0, 24.0, 25.0,  30.0,  48.0,  50.0,  57.5,  57.7,  60.0,  72.0,  75.0,  85.0,
         89.9, 90.0, 100.0, 120.0, 143.8, 143.9, 144.0, 165.0, 240.0, 360.0, 500.0, 1000.0}) {
-    Scenario scenario = family.base();
+    Scenario scenario = form.scenario;
     scenario.clock.base = FixedRate{rate_hz};
     HardCase& member =
         family.add(text_of(rate_hz) + "-hz", "gravity puts into each step what a bounce leaves", scenario);
@@ -102,15 +117,16 @@ std::vector<HardCase> rest_family(const Core& core, const Scenario& base) {
     if (!ends_at_zero_speed(core, rate_hz))
       member.expected_failures = {{Invariant::comes_to_rest, kNoZeroSpeed}};
   }
-  return family.take();
 }
 
-std::vector<HardCase> zeno_family(const Core& core, const Scenario& base) {
-  Family family(base);
+void zeno_family(const Core& core, const ScenarioForm& form, Family& family) {
+  if (!is_drop(form) || !ends_at_zero_speed(core, 1.0 / base_dt_s(form.scenario.clock)) ||
+      !(std::get<double>(form.scenario.length) > time_to_rest_s(core, form.scenario, kZenoFastest_hz)))
+    return;
   for (const double rate_hz : {1e3, 4e3, 1e4}) {
-    Scenario scenario = family.base();
+    Scenario scenario = form.scenario;
     scenario.clock.base = FixedRate{rate_hz};
-    const DropTimes times(core, base, rate_hz);
+    const DropTimes times(core, form.scenario, rate_hz);
     const double bounce = core.constants->restitution;
     scenario.expect.emplace();
     scenario.expect->at_rest_since_s =
@@ -120,11 +136,11 @@ std::vector<HardCase> zeno_family(const Core& core, const Scenario& base) {
                    "ever more bounces in ever less time must end by the sum of their series", scenario);
     member.must_come_to_rest = true;
   }
-  return family.take();
 }
 
-std::vector<HardCase> any_jitter_family(const Core& core, const Scenario& base) {
-  Family family(base);
+void any_jitter_family(const Core& core, const ScenarioForm& form, Family& family) {
+  if (!(form.has_jitter(Jitter::Kind::uniform) && form.length > 0 && has_only<Fling>(form.scenario.events)))
+    return;
   struct Kind {
     const char* name;
     Jitter::Kind kind;
@@ -134,65 +150,62 @@ std::vector<HardCase> any_jitter_family(const Core& core, const Scenario& base) 
                            Kind{"normal", Jitter::Kind::normal, {0.0005, 0.002, 0.02, 1.0, 1e9}},
                            Kind{"missed", Jitter::Kind::missed_frames, {0.01, 0.05, 0.5, 1.0}}})
     for (const double amount : kind.amounts) {
-      Scenario scenario = family.base();
+      Scenario scenario = form.scenario;
       scenario.clock.jitter = Jitter{kind.kind, amount, 2026};
       family.add(std::string(kind.name) + "-" + text_of(amount), "no two frames take the same time",
                  scenario);
     }
-  if (!(zero_speed_hz(core) >= 1.0 && zero_speed_hz(core) <= kZenoFastest_hz)) return family.take();
+  if (!(zero_speed_hz(core) >= 1.0 && zero_speed_hz(core) <= kZenoFastest_hz)) return;
   for (const double fraction : {0.001, 0.1}) {
-    Scenario scenario = family.base();
+    Scenario scenario = form.scenario;
     scenario.clock = {FixedRate{zero_speed_hz(core)}, Jitter{Jitter::Kind::uniform, fraction, 2026}};
     scenario.length = 5'000;
     scenario.events.clear();
     family.add("resonant-" + text_of(fraction),
                "whether the floor stops the sprite changes from frame to frame", scenario);
   }
-  return family.take();
 }
 
 // The base's ten flings again and again, at its pace.
-std::vector<HardCase> fling_a_minute_family(const Core&, const Scenario& base) {
-  Family family(base);
-  const auto* const length = std::get_if<std::int64_t>(&base.length);
-  if (length == nullptr) return {};
-  const std::int64_t steps = *length;
+void fling_a_minute_family(const Core&, const ScenarioForm& form, Family& family) {
+  if (!(form.has_jitter(Jitter::Kind::missed_frames) && form.length >= 10'000 && form.length <= 100'000 &&
+        !form.scenario.events.empty() && has_only<Fling>(form.scenario.events)))
+    return;
   struct Length {
     const char* name;
     std::int64_t times;
     bool is_long;
   };
   for (const Length& repeated : {Length{"an-hour", 6, false}, Length{"a-day", 144, true}}) {
-    Scenario scenario = family.base();
-    scenario.length = repeated.times * steps;
+    Scenario scenario = form.scenario;
+    scenario.length = repeated.times * form.length;
     scenario.events.clear();
     for (std::int64_t time = 0; time < repeated.times; ++time)
-      for (const Event& event : base.events)
-        scenario.events.push_back({time * steps + std::get<std::int64_t>(event.when), event.action});
+      for (const Event& event : form.scenario.events)
+        scenario.events.push_back({time * form.length + std::get<std::int64_t>(event.when), event.action});
     family.add(repeated.name, "many flings, one after the other: nothing may add up", scenario).is_long =
         repeated.is_long;
   }
-  return family.take();
 }
 
 // The billionths of a second as the smallest double there is.
-std::vector<HardCase> trace_of_extremes_family(const Core&, const Scenario& base) {
-  Family family(base);
-  Scenario scenario = family.base();
-  RecordedSteps trace = std::get<RecordedSteps>(base.clock.base);
+void trace_of_extremes_family(const Core&, const ScenarioForm& form, Family& family) {
+  const auto* const given = std::get_if<RecordedSteps>(&form.scenario.clock.base);
+  if (given == nullptr || std::ranges::count(given->dt_s, 1e-9) == 0) return;
+  Scenario scenario = form.scenario;
+  RecordedSteps trace = *given;
   for (double& dt_s : trace.dt_s)
     if (dt_s == 1e-9) dt_s = std::numeric_limits<double>::denorm_min();
   scenario.clock.base = std::move(trace);
   family.add("subnormal", "frames so short that no speed moves anything", scenario);
-  return family.take();
 }
 
 // A fling every 3,000 frames: nothing repeats, and no speed has the time to become subnormal, which would
 // cost three times as long.
-std::vector<HardCase> billion_steps_family(const Core&, const Scenario& base) {
-  Family family(base);
+void billion_steps_family(const Core&, const ScenarioForm& form, Family& family) {
+  if (!form.is_left_alone || form.length < 10'000'000) return;
   constexpr std::int64_t kSteps = 1'000'000'000;
-  Scenario scenario = family.base();
+  Scenario scenario = form.scenario;
   scenario.length = kSteps;
   scenario.record_every = 1'000'000;
   scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 9};
@@ -201,7 +214,6 @@ std::vector<HardCase> billion_steps_family(const Core&, const Scenario& base) {
         {frame, Fling{{900.0 - static_cast<double>(frame % 700'000) / 400.0, -1500.0}}});
   family.add("1e9-steps", "193 days at 60 Hz, jittered, with a fling every 50 seconds", scenario).is_long =
       true;
-  return family.take();
 }
 
 }  // namespace hyrax

@@ -1,10 +1,11 @@
 // How families of hard cases are built, and which there are.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "sim/core/core.h"
@@ -12,12 +13,50 @@
 
 namespace hyrax {
 
-// Builds the members of one family.
+/// Whether all events are of the kind, and at frames.
+template <class Kind>
+[[nodiscard]] bool has_only(const std::vector<Event>& events) {
+  return std::all_of(events.begin(), events.end(), [](const Event& event) {
+    return std::holds_alternative<Kind>(event.action) && std::holds_alternative<std::int64_t>(event.when);
+  });
+}
+
+/// What families ask of a scenario. Refers to it.
+struct ScenarioForm {
+  explicit ScenarioForm(const Scenario& base)
+      : scenario(base),
+        bounds(bounds_of(base.window, base.sprite)),
+        start(start_state(base)),
+        has_rate(std::holds_alternative<FixedRate>(base.clock.base)),
+        is_steady(!base.clock.jitter && has_rate),
+        is_left_alone(is_steady && base.events.empty()),
+        has_room(bounds.right_px >= 1.0 && bounds.bottom_px >= 1.0),
+        is_inside(start.x_px >= 0.0 && start.x_px <= bounds.right_px && start.y_px >= 0.0 &&
+                  start.y_px <= bounds.bottom_px),
+        is_still(start.vx_px_per_s == 0.0 && start.vy_px_per_s == 0.0) {
+    if (const auto* const steps = std::get_if<std::int64_t>(&base.length)) length = *steps;
+  }
+
+  [[nodiscard]] bool has_jitter(Jitter::Kind kind) const {
+    return has_rate && scenario.clock.jitter && scenario.clock.jitter->kind == kind;
+  }
+
+  const Scenario& scenario;
+  Bounds bounds;
+  State start;
+  bool has_rate, is_steady, is_left_alone, has_room, is_inside, is_still;
+  std::int64_t length = 0;  // In frames; 0: given in seconds, or by the clock.
+};
+
+/// The members of all families that are made from one scenario.
 class Family {
  public:
   explicit Family(const Scenario& base) : base_(base) { base_.expect.reset(); }
+  Family(const Family&) = delete;
+  Family& operator=(const Family&) = delete;
 
-  [[nodiscard]] const Scenario& base() const { return base_; }
+  /// Of the scenario without `expect`.
+  [[nodiscard]] const ScenarioForm& form() const { return form_; }
   HardCase& add(const std::string& what, const std::string& why, const Scenario& scenario) {
     HardCase member{.name = base_.name + "/" + what,
                     .made_from = base_.name,
@@ -32,6 +71,7 @@ class Family {
 
  private:
   Scenario base_;
+  ScenarioForm form_{base_};
   std::vector<HardCase> cases_;
 };
 
@@ -42,31 +82,12 @@ class Family {
   return text;
 }
 
-/// The last moment of hitch_family; the first frame of less than that in which a scenario's sprite lands,
-/// without its events.
-inline constexpr std::int64_t kHitchAtRest = 500;
-[[nodiscard]] std::optional<std::int64_t> first_landing(const Core& core, const Scenario& scenario);
-/// Whether a drop ends at zero speed; by when it has, and is known to have settled, up to that rate.
-[[nodiscard]] bool ends_at_zero_speed(const Core& core, double rate_hz);
-[[nodiscard]] double time_to_rest_s(const Core& core, const Scenario& drop, double rate_max_hz);
-inline constexpr double kRestFastest_hz = 1e3, kZenoFastest_hz = 1e4;  ///< Of the families.
-/// The highest point of the start's flight in 600 frames, from a start at 0: at most 0.
-[[nodiscard]] double apex_px(const Core& core, const Scenario& scenario);
-
-/// The families: what is varied in the clock and length of a scenario ...
-[[nodiscard]] std::vector<HardCase> any_frame_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> hitch_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> rest_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> zeno_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> any_jitter_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> fling_a_minute_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> trace_of_extremes_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> billion_steps_family(const Core& core, const Scenario& base);
+/// Adds the members of a family where the scenario is of the form that they are made from.
+using MakeFamily = void(const Core& core, const ScenarioForm& form, Family& family);
+/// What is varied in the clock and length of a scenario ...
+MakeFamily any_frame_family, hitch_family, rest_family, zeno_family, any_jitter_family, fling_a_minute_family,
+    trace_of_extremes_family, billion_steps_family;
 /// ... and in its places and speeds.
-[[nodiscard]] std::vector<HardCase> on_a_bound_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> grazing_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> corners_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> any_speed_family(const Core& core, const Scenario& base);
-[[nodiscard]] std::vector<HardCase> far_outside_family(const Core& core, const Scenario& base);
+MakeFamily on_a_bound_family, grazing_family, corners_family, any_speed_family, far_outside_family;
 
 }  // namespace hyrax
