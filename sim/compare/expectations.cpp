@@ -26,7 +26,7 @@ class Judge {
     if (wanted) verdicts_.push_back({rule, *wanted ? "true" : "false", *wanted == measured, measured});
   }
   // What was not measured, as the moment of rest of a run that does not rest, is never within.
-  void within(const char* rule, const std::optional<Interval>& wanted,
+  void within(const std::string& rule, const std::optional<Interval>& wanted,
               const std::optional<double>& measured) {
     if (!wanted) return;
     Expectation verdict{rule, text_of(*wanted), false, {}};
@@ -52,16 +52,14 @@ class Judge {
 std::vector<Expectation> judge(const Expect& expect, const RunSummary& summary,
                                const std::optional<RunErrors>& errors) {
   Judge judge;
-  const auto count = [&](Wall wall) { return static_cast<double>(summary.contacts[wall]); };
   judge.is("in_bounds", expect.in_bounds, !summary.out_of_bounds_step);
   judge.is("finite", expect.finite, !summary.non_finite_step);
   judge.within("final_x_px", expect.final_x_px, summary.final.x_px);
   judge.within("final_y_px", expect.final_y_px, summary.final.y_px);
   judge.within("at_rest_since_s", expect.at_rest_since_s, summary.at_rest_since_s);
-  judge.within("contacts/left", expect.contacts.left, count(Wall::left));
-  judge.within("contacts/right", expect.contacts.right, count(Wall::right));
-  judge.within("contacts/top", expect.contacts.top, count(Wall::top));
-  judge.within("contacts/ground", expect.contacts.ground, count(Wall::ground));
+  for (const Wall wall : kWalls)
+    judge.within("contacts/" + std::string(name_of(wall)), expect.contacts[wall],
+                 static_cast<double>(summary.contacts[wall]));
   judge.equals("state_hash", expect.state_hash, hex(summary.state_hash));
   if (errors) {
     judge.at_most("implementation_px_max", expect.implementation_px_max, errors->implementation_px);

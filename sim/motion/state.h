@@ -113,18 +113,10 @@ inline constexpr std::array<std::string_view, 4> kWallNames = {"left", "right", 
 
 /// 0 .. 3, the wall's place in kWalls.
 constexpr std::size_t wall_index(Wall wall) {
-  switch (wall) {
-    case Wall::left:
-      return 0;
-    case Wall::right:
-      return 1;
-    case Wall::top:
-      return 2;
-    case Wall::ground:
-      return 3;
-  }
-  return 0;
+  return static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(wall)));
 }
+
+constexpr std::string_view name_of(Wall wall) { return kWallNames[wall_index(wall)]; }
 
 constexpr bool touches(std::uint8_t contact, Wall wall) {
   return (contact & static_cast<std::uint8_t>(wall)) != 0;
@@ -137,20 +129,19 @@ struct WallMeeting {
   Velocity after;             ///< At the next wall, or after the step.
 };
 
-/// A count for each wall.
-struct WallCounts {
-  std::int64_t left = 0;
-  std::int64_t right = 0;
-  std::int64_t top = 0;
-  std::int64_t ground = 0;
+/// A value for each wall.
+template <class Value>
+struct PerWall {
+  Value left{}, right{}, top{}, ground{};
 
-  [[nodiscard]] constexpr std::int64_t& operator[](Wall wall) {
-    std::int64_t* const counts[] = {&left, &right, &top, &ground};
-    return *counts[wall_index(wall)];
+  [[nodiscard]] constexpr Value& operator[](Wall wall) {
+    Value* const values[] = {&left, &right, &top, &ground};
+    return *values[wall_index(wall)];
   }
-  [[nodiscard]] constexpr std::int64_t operator[](Wall wall) const { return WallCounts(*this)[wall]; }
-  [[nodiscard]] constexpr std::int64_t total() const { return left + right + top + ground; }
-  bool operator==(const WallCounts&) const = default;
+  [[nodiscard]] constexpr Value operator[](Wall wall) const { return PerWall(*this)[wall]; }
+  [[nodiscard]] constexpr Value total() const { return left + right + top + ground; }
+  bool operator==(const PerWall&) const = default;
 };
+using WallCounts = PerWall<std::int64_t>;
 
 }  // namespace hyrax

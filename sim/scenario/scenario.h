@@ -110,10 +110,7 @@ struct Expect {
   std::optional<Interval> final_x_px;
   std::optional<Interval> final_y_px;
   std::optional<Interval> at_rest_since_s;
-  struct Contacts {
-    std::optional<Interval> left, right, top, ground;
-    bool operator==(const Contacts&) const = default;
-  } contacts;
+  PerWall<std::optional<Interval>> contacts;
   std::optional<std::string> state_hash;  ///< 32 lower-case hex digits.
   std::optional<double> implementation_px_max;
   std::optional<double> truncation_px_max;

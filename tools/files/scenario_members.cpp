@@ -193,9 +193,8 @@ Expect read_expect(const JsonPlace& here) {
   expect.final_y_px = read_interval(here.member("final_y_px"));
   expect.at_rest_since_s = read_time(here.member("at_rest_since_s"));
   if (const JsonPlace contacts = here.member("contacts");
-      contacts.is_there() && contacts.is_object_of({"left", "right", "top", "ground"}))
-    expect.contacts = {read_count(contacts.member("left")), read_count(contacts.member("right")),
-                       read_count(contacts.member("top")), read_count(contacts.member("ground"))};
+      contacts.is_there() && contacts.is_object_of({kWallNames.begin(), kWallNames.end()}))
+    for (const Wall wall : kWalls) expect.contacts[wall] = read_count(contacts.member(name_of(wall)));
   expect.state_hash = read_hash(here.member("state_hash"));
   expect.implementation_px_max = here.member("implementation_px_max").number(kNotNegativeRule);
   expect.truncation_px_max = here.member("truncation_px_max").number(kNotNegativeRule);

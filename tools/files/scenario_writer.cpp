@@ -80,10 +80,8 @@ Json to_json(const Expect& expect) {
   if (expect.final_y_px) object.emplace_back("final_y_px", to_json(*expect.final_y_px));
   if (expect.at_rest_since_s) object.emplace_back("at_rest_since_s", time_to_json(*expect.at_rest_since_s));
   Object contacts;
-  if (expect.contacts.left) contacts.emplace_back("left", count_to_json(*expect.contacts.left));
-  if (expect.contacts.right) contacts.emplace_back("right", count_to_json(*expect.contacts.right));
-  if (expect.contacts.top) contacts.emplace_back("top", count_to_json(*expect.contacts.top));
-  if (expect.contacts.ground) contacts.emplace_back("ground", count_to_json(*expect.contacts.ground));
+  for (const Wall wall : kWalls)
+    if (const auto count = expect.contacts[wall]) contacts.emplace_back(name_of(wall), count_to_json(*count));
   if (!contacts.empty()) object.emplace_back("contacts", contacts);
   add(object, "state_hash", expect.state_hash);
   add(object, "implementation_px_max", expect.implementation_px_max);

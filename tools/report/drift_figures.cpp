@@ -44,7 +44,7 @@ Figure figure_of(const DriftRun& run, std::string_view suffix, std::string subti
 
 // The wall's dots, by its name.
 LegendEntry wall_entry(Wall wall) {
-  return {std::string(kWallNames[wall_index(wall)]), {.form = Form::points, .tone = tone_of(wall)}};
+  return {std::string(name_of(wall)), {.form = Form::points, .tone = tone_of(wall)}};
 }
 
 // A line at each input but where a hand leads the sprite, with its name.

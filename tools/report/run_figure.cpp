@@ -259,7 +259,7 @@ class RunDrawing {
                std::hypot(other.second.x - box.centre().x, other.second.y - box.centre().y) < kPile;
       });
       if (is_new) drawn.emplace_back(bounce.wall, box.centre());
-      svg.begin(fmt::format("contact: {}", kWallNames[wall_index(bounce.wall)]));
+      svg.begin(fmt::format("contact: {}", name_of(bounce.wall)));
       svg.line(is_level ? std::vector<SvgPoint>{{box.left, y}, {box.right, y}}
                         : std::vector<SvgPoint>{{x, box.top}, {x, box.bottom}},
                {colour, 5.0});
@@ -372,9 +372,8 @@ class RunDrawing {
     std::vector<LegendEntry> entries;
     for (const Wall wall : kWalls)
       if (const std::int64_t count = scene_.contacts[wall]; count > 0)
-        entries.push_back(
-            {fmt::format("{} {}", kWallNames[wall_index(wall)], with_decimals(static_cast<double>(count), 0)),
-             {.form = Form::points, .tone = kWallTones[wall_index(wall)]}});
+        entries.push_back({fmt::format("{} {}", name_of(wall), with_decimals(static_cast<double>(count), 0)),
+                           {.form = Form::points, .tone = kWallTones[wall_index(wall)]}});
     if (!entries.empty()) entries.front().text = "contacts: " + entries.front().text;
     const auto has = [this](StrokeKind kind) {
       return std::ranges::any_of(scene_.path.strokes,

@@ -34,7 +34,7 @@ double speed_before(const Contact& contact) {
 }
 
 std::string line_of(const Contact& contact) {
-  const std::string_view wall = kWallNames[wall_index(contact.wall)];
+  const std::string_view wall = name_of(contact.wall);
   const std::string last_step =
       contact.step == contact.last_step ? "" : fmt::format(" .. {}", contact.last_step);
   return fmt::format("  {}{} {} at {} px/s\n", contact.step, last_step, wall, decimal(speed_before(contact)));

@@ -17,7 +17,7 @@ namespace {
 std::string contact_names(std::uint8_t contact) {
   std::vector<std::string> names;
   for (const Wall wall : kWalls)
-    if (touches(contact, wall)) names.emplace_back(kWallNames[wall_index(wall)]);
+    if (touches(contact, wall)) names.emplace_back(name_of(wall));
   if ((contact & kRestBit) != 0) names.emplace_back("rest");
   const int unknown = contact & ~(2 * kRestBit - 1);
   if (unknown != 0) names.push_back(fmt::format("{:#x}", unknown));
@@ -60,7 +60,7 @@ std::string rows_text(const Comparison& comparison) {
 }
 
 std::string contact_text(const Contact& contact) {
-  return fmt::format("{} step {}", kWallNames[wall_index(contact.wall)], contact.step);
+  return fmt::format("{} step {}", name_of(contact.wall), contact.step);
 }
 
 template <class List, class Text>

@@ -13,13 +13,12 @@ constexpr std::string_view kContacts = "contacts/";
 
 bool is_count(const Expectation& expectation) { return expectation.rule.starts_with(kContacts); }
 
-const std::optional<Interval>& interval_of(const Expect& expect, std::string_view rule) {
+std::optional<Interval> interval_of(const Expect& expect, std::string_view rule) {
   if (rule == "final_x_px") return expect.final_x_px;
   if (rule == "final_y_px") return expect.final_y_px;
   if (rule == "at_rest_since_s") return expect.at_rest_since_s;
-  if (rule == "contacts/left") return expect.contacts.left;
-  if (rule == "contacts/right") return expect.contacts.right;
-  return rule == "contacts/top" ? expect.contacts.top : expect.contacts.ground;
+  const auto is_meant = [&](Wall wall) { return name_of(wall) == rule.substr(kContacts.size()); };
+  return expect.contacts[*std::ranges::find_if(kWalls, is_meant)];
 }
 
 std::vector<std::string> ends_around(double middle, const Interval& interval, bool is_whole) {

@@ -68,13 +68,13 @@ std::string joined(const std::vector<std::string>& names) {
 std::string counts_text(const WallCounts& counts) {
   std::vector<std::string> names;
   for (const Wall wall : kWalls)
-    if (counts[wall] > 0) names.push_back(fmt::format("{} {}", kWallNames[wall_index(wall)], counts[wall]));
+    if (counts[wall] > 0) names.push_back(fmt::format("{} {}", name_of(wall), counts[wall]));
   return names.empty() ? "none" : joined(names);
 }
 
 Json counts_json(const WallCounts& counts) {
   Json::Object object;
-  for (const Wall wall : kWalls) object.emplace_back(kWallNames[wall_index(wall)], counts[wall]);
+  for (const Wall wall : kWalls) object.emplace_back(name_of(wall), counts[wall]);
   return object;
 }
 
