@@ -6,7 +6,6 @@
 #include <span>
 
 #include "sim/core/contact_log.h"
-#include "sim/core/row_walls.h"
 #include "sim/motion/step.h"
 #include "sim/scenario/apply.h"
 #include "sim/trace/step_program.h"

@@ -1,7 +1,6 @@
 #include "sim/core/listing_core.h"
 
 #include "sim/core/kernel_of.h"
-#include "sim/core/step_core.h"
 #include "sim/motion/step.h"
 #include "sim/trajectory/physics_model.h"
 

@@ -1,9 +1,7 @@
 // One flight arc by the closed forms, frame by frame.
 #pragma once
 
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 

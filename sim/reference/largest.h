@@ -1,7 +1,6 @@
 // The largest of values as they come in. A NaN stays: what was not a number once is not measured.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 namespace hyrax {

@@ -1,4 +1,4 @@
-#include "sim/reference/wall_watch.h"
+#include "sim/reference/arc_meter.h"
 
 #include <algorithm>
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "sim/scenario/sweep.h"
-#include "tools/files/json.h"
 
 namespace hyrax {
 

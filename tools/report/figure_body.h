@@ -1,7 +1,6 @@
 // The three bodies that a figure may have.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "tools/report/svg.h"

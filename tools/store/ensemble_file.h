@@ -8,14 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "sim/ensemble/ensemble.h"
 #include "sim/scenario/sweep.h"
-#include "sim/trajectory/physics_model.h"
 #include "tools/store/hdf5.h"
 
 namespace hyrax {

@@ -2,7 +2,6 @@
 // run with these lines, and of the .h5 file.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "sim/trajectory/run_summary.h"

@@ -4,7 +4,6 @@
 
 #include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/schedule.h"
 
 namespace hyrax {
 namespace {

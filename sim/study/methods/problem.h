@@ -1,7 +1,6 @@
 // What methods are given to play: a start, bounds, and inputs, at any frame rate.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -15,8 +15,7 @@ Claim axes(const Core& core) {
           "> 0",
           fallen.y_px,
           "px",
-          holds_if(fallen.x_px > 0.0 && fallen.y_px > 0.0),
-          ""};
+          holds_if(fallen.x_px > 0.0 && fallen.y_px > 0.0)};
 }
 
 // A step gives a (v + G dt) if drag follows gravity, so dividing by a leaves v + G dt; with drag first the
@@ -139,8 +138,7 @@ Claim new_velocity(const Core& core) {
           "0",
           worst_px,
           "px",
-          holds_if(worst_px == 0.0),
-          ""};
+          holds_if(worst_px == 0.0)};
 }
 
 }  // namespace

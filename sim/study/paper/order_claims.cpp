@@ -17,8 +17,7 @@ Claim sequence(const Core& core) {
           "0",
           static_cast<double>(differing),
           "1",
-          holds_if(differing == 0),
-          ""};
+          holds_if(differing == 0)};
 }
 
 // From rest: with drag after gravity the newly gained speed is damped as well.
@@ -32,8 +31,7 @@ Claim drag_damps_gain(const Core& core) {
           "< 1",
           gained / undamped,
           "1",
-          holds_if(gained < undamped),
-          ""};
+          holds_if(gained < undamped)};
 }
 
 // The largest distance, over the frames of a second, between a throw at a wall in the paper's order and in

@@ -53,8 +53,7 @@ Claim infinite_bounce(const Core& core) {
               "20",
               0.0,
               "Hz",
-              ClaimVerdict::does_not_hold,
-              ""};
+              ClaimVerdict::does_not_hold};
   if (end_at_zero_speed(core, 20.0) && end_at_zero_speed(core, 60.0)) {
     claim.verdict = ClaimVerdict::holds;
     claim.number = 20.0;

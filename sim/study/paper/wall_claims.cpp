@@ -98,8 +98,7 @@ Claim exact_clamp(const Reach& reach) {
           "0",
           reach.clamp_error_px,
           "px",
-          if_met(std::min(reach.side_contacts, reach.ground_contacts), reach.clamp_error_px == 0.0),
-          ""};
+          if_met(std::min(reach.side_contacts, reach.ground_contacts), reach.clamp_error_px == 0.0)};
 }
 
 Claim restitution(const Reach& reach) {
@@ -136,8 +135,7 @@ Claim side_walls(const Reach& reach) {
           "0",
           reach.vy_change_at_walls_px_per_s,
           "px/s",
-          if_met(reach.side_contacts, reach.vy_change_at_walls_px_per_s == 0.0),
-          ""};
+          if_met(reach.side_contacts, reach.vy_change_at_walls_px_per_s == 0.0)};
 }
 
 Claim ceiling(const Core& core) {
@@ -150,8 +148,7 @@ Claim ceiling(const Core& core) {
           digits(-core.constants->restitution),
           ratio,
           "1",
-          holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core.constants->restitution)),
-          ""};
+          holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core.constants->restitution))};
 }
 
 Claim friction(const Reach& reach) {
@@ -162,8 +159,7 @@ Claim friction(const Reach& reach) {
           reach.friction.least,
           "1",
           if_met(reach.ground_contacts,
-                 is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0),
-          ""};
+                 is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0)};
 }
 
 Claim friction_only_on_ground(const Reach& reach) {
@@ -173,8 +169,7 @@ Claim friction_only_on_ground(const Reach& reach) {
           "0",
           reach.vx_change_in_flight,
           "1",
-          holds_if(reach.vx_change_in_flight == 0.0),
-          ""};
+          holds_if(reach.vx_change_in_flight == 0.0)};
 }
 
 // Which comparison agrees with the bounces.

@@ -1,4 +1,4 @@
-#include "tools/app/bless/blessing.h"
+#include "tools/app/bless/bless_report.h"
 
 #include <fmt/format.h>
 

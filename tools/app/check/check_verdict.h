@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
 #include "sim/core/core.h"
 #include "sim/trace/step_player.h"

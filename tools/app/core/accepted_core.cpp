@@ -13,7 +13,6 @@
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"

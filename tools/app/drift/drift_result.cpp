@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/reference/drift_columns.h"
 #include "sim/result/number_text.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 
 #include "sim/compare/run_comparer.h"
 #include "sim/core/core.h"

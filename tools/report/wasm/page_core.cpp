@@ -1,7 +1,6 @@
 // What the page calls: plain functions over one run and one playground. Numbers pass as doubles (steps and
 // ticks are exact), lists in the module's memory. tools/report/page/core.js is the only caller.
 #include <cassert>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>

@@ -1,7 +1,6 @@
 #include "tools/report/wasm/shown_run.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"

@@ -7,7 +7,7 @@
 
 #include "sim/core/core.h"
 #include "sim/core/kernel_of.h"
-#include "sim/core/step_core.h"
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"

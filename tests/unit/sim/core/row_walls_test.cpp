@@ -1,4 +1,3 @@
-#include "sim/core/row_walls.h"
 #include "sim/core/core.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +6,7 @@
 
 #include "sim/core/contact_kernel.h"
 #include "sim/core/kernel_of.h"
-#include "sim/core/step_core.h"
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"

@@ -1,6 +1,6 @@
 // A stuck vx is not computed, and nothing shows it: bits, contacts and summary are those of class physics
 // called for every frame.
-#include "sim/core/stuck_speed.h"
+#include "sim/core/kernel_of.h"
 #include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
