@@ -188,8 +188,8 @@ std::string svg_text(std::string_view title, const Sheet& sheet, const Sheet* na
   }
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "role=\"img\" "
-      "{3}>\n<title>{2}</title>\n<style>svg{{max-width:100%;height:auto}}{4}{5}</style>\n{6}</svg>\n",
+      "role=\"img\" style=\"max-width:100%;height:auto\" "
+      "{3}>\n<title>{2}</title>\n<style>{4}{5}</style>\n{6}</svg>\n",
       px(sheet.width), px(sheet.height), escaped(title), kLetters, style, dark_rules(body), body);
 }
 

@@ -334,6 +334,7 @@ TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
               svg.text({20, 20}, "pale", {.tone = Tone::hairline});
             }).front(),
             "pale: pale");
+  EXPECT_EQ(picture_faults("<svg><style>svg{height:auto}</style></svg>").size(), 1u);
   const Series one{.name = "a", .x = {1}, .y = {1}};
   EXPECT_EQ(shared_looks({one, one}).size(), 1u);
 }

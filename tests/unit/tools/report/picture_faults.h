@@ -85,6 +85,9 @@ inline void add_faults(std::vector<std::string>& faults, const std::string& shee
 inline std::vector<std::string> picture_faults(std::string svg) {
   static const std::regex kSize("viewBox=\"([0-9.]+) 0 ([0-9.]+) ([0-9.]+)\"");
   std::vector<std::string> faults;
+  // librsvg gives a clip the height of the picture by it, and so moves what is in the clip.
+  if (std::regex_search(svg, std::regex("[>}]svg\\{")))
+    faults.push_back("a rule for the picture holds for its parts");
   while (!svg.empty()) {
     const std::string sheet = svg.substr(0, svg.find("<svg class=", 1));
     svg.erase(0, sheet.size());
