@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "sim/compare/run_distance.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {

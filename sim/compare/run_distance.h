@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {

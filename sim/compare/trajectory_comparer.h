@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "sim/compare/comparison.h"
-#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row.h"
 
 namespace hyrax {
 

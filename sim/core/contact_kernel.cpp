@@ -5,7 +5,6 @@
 #include <limits>
 #include <span>
 
-#include "sim/core/contact_log.h"
 #include "sim/motion/step.h"
 #include "sim/scenario/apply.h"
 #include "sim/trace/step_program.h"

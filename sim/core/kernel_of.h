@@ -11,7 +11,6 @@
 #include <utility>
 #include <variant>
 
-#include "sim/core/contact_log.h"
 #include "sim/core/kernel.h"
 #include "sim/motion/step.h"
 #include "sim/scenario/apply.h"

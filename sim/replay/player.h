@@ -12,7 +12,7 @@
 #include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/run_summary.h"
 
@@ -27,6 +27,10 @@ class ContactTracker {
   void begin(const Contact& contact);
   /// The wall clamped for the last time at `last_step`.
   void end(Wall wall, std::int64_t last_step);
+  /// `contact` begins at its step, or ended in the step before.
+  void change(const Contact& contact, bool begins) {
+    begins ? begin(contact) : end(contact.wall, contact.step - 1);
+  }
   /// Counts contacts that need not be passed on. REQUIRES: is_full(), or there are none.
   void count(const WallCounts& begun);
   /// The run ends at `last_step`, and with it the contacts that go on.

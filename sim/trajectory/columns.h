@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/result/table.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {

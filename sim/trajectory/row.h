@@ -1,4 +1,5 @@
-// The state after a frame: what is recorded, and what a replay needs to go on.
+// The state after a frame: what is recorded, and what a replay needs to go on; and runs of consecutive steps
+// clamped by the same wall.
 #pragma once
 
 #include <cstddef>
@@ -43,5 +44,26 @@ struct Keyframe {
   /// The core's object, where it has members that no row shows; empty: made from the row. Not kept in files.
   std::vector<std::byte> core_object = {};
 };
+
+/// A run of consecutive steps clamped by the same wall: a bounce is a contact of one step; rest on the floor
+/// is one that does not end. All quantities but `last_step` are of its first step.
+struct Contact {
+  std::int64_t step = 0;
+  std::int64_t last_step = 0;
+  Wall wall = Wall::ground;
+  double t_s = 0.0;
+  double x_px = 0.0;
+  double y_px = 0.0;
+  double vx_before_px_per_s = 0.0;  ///< After gravity and drag, as it met the wall.
+  double vy_before_px_per_s = 0.0;
+  double vx_after_px_per_s = 0.0;
+  double vy_after_px_per_s = 0.0;
+  /// >= 0; how far past the wall the unclamped position was. NaN: not known, of a core of one's own.
+  double overshoot_px = 0.0;
+  bool operator==(const Contact&) const = default;
+};
+
+/// A trajectory holds no more contacts than this; they are counted all the same.
+inline constexpr std::int64_t kContactsRecordedMax = 1'000'000;
 
 }  // namespace hyrax

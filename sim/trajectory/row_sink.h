@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "sim/trajectory/columns.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 

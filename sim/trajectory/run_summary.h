@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "sim/trajectory/columns.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 

@@ -11,7 +11,6 @@
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/state_hash.h"

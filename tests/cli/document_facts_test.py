@@ -75,7 +75,7 @@ STATED = (
     (FILES, "for each block of {} rows", HASH, "kBlockRows"),
     (FILES, "A row is {} bytes", HASH, "kPackedRowBytes"),
     (FILES, "Each block of {} rows (row 0 first", HASH, "kBlockRows"),
-    (FILES, "at most {} are stored |", "sim/trajectory/contact.h", "kContactsRecordedMax"),
+    (FILES, "at most {} are stored |", "sim/trajectory/row.h", "kContactsRecordedMax"),
     (FILES, "{} left, {} right, {} top, {} ground, {} vy set to 0", STATE, "left, right, top, ground, kRestBit"),
     (FILES, "`/contacts/wall` | uint8 [M] | {}, {}, {} or {} |", STATE, "left, right, top, ground"),
     (FILES, "it has more than {} paths", "sim/trace/traced_step.h", "kStepPathsMax"),

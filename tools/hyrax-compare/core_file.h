@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim/card/compared_core.h"
-#include "sim/card/play_watch.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/temporary_folder.h"
 

@@ -10,7 +10,7 @@
 
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/columns.h"
-#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row.h"
 
 namespace hyrax {
 

@@ -9,7 +9,7 @@
 
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
-#include "sim/trajectory/contact.h"
+#include "sim/trajectory/row.h"
 #include "tools/store/hdf5.h"
 #include "tools/store/provenance.h"
 #include "tools/store/trajectory_format.h"

@@ -1,4 +1,4 @@
-#include "sim/study/needs/coverage.h"
+#include "sim/study/needs/needs.h"
 
 #include <algorithm>
 

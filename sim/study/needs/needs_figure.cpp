@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "sim/result/number_text.h"
-#include "sim/study/needs/coverage.h"
 
 namespace hyrax {
 namespace {

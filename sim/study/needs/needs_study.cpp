@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
 #include "sim/trace/step_program.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/scenario/work_part.h"
+#include "sim/scenario/sweep.h"
 
 namespace hyrax {
 

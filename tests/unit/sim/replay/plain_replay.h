@@ -13,7 +13,6 @@
 #include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/trajectory/contact.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 

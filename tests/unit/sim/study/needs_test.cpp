@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "sim/core/shipped_core.h"
-#include "sim/study/needs/coverage.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
 #include "sim/trace/step_program.h"
