@@ -53,6 +53,30 @@ Handle create_with(hid_t creation, hid_t parent, const char* name, hid_t type,
   return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
 }
 
+// A dataset that grows, stored in chunks of `chunk` elements.
+Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {
+  const hsize_t unlimited = H5S_UNLIMITED;
+  const Handle creation = dataset_list();
+  H5Pset_chunk(creation, 1, &chunk);
+  return create_with(creation, parent, name, type, {0}, &unlimited);
+}
+
+// An enumeration of bytes, with the names of 0, 1, 2, ...
+Handle enum_type(std::span<const std::string_view> names) {
+  Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
+  for (std::uint8_t code = 0; code < names.size(); ++code)
+    H5Tenum_insert(type, std::string(names[code]).c_str(), &code);
+  return type;
+}
+
+// Variable-length UTF-8 text.
+Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
 hssize_t length_of(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   assert(H5Sget_simple_extent_ndims(space) == 1);
@@ -104,13 +128,6 @@ Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type,
   const Handle creation = dataset_list();
   H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
   return create_with(creation, parent, name, type, shape);
-}
-
-Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk) {
-  const hsize_t unlimited = H5S_UNLIMITED;
-  const Handle creation = dataset_list();
-  H5Pset_chunk(creation, 1, &chunk);
-  return create_with(creation, parent, name, type, {0}, &unlimited);
 }
 
 std::vector<hsize_t> shape_of(hid_t dataset) {
@@ -187,20 +204,6 @@ void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t>
   write_attribute(dataset, "flag_meanings", text);
 }
 
-Handle enum_type(std::span<const std::string_view> names) {
-  Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
-  for (std::uint8_t code = 0; code < names.size(); ++code)
-    H5Tenum_insert(type, std::string(names[code]).c_str(), &code);
-  return type;
-}
-
-Handle text_type() {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
-}
-
 void write_attribute(hid_t object, const char* name, std::string_view text) {
   const std::string terminated(text);
   const char* const data = terminated.c_str();
@@ -225,44 +228,51 @@ void write_attribute(hid_t object, const char* name, std::span<const double> val
 
 bool has_attribute(hid_t object, const char* name) { return H5Aexists(object, name) > 0; }
 
+namespace {
+
+// An attribute; not open if it is missing.
+struct StoredAttribute {
+  StoredAttribute(hid_t object, const char* name) : attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose) {
+    if (!attribute.is_open()) return;
+    type = Handle(H5Aget_type(attribute), H5Tclose);
+    space = Handle(H5Aget_space(attribute), H5Sclose);
+    count = H5Sget_simple_extent_npoints(space);
+  }
+  Handle attribute, type, space;
+  hssize_t count = -1;
+};
+
+}  // namespace
+
 std::optional<std::string> read_text_attribute(hid_t object, const char* name) {
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.is_open()) return std::nullopt;
-  const Handle file_type(H5Aget_type(attribute), H5Tclose);
-  const Handle space(H5Aget_space(attribute), H5Sclose);
-  if (H5Tis_variable_str(file_type) <= 0 || H5Sget_simple_extent_npoints(space) != 1) return std::nullopt;
+  const StoredAttribute stored(object, name);
+  if (stored.count != 1 || H5Tis_variable_str(stored.type) <= 0) return std::nullopt;
   char* data = nullptr;
   const Handle type = text_type();
-  if (H5Aread(attribute, type, static_cast<void*>(&data)) < 0 || data == nullptr) return std::nullopt;
+  if (H5Aread(stored.attribute, type, static_cast<void*>(&data)) < 0 || data == nullptr) return std::nullopt;
   std::string text(data);
   H5free_memory(data);
   return text;
 }
 
 std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* name) {
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.is_open()) return std::nullopt;
-  const Handle type(H5Aget_type(attribute), H5Tclose);
-  const Handle space(H5Aget_space(attribute), H5Sclose);
+  const StoredAttribute stored(object, name);
   std::int64_t value = 0;
-  if (H5Tget_class(type) != H5T_INTEGER || H5Sget_simple_extent_npoints(space) != 1 ||
-      H5Aread(attribute, H5T_NATIVE_INT64, &value) < 0)
+  if (stored.count != 1 || H5Tget_class(stored.type) != H5T_INTEGER ||
+      H5Aread(stored.attribute, H5T_NATIVE_INT64, &value) < 0)
     return std::nullopt;
   return value;
 }
 
 std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name,
                                                           std::size_t count_max) {
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.is_open()) return std::nullopt;
-  const Handle type(H5Aget_type(attribute), H5Tclose);
-  const Handle space(H5Aget_space(attribute), H5Sclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
-  if (H5Tget_class(type) != H5T_FLOAT || H5Tget_size(type) != sizeof(double) ||
-      H5Sget_simple_extent_ndims(space) != 1 || count < 0 || count > static_cast<hssize_t>(count_max))
+  const StoredAttribute stored(object, name);
+  if (stored.count < 0 || stored.count > static_cast<hssize_t>(count_max) ||
+      H5Tget_class(stored.type) != H5T_FLOAT || H5Tget_size(stored.type) != sizeof(double) ||
+      H5Sget_simple_extent_ndims(stored.space) != 1)
     return std::nullopt;
-  std::vector<double> values(static_cast<std::size_t>(count));
-  if (count > 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
+  std::vector<double> values(static_cast<std::size_t>(stored.count));
+  if (!values.empty() && H5Aread(stored.attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
   return values;
 }
 
@@ -302,7 +312,7 @@ ColumnData data_of(const std::vector<std::optional<std::int64_t>>& values) {
 
 ColumnData data_of(const Codes& values) {
   ColumnData column{H5T_STD_U8LE, H5T_NATIVE_UINT8, values.codes.data(), values.size()};
-  if (values.names.are_bits) return column;
+  if (values.names.are_bits || values.names.names.empty()) return column;
   column.owned_type = enum_type(values.names.names);
   column.type = column.memory_type = column.owned_type;
   return column;

@@ -75,8 +75,6 @@ class Handle {
 [[nodiscard]] herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data);
 /// Sizes of a dataset's dimensions.
 [[nodiscard]] std::vector<hsize_t> shape_of(hid_t dataset);
-/// A dataset that grows, stored in chunks of `chunk` elements.
-[[nodiscard]] Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_t chunk);
 
 /// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets; those of
 /// another length become axes themselves. netCDF readers such as xarray need this to open the group.
@@ -90,11 +88,9 @@ class Handle {
 void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
                  std::span<const std::string_view> meanings);
 
-/// An enumeration of bytes, with the names of 0, 1, 2, ...
-[[nodiscard]] Handle enum_type(std::span<const std::string_view> names);
-
 /// Datasets of a group, one for each column of a table whose chunks come one after another. Text is
-/// fixed-length UTF-8, padded with zeros; a bool is 0 or 1. REQUIRES: no column of tables.
+/// fixed-length UTF-8, padded with zeros; a bool is 0 or 1; codes without names are bytes. REQUIRES: no
+/// column of tables.
 class ColumnWriter {
  public:
   /// @param columns names and types; their values are not written.
@@ -131,8 +127,5 @@ void write_attribute(hid_t object, const char* name, std::span<const double> val
 /// A list of float64; at most `count_max` numbers.
 [[nodiscard]] std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name,
                                                                         std::size_t count_max);
-
-/// Variable-length UTF-8 text.
-[[nodiscard]] Handle text_type();
 
 }  // namespace hyrax::h5

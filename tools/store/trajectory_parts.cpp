@@ -20,6 +20,13 @@ void append_to(Columns& rows, const Columns& more) {
   for (const RowColumn& column : kRowColumns) append_to(rows.*column.also, more.*column.also);
 }
 
+std::vector<Column> row_columns(const Columns& rows) {
+  std::vector<Column> columns = {{"step", "", "", rows.step}};
+  for (const RowColumn& each : kRowColumns) columns.push_back({each.name, "", "", rows.*each.also});
+  columns.push_back({"contact", "", "", Codes{.codes = rows.contact}});
+  return columns;
+}
+
 // The meaning and unit of a and b depend on the kind.
 bool write_inputs(hid_t file, const std::vector<InputRecord>& inputs) {
   const ColumnOf<InputRecord> described[] = {
@@ -42,13 +49,8 @@ bool write_inputs(hid_t file, const std::vector<InputRecord>& inputs) {
 
 }  // namespace
 
-RowTable::RowTable(hid_t group, std::int64_t rows) : group_(group), rows_(rows) {
-  const auto length = static_cast<hsize_t>(rows);
-  step_ = h5::create_dataset(group, "step", H5T_STD_I64LE, {length});
-  for (std::size_t column = 0; column < kRowColumns.size(); ++column)
-    columns_[column] = h5::create_dataset(group, kRowColumns[column].name, H5T_IEEE_F64LE, {length});
-  contact_ = h5::create_dataset(group, "contact", H5T_STD_U8LE, {length});
-}
+RowTable::RowTable(hid_t group, std::int64_t rows)
+    : group_(group), rows_(rows), writer_(group, row_columns(Columns()), static_cast<hsize_t>(rows)) {}
 
 bool RowTable::append(const Columns& rows) {
   if (pending_.size() == 0 && rows.size() >= kBatch) return write(rows);
@@ -59,45 +61,28 @@ bool RowTable::append(const Columns& rows) {
   return is_written;
 }
 
+// Units, names and the time axis, as xarray (dimension scales) and silx (NXdata) expect them.
 bool RowTable::finish() {
   const bool is_written = pending_.size() == 0 || write(pending_);
-  return describe(group_) && is_written && written_ == rows_;
-}
-
-void RowTable::close() {
-  step_ = {};
-  contact_ = {};
-  columns_ = {};
+  const std::vector<h5::Handle>& datasets = writer_.datasets();
+  for (std::size_t column = 0; column < kRowColumns.size(); ++column) {
+    h5::write_attribute(datasets[column + 1], "units", kRowColumns[column].unit);
+    h5::write_attribute(datasets[column + 1], "long_name", kRowColumns[column].long_name);
+  }
+  h5::write_attribute(datasets.front(), "long_name", "row number");
+  h5::write_attribute(
+      datasets.back(), "long_name",
+      "clamps in the step that made the row: 1 left, 2 right, 4 top, 8 ground, 16 put to rest");
+  h5::write_flags(datasets.back(), "flag_masks", kContactFlags, kContactFlagNames);
+  h5::write_attribute(group_, "NX_class", "NXdata");
+  h5::write_attribute(group_, "signal", "y");
+  h5::write_attribute(group_, "axes", "t");
+  return h5::share_axis(group_, "t") && is_written && written_ == rows_;
 }
 
 bool RowTable::write(const Columns& rows) {
-  const auto first = static_cast<hsize_t>(written_);
-  const hsize_t count = rows.size();
-  bool is_written = h5::write_rows(step_, H5T_NATIVE_INT64, first, count, rows.step.data()) >= 0;
-  for (std::size_t column = 0; column < kRowColumns.size() && is_written; ++column)
-    is_written = h5::write_rows(columns_[column], H5T_NATIVE_DOUBLE, first, count,
-                                (rows.*kRowColumns[column].also).data()) >= 0;
-  is_written =
-      is_written && h5::write_rows(contact_, H5T_NATIVE_UINT8, first, count, rows.contact.data()) >= 0;
-  written_ += static_cast<std::int64_t>(count);
-  return is_written;
-}
-
-// Units, names and the time axis, as xarray (dimension scales) and silx (NXdata) expect them.
-bool RowTable::describe(hid_t group) const {
-  for (std::size_t column = 0; column < kRowColumns.size(); ++column) {
-    h5::write_attribute(columns_[column], "units", kRowColumns[column].unit);
-    h5::write_attribute(columns_[column], "long_name", kRowColumns[column].long_name);
-  }
-  h5::write_attribute(step_, "long_name", "row number");
-  h5::write_attribute(
-      contact_, "long_name",
-      "clamps in the step that made the row: 1 left, 2 right, 4 top, 8 ground, 16 put to rest");
-  h5::write_flags(contact_, "flag_masks", kContactFlags, kContactFlagNames);
-  h5::write_attribute(group, "NX_class", "NXdata");
-  h5::write_attribute(group, "signal", "y");
-  h5::write_attribute(group, "axes", "t");
-  return h5::share_axis(group, "t");
+  written_ += static_cast<std::int64_t>(rows.size());
+  return writer_.append(row_columns(rows));
 }
 
 bool ContactTable::append(const Contact& contact) {

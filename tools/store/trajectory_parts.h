@@ -1,7 +1,6 @@
 // The parts of a `hyrax-trajectory/1` file as they are written: rows, contacts, head.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,19 +22,16 @@ class RowTable {
   /// Each returns false if the file could not be written.
   [[nodiscard]] bool append(const Columns& rows);
   [[nodiscard]] bool finish();
-  void close();
+  void close() { writer_.close(); }
 
  private:
   [[nodiscard]] bool write(const Columns& rows);
-  [[nodiscard]] bool describe(hid_t group) const;
 
   hid_t group_;
   std::int64_t rows_;
   std::int64_t written_ = 0;
   Columns pending_;
-  h5::Handle step_;
-  h5::Handle contact_;
-  std::array<h5::Handle, kRowColumns.size()> columns_;
+  h5::ColumnWriter writer_;
 };
 
 /// The contacts of a run, whose number is not known beforehand and which end long after they began. Keeps up
