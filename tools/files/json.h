@@ -66,6 +66,14 @@ template <class Value>
   return value ? Json(*value) : Json();
 }
 
+/// What `to_json` makes of each item.
+template <class Items, class ToJson>
+[[nodiscard]] Json::Array list_of(const Items& items, const ToJson& to_json) {
+  Json::Array list;
+  for (const auto& item : items) list.push_back(to_json(item));
+  return list;
+}
+
 /// Parses a document.
 /// ERRORS: Failure(bad_input) "SOURCE: line L, column C: ..." for anything that is not one JSON
 /// text in UTF-8 without byte-order mark, a number beyond binary64, or deeper nesting.

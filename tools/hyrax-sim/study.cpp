@@ -183,15 +183,13 @@ void make_folder(const std::string& folder) {
 
 // What the report page needs besides the tables, as text in the file: verdict and figures.
 Table report_table(const Result& result) {
-  Json::Array figures;
-  for (const Figure& figure : result.figures) figures.push_back(figure_json(figure));
   const auto column = [](const char* name, const char* long_name, const Json& json) {
     return Column{.name = name, .long_name = long_name, .values = std::vector<std::string>{to_text(json)}};
   };
   return {.name = kReportTable,
           .long_name = "what hyrax-sim report shows besides the tables, as JSON",
           .columns = {column("verdict", "sentences and rules", verdict_json(result.verdict)),
-                      column("figures", "the figures as data", figures)}};
+                      column("figures", "the figures as data", list_of(result.figures, figure_json))}};
 }
 
 // The paths of its files.

@@ -139,10 +139,7 @@ Json json_of(const Value& value) {
   } else if constexpr (std::is_constructible_v<Json, Value>) {
     return value;
   } else if constexpr (requires { value.begin(); }) {
-    Json::Array list;
-    list.reserve(value.size());
-    for (const auto& each : value) list.push_back(json_of(each));
-    return list;
+    return list_of(value, [](const auto& each) { return json_of(each); });
   } else {
     return std::apply(
         [&](const auto&... field) {
@@ -261,12 +258,11 @@ std::vector<Figure> figures_of(const Json& json, const std::string& place) {
 }
 
 Json table_json(const Table& table, std::size_t rows_max) {
-  Json::Array columns;
-  for (const Column& column : table.columns) columns.push_back(column_json(column, rows_max));
+  const auto column = [rows_max](const Column& each) { return column_json(each, rows_max); };
   return Json::Object{{"name", table.name},
                       {"long_name", table.long_name},
                       {"row_count", static_cast<std::int64_t>(row_count(table))},
-                      {"columns", std::move(columns)}};
+                      {"columns", list_of(table.columns, column)}};
 }
 
 Json verdict_json(const Verdict& verdict) {

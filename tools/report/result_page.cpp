@@ -10,15 +10,16 @@
 namespace hyrax {
 
 Json result_json(const ShownResult& result) {
-  Json::Array tables, figures;
-  for (const Table& table : result.tables) tables.push_back(table_json(table));
-  for (const Figure& figure : result.figures) figures.push_back(figure_json(figure));
   Json::Object origin;
   for (const auto& [name, value] : result.origin) origin.emplace_back(name, value);
-  return Json::Object{{"title", result.title},         {"subtitle", result.subtitle},
-                      {"judgement", result.judgement}, {"verdict", verdict_json(result.verdict)},
-                      {"tables", std::move(tables)},   {"figures", std::move(figures)},
-                      {"origin", std::move(origin)}};
+  return Json::Object{
+      {"title", result.title},
+      {"subtitle", result.subtitle},
+      {"judgement", result.judgement},
+      {"verdict", verdict_json(result.verdict)},
+      {"tables", list_of(result.tables, [](const Table& table) { return table_json(table); })},
+      {"figures", list_of(result.figures, figure_json)},
+      {"origin", std::move(origin)}};
 }
 
 namespace {

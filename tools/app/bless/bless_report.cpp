@@ -163,18 +163,14 @@ Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& g
   document.emplace_back("written", report.is_written);
   const std::vector<std::string>& removed = report.pruning.removed;
   document.emplace_back("pruned", Json::Array(removed.begin(), removed.end()));
-  Json::Array cores;
-  for (const CoreAcceptance& core : report.cores)
-    cores.push_back(Json::Object{{"golden", core.golden_folder},
-                                 {"accepted", core.why_not.empty()},
-                                 {"why_not", core.why_not.empty() ? Json() : Json(core.why_not)}});
-  document.emplace_back("cores", std::move(cores));
-  Json::Array results;
-  for (const Blessing& blessing : report.blessings) results.emplace_back(result_json(blessing));
-  document.emplace_back("results", std::move(results));
-  Json::Array causes;
-  for (const DifferenceGroup& group : groups) causes.emplace_back(group_json(group));
-  document.emplace_back("groups", std::move(causes));
+  document.emplace_back("cores", list_of(report.cores, [](const CoreAcceptance& core) {
+                          return Json::Object{
+                              {"golden", core.golden_folder},
+                              {"accepted", core.why_not.empty()},
+                              {"why_not", core.why_not.empty() ? Json() : Json(core.why_not)}};
+                        }));
+  document.emplace_back("results", list_of(report.blessings, result_json));
+  document.emplace_back("groups", list_of(groups, group_json));
   return document;
 }
 

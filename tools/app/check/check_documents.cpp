@@ -26,11 +26,7 @@ Json result_json(const CheckVerdict& verdict) {
                      {"max_px", is_compared(verdict) ? max_px_json(comparison) : Json()},
                      {"contacts_moved", is_compared(verdict) ? Json(comparison.contacts.total()) : Json()},
                      {"first_divergence", divergence_json(comparison.first)}};
-  if (!verdict.broken.empty()) {
-    Json::Array broken;
-    for (const Expectation& expectation : verdict.broken) broken.push_back(expectation_json(expectation));
-    entry.emplace_back("expect", std::move(broken));
-  }
+  if (!verdict.broken.empty()) entry.emplace_back("expect", list_of(verdict.broken, expectation_json));
   if (!verdict.error.empty()) entry.emplace_back("error", verdict.error);
   return entry;
 }
@@ -91,21 +87,15 @@ std::string annotation(const CheckReport& report, const CheckVerdict& verdict) {
 }  // namespace
 
 Json check_json(const CheckReport& report) {
-  Json::Array results;
-  for (const CheckVerdict& verdict : report.verdicts()) results.push_back(result_json(verdict));
-  Json::Array groups;
-  for (const DifferenceGroup& group : report.groups()) groups.push_back(group_json(group));
-  Json::Array cores;
-  for (const CoreVerdict* const core : report.cores()) cores.push_back(core_json(*core));
   return Json::Object{{"checked", report.scenario_count()},
                       {"agreed", report.count(Status::agreed)},
                       {"disagreed", report.count(Status::disagreed)},
                       {"missing", report.count(Status::missing)},
                       {"failed", report.count(Status::failed)},
                       {"unreferenced", report.count(Status::unreferenced)},
-                      {"results", std::move(results)},
-                      {"cores", std::move(cores)},
-                      {"groups", std::move(groups)}};
+                      {"results", list_of(report.verdicts(), result_json)},
+                      {"cores", list_of(report.cores(), [](const auto* core) { return core_json(*core); })},
+                      {"groups", list_of(report.groups(), group_json)}};
 }
 
 std::string check_junit(const CheckReport& report) {

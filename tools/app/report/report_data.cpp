@@ -153,11 +153,8 @@ Json comparison_json(const TrajectoryDiff& difference, const std::string& agains
                       {"rows_compared", difference.rows_compared}};
 }
 
-Json expectations_json(const std::vector<Expectation>& expectations) {
-  Json::Array list;
-  for (const Expectation& expectation : expectations)
-    list.push_back(Json::Object{{"text", expectation_text(expectation)}, {"holds", expectation.holds}});
-  return list;
+Json expectation_line(const Expectation& expectation) {
+  return Json::Object{{"text", expectation_text(expectation)}, {"holds", expectation.holds}};
 }
 
 // The run of this program's own replay: what it exercised, what holds, where it ends.
@@ -197,7 +194,7 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
                     {"blocks", blocks_json(evidence.blocks)},
                     {"inputs", inputs_json(file.inputs())},
                     {"result", run_json(core, run)},
-                    {"expect", expectations_json(run.expectations)},
+                    {"expect", list_of(run.expectations, expectation_line)},
                     {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
                     {"non_finite", non_finite_text(head.scenario, run.summary.final)},
                     {"margin", run.drift ? margin_text(run.drift->margin) : ""},

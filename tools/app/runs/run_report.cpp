@@ -178,9 +178,6 @@ Json run_json(const Core& core, const ScenarioRun& run) {
   const Coverage coverage = coverage_of(core, run);
   Json clamped = counts_json(summary.clamped_steps);
   clamped.get<Json::Object>()->emplace_back("rest", summary.rest_steps);
-  Json::Array expectations;
-  for (const Expectation& expectation : run.expectations)
-    expectations.push_back(expectation_json(expectation));
   Json::Object object{{"scenario", run.path},
                       {"status", run.status()},
                       {"steps", summary.steps},
@@ -196,7 +193,7 @@ Json run_json(const Core& core, const ScenarioRun& run) {
                       {"periodic_from_step", or_null(summary.periodic_from_step)},
                       {"state_hash", hex(summary.state_hash)},
                       {"output", run.output},
-                      {"expect", std::move(expectations)},
+                      {"expect", list_of(run.expectations, expectation_json)},
                       {"golden", golden_json(run)},
                       {"exercised", list_json(coverage.exercised)},
                       {"never_touched", list_json(coverage.never_touched)},
