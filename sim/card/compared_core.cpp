@@ -76,15 +76,6 @@ class GuardedKernel final : public KernelOver {
   PlayWatch& watch_;
 };
 
-Constants paper_constants() {
-  const Model paper;
-  return {.gravity_px_per_s2 = paper.gravity_px_per_s2,
-          .restitution = paper.restitution,
-          .air_drag = paper.air_drag,
-          .ground_friction = paper.ground_friction,
-          .rest_threshold_px_per_s = paper.rest_threshold_px_per_s};
-}
-
 }  // namespace
 
 ComparedCore compared_core(int number, const LibraryCore& library, const CoreRecord& record,

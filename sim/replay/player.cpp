@@ -209,10 +209,7 @@ void Replay::Player::pass_on_changes(const StretchLog& log, std::int64_t first_s
     Contact contact = change.contact;
     contact.step = contact.last_step = first_step + change.offset;
     contact.t_s = time_in_batch_s(change.offset);
-    if (change.begins)
-      contacts_.begin(contact);
-    else
-      contacts_.end(contact.wall, contact.step - 1);
+    contacts_.change(contact, change.begins);
   }
 }
 

@@ -115,10 +115,7 @@ void Replay::Player::repeat_changes(const Cycle& cycle, std::int64_t first, std:
     if (contact.step < first) continue;
     if (contact.step > last) return;
     contact.t_s = now_.timeline.time_s(contact.step - step());
-    if (change.begins)
-      contacts_.begin(contact);
-    else
-      contacts_.end(contact.wall, contact.step - 1);
+    contacts_.change(contact, change.begins);
   }
 }
 

@@ -22,6 +22,14 @@ Action make_action(std::size_t kind) {
   return make_action_of(kind, std::make_index_sequence<kActionNames.size()>());
 }
 
+Scenario without_texts(Scenario scenario) {
+  scenario.name.clear();
+  scenario.description.reset();
+  scenario.schema.reset();
+  scenario.expect.reset();
+  return scenario;
+}
+
 bool plays_the_same(const Scenario& a, const Scenario& b) {
   // A trace says its own length, so `steps` beside it adds nothing.
   const bool same_length = a.length == b.length || (std::holds_alternative<RecordedSteps>(a.clock.base) &&

@@ -152,7 +152,10 @@ struct Scenario {
   return scenario;
 }
 
-/// Whether two scenarios play the same run: all but name, description, expect and schema.
+/// Without name, description, expect and schema: what does not change the run.
+[[nodiscard]] Scenario without_texts(Scenario scenario);
+
+/// Whether two scenarios play the same run: without texts they are the same.
 [[nodiscard]] bool plays_the_same(const Scenario& a, const Scenario& b);
 
 }  // namespace hyrax

@@ -59,20 +59,12 @@ class PointerChanges {
   std::vector<std::string> changes_;
 };
 
-Json json_of_run(Scenario scenario) {
-  scenario.name.clear();
-  scenario.description.reset();
-  scenario.schema.reset();
-  scenario.expect.reset();
-  return to_json(scenario);
-}
-
 }  // namespace
 
 std::string scenario_changes(const Scenario& from, const Scenario& to) {
   if (plays_the_same(from, to)) return "";
-  const Json before = json_of_run(from);
-  const Json after = json_of_run(to);
+  const Json before = to_json(without_texts(from));
+  const Json after = to_json(without_texts(to));
   PointerChanges changes;
   changes.compare("", &before, &after);
   return changes.text();

@@ -129,14 +129,6 @@ std::string checksums_line(const std::string& head, const std::string& contents,
   return fmt::format("{}{} {}\n", kChecksumsKey, hash.value(), file);
 }
 
-Scenario without_texts(Scenario scenario) {
-  scenario.name.clear();
-  scenario.description.reset();
-  scenario.schema.reset();
-  scenario.expect.reset();
-  return scenario;
-}
-
 }  // namespace
 
 std::string contents_checksum(const StoredRun& run) {

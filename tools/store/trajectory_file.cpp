@@ -141,13 +141,7 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
 }
 
 Constants TrajectoryFile::read_constants() const {
-  const Model paper;
-  if (!h5::has_attribute(file_, "constants"))
-    return {.gravity_px_per_s2 = paper.gravity_px_per_s2,
-            .restitution = paper.restitution,
-            .air_drag = paper.air_drag,
-            .ground_friction = paper.ground_friction,
-            .rest_threshold_px_per_s = paper.rest_threshold_px_per_s};
+  if (!h5::has_attribute(file_, "constants")) return paper_constants();
   ConstantNumbers numbers{};
   const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
   if (!values || values->size() != numbers.size()) refuse("attribute constants: is not 5 numbers of 64 bits");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/core/core.h"
+#include "sim/motion/step.h"
 #include "sim/reference/flight.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method.h"
@@ -167,8 +168,9 @@ class FrameMethod final : public MotionMethod {
     double prepared_s = -1.0;
     double lying_friction = 1.0;
     bool lies = lies_;
-    const double right_px = within.right_px;
-    const double bottom_px = within.bottom_px;
+    const ListingStep walls(
+        Constants{.restitution = laws_.restitution, .rest_threshold_px_per_s = laws_.rest_threshold_px_per_s},
+        AllBut<Part::friction>{}, within);
     for (const double frame_s : frames_s) {
       if (frame_s != prepared_s) {
         flight.prepare(frame_s);
@@ -176,25 +178,10 @@ class FrameMethod final : public MotionMethod {
         prepared_s = frame_s;
       }
       flight.fly(m);
-      if (m.x_px < 0.0) {
-        m.x_px = 0.0;
-        m.vx_px_per_s *= -laws_.restitution;
-      } else if (m.x_px > right_px) {
-        m.x_px = right_px;
-        m.vx_px_per_s *= -laws_.restitution;
-      }
+      walls.meet_walls_in_x(m);
       const bool lay = lies;
-      lies = false;
-      if (m.y_px < 0.0) {
-        m.y_px = 0.0;
-        m.vy_px_per_s *= -laws_.restitution;
-      } else if (m.y_px > bottom_px) {
-        m.y_px = bottom_px;
-        m.vy_px_per_s *= -laws_.restitution;
-        m.vx_px_per_s *= lay ? lying_friction : laws_.ground_friction;
-        if (std::fabs(m.vy_px_per_s) < laws_.rest_threshold_px_per_s) m.vy_px_per_s = 0.0;
-        lies = true;
-      }
+      lies = touches(walls.meet_walls_in_y(m), Wall::ground);
+      if (lies) m.vx_px_per_s *= lay ? lying_friction : laws_.ground_friction;
     }
     at = m;
     lies_ = lies;

@@ -15,24 +15,20 @@ constexpr Size kScreen{1920, 1080};
 constexpr Size kSprite{128, 128};
 constexpr std::int64_t kFramesMax = 10'000'000;  // A scenario of very short frames could have any number.
 
-// Coordinates stay as small as the flight allows, so that rounding does.
-Problem open_sky(const std::string& name, const std::string& label, const State& start, double duration_s) {
-  constexpr Size kSky{1'000'000, 1'000'000};
+Problem on_desktop(const std::string& name, const std::string& label, const State& start, double duration_s,
+                   const Size& window = kScreen) {
   Problem problem;
   problem.name = name;
   problem.label = label;
   problem.start = start;
-  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kSky, kSprite)}};
-  problem.is_free_flight = true;
+  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(window, kSprite)}};
   return problem;
 }
 
-Problem on_desktop(const std::string& name, const std::string& label, const State& start, double duration_s) {
-  Problem problem;
-  problem.name = name;
-  problem.label = label;
-  problem.start = start;
-  problem.stages = {Stage{.duration_s = duration_s, .bounds = bounds_of(kScreen, kSprite)}};
+// Coordinates stay as small as the flight allows, so that rounding does.
+Problem open_sky(const std::string& name, const std::string& label, const State& start, double duration_s) {
+  Problem problem = on_desktop(name, label, start, duration_s, {1'000'000, 1'000'000});
+  problem.is_free_flight = true;
   return problem;
 }
 
