@@ -14,12 +14,23 @@ bool is_before(const Contact& a, const Contact& b) {
   return a.wall != b.wall ? a.wall < b.wall : a.last_step < b.last_step;
 }
 
-// The contacts of `a` at that wall that `b` does not have.
-std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector<Contact>& b, Wall wall) {
+// The last contact of a list that is full: what such a run has after it is not known. Null if neither is.
+const Contact* last_known(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  const Contact* last = nullptr;
+  for (const std::vector<Contact>* const contacts : {&a, &b})
+    if (std::ssize(*contacts) >= kContactsRecordedMax &&
+        (last == nullptr || is_before(contacts->back(), *last)))
+      last = &contacts->back();
+  return last;
+}
+
+// The contacts of `a` at that wall, none after `last`, that `b` does not have.
+std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector<Contact>& b, Wall wall,
+                                const Contact* last) {
   std::vector<Contact> missing;
   auto other = b.begin();
   for (const Contact& contact : a) {
-    if (contact.wall != wall) continue;
+    if (contact.wall != wall || (last != nullptr && is_before(*last, contact))) continue;
     other = std::find_if_not(other, b.end(), [&](const Contact& c) { return is_before(c, contact); });
     if (other == b.end() || !is_same(*other, contact))
       missing.push_back(contact);
@@ -60,10 +71,12 @@ DifferenceClass class_of(const ContactChanges& contacts, const RunDistance& dist
 }
 
 ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  const Contact* const last = last_known(a, b);
   ContactChanges changes;
+  changes.is_cut = last != nullptr;
   for (const Wall wall : kWalls) {
-    const std::vector<Contact> gone = missing_in(a, b, wall);
-    const std::vector<Contact> come = missing_in(b, a, wall);
+    const std::vector<Contact> gone = missing_in(a, b, wall, last);
+    const std::vector<Contact> come = missing_in(b, a, wall, last);
     const std::size_t pairs = std::min(gone.size(), come.size());
     for (std::size_t pair = 0; pair < pairs; ++pair) changes.moved.push_back({gone[pair], come[pair]});
     changes.only_a.insert(changes.only_a.end(), gone.begin() + static_cast<std::ptrdiff_t>(pairs),

@@ -111,6 +111,7 @@ struct ContactChanges {
   std::vector<Moved> moved;
   std::vector<Contact> only_a;
   std::vector<Contact> only_b;
+  bool is_cut = false;  ///< A list holds no more (kContactsRecordedMax): compared up to its end.
   [[nodiscard]] bool is_none() const { return total() == 0; }
   /// Contacts that moved, that only the first run has, and that only the second has.
   [[nodiscard]] std::int64_t total() const {

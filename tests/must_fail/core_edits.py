@@ -80,6 +80,7 @@ SINGLE = (
     changed("right_wall_turns_twice", RIGHT, f"{RIGHT} {TURN_X}", TURN_X),
     changed("drag_before_gravity", f"{GRAVITY}\n    {DRAG}", f"{DRAG}\n    {GRAVITY}", GRAVITY),
     changed("position_before_drag", f"{DRAG}\n\n    {MOVE_X}\n    {MOVE_Y}", f"{MOVE_X}\n    {MOVE_Y}\n    {DRAG}", "AIR_DRAG"),
+    changed("explicit_euler", f"{GRAVITY}\n    {DRAG}\n\n    {MOVE_X}\n    {MOVE_Y}", f"{MOVE_X}\n    {MOVE_Y}\n    {GRAVITY}\n    {DRAG}", MOVE_Y),
     changed("rest_before_turn", f"{TURN_Y}\n      {FRICTION}\n      {REST}", f"{REST}\n      {TURN_Y}\n      {FRICTION}", REST),
     changed("left_not_strict", "m_x < 0.0", "m_x <= 0.0", "m_x <= 0.0"),
     changed("ground_not_strict", "m_y > bottomBound", "m_y >= bottomBound", "m_y >= bottomBound"),
@@ -211,6 +212,7 @@ EQUAL = (
           (TURN_X, "m_vx = turned(m_vx);"), (TURN_Y, "m_vy = turned(m_vy);")),
     equal("clamped_by_max", ("#include <cmath>", "#include <algorithm>\n#include <cmath>"),
           (LEFT, f"m_x = std::max(m_x, 0.0);\n      {TURN_X}")),
+    equal("asked_what_it_is", (RIGHT, f"m_x = rightBound;\n      if (m_x == rightBound) {TURN_X}")),
     equal("never_read", (GRAVITY, f"const double unused = m_vy * 3.0;\n    static_cast<void>(unused);\n    {GRAVITY}")),
     # The same bits, by other operations: no text proves it, and no step refutes it.
     Edit("bound_of_doubles", (("static_cast<double>(screenWidth - objWidth)",

@@ -196,6 +196,13 @@ class Library(unittest.TestCase):
         self.assertEqual(self.groups(core), {"a": ("core", says)})
         self.assertEqual(self.expect(core, AGREED, "check", "--core", path).out, f"core: changed\n  {says}\n")
 
+    def test_contacts_of_a_list_that_is_full_are_told_as_the_fewest(self):
+        path = self.add("long", clock={"rate_hz": 1000}, steps=2_200_000)
+        self.expect(traced(SHIPPED), AGREED, "bless", path, "--reason", "x")
+        outcome = self.expect(edit_of("explicit_euler"), DISAGREED, "check", path)
+        self.assertRegex(outcome.out, r"\n  Contacts differ .* at least \d+ contacts moved")
+        self.assertRegex(outcome.out, r"\n  worst .* at least \d+ contacts moved")
+
     def test_golden_files_of_several_cores(self):
         old, new, third = traced(SHIPPED), edit_of("GRAVITY_1250.0"), edit_of("AIR_DRAG_0.998")
         path, _ = self.add("a"), self.add("b")

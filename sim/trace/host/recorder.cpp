@@ -48,8 +48,16 @@ std::optional<bool> known(Relation relation, Index left, Index right) {
   return outcome->second;
 }
 
+// Never NaN.
+bool is_whole(Index index) {
+  const Expression& expression = recorder.step.expressions[static_cast<std::size_t>(index)];
+  return expression.kind == NumberKind::whole ||
+         (expression.op == Operator::to_real && is_whole(expression.operands[0]));
+}
+
 // What other comparisons of the same two numbers say. NaN makes all of them false.
 std::optional<bool> implied(Relation relation, Index left, Index right) {
+  if (left == right && is_whole(left)) return relation != Relation::less;
   const auto holds = [](Relation other, Index a, Index b) { return known(other, a, b).value_or(false); };
   const auto are_equal = [&] {
     return holds(Relation::equal, left, right) || holds(Relation::equal, right, left);

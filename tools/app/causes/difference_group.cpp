@@ -28,6 +28,7 @@ DifferenceGroup make_group(Cause cause, std::vector<const PairVerdict*> scenario
     if (comparison.difference) group.difference = std::max(group.difference, *comparison.difference);
     group.max_px = std::max(group.max_px, largest_px(comparison));
     group.contacts_moved += comparison.contacts.total();
+    group.are_contacts_cut |= comparison.contacts.is_cut;
     if (comparison.rest_shift_px)
       group.rest_shift_px = std::max(group.rest_shift_px.value_or(0.0), *comparison.rest_shift_px);
   }

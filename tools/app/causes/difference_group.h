@@ -21,6 +21,7 @@ struct DifferenceGroup {
   DifferenceClass difference = DifferenceClass::rounding;  ///< The widest.
   double max_px = 0.0;                                     ///< Largest distance of two rows of the same step.
   std::int64_t contacts_moved = 0;                         ///< Moved, only old and only new, summed.
+  bool are_contacts_cut = false;                           ///< At least so many: ContactChanges::is_cut.
   std::optional<double> rest_shift_px;  ///< Largest distance of the final rows where both runs have settled.
 };
 

@@ -18,9 +18,9 @@ bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == Ca
 // Three digits say how far; more are in the JSON document.
 std::string px_text(double px) { return rounded(px, 3) + " px"; }
 
-std::string contacts_text(std::int64_t contacts) {
-  if (contacts == 0) return "no contact moved";
-  return fmt::format("{} contact{} moved", contacts, contacts == 1 ? "" : "s");
+std::string contacts_text(std::int64_t contacts, bool is_cut) {
+  if (contacts == 0 && !is_cut) return "no contact moved";
+  return fmt::format("{}{} contact{} moved", is_cut ? "at least " : "", contacts, contacts == 1 ? "" : "s");
 }
 
 std::string_view class_text(DifferenceClass difference) {
@@ -116,7 +116,7 @@ std::string consequence_sentence(const DifferenceGroup& group) {
   if (is_non_finite(group)) return "A run ends with its first row that is not finite, and is not blessed.";
   std::string text = fmt::format("{} (class {}): ", class_text(group.difference), name_of(group.difference));
   text += group.max_px > 0.0 ? fmt::format("at most {}", px_text(group.max_px)) : "no position differs";
-  text += ", " + contacts_text(group.contacts_moved);
+  text += ", " + contacts_text(group.contacts_moved, group.are_contacts_cut);
   if (group.rest_shift_px)
     text += *group.rest_shift_px == 0.0
                 ? ", comes to rest at the same place"
@@ -126,7 +126,8 @@ std::string consequence_sentence(const DifferenceGroup& group) {
 
 std::string scenario_consequence(const PairVerdict& scenario) {
   if (const std::string non_finite = non_finite_text(scenario); !non_finite.empty()) return non_finite;
-  return fmt::format("{}, {}{}", distance_text(scenario), contacts_text(scenario.comparison.contacts.total()),
+  const ContactChanges& contacts = scenario.comparison.contacts;
+  return fmt::format("{}, {}{}", distance_text(scenario), contacts_text(contacts.total(), contacts.is_cut),
                      rest_text(scenario));
 }
 

@@ -29,6 +29,19 @@ TEST(ContactChanges, IgnoreQuantitiesOtherThanWallAndSteps) {
   EXPECT_TRUE(contact_changes(kBounces, other).is_none());
 }
 
+TEST(ContactChanges, OfAListThatIsFullEndWithIt) {
+  std::vector<Contact> full, sparse;
+  for (std::int64_t step = 1; step <= kContactsRecordedMax; ++step) full.push_back(at(Wall::ground, step));
+  for (std::int64_t step = 2; step <= 2 * kContactsRecordedMax; step += 4)
+    sparse.push_back(at(Wall::ground, step));
+  const ContactChanges changes = contact_changes(sparse, full);
+  EXPECT_TRUE(changes.is_cut);
+  EXPECT_TRUE(changes.only_a.empty());
+  EXPECT_EQ(changes.total(), kContactsRecordedMax / 4 * 3);
+  EXPECT_FALSE(contact_changes(sparse, sparse).is_cut);
+  EXPECT_TRUE(contact_changes(full, full).is_none());
+}
+
 TEST(ContactChanges, ReportAMovedContact) {
   std::vector<Contact> other = kBounces;
   other[2] = at(Wall::ground, 213);
