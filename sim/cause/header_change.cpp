@@ -22,6 +22,8 @@ struct HeaderStatement {
   std::int64_t line = 0;
 
   bool operator==(const HeaderStatement& other) const { return tokens == other.tokens; }
+  [[nodiscard]] bool opens() const { return tokens.back() == "{"; }
+  [[nodiscard]] bool closes() const { return tokens.back() == "}"; }
   // With a blank where the header has any.
   [[nodiscard]] std::string text() const {
     std::string joined(tokens.front());
@@ -193,6 +195,21 @@ struct HeaderGap {
   }
 };
 
+// Of one header, up to a statement: whether only it has each block that is open.
+class OpenBlocks {
+ public:
+  void pass(const HeaderStatement& statement, bool is_own) {
+    if (statement.opens()) is_own_.push_back(is_own);
+    if (statement.closes() && !is_own_.empty()) is_own_.pop_back();
+  }
+  [[nodiscard]] bool ends_own(const HeaderStatement& statement) const {
+    return statement.closes() && !is_own_.empty() && is_own_.back();
+  }
+
+ private:
+  std::vector<bool> is_own_;
+};
+
 // "line 5", "lines 5, 8 and 9".
 std::string lines_text(std::vector<std::int64_t> lines) {
   std::ranges::sort(lines);
@@ -236,14 +253,27 @@ std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_
                                                     : std::max(common[i + 1][j], common[i][j + 1]);
   std::vector<HeaderChange> changes;
   HeaderGap gap;
+  OpenBlocks accepted_blocks, current_blocks;
   for (std::size_t i = 0, j = 0; i < rows || j < columns;) {
-    if (i < rows && j < columns && from[same + i] == to[same + j]) {
-      gap.flush(changes);
-      ++i, ++j;
-    } else if (j == columns || (i < rows && common[i + 1][j] >= common[i][j + 1])) {
-      gap.removed.push_back(from[same + i++]);
-    } else {
-      gap.added.push_back(to[same + j++]);
+    bool is_same = i < rows && j < columns && from[same + i] == to[same + j];
+    bool is_removed = j == columns || (i < rows && common[i + 1][j] >= common[i][j + 1]);
+    if (is_same) {  // Of several `}`, the one of an added block is added, where as much remains in common.
+      const bool ends_removed = accepted_blocks.ends_own(from[same + i]);
+      const bool ends_added = current_blocks.ends_own(to[same + j]);
+      is_removed = ends_removed;
+      is_same =
+          ends_removed == ends_added || (ends_removed ? common[i + 1][j] : common[i][j + 1]) < common[i][j];
+    }
+    if (is_same) gap.flush(changes);
+    if (is_same || is_removed) {
+      accepted_blocks.pass(from[same + i], !is_same);
+      if (!is_same) gap.removed.push_back(from[same + i]);
+      ++i;
+    }
+    if (is_same || !is_removed) {
+      current_blocks.pass(to[same + j], !is_same);
+      if (!is_same) gap.added.push_back(to[same + j]);
+      ++j;
     }
   }
   gap.flush(changes);

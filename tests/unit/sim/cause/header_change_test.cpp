@@ -97,6 +97,30 @@ TEST(HeaderChanges, ALoopIsOneStatementAndALambdaInACallIsNot) {
       "v += 1; -> v += 2;");
 }
 
+// The lines of the changes, in their order.
+std::vector<std::int64_t> lines_of(std::string_view accepted, const std::string& current) {
+  std::vector<std::int64_t> lines;
+  for (const HeaderChange& change : header_changes(accepted, current)) lines.push_back(change.line);
+  return lines;
+}
+
+TEST(HeaderChanges, ABlockEndsWithItsOwnBrace) {
+  using Lines = std::vector<std::int64_t>;
+  const std::string moved_into = with("    m_vx *= DRAG;", "    if (m_vy > 0.0) { m_vx *= DRAG; }");
+  EXPECT_EQ(lines_of(kHeader, moved_into), (Lines{8, 8}));
+  EXPECT_EQ(lines_of(moved_into, std::string(kHeader)), (Lines{8, 8}));
+  const std::string around =
+      with("    if (m_x < 0.0) {\n      m_x = 0.0;\n    }",
+           "    if (m_y < 0.0) {\n      if (m_x < 0.0) {\n        m_x = 0.0;\n      }\n    }");
+  EXPECT_EQ(lines_of(kHeader, around), (Lines{9, 13}));
+  EXPECT_EQ(lines_of(around, std::string(kHeader)), (Lines{9, 13}));
+  const std::string at_its_end = with("m_x = 0.0;", "if (m_y < 0.0) { m_x = 0.0; }");
+  EXPECT_EQ(lines_of(kHeader, at_its_end), (Lines{10, 10}));
+  EXPECT_EQ(lines_of(kHeader, with("m_x = 0.0;\n",
+                                   "m_x = 0.0;\n      if (m_y < 0.0) {\n        m_y = 0.0;\n      }\n")),
+            (Lines{11, 12, 13}));
+}
+
 TEST(HeaderLiterals, AreTheNumbersThatAreNotThoseOfConstants) {
   EXPECT_EQ(header_literals(with("m_vx *= DRAG;", "if (dt < 1200) m_vx *= 0.5f * DRAG;")),
             (std::vector{1200.0, 0.5, 0.0, 0.0}));
