@@ -55,7 +55,8 @@ Coverage coverage_of(const Core& core, const ScenarioRun& run) {
   if (run.rows_recorded < summary.steps + 1)
     coverage.not_computed.push_back(
         fmt::format("{} of {} rows not stored", summary.steps + 1 - run.rows_recorded, summary.steps + 1));
-  if (is_paper && !run.drift) coverage.not_computed.emplace_back("reference and energy (hyrax-sim drift)");
+  if (is_paper && !run.drift)
+    coverage.not_computed.push_back(fmt::format("reference and energy ({})", program_command({"drift"})));
   if (!run.not_compared.empty())
     coverage.not_computed.push_back(fmt::format("comparison with a golden file ({})", run.not_compared));
   return coverage;
