@@ -218,6 +218,9 @@ EQUAL = (
     Edit("bound_of_doubles", (("static_cast<double>(screenWidth - objWidth)",
                                "static_cast<double>(screenWidth) - static_cast<double>(objWidth)"),), "not_proved"),
     Edit("rest_by_two_comparisons", ((REST, "if (m_vy < REST_THRESHOLD && -m_vy < REST_THRESHOLD) m_vy = 0.0;"),), "not_proved"),
+    Edit("walls_by_clamp", (("#include <cmath>", "#include <algorithm>\n#include <cmath>"),
+                            (X_WALLS, "    const double clamped = std::clamp(m_x, 0.0, rightBound);\n"
+                                      f"    if (clamped != m_x) {{\n      m_x = clamped;\n      {TURN_X}\n    }}\n")), "not_proved"),
     Edit("guard_against_nan", ((GRAVITY, f"if (std::isnan(m_vx)) m_vx = 0.0;\n    {GRAVITY}"),), "not_proved"),
     Edit("guard_against_negative_dt", ((GRAVITY, f"if (dt < 0.0) return;\n    {GRAVITY}"),), "not_proved"),
     # Not traced: a reason is given.
@@ -248,4 +251,4 @@ PAIRS = (
 )
 
 ALL = SINGLE + CONDITIONAL + EQUAL + PAIRS
-EVERYDAY = ("drag_by_time", "rest_only_above_-600", "helper_function", "bound_of_doubles", "GRAVITY_1250.0+REST_THRESHOLD_7.0")
+EVERYDAY = ("walls_by_clamp", "drag_by_time", "rest_only_above_-600", "helper_function", "bound_of_doubles", "GRAVITY_1250.0+REST_THRESHOLD_7.0")
