@@ -62,6 +62,38 @@ std::string plain_reason(std::string_view what) {
   return bracket == std::string_view::npos ? std::string(what) : std::string(what.substr(bracket + 2));
 }
 
+// Whether the text of a number has the value of an integer, as 1.50e1 has: no digit but zeros lies below 1.
+bool has_no_fraction(std::string_view text) {
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view digits = text.substr(0, end);
+  const std::size_t last = digits.find_last_of("123456789");
+  if (last == digits.npos) return true;
+  const std::size_t point = std::min(digits.find('.'), end);
+  const auto digits_below_one =
+      static_cast<std::int64_t>(last) - static_cast<std::int64_t>(point) + (last < point ? 1 : 0);
+  std::string_view exponent = text.substr(std::min(end + 1, text.size()));
+  if (exponent.starts_with('+')) exponent.remove_prefix(1);
+  std::int64_t tens = 0;
+  const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), tens);
+  if (read.ec == std::errc::result_out_of_range) return !exponent.starts_with('-');
+  return digits_below_one <= tens;
+}
+
+// Behind the bracket that opens the first part of that level. REQUIRES: JSON up to there.
+std::size_t end_of_level(std::string_view text, int level) {
+  std::size_t at = 0;
+  bool is_in_text = false;
+  for (int depth = 0; depth < level && at < text.size(); ++at) {
+    const char here = text[at];
+    if (here == '"') is_in_text = !is_in_text;
+    if (is_in_text && here == '\\') ++at;
+    if (is_in_text) continue;
+    if (here == '[' || here == '{') ++depth;
+    if (here == ']' || here == '}') --depth;
+  }
+  return at;
+}
+
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
   Builder(std::string_view text, const std::string& source) : text_(text), source_(source) {}
@@ -73,7 +105,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   // The only signed integer text of value 0 is "-0": as a double it keeps its sign.
   bool number_integer(std::int64_t value) override { return value == 0 ? add(-0.0) : add(value); }
   bool number_unsigned(std::uint64_t value) override { return add(value); }
-  bool number_float(double value, const std::string&) override { return add(value); }
+  bool number_float(double value, const std::string& text) override {
+    return add({value, has_no_fraction(text)});
+  }
   bool string(std::string& value) override { return add(std::move(value)); }
   bool binary(nlohmann::json::binary_t&) override { return false; }
   bool start_object(std::size_t) override { return open(Json::Object()); }
@@ -96,8 +130,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool open(Json container) {
     if (open_.size() >= kJsonNestingMax)
-      throw Failure(ExitCode::bad_input,
-                    source_ + ": nested more than " + std::to_string(kJsonNestingMax) + " levels");
+      fail(text_, source_, end_of_level(text_, kJsonNestingMax + 1),
+           "nested more than " + std::to_string(kJsonNestingMax) + " levels");
     open_.push_back(place(std::move(container)));
     return true;
   }
@@ -193,6 +227,8 @@ double Json::number() const {
   if (const auto* value = get<std::int64_t>()) return static_cast<double>(*value);
   return static_cast<double>(*get<std::uint64_t>());
 }
+
+bool Json::is_whole() const { return is_number() && !is_rounded_ && std::floor(number()) == number(); }
 
 const Json* Json::find(std::string_view key) const {
   const auto* object = get<Object>();

@@ -23,6 +23,8 @@ class Json {
   Json(std::nullptr_t) {}
   Json(bool value) : value_(value) {}
   Json(double value) : value_(value) {}
+  /// A number as read. @param is_whole whether its text has no fraction.
+  Json(double value, bool is_whole) : value_(value), is_rounded_(!is_whole) {}
   Json(int value) : value_(static_cast<std::int64_t>(value)) {}
   Json(std::int64_t value) : value_(value) {}
   Json(std::uint64_t value) : value_(value) {}
@@ -48,6 +50,9 @@ class Json {
   /// REQUIRES: is_number().
   [[nodiscard]] double number() const;
 
+  /// Whether it is a number without fraction: 60.0 is, and 59.99999999999999999999 is not, which reads as 60.
+  [[nodiscard]] bool is_whole() const;
+
   /// The first member of that key; nullptr if there is none or this is not an object.
   [[nodiscard]] const Json* find(std::string_view key) const;
 
@@ -55,6 +60,7 @@ class Json {
   // A non-negative integer up to 2^64 - 1 is unsigned, a negative one signed, every other number
   // (and -0) a double.
   std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value_;
+  bool is_rounded_ = false;  // From a text with a fraction.
 };
 
 /// The deepest nesting that is read.

@@ -106,22 +106,28 @@ std::optional<double> JsonPlace::number(const NumberRule& rule) const {
 
 std::optional<std::int64_t> JsonPlace::integer(std::int64_t low, std::int64_t high) const {
   if (!is_there()) return std::nullopt;
-  const std::string rule = "must be a whole number " + std::to_string(low) + " .. " + std::to_string(high);
-  const bool is_whole = json_->is_number() && std::floor(json_->number()) == json_->number();
   // The bounds are far below 2^53, so they are exact as doubles.
-  if (!is_whole || json_->number() < static_cast<double>(low) ||
+  if (!json_->is_whole() || json_->number() < static_cast<double>(low) ||
       json_->number() > static_cast<double>(high)) {
-    breaks_rule(rule);
+    breaks_rule("must be a whole number " + std::to_string(low) + " .. " + std::to_string(high));
     return std::nullopt;
   }
   return static_cast<std::int64_t>(json_->number());
+}
+
+std::optional<std::int64_t> JsonPlace::positive_integer(std::int64_t most) const {
+  if (!is_there()) return std::nullopt;
+  if (json_->is_whole() && json_->number() >= 1.0)
+    return static_cast<std::int64_t>(std::min(json_->number(), static_cast<double>(most)));
+  breaks_rule("must be a whole number of at least 1");
+  return std::nullopt;
 }
 
 std::optional<std::uint64_t> JsonPlace::seed() const {
   if (!is_there()) return std::nullopt;
   if (const auto* whole = json_->get<std::uint64_t>()) return *whole;
   const auto* real = json_->get<double>();
-  if (real != nullptr && *real >= 0.0 && *real < 0x1p64 && std::floor(*real) == *real)
+  if (real != nullptr && json_->is_whole() && *real >= 0.0 && *real < 0x1p64)
     return static_cast<std::uint64_t>(*real);
   breaks_rule("must be a whole number 0 .. 18446744073709551615");
   return std::nullopt;

@@ -65,6 +65,8 @@ class JsonPlace {
   // Values; nothing, and an error, if they break the rule. Nothing if the place is missing.
   [[nodiscard]] std::optional<double> number(const NumberRule& rule = {}) const;
   [[nodiscard]] std::optional<std::int64_t> integer(std::int64_t low, std::int64_t high) const;
+  /// A number from 1 on; one above `most` is read as `most`.
+  [[nodiscard]] std::optional<std::int64_t> positive_integer(std::int64_t most) const;
   [[nodiscard]] std::optional<std::uint64_t> seed() const;
   [[nodiscard]] std::optional<bool> boolean() const;
   [[nodiscard]] std::optional<std::string> text() const;

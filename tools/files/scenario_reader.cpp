@@ -144,7 +144,7 @@ std::optional<std::int64_t> read_length(const JsonPlace& document, bool is_clock
 
 void read_record(const JsonPlace& here, Scenario& scenario) {
   if (!here.is_there() || !here.is_object_of({"every"})) return;
-  scenario.record_every = here.member("every").integer(1, kStepsMax).value_or(1);
+  scenario.record_every = here.member("every").positive_integer(kStepsMax).value_or(1);
 }
 
 Scenario read_document(const JsonPlace& document, const std::string& fallback_name,

@@ -28,12 +28,10 @@ struct SweepDraft {
 
 constexpr std::string_view kVariations[] = {"uniform", "choice", "grid", "member"};
 
-bool is_whole(const Json& number) { return std::floor(number.number()) == number.number(); }
-
 // A number of a key: whole where the key's numbers are whole.
 bool is_number_of(ScenarioNumberKind kind, const Json& json) {
   return json.is_number() && std::isfinite(json.number()) &&
-         (kind == ScenarioNumberKind::real || is_whole(json));
+         (kind == ScenarioNumberKind::real || json.is_whole());
 }
 std::string number_rule(ScenarioNumberKind kind) {
   return kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds";

@@ -80,6 +80,15 @@ TEST(Json, RoundsDecimalsCorrectly) {
   EXPECT_EQ(bits(parsed("1e-400").number()), bits(0.0));
 }
 
+TEST(Json, KnowsAFractionThatIsLostInRounding) {
+  for (const char* const text :
+       {"60", "60.0", "1e9", "1.50e1", "-0.0", "0e-99999999999999999999", "1200e-2", "10.0000e-1"})
+    EXPECT_TRUE(parsed(text).is_whole()) << text;
+  for (const char* const text :
+       {"60.5", "99.99999999999999999999999", "1e-400", "1e-99999999999999999999", "1205e-1"})
+    EXPECT_FALSE(parsed(text).is_whole()) << text;
+}
+
 TEST(Json, WritesTheShortestTextThatReadsBack) {
   EXPECT_EQ(to_text(0.1), "0.1");
   EXPECT_EQ(to_text(1.0 / 60.0), "0.016666666666666666");
@@ -191,8 +200,9 @@ TEST(JsonRefusal, IsForANumberBeyondAllDoubles) {
 
 TEST(JsonRefusal, IsForNestingWithoutEnd) {
   EXPECT_EQ(refusal(std::string(100, '[') + std::string(100, ']')), "taken");
-  EXPECT_EQ(refusal(std::string(101, '[') + std::string(101, ']')), "f.json: nested more than 100 levels");
-  EXPECT_EQ(refusal(std::string(10'000'000, '[')), "f.json: nested more than 100 levels");
+  EXPECT_EQ(refusal(std::string(101, '[') + std::string(101, ']')),
+            "f.json: line 1, column 101: nested more than 100 levels");
+  EXPECT_EQ(refusal(std::string(10'000'000, '[')), "f.json: line 1, column 101: nested more than 100 levels");
 }
 
 TEST(JsonRefusal, IsForWhatOnlyOtherDialectsHave) {
