@@ -1,4 +1,4 @@
-#include "sim/card/card.h"
+#include "sim/card/core_run.h"
 
 #include <algorithm>
 #include <array>

@@ -99,7 +99,7 @@ STATED = (
     (CARD, "after 1 to {} s at {} rows", FLINGS, "kExactSeconds, kRate_hz"),
     (CARD, "ns a step in {} pairs", FLINGS, "kPairs"),
     (CARD, "how many of {} random runs", "sim/card/card.cpp", "kRandomRuns"),
-    (CARD, "first {} rows are compared one by one, and the state hash up to {}", "sim/card/card.h",
+    (CARD, "first {} rows are compared one by one, and the state hash up to {}", "sim/card/core_run.h",
      "kCoreRunRowsMax, kCoreRunStepsMax"),
     (STUDIES, "Times come in {} rounds", "sim/study/methods/cost.h", "repetitions"),
     (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
