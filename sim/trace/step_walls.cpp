@@ -17,16 +17,17 @@ bool is_in_x(Wall wall) { return wall == Wall::left || wall == Wall::right; }
 
 // What an expression says of a position.
 struct Meaning {
-  bool has_sizes = false;   // Depends on one at least,
-  bool has_window = false;  // on one of the window,
-  bool has_others = false;  // and on something that is no size.
-  bool has_x = false;       // Depends on x or vx,
-  bool has_y = false;       // on y or vy,
-  bool has_dt = false;      // on dt.
+  bool has_sizes = false;           // Depends on one at least,
+  std::array<int, 2> windows = {};  // on the width, height of the window (1: grows with it, -1: falls),
+  bool has_others = false;          // and on something that is no size.
+  bool has_x = false;               // Depends on x or vx,
+  bool has_y = false;               // on y or vy,
+  bool has_dt = false;              // on dt.
   bool is_zero = false;
   char axis = '\0';         // 'x' or 'y' of a position.
   bool is_negated = false;  // The position grows where this falls.
 
+  [[nodiscard]] bool has_window() const { return windows != std::array<int, 2>(); }
   [[nodiscard]] bool is_bound() const { return is_zero || (has_sizes && !has_others); }
 };
 
@@ -47,7 +48,7 @@ class Meanings {
     Meaning meaning;
     if (expression.op == Operator::argument) {
       meaning.has_sizes = is_size(expression.name);
-      meaning.has_window = expression.name.starts_with("window_");
+      meaning.windows = {expression.name == "window_width", expression.name == "window_height"};
       meaning.has_others = !meaning.has_sizes;
       meaning.has_x = expression.name == "x" || expression.name == "vx";
       meaning.has_y = expression.name == "y" || expression.name == "vy";
@@ -57,7 +58,9 @@ class Meanings {
     for (const std::int32_t operand : expression.operands) {
       if (operand < 0) continue;
       meaning.has_sizes |= of(operand).has_sizes;
-      meaning.has_window |= of(operand).has_window;
+      for (std::size_t size = 0; size < 2; ++size)
+        if (const int window = of(operand).windows[size]; window != 0)
+          meaning.windows[size] = expression.op == Operator::negate ? -window : window;
       meaning.has_others |= of(operand).has_others;
       meaning.has_x |= of(operand).has_x;
       meaning.has_y |= of(operand).has_y;
@@ -109,6 +112,7 @@ struct WallComparison {
   bool beyond = false;  // The outcome that decides so.
   std::int32_t position = -1;
   std::int32_t bound = -1;
+  bool is_for_large_sprites = false;  // An upper bound of 0.
 };
 
 class WallFinder {
@@ -173,8 +177,8 @@ class WallFinder {
     if (sum.op != Operator::add) return false;
     const Meaning& a = meaning(sum.operands[0]);
     const Meaning& b = meaning(sum.operands[1]);
-    return (a.axis != '\0' && b.is_bound() && b.has_window) ||
-           (b.axis != '\0' && a.is_bound() && a.has_window);
+    return (a.axis != '\0' && b.is_bound() && b.has_window()) ||
+           (b.axis != '\0' && a.is_bound() && a.has_window());
   }
 
   [[nodiscard]] std::optional<WallComparison> wall_of(const StepComparison& comparison) const {
@@ -187,15 +191,28 @@ class WallFinder {
     if (position.axis == '\0' || !bound.is_bound()) return std::nullopt;
     // That the comparison holds means: the position is low.
     const bool holds_low = is_left_position != position.is_negated;
-    // A bound that is 0 on this path since the sprite is larger than the window is compared from above,
-    // beside the comparison from below.
-    const bool is_upper =
-        bound.has_window || is_measured_from_bound(wall.position) ||
-        (!holds_low && !position.is_negated && is_left_of_zero(wall.position, comparison.relation));
+    const bool has_upper_bound = bound.has_window() || is_measured_from_bound(wall.position);
+    // A bound that is 0 since the sprite is larger than the window is compared from above, beside the
+    // comparison from below.
+    wall.is_for_large_sprites = !has_upper_bound && !holds_low && !position.is_negated &&
+                                is_left_of_zero(wall.position, comparison.relation);
+    const bool is_upper = has_upper_bound || wall.is_for_large_sprites;
     wall.wall =
         position.axis == 'x' ? (is_upper ? Wall::right : Wall::left) : (is_upper ? Wall::ground : Wall::top);
     wall.beyond = is_upper != holds_low;
     return wall;
+  }
+
+  // Whether the path has decided, by sizes in x or in y, that the window is the smaller side.
+  [[nodiscard]] bool has_large_sprite(const StepPath& path, bool in_x) const {
+    return std::any_of(path.outcomes.begin(), path.outcomes.end(), [&](const StepOutcome& outcome) {
+      const StepComparison& sizes = step_.comparisons[static_cast<std::size_t>(outcome.comparison)];
+      const Meaning& left = meaning(sizes.left);
+      const Meaning& right = meaning(sizes.right);
+      if (sizes.relation == Relation::equal || !left.is_bound() || !right.is_bound()) return false;
+      const int window = left.windows[in_x ? 0 : 1] - right.windows[in_x ? 0 : 1];
+      return left.has_window() != right.has_window() && window != 0 && (window > 0) == outcome.holds;
+    });
   }
 
   [[nodiscard]] std::vector<PathContact> contacts_of(const StepPath& path) const {
@@ -203,6 +220,7 @@ class WallFinder {
     for (const StepOutcome& outcome : path.outcomes) {
       const std::optional<WallComparison>& wall = walls_[static_cast<std::size_t>(outcome.comparison)];
       if (!wall || wall->beyond != outcome.holds || has(contacts, wall->wall)) continue;
+      if (wall->is_for_large_sprites && !has_large_sprite(path, is_in_x(wall->wall))) continue;
       contacts.push_back({.wall = wall->wall, .position = wall->position, .bound = wall->bound});
     }
     std::sort(contacts.begin(), contacts.end(),

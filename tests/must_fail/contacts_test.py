@@ -31,6 +31,7 @@ EDITS = {
     "drag by time": ((DRAG_X, "m_vx *= std::pow(AIR_DRAG, 60.0 * dt);"), (DRAG_Y, "m_vy *= std::pow(AIR_DRAG, 60.0 * dt);")),
     "walls in y first": ((COUNTED_X_WALLS, ""), ("  }\n\n  double x()", f"{COUNTED_X_WALLS}  }}\n\n  double x()")),
     "Verlet": ((GRAVITY, "m_vy += 0.5 * GRAVITY * dt;"), ("  }\n\n  double x()", "    m_vy += 0.5 * GRAVITY * dt;\n  }\n\n  double x()")),
+    "snap to the left": ((COUNTED_X_WALLS, f"    if (m_x > 0.0 && m_x < 30.0 && std::fabs(m_vx) < 900.0) m_x = 0.0;\n{COUNTED_X_WALLS}"),),
     "speed limit": ((MOVE, f"if (m_vx > 1500.0) m_vx = 1500.0;\n    {MOVE}"),),
     "quadratic drag": ((DRAG, "const double drag = 1.0 - 1e-4 * dt * std::sqrt(m_vx * m_vx + m_vy * m_vy);\n"
                               "    m_vx *= drag;\n    m_vy *= drag;"),),

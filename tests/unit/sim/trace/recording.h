@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/physics/physics.h"
+#include "sim/trace/operations.h"
 #include "sim/trace/step_text.h"
 
 namespace hyrax::recording {
@@ -28,6 +29,10 @@ struct Recorder {
     return static_cast<std::int32_t>(step.expressions.size() - 1);
   }
   bool decide(const StepComparison& comparison) {
+    const Expression& left = step.expressions[static_cast<std::size_t>(comparison.left)];
+    const Expression& right = step.expressions[static_cast<std::size_t>(comparison.right)];
+    if (left.op == Operator::constant && right.op == Operator::constant)
+      return holds(comparison.relation, left.value, right.value);
     std::size_t index = 0;
     while (index < step.comparisons.size() && !(step.comparisons[index] == comparison)) ++index;
     if (index == step.comparisons.size()) step.comparisons.push_back(comparison);

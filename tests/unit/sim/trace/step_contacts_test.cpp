@@ -184,6 +184,15 @@ struct NeverNegativeBounds {
   }
 };
 
+struct SnapsToTheLeft {
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    // No wall, though it asks for 0 from above.
+    if (b.x > 0.0 && b.x < 30.0 && fabs(b.vx) < 2000.0) b.x = 0.0;
+    meet_walls(b, f);
+  }
+};
+
 struct SpeedLimit {
   void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
@@ -300,9 +309,9 @@ struct TimedFriction {
 template <class Core>
 class ContactsOf : public testing::Test {};
 using Cores = testing::Types<HalfMoves, ExactFlight, TimedDrag, YFirst, InFloat, Fused, Reflected, SubSteps,
-                             WallsOnTheBound, NeverNegativeBounds, SpeedLimit, Verlet, QuadraticDrag,
-                             WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside, DragAtTheEnd,
-                             StickyFloor, TimedFriction>;
+                             WallsOnTheBound, NeverNegativeBounds, SnapsToTheLeft, SpeedLimit, Verlet,
+                             QuadraticDrag, WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside,
+                             DragAtTheEnd, StickyFloor, TimedFriction>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {
