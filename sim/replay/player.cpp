@@ -16,9 +16,6 @@ Keyframe start_of(const Scenario& scenario) {
   return start;
 }
 
-// Found periods are 1 and 2; a period that leaves blocks unequal would not be worth its code.
-bool divides_a_block(std::int64_t period) { return static_cast<std::int64_t>(kBlockRows) % period == 0; }
-
 }  // namespace
 
 Replay::Player::Player(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks,
@@ -113,7 +110,7 @@ void Replay::Player::search_repetition(std::int64_t end, std::int64_t stretch_en
   play_batch(next);
   if (summary_.non_finite_step) return;
   const std::int64_t period = step() - search_->step;
-  if (log_.met_anchor && divides_a_block(period) && stretch_end - step() > 2 * period) {
+  if (log_.met_anchor && stretch_end - step() > 2 * period) {
     cycle_ = make_cycle(period);
     if (stretch_end < steps_) return;
     // An event changes the state of its frame's row, which then does not repeat.

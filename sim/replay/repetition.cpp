@@ -162,8 +162,9 @@ void Replay::Player::repeat_blocks(const Cycle& cycle, std::int64_t end) {
   append(std::min(end - at, static_cast<std::int64_t>(block_.room())));
   if (block_.room() > 0) return;
   close_block();
-  // The period divides a block, so whole blocks are equal.
-  if (const std::int64_t count = (end - at) / kRows; count > 0) {
+  // Whole blocks are equal if the period divides them.
+  while (end - at >= kRows) {
+    const std::int64_t count = kRows % cycle.period == 0 ? (end - at) / kRows : 1;
     append(kRows);
     at += (count - 1) * kRows;
     close_block(count);

@@ -4,6 +4,9 @@
 #include <array>
 #include <set>
 
+#include "sim/core/contact_kernel.h"
+#include "sim/core/kernel_of.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
@@ -13,19 +16,19 @@
 namespace hyrax {
 namespace {
 
-RunSummary play(const Scenario& scenario, TraceSink& trace, bool skips_repetition) {
-  return replay(shipped_core(), scenario, trace,
-                {.skips_repetition = skips_repetition, .checks_bounds = true});
+RunSummary play(const Scenario& scenario, TraceSink& trace, bool skips_repetition,
+                const Core& core = shipped_core()) {
+  return replay(core, scenario, trace, {.skips_repetition = skips_repetition, .checks_bounds = true});
 }
 
 // Plays with and without skipping, expects equal results, and returns those with skipping.
 RunSummary expect_skipping_changes_nothing(const Scenario& scenario, std::int64_t rows_every,
-                                           const std::string& which) {
+                                           const std::string& which, const Core& core = shipped_core()) {
   const RowSink::Wants wants{.rows_every = rows_every, .contacts = true, .blocks = true};
   TraceSink skipping(wants);
   TraceSink computing(wants);
-  const RunSummary a = play(scenario, skipping, true);
-  const RunSummary b = play(scenario, computing, false);
+  const RunSummary a = play(scenario, skipping, true, core);
+  const RunSummary b = play(scenario, computing, false, core);
   EXPECT_TRUE(same_trace(skipping, computing)) << which;
   EXPECT_EQ(b.steps_computed, b.steps) << which;
   RunSummary expected = b;
@@ -64,6 +67,33 @@ TEST(SkippedRepetition, MayEndAtAnyStepOfAPeriod) {
         expect_skipping_changes_nothing(fling_at(120.0, steps), 1, std::to_string(steps) + " steps");
     // One period to notice it, and one that is repeated.
     EXPECT_EQ(summary.steps_computed, *summary.periodic_from_step + 2 * summary.period_steps);
+  }
+}
+
+// Moves with the velocity before gravity, so that it never rests.
+struct EulerStep {
+  void operator()(State& s, double dt_s, const Bounds& bounds) const {
+    s.y_px += s.vy_px_per_s * dt_s;
+    s.vy_px_per_s = (s.vy_px_per_s + 1200.0 * dt_s) * 0.999;
+    if (s.y_px <= bounds.bottom_px) return;
+    s.y_px = bounds.bottom_px;
+    s.vy_px_per_s *= -0.6;
+  }
+};
+struct EulerCores {
+  using Core = StepCore<EulerStep>;
+  [[nodiscard]] Core make(const State& state) const { return {EulerStep{}, state}; }
+};
+
+TEST(SkippedRepetition, HasBlocksThatDifferWhereItsPeriodDoesNotDivideThem) {
+  const Core euler{.kernel = std::make_shared<const ContactKernel>(
+                       std::make_shared<const KernelOf<EulerCores>>(), nullptr, std::nullopt)};
+  for (const std::int64_t steps : {20'479, 20'480, 20'481, 50'000}) {
+    const RunSummary summary =
+        expect_skipping_changes_nothing(fling_at(60.0, steps), 1, std::to_string(steps) + " steps", euler);
+    EXPECT_EQ(summary.period_steps, 6);
+    EXPECT_GT(summary.contacts.ground, 1000);
+    EXPECT_LT(summary.steps_computed, 10'000);
   }
 }
 
