@@ -1,7 +1,8 @@
 // The page of results: verdicts, figures and tables of studies, sweeps and comparisons.
+import { csvOfTable, tableOfFigure } from './csv.js';
 import { element, make, report, root, save } from './document.js';
 import { count } from './numbers.js';
-import { csvOfTable, tableOf, tableOfFigure } from './tables.js';
+import { tableOf } from './tables.js';
 
 const slug = text => text.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '') || 'result';
 const linkButton = (text, label, onclick) => make('button', { type: 'button', class: 'link', 'aria-label': label, onclick }, text);

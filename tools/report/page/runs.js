@@ -11,7 +11,7 @@ import { followLook, Painter } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { placeAt, replay, sizesOf } from './replay.js';
 import { distancesFrom } from './series.js';
-import { showVerdict } from './verdict.js';
+import { verdictOf } from './verdict.js';
 
 const worst = { agrees: 0, none: 1, differs: 2 };
 
@@ -21,6 +21,13 @@ function showHead(run) {
   element('title').textContent = run.title.slice(run.title.indexOf(':') + 2);
   element('description').textContent = run.description;
   element('description').hidden = run.description === '';
+}
+
+function showVerdict(result) {
+  const { causes, verdicts, figures } = verdictOf(result);
+  const tiles = (kind, all) => make('div', { class: `tiles ${kind}` }, ...all.map(({ label, value, note, state }) => make('div', { class: `tile ${state}` },
+    make('p', { class: 'label' }, label), make('p', { class: 'value' }, value), make('p', { class: 'note' }, note))));
+  element('verdict').replaceChildren(...causes.map(text => make('p', { class: 'cause' }, text)), tiles('verdicts', verdicts), tiles('figures', figures));
 }
 
 // The golden file's rows, or those of the file where the replay differs from it.

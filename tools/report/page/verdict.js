@@ -1,13 +1,9 @@
-// The verdict: tiles that say first what a reader wants to know.
-import { make, element } from './document.js';
+// The verdict as plain values: tiles that say first what a reader wants to know.
 import { count, rounded } from './numbers.js';
 
 const walls = ['left', 'right', 'top', 'ground'];
 
-function tile(label, value, note, state = '') {
-  return make('div', { class: `tile ${state}` }, make('p', { class: 'label' }, label), make('p', { class: 'value' }, value),
-    make('p', { class: 'note' }, note));
-}
+const tile = (label, value, note, state = '') => ({ label, value, note, state });
 
 function goldenTile(golden) {
   if (!golden) return tile('Golden file', 'not compared', 'report --against GOLDEN.h5 compares');
@@ -69,19 +65,21 @@ function driftTile({ errors, causes }) {
   return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, sums ? `largest of an arc; in all ${sums} px` : 'largest of a flight arc');
 }
 
-export function showVerdict(result) {
+/** Sentences on what went wrong, tiles of verdicts and tiles of figures; a tile is {label, value, note, state}. */
+export function verdictOf(result) {
   const { run } = result;
   const { errors } = run;
-  const verdicts = [replayTile(result), ...(result.file ? [goldenTile(run.golden), expectTile(run.expect)] : [])];
-  const figures = [
-    contactsTile(run.result.contacts),
-    restTile(run),
-    ...(errors ? [errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
-    errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
-    errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
-    driftTile({ errors, causes: result.causes })] : []),
-  ];
   const difference = run.golden && !run.golden.agrees ? `Differs from the golden file: ${differenceText(run.golden)}` : '';
-  const cause = [run.non_finite && `${run.non_finite}; the run ended there`, run.cause || difference].filter(Boolean).map(text => make('p', { class: 'cause' }, text));
-  element('verdict').replaceChildren(...cause, make('div', { class: 'tiles verdicts' }, ...verdicts), make('div', { class: 'tiles figures' }, ...figures));
+  return {
+    causes: [run.non_finite && `${run.non_finite}; the run ended there`, run.cause || difference].filter(Boolean),
+    verdicts: [replayTile(result), ...(result.file ? [goldenTile(run.golden), expectTile(run.expect)] : [])],
+    figures: [
+      contactsTile(run.result.contacts),
+      restTile(run),
+      ...(errors ? [errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
+        errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
+        errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
+        driftTile({ errors, causes: result.causes })] : []),
+    ],
+  };
 }

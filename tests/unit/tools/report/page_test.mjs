@@ -1,12 +1,13 @@
-// What the pages compute from a report, without a browser: series of charts, cells of a sweep, sizes, files, numbers.
+// What the pages compute from a report, without a browser: verdicts, lists, series of charts, cells of a sweep, sizes, files,
+// numbers.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
 const page = new URL('../../../../tools/report/page/', import.meta.url);
 const load = name => import(new URL(`${name}.js`, page));
-const [cells, data, { Moment }, numbers, { scenarioText }, replay, series] =
-  await Promise.all(['cells', 'data', 'moment', 'numbers', 'record', 'replay', 'series'].map(load));
+const [cells, csv, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { verdictOf }] =
+  await Promise.all(['cells', 'csv', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict'].map(load));
 
 const base64 = values => Buffer.from(Float64Array.from(values).buffer).toString('base64');
 const count = length => Array.from({ length }, (_, i) => i);
@@ -21,7 +22,7 @@ const errors = { step: [0, 4, 8], model: [0, 1e-3, 2], truncation: [0, 2e-3, 3],
 const causes = { step: [0, 4, 8], gravity: [0, 1, 2], drag: [0, -1, -2], lift: [0, 3, 4], bounce: [0, 5, 7], sum: [0, 8, 11] };
 const contactErrors = { step: [4, 6], time_error: [0.001, NaN], effective_restitution: [0.5, 0.625] };
 const result = { rows, errors, causes, contactErrors, run: { constants: [500] }, contacts: { step: [4, 6], wall: [3, 1] } };
-const said = charts => charts.map(({ id, title, unit, series: all }) => [`${id}: ${title}, ${unit}`, ...all.map(({ name, color, dash, points, steps, values }) =>
+const said = charts => charts.map(({ id, title, unit, isLog, series: all }) => [`${id}: ${title}, ${unit}${isLog ? ', logarithmic' : ''}`, ...all.map(({ name, color, dash, points, steps, values }) =>
   [`${name} ${color}${dash ? ' dashed' : ''}${points ? ' points' : ''}${steps ? ' steps' : ''}`, values])]);
 
 test('each size is in force from the row after its frame', () => {
@@ -37,7 +38,7 @@ test('charts have these series, units and values', () => {
     ['velocity: Velocity, px/s', ['vx blue', rows.vx], ['vy orange', rows.vy]],
     // (vx² + vy²) / 2 + 500 (window height - sprite height - y)
     ['energy: Energy, px²/s²', ['run green', [50 + 500 * 60, 68 + 500 * 50, 218 + 500 * 40, 468 + 500 * 70, 32 + 500 * 69]]],
-    ['errors: Errors, px', ['model orange', [null, null, 1e-3, null, 2]], ['truncation blue', [null, null, 2e-3, null, 3]], ['implementation green', [null, null, 1e-9, null, 2e-9]]],
+    ['errors: Errors, px, logarithmic', ['model orange', [null, null, 1e-3, null, 2]], ['truncation blue', [null, null, 2e-3, null, 3]], ['implementation green', [null, null, 1e-9, null, 2e-9]]],
     ['drift: Energy drift by cause, px of height', drift('gravity', 'blue', 'gravity'), drift('drag', 'green', 'drag'), drift('lift', 'vermilion', 'lift'),
       drift('late bounce', 'purple', 'bounce'), drift('all', 'ink dashed', 'sum')],
     ['contact-time: Contact time error, ms', ['late by vermilion points', [null, null, 1, null, null]]],
@@ -57,7 +58,7 @@ test('another run is drawn dashed, with its distance', () => {
   other.distances = series.distancesFrom(other.rows, rows);
   assert.deepEqual(other.distances, [null, 0, 5, null, 0]);
   const [distance, position, velocity] = said(series.chartsOf({ ...result, other }, sizes));
-  assert.deepEqual(distance, ['distance: Distance from the golden file, px', ['distance vermilion', [null, null, 5, null, null]]]);
+  assert.deepEqual(distance, ['distance: Distance from the golden file, px, logarithmic', ['distance vermilion', [null, null, 5, null, null]]]);
   assert.deepEqual(position.slice(3), [['x, golden blue dashed', [null, 3, 2, null, 12]], ['y, golden orange dashed', [null, 10, 23, null, 40]]]);
   assert.deepEqual(velocity.slice(3), [['vx, golden blue dashed', [null, 1, 2, null, 4]], ['vy, golden orange dashed', [null, 5, 6, null, 8]]]);
 });
@@ -195,4 +196,103 @@ test('numbers are written as the program writes them', () => {
   assert.deepEqual([[1234.5, 1], [-0.04, 1], [-2e9, 3], [Infinity, 2]].map(each => numbers.fixed(...each)), ['1,234.5', '0.0', '−2.000e9', '–']);
   assert.deepEqual([[1, 'row'], [1000, 'row']].map(each => numbers.count(...each)), ['1 row', '1,000 rows']);
   assert.deepEqual([-0, 0, 0.1, 1e21].map(numbers.exact), ['-0.0', '0', '0.1', '1e+21']);
+});
+
+// Of a tile: label, value, note, and whether it is good or bad.
+const tiles = all => all.map(({ label, value, note, state }) => `${label}: ${value}; ${note}${state && `; ${state}`}`);
+const ended = (since, contacts) => ({ contacts: { left: 0, right: 0, top: 0, ground: 0, ...contacts }, final: { x_px: 1.5, y_px: 2.25 }, at_rest_since_s: since });
+const verdict = ({ run, ...rest } = {}) => verdictOf({ file: {}, outcome: 'none', ...rest,
+  run: { golden: null, expect: [], row_count: 2, steps: 8, errors: null, result: ended(null, { left: 1, right: 2, top: 3 }), ...run } });
+
+test('the verdict says what was replayed, and how far it agrees', () => {
+  const replayed = (rest, run) => tiles(verdict({ ...rest, run }).verdicts)[0];
+  assert.equal(replayed({}), 'Replayed in this browser: not replayed; the scenario cannot be played here');
+  assert.equal(replayed({ file: null, reason: 'too long' }), 'What you flung, replayed: not replayed; too long');
+  const agrees = { outcome: 'agrees', milliseconds: 1.234, check: { compared: 7 } };
+  assert.equal(replayed(agrees), 'Replayed in this browser: same bits; 7 rows of 9 and the state hash, 1.2 ms; good');
+  assert.equal(replayed({ ...agrees, file: null }), 'What you flung, replayed: same bits; 2 rows of 9 and the state hash, 1.2 ms; good');
+  assert.equal(replayed(agrees, { blocks: {} }), 'Replayed in this browser: same bits; 2 rows by block hash and the state hash, 1.2 ms; good');
+  for (const [firstDifference, where] of [[null, 'the state hash differs; no stored row does'], [0, 'first at step 0'], [5, 'first at step 5']])
+    assert.equal(replayed({ outcome: 'differs', check: { compared: 7, firstDifference } }), `Replayed in this browser: differs; ${where}; bad`);
+});
+
+test('the verdict says what the golden file and the expectations say', () => {
+  const golden = { agrees: false, class: 'contact', shape: 'other rows', first_divergence: { step: 3, field: 'vx' }, max_px: 0.12345, contacts_moved: 1 };
+  const differs = 'contact; other rows; from step 3 in vx; at most 0.123 px apart; 1 contact moved';
+  const same = { agrees: true, rows_compared: 1 };
+  const [holds, breaks] = [{ holds: true, text: 'a' }, { holds: false, text: 'b' }];
+  const judged = run => tiles(verdict({ run }).verdicts).slice(1);
+  assert.deepEqual(judged({}), ['Golden file: not compared; report --against GOLDEN.h5 compares', 'Expectations: none; the scenario has no expect']);
+  assert.deepEqual(judged({ golden: same, expect: [holds] }), ['Golden file: agrees; 1 row, bit for bit; good', 'Expectations: 1 of 1 hold; expect of the scenario; good']);
+  assert.deepEqual(judged({ golden, expect: [holds, breaks, holds] }), [`Golden file: differs; ${differs}; bad`, 'Expectations: 2 of 3 hold; b; bad']);
+  assert.equal(verdict({ file: null }).verdicts.length, 1);
+  assert.deepEqual(verdict({ run: { golden } }).causes, [`Differs from the golden file: ${differs}`]);
+  assert.deepEqual(verdict({ run: { golden, cause: 'GRAVITY', non_finite: 'x is NaN' } }).causes, ['x is NaN; the run ended there', 'GRAVITY']);
+  assert.deepEqual(verdict({ run: { golden: same } }).causes, []);
+});
+
+test('the figures of a run have their units, the largest cause first', () => {
+  const figures = rest => tiles(verdict(rest).figures);
+  const place = 'x 1.5, y 2.25 px', drift = 'Energy drift: 1.25 %; largest of';
+  assert.deepEqual(figures(), ['Contacts: 6; left 1, right 2, top 3', `Ends: not settled; ${place}`]);
+  assert.deepEqual(figures({ run: { result: ended(0) } }), ['Contacts: 0; it met no wall', `Comes to rest: after 0 s; ${place}`]);
+  assert.deepEqual(figures({ run: { result: ended(5, { ground: 4 }), non_finite: 'x is NaN' } }), ['Contacts: 4; ground 4', 'Ends: not finite; x is NaN; bad']);
+  const run = { errors: { implementation_px: { value: 1e-9 }, truncation_px: { value: 2.5 }, model_px: { value: 3.5 }, energy_drift_rel: { value: 0.0125 } } };
+  assert.deepEqual(figures({ run, causes }).slice(2), ['Implementation error: 1e−9 px; from the exact solution of its step',
+    'Truncation error: 2.5 px; from the ODE at this frame rate', 'Model error: 3.5 px; from the ODE with the drag of 60 Hz',
+    `${drift} an arc; in all late bounce +7, lift +4, gravity +2, drag −2 px`]);
+  assert.equal(figures({ run, causes: { step: [0], gravity: [0], drag: [-2], lift: [9], bounce: [1000] } })[5], `${drift} an arc; in all late bounce +1,000 px`);
+  assert.equal(figures({ run })[5], `${drift} a flight arc`);
+  assert.deepEqual(figures({ run: { errors: {} } }).slice(2), ['Implementation error', 'Truncation error', 'Model error', 'Energy drift'].map(label => `${label}: –; no flight arc`));
+});
+
+test('contacts have the speeds of their wall and the errors of their arc', () => {
+  const contacts = { step: [4, 4, 6, 7], wall: [1, 8, 4, 2], last_step: [4, 9, 6, 7], t: [1, 1, 2, 3], vx_before: [-5, 50, 51, 8], vx_after: [3, 52, 53, -6],
+    vy_before: [60, 7, -9, 61], vy_after: [62, -4, 2, 63], overshoot: [0.1, 0.2, 0.3, 0.4] };
+  const met = { step: [4, 7], wall: [8, 2], time_error: [0.002, 0.003], effective_restitution: [0.5, 0.75] };
+  const { heads, rows: lines, all } = lists.contactsOf({ contacts, contactErrors: met, check: { contacts: { left: 1, right: 1, top: 1, ground: 400 } } });
+  assert.deepEqual(heads, ['Step', 'Wall', 't, s', 'Before, px/s', 'After, px/s', 'Overshoot, px', 'Late by, ms', 'Restitution']);
+  assert.deepEqual(lines.map(({ step, last, wall, name, numbers: values }) => [step, last, wall, name, ...values]), [[4, '', 1, 'left', 1, -5, 3, 0.1, null, null],
+    [4, 'to 9', 8, 'ground', 1, 7, -4, 0.2, 2, 0.5], [6, '', 4, 'top', 2, -9, 2, 0.3, null, null], [7, '', 2, 'right', 3, 8, -6, 0.4, 3, 0.75]]);
+  assert.equal(all, 403);
+  for (const many of [0, lists.shownMax - 1, lists.shownMax, lists.shownMax + 1]) {
+    const each = Object.fromEntries(Object.keys(contacts).map(key => [key, count(many)]));
+    assert.deepEqual(lists.contactsOf({ contacts: each, check: { contacts: {} } }).rows.map(({ step }) => step), count(Math.min(many, lists.shownMax)));
+  }
+  assert.deepEqual(lists.contactsOf({}).rows, []);
+});
+
+test('a hand’s way is one line, and each size is told', () => {
+  const place = frame => ({ kind: 'place', frame });
+  assert.deepEqual(lists.inputsOf([place(1), place(2), place(3), place(5), { kind: 'release', frame: 6 }, place(7), ...inputs]).map(({ frame, text }) => `${frame} ${text}`),
+    ['1 place', '5 place', '6 release', '7 place', '1 grab', '4 resize, window 200 × 130 px, sprite 20 × 30 px', '6 resize, window 210 × 140 px', '7 resize, sprite 21 × 31 px']);
+});
+
+test('what was exercised, and how it was made, is said under its own name', () => {
+  assert.deepEqual(lists.coverageOf({ result: { exercised: ['drag', 'top'], never_touched: ['left'], not_computed: [] }, margin: 'm' }),
+    [['Exercised', 'drag, top'], ['Never touched', 'left'], ['Not computed', 'nothing'], ['Margin', 'm']]);
+  const run = { file: 'a.h5', row_count: 1, physics: 'paper', state_hash: '01', provenance: { built_by: 'g++' } };
+  const origin = check => lists.originOf({ command: 'report a.h5', program: 'hyrax-sim 1' }, run, check).map(parts => parts.join(' | '));
+  assert.deepEqual(origin({ stateHash: '02' }), ['command | report a.h5 | true', 'report | hyrax-sim 1', 'file | a.h5, 1 row', 'physics | paper',
+    'state hash of the file | 01 | true', 'of this browser | 02 | true', 'built by | g++']);
+  assert.equal(origin(null)[5], 'of this browser | – | true');
+});
+
+test('a table as CSV has its units, and no formulas', () => {
+  assert.equal(csv.csvOfTable({ columns: [{ name: 'x', unit: 'px', values: [-0, 0.1, null] }, { name: 'n', unit: '1', values: [true, NaN, undefined] },
+    { name: 'a, b', values: ['say "no"', '=1+1', '-x'] }, { name: 'c', values: ['one\ntwo', '-1.5', '@'] }] }),
+  'x (px),n,"a, b",c\n-0.0,true,"say ""no""","one\ntwo"\n0.1,NaN,\'=1+1,-1.5\n,,\'-x,\'@\n');
+  assert.equal(csv.csvOfTable({ columns: [] }), '\n');
+});
+
+test('a figure as a table has each point of each series, cells and lists', () => {
+  const read = body => csv.csvOfTable(csv.tableOfFigure({ title: 'figure', body }));
+  const line = (name, x, y, more) => ({ name, x, y, y_low: [], x_low: [], x_high: [], ...more });
+  const axis = (label, categories = []) => ({ label, categories });
+  const plot = { x: axis('rate'), y: axis('height', ['low', 'high']), series: [line('a', [1, 2], [0, 1]), line('b', [3], [7], { y_low: [6] })] };
+  assert.equal(read({ plots: [plot] }), 'series,rate,height,y_low\na,1,low,\na,2,high,\nb,3,7,6\n');
+  assert.equal(read({ plots: [plot, { ...plot, series: [line('c', [4], [1])] }] }), 'plot,series,rate,height,y_low\n1,a,1,low,\n1,a,2,high,\n1,b,3,7,6\n2,c,4,high,\n');
+  assert.equal(read({ plots: [plot, { x: axis('t'), y: axis('v'), series: [line('d', [5], [6])] }] }).split('\n')[4], 'v against t,d,5,6,');
+  assert.equal(read({ rows: ['r'], columns: [{ text: 'c' }], cells: [{ row: 0, column: 0, text: 't', tone: 'blue' }] }), 'row,column,text,colour\nr,c,t,blue\n');
+  assert.equal(read({ list_columns: [{ title: 'h' }, { title: '' }], list_rows: [[{ text: 'a', detail: 'b' }, { text: 'c' }]] }), 'h,column 2\na (b),c\n');
 });
