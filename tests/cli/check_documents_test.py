@@ -75,6 +75,10 @@ class Document(CheckTest):
     def test_junit_that_cannot_be_written_is_exit_3(self):
         self.expect(CANNOT_ACCESS, "check", "--junit", "no/such/report.xml", says="no/such/report.xml")
 
+    def test_a_scenario_given_twice_is_played_once(self):
+        again = ("scenarios/third.json", "./scenarios/third.json", "scenarios")
+        self.assertEqual(json.loads(self.expect(AGREED, "check", "--json", *again).out)["checked"], 3)
+
     def test_jobs_change_nothing(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         (self.folder / "golden/a/first.h5").unlink()

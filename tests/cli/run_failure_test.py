@@ -106,9 +106,10 @@ class UnwritableOutput(ProgramTest):
         self.assertIn("disk/fling.h5: cannot be written: Read-only file system", done.err)
 
     def test_a_missing_folder_is_exit_3(self):
-        self.expect(CANNOT_ACCESS, "run", self.scenario, "-o", "no/such/run.h5",
-                    says="no/such/run.h5: cannot be written: No such file or directory\n")
-        self.assertEqual(self.names(), ["fling.json"])
+        for option, path in (("-o", "no/such/run.h5"), ("--figure", "no/such/run.svg"), ("--report", "no/such/run.html")):
+            outcome = self.expect(CANNOT_ACCESS, "run", self.scenario, option, path,
+                                  says=f"{path}: cannot be written: No such file or directory\n")
+            self.assertEqual((outcome.out, self.names()), ("", ["fling.json"]))
 
     def test_a_folder_in_the_output_s_place_is_exit_3(self):
         (self.folder / "fling.h5").mkdir()

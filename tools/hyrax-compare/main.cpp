@@ -146,7 +146,7 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   if (!arguments.report.empty()) {
     require_page();
     OutputGuard(arguments.headers, arguments.golden)
-        .admit("hyrax-compare: --report", arguments.report, {".html"});
+        .admit_file("hyrax-compare: --report", arguments.report, {".html"});
   }
   CardRequest request = request_of(arguments);
   const TemporaryFolder folder;

@@ -106,7 +106,7 @@ void measure_one(const Core& own_core, const DriftRequest& request, const std::o
 void admit_outputs(const DriftRequest& request, const std::vector<std::string>& paths,
                    const std::vector<DriftInput>& inputs) {
   OutputGuard guard(paths);
-  if (!request.output.empty()) guard.admit("hyrax-sim drift: -o", request.output, {".h5"});
+  if (!request.output.empty()) guard.admit_file("hyrax-sim drift: -o", request.output, {".h5"});
   if (request.figures.empty()) return;
   for (const DriftInput& input : inputs)
     if (input.head)

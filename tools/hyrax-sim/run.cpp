@@ -202,9 +202,9 @@ ExitCode run(const Core& core, RunRequest request) {
   for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
   OutputGuard guard(paths, request.golden_folder);
   place_outputs(request, guard, candidates);
-  if (!request.figure.empty()) guard.admit("hyrax-sim run: --figure", request.figure, {".svg"});
+  if (!request.figure.empty()) guard.admit_file("hyrax-sim run: --figure", request.figure, {".svg"});
   if (!request.page.empty()) {
-    guard.admit("hyrax-sim run: --report", request.page, {".html"});
+    guard.admit_file("hyrax-sim run: --report", request.page, {".html"});
     require_page();
   }
   const std::optional<StoredDrift> drift = stored_drift(core, request);

@@ -105,7 +105,8 @@ bool is_complete(const std::string& path, const EnsembleHead& head) {
 std::string summary_text(const SweepRequest& request, const SweepFile& file, const SweepOutcome& outcome,
                          const std::string& output) {
   const StepTally& tally = outcome.tally;
-  std::string text = fmt::format("{}: {} members", request.files.front(), outcome.rows);
+  std::string text =
+      fmt::format("{}: {} member{}", request.files.front(), outcome.rows, outcome.rows == 1 ? "" : "s");
   if (outcome.rows != file.sweep.members) text += fmt::format(" of {}", file.sweep.members);
   if (outcome.rows_resumed > 0) text += fmt::format(", {} of them done before", outcome.rows_resumed);
   text += fmt::format("\n  steps          {}", tally.steps);

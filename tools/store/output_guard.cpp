@@ -1,5 +1,6 @@
 #include "tools/store/output_guard.h"
 
+#include <cerrno>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,7 @@
 
 #include <sys/stat.h>
 
+#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
@@ -123,6 +125,13 @@ void OutputGuard::admit(const std::string& option, const std::string& path,
   require_suffix(option, path, suffixes);
   admit_scenario(option, path);
   refuse_scenarios(option, path);
+}
+
+void OutputGuard::admit_file(const std::string& option, const std::string& path,
+                             const std::vector<std::string>& suffixes) {
+  admit(option, path, suffixes);
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !is_folder(folder.string())) fail_to_write(path, ENOENT);
 }
 
 void OutputGuard::admit_scenario(const std::string& option, const std::string& path) {

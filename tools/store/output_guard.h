@@ -26,6 +26,11 @@ class OutputGuard {
   void admit(const std::string& option, const std::string& path,
              const std::vector<std::string>& suffixes = {});
 
+  /// The same for a file whose folder exists.
+  /// ERRORS: also Failure(cannot_access) "PATH: cannot be written: ..." if the folder does not exist.
+  void admit_file(const std::string& option, const std::string& path,
+                  const std::vector<std::string>& suffixes = {});
+
   /// The same for a scenario file: it may replace a scenario.
   void admit_scenario(const std::string& option, const std::string& path);
 

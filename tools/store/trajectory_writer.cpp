@@ -90,7 +90,7 @@ TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, 
     file_.reset(std::fopen(target_.emplace(path).part_path().c_str(), "wb"));
     require_disk_space(path, TrajectoryWriter::row_count(steps, rows_every_), kCsvRowBytesMin);
   }
-  if (!file_) fail_to_write(path_, errno);
+  if (!file_) fail();
   std::string header = "step";
   for (const RowColumn& column : kRowColumns)
     header.append(",").append(
@@ -109,12 +109,18 @@ void TrajectoryCsv::rows(const Columns& batch) {
 }
 
 void TrajectoryCsv::finish() {
-  if (std::fclose(file_.release()) != 0) fail_to_write(path_, errno);
+  if (std::fclose(file_.release()) != 0) fail();
   if (target_) target_->commit();
 }
 
+void TrajectoryCsv::fail() const {
+  if (path_ == kStandardOutput)
+    throw Failure(ExitCode::cannot_access, "hyrax-sim: standard output cannot be written");
+  fail_to_write(path_, errno);
+}
+
 void TrajectoryCsv::write(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail_to_write(path_, errno);
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail();
 }
 
 }  // namespace hyrax

@@ -75,6 +75,7 @@ class TrajectoryCsv : public RowSink {
 
  private:
   void write(const std::string& text);
+  [[noreturn]] void fail() const;
 
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }

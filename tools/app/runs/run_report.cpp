@@ -171,7 +171,8 @@ void print_run(const Core& core, const ScenarioRun& run, const Printing& printin
   print_expectations(run.expectations, printing.is_verbose());
   print_golden(run);
   print_text("  state hash     {}\n", hex(summary.state_hash));
-  print_text("  written        {} ({} rows)\n", run.output, run.rows_recorded);
+  print_text("  written        {} ({} row{})\n", run.output, run.rows_recorded,
+             run.rows_recorded == 1 ? "" : "s");
 }
 
 Json run_json(const Core& core, const ScenarioRun& run) {
