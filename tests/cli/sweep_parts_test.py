@@ -133,6 +133,14 @@ class Parts(SweepTest):
                    env={**NO_CLUSTER, "OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"})
         self.assertIn("out.part-0-of-9.h5", self.names())
 
+    def test_half_of_what_names_a_part_is_reported(self):
+        self.write("sweep.json", document())
+        for index, count in (("SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT"),
+                             ("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), ("JOB_COMPLETION_INDEX", "--parts N")):
+            self.sweep("sweep.json", "--force", env={**NO_CLUSTER, index: "1"},
+                       says=f"{index} without {count} names no part; this process computes all of them")
+        self.assertEqual(self.names(), ["sweep.h5", "sweep.json"])
+
     def test_bad_parts_are_refused(self):
         self.write("sweep.json", document())
         for part in ("1", "2/2", "-1/2", "0/0", "a/b", "/", "1/", "/2", "0/2/3"):

@@ -4,8 +4,10 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <utility>
 
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
@@ -61,6 +63,12 @@ std::optional<ChosenPart> choose_part(const std::string& command, const std::str
     if (rank && size)
       return checked(command + ": OMPI_COMM_WORLD_RANK", *rank, *size,
                      "OMPI_COMM_WORLD_RANK and OMPI_COMM_WORLD_SIZE");
+    for (const auto& [index, count] : {std::pair{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT"},
+                                       std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+                                       std::pair{"JOB_COMPLETION_INDEX", "--parts N"}})
+      if (std::getenv(index) != nullptr)
+        print_error(fmt::format("{}: {} without {} names no part; this process computes all of them", command,
+                                index, count));
     return std::nullopt;
   }
   const auto index = variable("JOB_COMPLETION_INDEX");
