@@ -37,6 +37,15 @@ class Diff(ProgramTest):
         self.assertEqual(document["agree"], exit_code == AGREED)
         return document
 
+    def test_contacts_after_the_end_of_full_lists_are_not_said_to_be_alike(self):
+        # A sprite wider than its window knocks at both walls for ever.
+        for name, late in (("a", -500), ("b", -900)):
+            self.write(f"{name}.json", fling(
+                name="knocking", window={"width_px": 100, "height_px": 1080}, steps=1_500_000, record={"every": 500_000},
+                events=[{"step": 1_400_000, "fling": {"vx_px_per_s": 0, "vy_px_per_s": late}}]))
+            self.expect(AGREED, "run", f"{name}.json", "-o", f"{name}.h5")
+        self.assertIn("no recorded contact moved\n", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+
     def test_a_file_agrees_with_itself(self):
         outcome = self.expect(AGREED, "diff", "a.h5", "a.h5")
         self.assertEqual(outcome.out, "a.h5 and a.h5: agree, 301 rows compared\n")

@@ -202,6 +202,11 @@ class Library(unittest.TestCase):
         outcome = self.expect(edit_of("explicit_euler"), DISAGREED, "check", path)
         self.assertRegex(outcome.out, r"\n  Contacts differ .* at least \d+ contacts moved")
         self.assertRegex(outcome.out, r"\n  worst .* at least \d+ contacts moved")
+        window, late = {"width_px": 100, "height_px": 1080}, {"step": 1_010_000, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -5000}}
+        path = self.add("knocking", window=window, steps=1_020_000, events=[late])
+        self.expect(traced(SHIPPED), AGREED, "bless", path, "--reason", "x")
+        outcome = self.expect(traced(when("late", "m_vy < -4000.0").apply(SHIPPED)), DISAGREED, "check", path)
+        self.assertRegex(outcome.out, r"\n  worst .* no recorded contact moved")
 
     def test_golden_files_of_several_cores(self):
         old, new, third = traced(SHIPPED), edit_of("GRAVITY_1250.0"), edit_of("AIR_DRAG_0.998")

@@ -19,7 +19,7 @@ bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == Ca
 std::string px_text(double px) { return rounded(px, 3) + " px"; }
 
 std::string contacts_text(std::int64_t contacts, bool is_cut) {
-  if (contacts == 0 && !is_cut) return "no contact moved";
+  if (contacts == 0) return is_cut ? "no recorded contact moved" : "no contact moved";
   return fmt::format("{}{} contact{} moved", is_cut ? "at least " : "", contacts, contacts == 1 ? "" : "s");
 }
 

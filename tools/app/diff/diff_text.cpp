@@ -67,7 +67,7 @@ std::string distance_sentence(const TrajectoryDiff& diff) {
 }
 
 std::string contacts_sentence(const ContactChanges& contacts) {
-  if (contacts.is_none() && !contacts.is_cut) return "no contact moved";
+  if (contacts.is_none()) return contacts.is_cut ? "no recorded contact moved" : "no contact moved";
   return fmt::format("{}{} contact{} moved, {} vanished, {} appeared", contacts.is_cut ? "at least " : "",
                      contacts.moved.size(), contacts.moved.size() == 1 ? "" : "s", contacts.only_a.size(),
                      contacts.only_b.size());
