@@ -107,6 +107,16 @@ class Diff(ProgramTest):
         self.assertIn("vanished   right step 36", text)
         self.assertIn("appeared   left step", text)
 
+    def test_contacts_are_counted_in_the_words_of_their_number(self):
+        found = []
+        for change in ("/steps=20", "/start/vy_px_per_s=-300"):
+            self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", change)
+            moved, vanished, appeared = self.diff(DISAGREED)["contacts"].values()
+            found.append(moved)
+            self.assertIn(f"\n  contacts   {moved} contact{'' if moved == 1 else 's'} moved, {vanished} vanished, {appeared} appeared\n",
+                          self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+        self.assertEqual(found, [0, 7])
+
     def test_two_scenarios_are_compared_in_px_and_contacts_never_in_ulps(self):
         self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/start/vx_px_per_s=1190")
         text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out

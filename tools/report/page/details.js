@@ -1,7 +1,7 @@
 // Contacts, what was modelled and left out, how it was made.
 import { element, make, report, save } from './document.js';
-import { contactsOf, coverageOf, inputsOf, originOf, shownMax } from './lists.js';
-import { rounded } from './numbers.js';
+import { contactsOf, coverageOf, expectationOf, inputsOf, originOf, shownMax } from './lists.js';
+import { firstOf, rounded } from './numbers.js';
 import { wallColors } from './painter.js';
 
 const entry = (term, text) => [make('dt', {}, term), make('dd', {}, text)];
@@ -19,21 +19,22 @@ export function showContacts(result, seek) {
   if (rows.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, 'None.'));
   place.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(head => make('th', { scope: 'col' }, head)))),
     make('tbody', {}, ...rows.map(row => contactRow(row, seek)))));
-  if (all > rows.length) place.append(make('p', { class: 'quiet' }, `The first ${rows.length} of ${all.toLocaleString('en')}.`));
+  const cut = firstOf(rows.length, all);
+  if (cut) place.append(make('p', { class: 'quiet' }, cut));
 }
 
 function showInputs({ run: { inputs } }, seek) {
-  const lines = inputsOf(inputs);
+  const lines = inputsOf(inputs), shown = lines.slice(0, shownMax), cut = firstOf(shown.length, lines.length);
   element('inputs').hidden = lines.length === 0;
-  element('inputs-list').replaceChildren(...lines.slice(0, shownMax).map(({ frame, text }) => make('li', {},
+  element('inputs-list').replaceChildren(...shown.map(({ frame, text }) => make('li', {},
     make('button', { type: 'button', class: 'link', onclick: () => seek(frame) }, `step ${frame}`), ` ${text}`)),
-  ...(lines.length > shownMax ? [make('li', { class: 'quiet' }, `The first ${shownMax} of ${lines.length.toLocaleString('en')}.`)] : []));
+  ...(cut ? [make('li', { class: 'quiet' }, cut)] : []));
 }
 
 function showCoverage(run) {
   element('coverage').replaceChildren(...coverageOf(run).flatMap(([term, text]) => entry(term, text)));
-  element('expectations').replaceChildren(...run.expect.map(each =>
-    make('p', { class: `expectation ${each.holds ? 'good' : 'bad'}` }, make('b', {}, each.holds ? 'holds' : 'does not hold'), ' ', each.text)));
+  element('expectations').replaceChildren(...run.expect.map(expectationOf).map(({ state, word, text }) =>
+    make('p', { class: `expectation ${state}` }, make('b', {}, word), ' ', text)));
 }
 
 function showOrigin({ run, check }) {

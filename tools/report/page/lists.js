@@ -37,6 +37,9 @@ export function coverageOf({ result, margin }) {
     ['Not computed', list(result.not_computed)], ['Margin', margin]];
 }
 
+/** What is said of one expectation. */
+export const expectationOf = ({ holds, text }) => (holds ? { state: 'good', word: 'holds', text } : { state: 'bad', word: 'does not hold', text });
+
 /** Terms, what is said of them, and whether that is code. */
 export function originOf(report, run, check) {
   return [

@@ -24,5 +24,8 @@ export function fixed(value, decimals) {
 
 export const count = (number, noun) => `${number.toLocaleString('en')} ${noun}${number === 1 ? '' : 's'}`;
 
+/** What is said where only the first are shown; empty where all are. */
+export const firstOf = (shown, all, more = '') => (shown < all ? `The first ${shown.toLocaleString('en')} of ${all.toLocaleString('en')}${more}.` : '');
+
 /** As JSON reads it back to the same bits. */
 export const exact = value => (Object.is(value, -0) ? '-0.0' : String(value));

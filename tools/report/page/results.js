@@ -3,6 +3,7 @@ import { csvOfTable, tableOfFigure } from './csv.js';
 import { element, make, report, root, save } from './document.js';
 import { count } from './numbers.js';
 import { tableOf } from './tables.js';
+import { judgementOf } from './verdict.js';
 
 const slug = text => text.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '') || 'result';
 const linkButton = (text, label, onclick) => make('button', { type: 'button', class: 'link', 'aria-label': label, onclick }, text);
@@ -17,10 +18,11 @@ function shown(what, show) {
   }
 }
 
-function verdictOf({ judgement: given, verdict: { broken, text } }) {
+function verdictOf(result) {
+  const { judgement: given, verdict: { broken, text } } = result;
   if (!given && broken.length === 0 && text.length === 0) return [];
   const tables = text.filter(part => typeof part !== 'string');
-  const judgement = broken.length ? `${count(broken.length, 'rule')} ${broken.length === 1 ? 'does' : 'do'} not hold` : given;
+  const judgement = judgementOf(result);
   return [make('section', { class: `verdict ${broken.length ? 'bad' : given ? 'good' : ''}`, 'aria-label': 'Verdict' },
     ...(judgement ? [make('p', { class: 'judgement' }, judgement)] : []), ...(broken.length ? [make('ul', {}, ...broken.map(each => make('li', {}, each)))] : []),
     make('div', { class: tables.length > 1 && tables.every(table => table.row_count <= 20) ? 'findings columns-2' : 'findings' }, ...text.map(part => (typeof part === 'string' ? make('pre', { class: part.length < 60 && !part.trim().endsWith('.') ? 'before' : null }, part.trim()) : tableOf(part)))))];

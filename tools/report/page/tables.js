@@ -1,6 +1,6 @@
 // A table {name, long_name, row_count, columns: [{name, unit, digits, values}]} on the page.
 import { make } from './document.js';
-import { rounded } from './numbers.js';
+import { firstOf, rounded } from './numbers.js';
 
 const rowsShown = 500;
 
@@ -22,6 +22,6 @@ export function tableOf(table) {
     make('td', { class: kinds[i] }, cellText(column.values[row], column.digits)))));
   const place = make('div', { class: 'table', tabindex: '0', role: 'group', 'aria-label': table.long_name || table.name },
     make('table', { class: kinds.at(-1) === 'text' ? 'prose' : null }, make('thead', {}, head), make('tbody', {}, ...lines)));
-  if (rows >= table.row_count) return place;
-  return make('div', {}, place, make('p', { class: 'quiet' }, `The first ${rows.toLocaleString('en')} of ${table.row_count.toLocaleString('en')} rows; the file has all.`));
+  const cut = firstOf(rows, table.row_count, ' rows; the file has all');
+  return cut ? make('div', {}, place, make('p', { class: 'quiet' }, cut)) : place;
 }

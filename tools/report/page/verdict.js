@@ -65,6 +65,10 @@ function driftTile({ errors, causes }) {
   return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, sums ? `largest of an arc; in all ${sums} px` : 'largest of a flight arc');
 }
 
+/** The judgement on a result; rules that do not hold come first. */
+export const judgementOf = ({ judgement, verdict: { broken } }) =>
+  (broken.length ? `${count(broken.length, 'rule')} ${broken.length === 1 ? 'does' : 'do'} not hold` : judgement);
+
 /** Sentences on what went wrong, tiles of verdicts and tiles of figures; a tile is {label, value, note, state}. */
 export function verdictOf(result) {
   const { run } = result;

@@ -86,6 +86,7 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
   const PlotScale scale = scale_of(axis, {1e-12, 1e-11, 1.0, 10.0});
   ASSERT_TRUE(scale.gap());
+  EXPECT_LT(scale.gap()->to_px, scale.gap()->from_px);
   EXPECT_LT(scale.at(1e-11), scale.gap()->to_px);
   EXPECT_GT(scale.at(1.0), scale.gap()->from_px);
   EXPECT_GT(scale.at(10.0) - scale.at(1.0), 0.4 * 400.0) << "one decade has most of the axis";

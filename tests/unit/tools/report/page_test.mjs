@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 const page = new URL('../../../../tools/report/page/', import.meta.url);
 const load = name => import(new URL(`${name}.js`, page));
-const [cells, csv, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { verdictOf }] =
+const [cells, csv, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { judgementOf, verdictOf }] =
   await Promise.all(['cells', 'csv', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict'].map(load));
 
 const base64 = values => Buffer.from(Float64Array.from(values).buffer).toString('base64');
@@ -295,4 +295,12 @@ test('a figure as a table has each point of each series, cells and lists', () =>
   assert.equal(read({ plots: [plot, { x: axis('t'), y: axis('v'), series: [line('d', [5], [6])] }] }).split('\n')[4], 'v against t,d,5,6,');
   assert.equal(read({ rows: ['r'], columns: [{ text: 'c' }], cells: [{ row: 0, column: 0, text: 't', tone: 'blue' }] }), 'row,column,text,colour\nr,c,t,blue\n');
   assert.equal(read({ list_columns: [{ title: 'h' }, { title: '' }], list_rows: [[{ text: 'a', detail: 'b' }, { text: 'c' }]] }), 'h,column 2\na (b),c\n');
+});
+
+test('a judgement, an expectation and a list that was cut are told in words', () => {
+  const judged = broken => judgementOf({ judgement: 'all hold', verdict: { broken } });
+  assert.deepEqual([[], ['a'], ['a', 'b']].map(judged), ['all hold', '1 rule does not hold', '2 rules do not hold']);
+  assert.deepEqual([true, false].map(holds => Object.values(lists.expectationOf({ holds, text: 'x' })).join(' ')), ['good holds x', 'bad does not hold x']);
+  assert.deepEqual([[0, 0], [500, 500], [500, 501], [1500, 12000]].map(([shown, all]) => numbers.firstOf(shown, all, ' rows')),
+    ['', '', 'The first 500 of 501 rows.', 'The first 1,500 of 12,000 rows.']);
 });
