@@ -128,12 +128,12 @@ def emulated(name, triple, emulator, **options):
 BUILDS = (
     Row("g++ -O3", "g++", "-O3", needs=(GXX,), variants=THIS_BUILD, is_nightly=True),
     *native("g++", "g++", ("-O0", "-O2", "-O2 -flto", "-O3 -march=native"), daily="-O3 -march=native"),
-    *native("clang++", "clang", ("-O0", "-O2", "-O3 -march=native"), daily="-O2"),
+    *native("clang++", "clang", ("-O0", "-O2", "-O3 -march=native")),
     *native("clang++-22", "clang-22", ("-O0", "-O2", "-O3 -march=native")),
     level(1, ()), level(2, V2), level(3, V3), level(4, V4),
     # Under qemu-user, for not every kernel of 64 bits runs programs of 32.
     Row("i386 with SSE2", "g++", "-O2 -m32", more_flags=HEADERS_OF_32_BITS, runner=("qemu-i386",), runs_on="qemu-i386",
-        needs=(GXX, IN_32_BITS, Needs("qemu-i386", "qemu-user")), cpu=("lm",)),
+        needs=(GXX, IN_32_BITS, Needs("qemu-i386", "qemu-user")), cpu=("lm",), is_nightly=True),
     windows("-O2"), windows("-O0", is_nightly=True),
     emulated("aarch64", "aarch64-linux-gnu", "qemu-aarch64"),
     emulated("riscv64", "riscv64-linux-gnu", "qemu-riscv64", is_nightly=True),
@@ -149,7 +149,7 @@ BUILDS = (
                Needs("/usr/lib/llvm-19/lib/clang/19/lib/wasi/*.a", "libclang-rt-19-dev-wasm32"))),
 )
 
-# What must be refused, and one build that must differ: it shows that the matrix would notice.
+# What must be refused, and one build that must differ: it shows that the matrix would notice, as platforms.controls do by day.
 CONTROLS = (
     Row("-ffast-math", flags="-O2 -ffast-math", needs=(GXX,), must=Verdict("compiles", "-ffast-math changes the bits")),
     Row("x87 on i386", flags="-O2 -m32", last_flags="-mfpmath=387", more_flags=HEADERS_OF_32_BITS,
@@ -162,5 +162,5 @@ CONTROLS = (
     Row("fused", flags="-O2 -march=native", last_flags="-ffp-contract=fast", needs=(GXX,), cpu=("fma",), must=FUSED,
         is_nightly=True),
     Row("fused, self-test taken out", flags="-O2 -march=native", last_flags="-ffp-contract=fast", is_blind=True,
-        needs=(GXX,), cpu=("fma",), must=DIFFERS),
+        needs=(GXX,), cpu=("fma",), must=DIFFERS, is_nightly=True),
 )

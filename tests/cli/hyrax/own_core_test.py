@@ -24,7 +24,8 @@ class MinGW(HyraxTest):
         shutil.copytree(EXAMPLE, self.folder, dirs_exist_ok=True)
 
     def build(self, folder, *options):
-        succeed("cmake", "-S", ".", "-B", folder, "-G", "Ninja", *options, cwd=self.folder)
+        succeed("cmake", "-S", ".", "-B", folder, "-G", "Ninja", f"-DCMAKE_UNITY_BUILD={os.environ['HYRAX_UNITY']}",
+                *options, cwd=self.folder)
         succeed("cmake", "--build", folder, cwd=self.folder, timeout=900)
 
     def replace(self, path, old, new):

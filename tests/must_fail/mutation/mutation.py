@@ -2,7 +2,7 @@
 """Makes small changes of the sources and sees whether they are detected.
 
     mutation.py --build build/tools --core                # every change of the core, the clock and the events
-    mutation.py --build build/tools --core --one-in 80    # an eightieth of each kind of change in each file
+    mutation.py --build build/tools --core --one-in 80    # an eightieth of each kind of change, and of each file
     mutation.py --build build/tools                       # 100 changes of the other sources, drawn at random
     mutation.py --build build/tools --seed 7 --count 10   # ten, the same ones each time
     mutation.py --build build/tools --only 'ulps.h: .* < '

@@ -87,10 +87,11 @@ def _is_by_one_ulp(mutant, text):
 
 
 def one_in(share, mutants):
-    """Every so-manieth mutant of each kind of change in each file, and at least one of each."""
+    """Every so-manieth mutant of each kind of change, and of each file; at least one of each."""
     alike = {}
     for mutant in mutants:
-        alike.setdefault((mutant.path, mutant.kind), []).append(mutant)
+        for part in (mutant.kind, mutant.path):
+            alike.setdefault(part, []).append(mutant)
     chosen = {mutant for group in alike.values() for mutant in group[::share]}
     return [mutant for mutant in mutants if mutant in chosen]
 
