@@ -182,7 +182,7 @@ struct Figure {
   std::string subtitle = {};
   std::string note = {};  ///< At the title's right: what else a reader would take wrongly; may be empty.
   Tone note_tone = Tone::vermilion;
-  std::variant<std::vector<Plot>, Grid, Listing> body = {};  ///< Several plots are drawn side by side.
+  std::variant<std::vector<Plot>, Grid, Listing> body = {};  ///< Plots are side by side; of one x, stacked.
   std::vector<LegendEntry> legend = {};
   std::vector<std::string> remarks = {};  ///< Sentences below.
 };

@@ -92,7 +92,7 @@ class Guarded(ProgramTest):
             self.assert_refused("study", "needs", "scenarios", "--quick", "-o", golden, says="golden")
 
     def test_drift_figures(self):
-        for name in ("energy", "energy-drift", "errors", "restitution"):
+        for name in ("energy", "errors", "restitution"):
             path = self.write(f"{name}/fling-{name}.svg", fling())
             self.assert_refused("drift", path, "--figures", name, says="an input")
             self.assert_refused("drift", "scenarios/fling.json", "--figures", name, "-o", "new.h5", says="a scenario")

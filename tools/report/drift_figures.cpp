@@ -20,8 +20,8 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kArcsMarkedMax = 80;
-constexpr std::array<std::string_view, 6> kSuffixes = {"-whole",  "-energy",      "-energy-drift",
-                                                       "-errors", "-restitution", "-drift-causes"};
+constexpr std::array<std::string_view, 5> kSuffixes = {"-whole", "-energy", "-errors", "-restitution",
+                                                       "-drift-causes"};
 
 Tone tone_of(Wall wall) { return kWallTones[wall_index(wall)]; }
 
@@ -113,11 +113,16 @@ Plot plot_over_time(const DriftRun& run, Axis y) {
           .when_empty = "no flight of two steps or more"};
 }
 
-Figure over_time(Figure figure, Plot plot, const DriftRun& run) {
-  for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
-  mark_arcs(figure, plot, run);
-  mark_inputs(plot, run);
-  figure.body = std::vector{std::move(plot)};
+// The walls' dots are at the top of the first plot only.
+Figure over_time(Figure figure, std::vector<Plot> plots, const DriftRun& run) {
+  for (const Plot& plot : plots)
+    for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
+  mark_arcs(figure, plots.front(), run);
+  for (Plot& plot : plots) {
+    plot.spans = plots.front().spans;
+    mark_inputs(plot, run);
+  }
+  figure.body = std::move(plots);
   return figure;
 }
 
@@ -141,7 +146,7 @@ Figure whole_figure(const DriftRun& run) {
     plot.when_empty += ": " + run.whole.why_not;
   }
   plot.series = {std::move(series)};
-  return over_time(figure_of(run, kSuffixes[0], subtitle), std::move(plot), run);
+  return over_time(figure_of(run, kSuffixes[0], subtitle), {std::move(plot)}, run);
 }
 
 double run_energy(const RowErrors& row) { return row.energy_px2_per_s2 + row.energy_drift_px2_per_s2; }
@@ -159,26 +164,22 @@ Figure energy_figure(const DriftRun& run) {
   const std::string unit = exponent == 0 ? "px²/s²" : power_of_ten(exponent) + " px²/s²";
   Axis axis{.label = "specific energy, " + unit};
   axis.is_logarithmic = least > 0.0;  // Or most of a fling would lie on one line.
-  Plot plot = plot_over_time(run, axis);
-  plot.series = {
+  Plot energy = plot_over_time(run, axis);
+  energy.series = {
       series_of(run, "run", {.tone = Tone::blue, .width_px = 3},
                 [scale](const RowErrors& row, const ArcErrors&) { return run_energy(row) / scale; }),
       series_of(run, "exact", {.width_px = 1.5, .dash = Dash::short_dashes},
                 [scale](const RowErrors& row, const ArcErrors&) { return row.energy_px2_per_s2 / scale; })};
+  Plot drift = plot_over_time(run, {.label = "run minus exact, % of the arc's largest energy"});
+  drift.series = {series_of(run, "run minus exact", {.tone = Tone::green},
+                            [](const RowErrors& row, const ArcErrors& arc) {
+                              return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2;
+                            })};
+  drift.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(figure_of(run, kSuffixes[1],
-                             "Energy in flight: the run, and the exact solution from each arc's first state"),
-                   std::move(plot), run);
-}
-
-Figure energy_drift_figure(const DriftRun& run) {
-  Plot plot = plot_over_time(run, {.label = "drift, % of the arc's largest energy"});
-  plot.series = {
-      series_of(run, "energy drift", {.tone = Tone::blue}, [](const RowErrors& row, const ArcErrors& arc) {
-        return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2;
-      })};
-  plot.marks = {{.is_vertical = false, .at = 0.0}};
-  return over_time(figure_of(run, kSuffixes[2], "Energy drift of each arc: the run minus the exact solution"),
-                   std::move(plot), run);
+                             "Energy in flight: the run, the exact solution from each arc's first state, and "
+                             "the drift between them"),
+                   {std::move(energy), std::move(drift)}, run);
 }
 
 // What the step itself adds is rounding, which has a strip of its own.
@@ -212,10 +213,10 @@ Figure errors_figure(const DriftRun& run) {
   plot.series.push_back(
       series_of(run, "implementation error", {.tone = Tone::green, .width_px = 2},
                 [&](const RowErrors& row, const ArcErrors&) { return positive(row.implementation_px); }));
-  return over_time(figure_of(run, kSuffixes[3],
+  return over_time(figure_of(run, kSuffixes[2],
                              "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt "
                              "(truncation), the step itself"),
-                   std::move(plot), run);
+                   {std::move(plot)}, run);
 }
 
 Figure restitution_figure(const DriftRun& run) {
@@ -225,7 +226,7 @@ Figure restitution_figure(const DriftRun& run) {
   if (spread.count() > 0)
     subtitle += fmt::format("; median {:.3f}, from {:.3g} to {:.3g}", spread.median(), spread.smallest(),
                             spread.largest());
-  Figure figure = figure_of(run, kSuffixes[4], subtitle);
+  Figure figure = figure_of(run, kSuffixes[3], subtitle);
   const Look dashed{.width_px = 1.5, .dash = Dash::long_dashes};
   figure.legend = {{"0.6, the paper's", dashed}};
 
@@ -312,16 +313,16 @@ Figure causes_figure(const DriftRun& run) {
   for (Series* const series : causes.all()) plot.series.push_back(std::move(*series));
   plot.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(
-      figure_of(run, kSuffixes[5],
+      figure_of(run, kSuffixes[4],
                 "What the step adds and takes by itself: energy against exact flights and bounces"),
-      std::move(plot), run);
+      {std::move(plot)}, run);
 }
 
 }  // namespace
 
 std::vector<Figure> drift_figures(const DriftRun& run) {
-  return {whole_figure(run),  energy_figure(run),      energy_drift_figure(run),
-          errors_figure(run), restitution_figure(run), causes_figure(run)};
+  return {whole_figure(run), energy_figure(run), errors_figure(run), restitution_figure(run),
+          causes_figure(run)};
 }
 
 std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name) {

@@ -9,10 +9,10 @@
 
 namespace hyrax {
 
-/// Distance of the whole run from the exact fling; energy of run and reference against time; energy drift of
-/// each arc in % of the arc's largest energy; the three errors on a logarithmic scale; effective restitution
-/// of the contacts with that of the model; the causes of energy drift, summed over time. Their suffixes:
-/// -whole, -energy, -energy-drift, -errors, -restitution, -drift-causes.
+/// Distance of the whole run from the exact fling; energy of run and reference against time, with the drift
+/// in % of each arc's largest energy below; the three errors on a logarithmic scale; effective restitution of
+/// the contacts with that of the model; the causes of energy drift, summed over time. Their suffixes:
+/// -whole, -energy, -errors, -restitution, -drift-causes.
 [[nodiscard]] std::vector<Figure> drift_figures(const DriftRun& run);
 
 /// The paths of the figures that draw_drift_figures writes for a scenario of that name.

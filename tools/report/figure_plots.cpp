@@ -56,8 +56,15 @@ std::vector<double> y_values(const Plot& plot) {
 class PlotDrawing {
  public:
   /// @param height of a plot whose axes do not give it.
-  PlotDrawing(Svg& svg, const Plot& plot, double left, double right, double top, double height)
-      : svg_(svg), plot_(plot), left_(left), x_(plot.x, x_values(plot)), y_(plot.y, y_values(plot)) {
+  /// @param axis_left the y axis is there or further right, where its ticks need more room.
+  PlotDrawing(Svg& svg, const Plot& plot, double left, double right, double top, double height,
+              double axis_left)
+      : svg_(svg),
+        plot_(plot),
+        left_(left),
+        axis_left_(axis_left),
+        x_(plot.x, x_values(plot)),
+        y_(plot.y, y_values(plot)) {
     constexpr double kNamesMax = 0.42;  // Of the width; wider names are above their points.
     double names_width = 0.0;
     for (const std::string& name : plot.y.categories)
@@ -77,6 +84,7 @@ class PlotDrawing {
     x_label_ = lines_of(plot.x.label, box_.right - left, kTickSize);
   }
 
+  [[nodiscard]] double axis_left() const { return box_.left; }
   /// Of the plot with what is below its axis.
   [[nodiscard]] double bottom() const { return box_.bottom + kBelow - 8 + text_lines(x_label_); }
 
@@ -98,7 +106,7 @@ class PlotDrawing {
   void place_x() {
     double ticks_width = 0.0;
     for (const Tick& tick : y_.ticks()) ticks_width = std::max(ticks_width, text_width(tick.text, kTickSize));
-    box_.left = left_ + 10 + (has_names_above_ ? 0.0 : ticks_width);
+    box_.left = std::max(axis_left_, left_ + 10 + (has_names_above_ ? 0.0 : ticks_width));
     x_.place(box_.left, box_.right, kApart);
   }
 
@@ -271,6 +279,7 @@ class PlotDrawing {
   Svg& svg_;
   const Plot& plot_;
   double left_;  // Of the place.
+  double axis_left_;
   PlotScale x_, y_;
   SvgBox box_;
   bool has_names_above_ = false;
@@ -294,20 +303,34 @@ std::vector<LegendEntry> take_names(Plot& plot) {
   return names;
 }
 
+// One below the other: the same x axis, with the same ends.
+bool are_stacked(const std::vector<Plot>& plots) {
+  return plots.size() > 1 && std::ranges::all_of(plots, [&](const Plot& plot) {
+           const Axis &x = plot.x, &first = plots.front().x;
+           return x.label == first.label && x.low == first.low && x.high == first.high;
+         });
+}
+
 }  // namespace
 
-double sheet_width(const std::vector<Plot>& plots) { return plots.size() > 1 ? kWidthOfSeveral : kWidth; }
+double sheet_width(const std::vector<Plot>& plots) {
+  return plots.size() > 1 && !are_stacked(plots) ? kWidthOfSeveral : kWidth;
+}
 
 double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double top) {
   if (plots.empty()) {
     svg.text({width / 2, top + kHeight / 2}, "nothing to show", {.side = Side::middle});
     return top + kHeight;
   }
+  const bool is_stack = are_stacked(plots);
   // As many side by side as are wide enough.
   const std::size_t beside =
-      std::clamp(static_cast<std::size_t>(width / kPlotMin), std::size_t{1}, plots.size());
+      std::clamp(static_cast<std::size_t>(width / kPlotMin), std::size_t{1}, is_stack ? 1 : plots.size());
   const double part = width / static_cast<double>(beside), height = beside > 1 ? kHeightOfSeveral : kHeight;
-  double end = top;
+  double end = top, axis_left = 0.0;
+  for (const Plot& plot : plots)
+    if (is_stack)
+      axis_left = PlotDrawing(svg, plot, kSheetMargin, width - kRight, top, height, axis_left).axis_left();
   for (std::size_t index = 0; index < plots.size(); ++index) {
     const std::size_t column = index % beside;
     if (column == 0 && index > 0) top = end + kBetween;
@@ -315,7 +338,7 @@ double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double 
     Plot plot = plots[index];
     const bool is_narrow = part < kPlotMin && plot.y.categories.empty();
     const std::vector<LegendEntry> names = is_narrow ? take_names(plot) : std::vector<LegendEntry>();
-    PlotDrawing drawing(svg, plot, start + kSheetMargin, start + part - kRight, top, height);
+    PlotDrawing drawing(svg, plot, start + kSheetMargin, start + part - kRight, top, height, axis_left);
     drawing.draw();
     end = std::max(end, draw_legend(svg, names, width, drawing.bottom()));
   }

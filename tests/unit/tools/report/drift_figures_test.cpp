@@ -37,12 +37,13 @@ struct MeasuredRun : DriftRun {
   }
 };
 
-const Plot& plot_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body).front(); }
+const std::vector<Plot>& plots_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body); }
+const Plot& plot_of(const Figure& figure) { return plots_of(figure).front(); }
 
 Figure energy_of(const MeasuredRun& run) { return drift_figures(run)[1]; }
-Figure energy_drift_of(const MeasuredRun& run) { return drift_figures(run)[2]; }
-Figure errors_of(const MeasuredRun& run) { return drift_figures(run)[3]; }
-Figure restitution_of(const MeasuredRun& run) { return drift_figures(run)[4]; }
+Series energy_drift_of(const MeasuredRun& run) { return plots_of(energy_of(run)).at(1).series.at(0); }
+Figure errors_of(const MeasuredRun& run) { return drift_figures(run)[2]; }
+Figure restitution_of(const MeasuredRun& run) { return drift_figures(run)[3]; }
 
 // The value of a series at a place.
 double value_at(const Series& series, double x) {
@@ -67,8 +68,7 @@ TEST(EnergyFigure, MarksNoMoreArcsThanReadersCanDistinguish) {
 }
 
 TEST(EnergyDriftFigure, IsInPercentOfTheArcsEnergyAndBreaksBetweenArcs) {
-  const Figure figure = energy_drift_of(MeasuredRun(2));
-  const Series& series = plot_of(figure).series[0];
+  const Series series = energy_drift_of(MeasuredRun(2));
   EXPECT_NEAR(value_at(series, 0.15), -0.9, 1e-12);
   ASSERT_EQ(series.y.size(), 21u);
   EXPECT_TRUE(std::isnan(series.y[10])) << "the gap";
@@ -77,7 +77,7 @@ TEST(EnergyDriftFigure, IsInPercentOfTheArcsEnergyAndBreaksBetweenArcs) {
 TEST(EnergyDriftFigure, IsInPercentOfTheScaleOfTheArc) {
   MeasuredRun run(1);
   run.arcs[0].energy_scale_px2_per_s2 = 1200.0;
-  EXPECT_NEAR(value_at(plot_of(energy_drift_of(run)).series[0], 0.15), -750.0, 1e-9);
+  EXPECT_NEAR(value_at(energy_drift_of(run), 0.15), -750.0, 1e-9);
 }
 
 TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {

@@ -191,6 +191,30 @@ TEST(PlotSvg, APlotWithoutPointsSaysWhyAndHasNoAxes) {
   EXPECT_TRUE(has(figure_svg({.title = "t", .body = std::vector<Plot>{}}), "nothing to show"));
 }
 
+TEST(PlotSvg, PlotsOfOneXAxisAreBelowEachOtherAndTheirAxesAreAligned) {
+  const auto plot = [](double y, double to) {
+    return Plot{.x = {.low = 0.0, .high = to, .ticks = {{0.5, "half"}}},
+                .y = {.low = 0.0, .high = y},
+                .series = {{.look = {.tone = Tone::green}, .x = {0.0, 1.0}, .y = {0.0, y}}}};
+  };
+  const auto halves = [&](const std::vector<Plot>& plots) {
+    std::vector<SvgPoint> places;
+    for (const ShownText& shown : texts_in(figure_svg({.title = "t", .body = plots})))
+      if (shown.text == "half") places.push_back(shown.box.centre());
+    return places;
+  };
+  for (const auto& plots : {std::vector{plot(1.0, 1.0), plot(1e9, 1.0)}, {plot(1e9, 1.0), plot(1.0, 1.0)}}) {
+    const std::vector<SvgPoint> stacked = halves(plots);
+    ASSERT_EQ(stacked.size(), 2u);
+    EXPECT_EQ(stacked[0].x, stacked[1].x);
+    EXPECT_GT(stacked[1].y, stacked[0].y + 200.0);
+  }
+  const std::vector<SvgPoint> beside = halves({plot(1.0, 1.0), plot(1.0, 2.0)});
+  ASSERT_EQ(beside.size(), 2u);
+  EXPECT_GT(beside[1].x, beside[0].x + 200.0);
+  EXPECT_EQ(beside[0].y, beside[1].y);
+}
+
 TEST(PlotSvg, BarsGoFromTheLowEndOfTheAxisInTheirColour) {
   Plot plot{.x = {.is_logarithmic = true, .low = 0.1, .high = 1000.0},
             .y = {.categories = {"gravity", "Runge-Kutta"}}};
