@@ -27,7 +27,7 @@ struct Meaning {
   char axis = '\0';         // 'x' or 'y' of a position.
   bool is_negated = false;  // The position grows where this falls.
 
-  [[nodiscard]] bool has_window() const { return windows != std::array<int, 2>(); }
+  [[nodiscard]] bool has_window() const { return windows[0] != 0 || windows[1] != 0; }
   [[nodiscard]] bool is_bound() const { return is_zero || (has_sizes && !has_others); }
 };
 
