@@ -15,12 +15,7 @@ struct ConstantsStep {
   }
 };
 
-struct ListingCores {
-  using Core = StepCore<ConstantsStep>;
-
-  ConstantsStep step;
-
-  [[nodiscard]] Core make(const State& state) const { return {step, state}; }
+struct ListingCores : StepCores<ConstantsStep> {
   [[nodiscard]] Constants constants() const { return step.constants; }
 };
 
@@ -30,7 +25,7 @@ Core listing_core(const Constants& constants) {
   return {.name = kPhysicsModel,
           .shape = {constants},
           .constants = constants,
-          .kernel = std::make_shared<const KernelOf<ListingCores>>(ListingCores{{constants}},
+          .kernel = std::make_shared<const KernelOf<ListingCores>>(ListingCores{{{constants}}},
                                                                    StepFacts{.is_listing = true})};
 }
 

@@ -30,6 +30,14 @@ class StepCore : World {
   Step step_;
 };
 
+/// Makes cores of a step, for a kernel (sim/core/kernel_of.h).
+template <class Step>
+struct StepCores {
+  using Core = StepCore<Step>;
+  Step step = {};
+  [[nodiscard]] Core make(const State& state) const { return {step, state}; }
+};
+
 /// Plays the step of sim/motion/step.h, all parts in the paper's order. With the constants of class physics
 /// it gives the bits of the shipped core, slower. A golden file's rows are restored with its own constants,
 /// whatever a program's core does.

@@ -68,17 +68,13 @@ struct HandStep {
 };
 
 /// Cores with that step.
-struct HandCores {
-  using Step = std::reference_wrapper<const HandStep>;
-  using Core = StepCore<Step>;
-  const HandStep* step = nullptr;
-  [[nodiscard]] Core make(const State& state) const { return {Step(*step), state}; }
-  [[nodiscard]] Constants constants() const { return step->constants; }
+struct HandCores : StepCores<std::reference_wrapper<const HandStep>> {
+  [[nodiscard]] Constants constants() const { return step.get().constants; }
 };
 
 /// Refers to the step.
 inline Core hand_core(const HandStep& step) {
-  return {.kernel = std::make_shared<const KernelOf<HandCores>>(HandCores{&step})};
+  return {.kernel = std::make_shared<const KernelOf<HandCores>>(HandCores{{step}})};
 }
 
 /// The run of a scenario with that step, as a golden file keeps it.

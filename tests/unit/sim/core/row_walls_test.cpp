@@ -74,14 +74,10 @@ struct ReflectedStep {
   }
 };
 
-struct ReflectedCores {
-  using Core = StepCore<ReflectedStep>;
-  [[nodiscard]] Core make(const State& state) const { return {ReflectedStep{}, state}; }
-};
-
 TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
-  const Core reflected{.kernel = std::make_shared<const ContactKernel>(
-                           std::make_shared<const KernelOf<ReflectedCores>>(), nullptr, std::nullopt)};
+  const Core reflected{
+      .kernel = std::make_shared<const ContactKernel>(
+          std::make_shared<const KernelOf<StepCores<ReflectedStep>>>(), nullptr, std::nullopt)};
   Scenario scenario = fling_at(60.0, 600);
   scenario.start = {301.25, 500.5};  // No row is on a bound.
   TraceSink trace;

@@ -80,14 +80,10 @@ struct EulerStep {
     s.vy_px_per_s *= -0.6;
   }
 };
-struct EulerCores {
-  using Core = StepCore<EulerStep>;
-  [[nodiscard]] Core make(const State& state) const { return {EulerStep{}, state}; }
-};
 
 TEST(SkippedRepetition, HasBlocksThatDifferWhereItsPeriodDoesNotDivideThem) {
   const Core euler{.kernel = std::make_shared<const ContactKernel>(
-                       std::make_shared<const KernelOf<EulerCores>>(), nullptr, std::nullopt)};
+                       std::make_shared<const KernelOf<StepCores<EulerStep>>>(), nullptr, std::nullopt)};
   for (const std::int64_t steps : {20'479, 20'480, 20'481, 50'000}) {
     const RunSummary summary =
         expect_skipping_changes_nothing(fling_at(60.0, steps), 1, std::to_string(steps) + " steps", euler);
