@@ -7,13 +7,17 @@ import pathlib
 import re
 import sys
 import tempfile
+import types
 import unittest
+
+import h5py
 
 from documentation_test import DOCUMENTS
 from process import run
 from program import PROGRAM, SOURCE
 
-sys.path.insert(0, str(SOURCE / "tests/platforms"))
+sys.path[:0] = [str(SOURCE / "tests/platforms"), str(SOURCE / "tests/must_fail/mutation")]
+import subjects  # noqa: E402 pylint: disable=wrong-import-position
 from rows import BUILDS  # noqa: E402 pylint: disable=wrong-import-position
 
 FORMAT, FILES, CORE, DRIFT = "scenarios/README.md", "golden/README.md", "sim/physics/README.md", "sim/reference/README.md"
@@ -102,6 +106,7 @@ STATED = (
     (CARD, "how many of {} random runs", "sim/card/card.cpp", "kRandomRuns"),
     (CARD, "first {} rows are compared one by one, and the state hash up to {}", "sim/card/core_run.h",
      "kCoreRunRowsMax, kCoreRunStepsMax"),
+    (STUDIES, "plays the same flights at rates from {} Hz upward", "sim/study/speed_error/speed_error_study.cpp", "options.rates_hz = "),
     (STUDIES, "Times come in {} rounds", "sim/study/methods/cost.h", "repetitions"),
     (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
     (STUDIES, "in each of the {} flings, too", "sim/study/speed_error/speed_error.h", "kBandFlings"),
@@ -125,10 +130,26 @@ STATED = (
     ("sim/README.md", "within {} px of its last anchor until the end, for at least {} s", REST, "kStill_px, kLeastRest_s"),
     ("sim/README.md", "ground contact leaves it below {} px/s", HEADER, "REST_THRESHOLD"),
     ("sim/README.md", "XXH3-128 of {} rows; of all", HASH, "kBlockRows"),
+    (FILES, "stays below {} MB (a test)", "tests/cli/goldens_test.py", "BYTES_MAX"),
+    (HYRAX, "one file of less than {} MB", "tests/cli/hyrax/executable_test.py", "SIZE_MAX_BYTES"),
+    ("tests/README.md", "({} damaged golden files; `--all` tries {})", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS, if _IS_ALL else"),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
     ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("CHANGELOG.md", "\n## {}", "CMakeLists.txt", "project(hyrax-sim VERSION"),
+)
+BENCHMARKS, SWEEPS = "tests/benchmarks/README.md", "sim/ensemble/README.md"
+# Document and its words; the output, of a command or a benchmark, that these numbers are from, line by line.
+SAID_AGAIN = (
+    (DRIFT, "grow over each arc to {} px;", (DRIFT, "; trunc. {} px")),
+    (DRIFT, "gravity takes {} px of height, the lift out of walls gives {} px", (DRIFT, "gravity once a step -{} px"), (DRIFT, "lift out of walls +{} px")),
+    (STUDIES, "nearer\n  to the exact place in {} of {} flings ({} .. {} %)", (STUDIES, "than the paper's step in {} of {} flings ({} .. {} %): not")),
+    (STUDIES, "spreads less in {} of {} flings.", (STUDIES, "every frame the same: drag and friction by time spread less in {} of {} flings")),
+    (STUDIES, "frame move the typical fling from {} to {} px off, and\n  {} of {} meet", (STUDIES, "\n  the paper's step                {} ("),
+     (STUDIES, "\n  the paper's step, 4 to a frame  {} ("), (STUDIES, "{} of {}\n  the paper's step, drag by time")),
+    (BENCHMARKS, "either ({}, at least {}); those of 100 s ({}) and of jitter seeds ({}) do", (SWEEPS, "sweep of 10 s at 60 Hz, keep final                          {} ("),
+     (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
+     (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
 )
 WORDS = "zero one two three four five six seven eight nine ten".split()
 NUMBER = r"(-?\d[\d,']*(?:\.\d+)?(?:e[+-]?\d+)?|" + "|".join(WORDS) + ")"
@@ -169,6 +190,11 @@ class Facts(unittest.TestCase):
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), decided(source, names), source)
 
+    def test_what_is_said_again_is_what_was_printed(self):
+        for document, words, *printed in SAID_AGAIN:
+            with self.subTest(document=document, words=words):
+                self.assertEqual(stated(document, words), [number for place in printed for number in stated(*place)] or None)
+
     def test_every_exit_code_in_a_document_is_one_of_these(self):
         for document in {row[0] for row in STATED} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
             prose = re.sub(r"```.*?```", lambda block: " " * len(block[0]), text_of(document), flags=re.DOTALL)
@@ -185,7 +211,24 @@ class Facts(unittest.TestCase):
         gains = [round(threshold / restitution * factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
         rates = [round(drag * gravity * restitution / threshold / factor, 2) for factor in (1, 1 + kept, 1 / (1 - kept))]
         band = re.search(r"return Band\{.*?values, (\S+)\), quantile\(values, (\S+)\),\s+quantile\(values, (\S+)\)\}", text_of("sim/result/estimate.h"))
+        frames = [(n, (1 - drag**n) * drag / (1 - drag)) for n in (60, 7680)]
+        way_s, fallen_px = -math.expm1(-60 * rate) / (60 * rate), gravity * (1 + math.expm1(-60 * rate) / (60 * rate)) / (60 * rate)
+        ends_px = [math.hypot(900 * (s / n - way_s), -900 * (s / n - way_s) + gravity * drag / (1 - drag) * (n - s) / n**2 - fallen_px)
+                   for n, s in frames]
+        speeds = [1000.0]
+        while len(speeds) == 1 or speeds[-1] != speeds[-2]:
+            speeds.append(speeds[-1] * drag * friction)
+        normal = sum(speed >= sys.float_info.min for speed in speeds)
+        unsteady, *parts = decided("sim/study/methods/cost.h", "kDriftMax_rel") + [
+            float(each) for each in re.findall(r"quantile\(probes_ns, (0\.\d5)\)", text_of("sim/study/methods/cost.cpp"))]
+        rates_hz = re.search(r"\{(20\.0, 24\.0, 25\.0[^}]*)\}", text_of("sim/study/hard_cases/hard_families_in_time.cpp"))[1].split(",")
         for document, words, numbers in (
+                (STUDIES, "It is {} px off after one second at {} Hz, and {} px at {} Hz", [round(ends_px[0], 2), 60, round(ends_px[1]), 7680]),
+                (STUDIES, "so that after some {}\nsteps it is below {} px/s", [round(normal, -2), float(f"{sys.float_info.min:.1e}")]),
+                (STUDIES, "and {} steps later stuck at two units of the last place ({}\npx/s)", [round(len(speeds) - normal, -1), speeds[-1]]),
+                (STUDIES, "more than {} %\n({}th minus {}th percentile)", [100 * unsteady, *(100 * part for part in parts)]),
+                (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]),
+                (DRIFT, "per frame: {} px of height per second at {} Hz, whatever", [round((drag - kappa**2 * phi2) * gravity * dt), 60]),
                 (STUDIES, "| median ({} .. {} %) | quantiles", [100 * float(band[2]), 100 * float(band[3])]),
                 ("README.md", "Below {} Hz a sprite on the floor", rates[:1]),
                 (STUDIES, "| < {} px/s | above {} Hz | zero speed |", [gains[0], rates[0]]),
@@ -228,6 +271,28 @@ class Facts(unittest.TestCase):
         cores = re.search(r"each of the (\d+) \[altered cores\].*?\n\n((?:\|.*\n)+)", text, re.DOTALL)
         self.assertEqual(sum(int(count) for count in re.findall(r"\| (\d+) \|", cores[2])), int(cores[1]))
 
+    def test_mutants_of_the_core_are_those_of_the_sources_and_the_reasons(self):
+        core = [subject for subject in subjects.SUBJECTS if subject.is_core]
+        build = types.SimpleNamespace(source=SOURCE, objects=[subject.path for subject in core])
+        reasons = [(reason.get("caught_by", "equivalent"), path, name) for reason in json.loads(text_of("tests/must_fail/mutation/reasons.json"))
+                   for path, names in reason["mutants"].items() for name in names]
+        for (subject, _), mutants in subjects.mutants_by_subject(build).items():
+            if subject.is_core:
+                names = {mutant.name for mutant in mutants}
+                by = [sum(name in names for how, path, name in reasons if (how, path) == (each, subject.path)) for each in ("unit test", "equivalent")]
+                self.assertEqual(stated("tests/README.md", f"| `{subject.path}` | {{}} | {{}} | {{}} | {{}} |"), [len(mutants), len(mutants) - sum(by), *by])
+
+    def test_a_member_of_a_sweep_has_the_bytes_that_are_stated(self):
+        sweep = re.search(r"```json rest-places.json\n(.*?)```", text_of(SWEEPS), re.DOTALL)[1].replace("3000", "50").replace(
+            '"scenarios', f'"{SOURCE}/scenarios')
+        with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
+            pathlib.Path(folder, "sweep.json").write_text(sweep, encoding="utf-8")
+            run(PROGRAM, "sweep", "sweep.json", "-q", cwd=folder)
+            with h5py.File(f"{folder}/sweep.h5") as file:
+                columns = [column for group in ("members", "inputs") for column in file[group].values() if column.shape[:1] == (50,)]
+                self.assertEqual([sum(column.dtype.itemsize * math.prod(column.shape[1:]) for column in columns)],
+                                 stated(SWEEPS, "default columns and three inputs are {} bytes a member"))
+
     def test_every_count_of_scenarios_is_that_of_the_folder(self):
         scenarios = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
         counts = {int(each) for each in re.findall(r"of (\d{3}) (?:agree|differ)", text_of("tests/README.md"))}
@@ -253,6 +318,11 @@ class Facts(unittest.TestCase):
         scenarios = [json.loads(path.read_text(encoding="utf-8")) for path in (SOURCE / "scenarios/displays").glob("*.json")]
         sizes = [tuple(each["window"].values()) for each in scenarios if each["window"]["width_px"] > 200]
         rates = [each["clock"]["rate_hz"] for each in scenarios if "rate_hz" in each["clock"]]
+        same = len(list((SOURCE / "scenarios/clocks").glob("fling-*-hz.json")))
+        long_s = [dt_s for each in scenarios if each["clock"].get("dt_s")
+                  for dt_s in (each["clock"]["dt_s"], *(event["hitch"]["dt_s"] for event in each["events"] if "hitch" in event))]
+        self.assertEqual(stated(FORMAT, "{} frame rates of the same fling"), [same])
+        self.assertEqual(stated(FORMAT, "frames of {} to {} ms"), [1000 * min(long_s), 1000 * max(long_s)])
         self.assertEqual(stated(FORMAT, "real displays from {} x {} to {} x {} px at {} to {} Hz"),
                          [*min(sizes), *max(sizes), min(rates), max(rates)])
 
