@@ -126,6 +126,17 @@ test('a place looks the way it came from', () => {
     [[0, 0, 0], [0, 0, 0], [0, 0, 0], [3, 10, 3], [1, 30, 0], [5, 40, 4], [5, 40, 4]]);
 });
 
+test('a run agrees only if every check of it does', async () => {
+  const run = { record: '', blocks: '', rows: Object.fromEntries(data.rowFields.map(field => [field, base64([0])])), steps: 3, state_hash: 'a' };
+  const checked = { firstDifference: null, isComplete: true, steps: 3, stateHash: 'a' };
+  const core = (found, steps = 3) => ({ load: () => steps, playTo: end => end, finish: () => ({ ...checked, ...found }), rows: () => rows, contacts: () => ({}),
+    errors: () => ({}), contactErrors: () => ({}), causes: () => ({}) });
+  const outcome = async (...found) => (await replay.replay(core(...found), run, () => {})).outcome;
+  assert.deepEqual([await outcome({}), await outcome({}, -1)], ['agrees', 'none']);
+  for (const found of [{ firstDifference: 0 }, { isComplete: false }, { steps: 2 }, { stateHash: 'b' }]) assert.equal(await outcome(found), 'differs', JSON.stringify(found));
+  assert.deepEqual(['a', 'b'].map(stateHash => replay.playedHere(core({}), [], { stateHash }).outcome), ['agrees', 'differs']);
+});
+
 const number = (values, isGrid) => ({ values, isGrid });
 
 test('a cell is the mean of its members', () => {
