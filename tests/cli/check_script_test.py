@@ -5,6 +5,7 @@ Runs a copy of the scripts in a project whose build folder has a ninja file of o
 """
 
 import os
+import re
 import signal
 import time
 
@@ -96,7 +97,10 @@ class RunScript(ProgramTest):
         for script in ("run", "setup.sh"):
             self.write(f"tools/{script}", (SOURCE / "tools" / script).read_text())
         (self.folder / "tools/run").chmod(0o755)
-        for arguments in (("--report", "x.html"), ("--yes", "--set", "/steps=9", "-o", "a.h5"), ("--figure",)):
+        options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
+        self.assertIn("--golden", options)
+        with_values = [word for option in options for word in (option, "x")]
+        for arguments in (with_values, ("--yes", "--set", "/steps=9", "-o", "a.h5"), ("--figure",)):
             outcome = run("tools/run", *arguments, cwd=self.folder)
             self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
             self.assertIn("tools/run: SCENARIO is missing", outcome.err)

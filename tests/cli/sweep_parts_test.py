@@ -12,8 +12,8 @@ import time
 import h5py
 import numpy
 
-from process import Process
-from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, main
+from process import Process, run
+from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, SOURCE, main
 from sweep_members import ALL, assert_same_bits, base, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
@@ -132,6 +132,18 @@ class Parts(SweepTest):
         self.sweep("sweep.json", "-o", "out.h5", "--part", "0/9",
                    env={**NO_CLUSTER, "OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"})
         self.assertIn("out.part-0-of-9.h5", self.names())
+
+    def test_a_task_of_the_job_files_that_is_repeated_resumes(self):
+        self.write("sweep.json", document())
+        jobs = SOURCE / "sim/ensemble/jobs"
+        command = re.search(r"command: \[(.*)\]", (jobs / "kubernetes.yaml").read_text())[1].replace('"', "").split(", ")
+        for task, variables in ((("bash", jobs / "slurm.sh", "sweep.json"), {"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_COUNT": "4"}),
+                                (command, {"JOB_COMPLETION_INDEX": "3"})):
+            environment = {**NO_CLUSTER, **variables, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}
+            outcomes = [run(*task, cwd=self.folder, env=environment) for _ in range(2)]
+            self.assertEqual([outcome.exit_code for outcome in outcomes], [0, 0], outcomes)
+            self.assertEqual(["of them done before" in outcome.out for outcome in outcomes], [False, True], outcomes)
+        self.assertEqual(self.names(), ["sweep.json", "sweep.part-3-of-100.h5", "sweep.part-3-of-4.h5"])
 
     def test_half_of_what_names_a_part_is_reported(self):
         self.write("sweep.json", document())
