@@ -65,45 +65,27 @@ class Mutators(unittest.TestCase):
         self.assertEqual(numbers_near("12"), ["13", "11"])
         self.assertEqual(numbers_near("0x9Eu"), ["0x9Fu", "0x1Eu"])
 
-    def test_comparisons_by_strictness_and_direction(self):
-        self.assertEqual(self.names("int f() {\n  if (a < b) c();\n}\n", "comparison"),
-                         ["f: if (a < b) c(); -> if (a <= b) c();", "f: if (a < b) c(); -> if (a > b) c();"])
-
-    def test_statements(self):
-        text = "void f() {\n  a();\n  if (b) {\n    c();\n    d();\n  }\n}\n"
-        self.assertEqual(self.names(text, "dropped"),
-                         ["f: without c();", "f: without d();", "f: without a();", "f: without if (b) {...}"])
-        self.assertEqual(self.names(text, "swapped"), ["f: d(); before c();", "f: if (b) {...} before a();"])
-
-    def test_statements_of_try_and_throw(self):
-        text = "void f() {\n  try {\n    a();\n  } catch (const Error& why) {\n    throw Failure(why);\n  }\n}\n"
-        self.assertEqual(self.names(text, "dropped"),
-                         ["f: without a();", "f: without throw Failure(why);", "f: without try {...}"])
-
-    def test_members_of_a_class_with_a_base(self):
-        text = "class A : public B {\n public:\n  void f() { a(); }\n};\n"
-        self.assertEqual(self.names(text, "dropped"), ["f: without a();"])
-
-    def test_a_constructor_whose_members_take_braces(self):
-        text = "A::A(int b) : c_(b), d_(e({0, 0})), f_([this] { g(); }) {\n  h();\n}\n"
-        self.assertEqual(self.names(text, "dropped"), ["A: without h();"])
-
-    def test_no_text_within_a_literal(self):
-        self.assertEqual(self.names('void f() {\n  a(R"({"b": 1, "c": 2 < 3})");\n}\n', "constant"), [])
-
-    def test_types_but_not_those_of_templates(self):
-        text = "double f(std::optional<double> a) {\n  return static_cast<double>(a);\n}\n"
-        self.assertEqual(len(self.names(text, "float for double")), 2)
-
-    def test_x_and_y_where_they_are_used(self):
-        text = "void f(double x, double y) {\n  m_x = x;\n  m_y = y;\n}\n"
-        self.assertEqual(self.names(text, "confused"),
-                         ["f: m_x = x; -> m_y = x;", "f: m_x = x; -> m_x = y;", "f: m_y = y; -> m_x = y;",
-                          "f: m_y = y; -> m_y = x;"])
-
-    def test_a_duplicate_line_is_numbered(self):
-        self.assertEqual(self.names("void f() {\n  a();\n  a();\n}\n", "dropped"),
-                         ["f: without a();", "f: without a(); [2]"])
+    def test_of_a_few_lines(self):
+        statements = "void f() {\n  a();\n  if (b) {\n    c();\n    d();\n  }\n}\n"
+        for kind, text, expected in (
+                ("comparison", "int f() {\n  if (a < b) c();\n}\n",
+                 ["f: if (a < b) c(); -> if (a <= b) c();", "f: if (a < b) c(); -> if (a > b) c();"]),
+                ("dropped", statements,
+                 ["f: without c();", "f: without d();", "f: without a();", "f: without if (b) {...}"]),
+                ("swapped", statements, ["f: d(); before c();", "f: if (b) {...} before a();"]),
+                ("dropped", "void f() {\n  try {\n    a();\n  } catch (const Error& why) {\n    throw Failure(why);\n  }\n}\n",
+                 ["f: without a();", "f: without throw Failure(why);", "f: without try {...}"]),
+                ("dropped", "class A : public B {\n public:\n  void f() { a(); }\n};\n", ["f: without a();"]),
+                ("dropped", "A::A(int b) : c_(b), d_(e({0, 0})), f_([this] { g(); }) {\n  h();\n}\n", ["A: without h();"]),
+                ("dropped", "void f() {\n  a();\n  a();\n}\n", ["f: without a();", "f: without a(); [2]"]),
+                ("constant", 'void f() {\n  a(R"({"b": 1, "c": 2 < 3})");\n}\n', []),
+                ("confused", "void f(double x, double y) {\n  m_x = x;\n  m_y = y;\n}\n",
+                 ["f: m_x = x; -> m_y = x;", "f: m_x = x; -> m_x = y;", "f: m_y = y; -> m_x = y;",
+                  "f: m_y = y; -> m_y = x;"])):
+            with self.subTest(kind=kind, text=text):
+                self.assertEqual(self.names(text, kind), expected)
+        template = "double f(std::optional<double> a) {\n  return static_cast<double>(a);\n}\n"
+        self.assertEqual(len(self.names(template, "float for double")), 2, "not those of templates")
 
     def test_slips_of_a_person(self):
         header = ("enum class Wall { left, right = 4 };  // Sides.\nconstexpr std::size_t kBlock = 8;\n"

@@ -99,36 +99,21 @@ TEST(Cause, IsTheClockWhereFrameTimesDiffer) {
 
 TEST(Cause, IsAnInputThatDiffers) {
   const Program program;
-  const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Fling{{-1500.0, -900.0}}}});
-  Scenario late = scenario;
-  late.events = {{std::int64_t{41}, Fling{{-1500.0, -900.0}}}};
-  StoredRun golden = run_of(late);
-  golden.scenario = scenario;
-  EXPECT_EQ(program.cause_of(golden, run_of(scenario)),
+  const auto cause_of = [&program](const Event& blessed, const Event& now, bool has_effect_alone) {
+    const Scenario scenario = fling_at(60.0, 300, {now});
+    StoredRun golden = run_of(fling_at(60.0, 300, {blessed}));
+    golden.scenario = scenario;
+    if (has_effect_alone) golden.inputs = inputs_of(scenario, 300);
+    return program.cause_of(golden, run_of(scenario));
+  };
+  const Event fling{std::int64_t{40}, Fling{{-1500.0, -900.0}}};
+  EXPECT_EQ(cause_of({std::int64_t{41}, fling.action}, fling, false),
             (Cause{CauseKind::input, "inputs differ: fling in frame 41 -> fling in frame 40"}));
-}
-
-// The frame of a hitch has another length, whatever the clock gives.
-TEST(Cause, IsAHitchThatDiffers) {
-  const Program program;
-  const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Hitch{0.1}}});
-  Scenario longer = scenario;
-  longer.events = {{std::int64_t{40}, Hitch{0.2}}};
-  StoredRun golden = run_of(longer);
-  golden.scenario = scenario;
-  EXPECT_EQ(program.cause_of(golden, run_of(scenario)).kind, CauseKind::input);
-}
-
-TEST(Cause, IsAnInputOfAnotherEffect) {
-  const Program program;
-  const Scenario scenario = fling_at(60.0, 300, {{std::int64_t{40}, Fling{{-1500.0, -900.0}}}});
-  Scenario other = scenario;
-  other.events = {{std::int64_t{40}, Fling{{-1500.0, -901.0}}}};
-  StoredRun golden = run_of(other);
-  golden.scenario = scenario;
-  golden.inputs = inputs_of(scenario, 300);
-  EXPECT_EQ(program.cause_of(golden, run_of(scenario)),
+  EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, true),
             (Cause{CauseKind::input, "an input has another effect"}));
+  // The frame of a hitch has another length, whatever the clock gives.
+  EXPECT_EQ(cause_of({std::int64_t{40}, Hitch{0.2}}, {std::int64_t{40}, Hitch{0.1}}, false).kind,
+            CauseKind::input);
 }
 
 TEST(Cause, IsTheScenariosOwnText) {

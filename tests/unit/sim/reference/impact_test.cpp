@@ -65,16 +65,11 @@ TEST(TimeOfImpact, OfTheTopIsOnTheWayUp) {
   EXPECT_GT(impact->speed_px_per_s, 0.0);
 }
 
-TEST(TimeOfImpact, GrazesTheTopBetweenTwoRows) {
-  // 0.6 px above at the turning point, inside before and after.
-  const Approach rise{-149.4, 600.0, -kGravity, 0.0};
-  EXPECT_TRUE(time_of_impact(rise, 1.0));
-}
-
-TEST(TimeOfImpact, IsNoneBelowTheTop) { EXPECT_FALSE(time_of_impact({-150.1, 600.0, -kGravity, 0.0}, 10.0)); }
-
-TEST(TimeOfImpact, IsNoneForAWallThatIsLeft) {
-  EXPECT_FALSE(time_of_impact({-0.0, -300.0, 0.0, 0.06}, 10.0));
+TEST(TimeOfImpact, IsNoneForAWallThatIsNotMet) {
+  // 0.6 px above at the turning point, inside before and after; below it.
+  EXPECT_TRUE(time_of_impact({-149.4, 600.0, -kGravity, 0.0}, 1.0));
+  EXPECT_FALSE(time_of_impact({-150.1, 600.0, -kGravity, 0.0}, 10.0));
+  EXPECT_FALSE(time_of_impact({-0.0, -300.0, 0.0, 0.06}, 10.0)) << "it is left";
 }
 
 TEST(TimeOfImpact, IsNoneBeyondTheTimeGiven) {

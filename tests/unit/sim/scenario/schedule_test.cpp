@@ -67,71 +67,51 @@ TEST(Schedule, ResolvesTimesToThePublishedFrames) {
   }
 }
 
-TEST(Schedule, KeepsSteps) {
-  EXPECT_EQ(at_one_hz(5, {at_step(0), at_step(2), at_step(2), at_step(4)}).frames,
-            (std::vector<std::int64_t>{0, 2, 2, 4}));
-}
-
-TEST(Schedule, RefusesAStepBeyondTheEnd) {
-  const Schedule result = at_one_hz(5, {at_step(5)});
-  ASSERT_EQ(result.faulty.size(), 1u);
-  EXPECT_EQ(result.faulty[0].fault, ScheduleFault::beyond_end);
-}
-
-TEST(Schedule, RefusesAnyEventOfARunWithoutFrames) {
-  EXPECT_EQ(at_one_hz(0, {at_step(0), at_time(0.0)}).faulty.size(), 2u);
-}
-
-TEST(Schedule, RefusesAStepBeforeTheOneAbove) {
-  const Schedule result = at_one_hz(5, {at_step(3), at_step(2)});
-  ASSERT_EQ(result.faulty.size(), 1u);
-  EXPECT_EQ(result.faulty[0].event, 1u);
-  EXPECT_EQ(result.faulty[0].fault, ScheduleFault::goes_backwards);
-}
-
-TEST(Schedule, RefusesAStepBeforeATimeAbove) {
-  EXPECT_EQ(at_one_hz(5, {at_time(3.0), at_step(2)}).faulty.size(), 1u);
-  EXPECT_TRUE(at_one_hz(5, {at_time(3.0), at_step(3)}).faulty.empty());
-}
-
-TEST(Schedule, RefusesATimeBeforeAStepAbove) {
-  EXPECT_EQ(at_one_hz(5, {at_step(3), at_time(2.0)}).faulty.size(), 1u);
-  EXPECT_EQ(at_one_hz(5, {at_step(3), at_time(2.5)}).frames, (std::vector<std::int64_t>{3, 3}));
-}
-
-TEST(Schedule, AcceptsAnEarlierTimeInTheSameFrame) {
-  EXPECT_EQ(at_one_hz(5, {at_time(2.9), at_time(2.1)}).frames, (std::vector<std::int64_t>{3, 3}));
-}
-
-TEST(Schedule, ReportsEveryFault) {
-  const Schedule result = at_one_hz(5, {at_step(3), at_step(1), at_step(4), at_step(9), at_step(0)});
-  EXPECT_EQ(result.frames, (std::vector<std::int64_t>{3, -1, 4, -1, -1}));
-  EXPECT_EQ(result.faulty.size(), 3u);
-}
-
-TEST(Schedule, DoesNotJudgeAnEventByOneBeyondTheEnd) {
-  EXPECT_EQ(at_one_hz(5, {at_step(1), at_time(99.0), at_step(7), at_time(2.0), at_step(3)}).frames,
-            (std::vector<std::int64_t>{1, -1, -1, 2, 3}));
-}
-
-TEST(Schedule, SearchesAgainForATimeBeyondTheEndAfterAHitch) {
-  EXPECT_EQ(at_one_hz(5, {at_time(9.0), at_step(2, Hitch{8.0}), at_time(9.0)}).frames,
-            (std::vector<std::int64_t>{-1, 2, 3}));
+TEST(Schedule, PutsEventsOnFramesOfOneSecond) {
+  constexpr ScheduleFault kBeyond = ScheduleFault::beyond_end, kBackwards = ScheduleFault::goes_backwards;
+  struct Case {
+    std::int64_t steps;
+    std::vector<Event> events;
+    std::vector<std::int64_t> frames;
+    std::vector<ScheduleFault> faults;
+  };
+  const Case cases[] = {
+      {5, {at_step(0), at_step(2), at_step(2), at_step(4)}, {0, 2, 2, 4}, {}},
+      {5, {at_step(5)}, {-1}, {kBeyond}},
+      {0, {at_step(0), at_time(0.0)}, {-1, -1}, {kBeyond, kBeyond}},
+      {5, {at_step(3), at_step(2)}, {3, -1}, {kBackwards}},
+      {5, {at_time(3.0), at_step(2)}, {3, -1}, {kBackwards}},
+      {5, {at_time(3.0), at_step(3)}, {3, 3}, {}},
+      {5, {at_step(3), at_time(2.0)}, {3, -1}, {kBackwards}},
+      {5, {at_step(3), at_time(2.5)}, {3, 3}, {}},
+      {5, {at_time(2.9), at_time(2.1)}, {3, 3}, {}},
+      {5,
+       {at_step(3), at_step(1), at_step(4), at_step(9), at_step(0)},
+       {3, -1, 4, -1, -1},
+       {kBackwards, kBeyond, kBackwards}},
+      // An event is not judged by one beyond the end.
+      {5,
+       {at_step(1), at_time(99.0), at_step(7), at_time(2.0), at_step(3)},
+       {1, -1, -1, 2, 3},
+       {kBeyond, kBeyond}},
+      // A hitch moves the times after it, and a time that was beyond the end is searched for again.
+      {5, {at_time(9.0), at_step(2, Hitch{8.0}), at_time(9.0)}, {-1, 2, 3}, {kBeyond}},
+      {9, {at_step(1, Hitch{0.25}), at_time(2.25)}, {1, 3}, {}},
+      {9, {at_step(0, Hitch{0.5}), at_step(0, Hitch{3.0}), at_time(3.0)}, {0, 0, 1}, {}},
+  };
+  for (const Case& each : cases) {
+    const Schedule result = at_one_hz(each.steps, each.events);
+    EXPECT_EQ(result.frames, each.frames);
+    std::vector<ScheduleFault> faults;
+    for (const Schedule::Faulty& faulty : result.faulty) faults.push_back(faulty.fault);
+    EXPECT_EQ(faults, each.faults);
+  }
 }
 
 TEST(Schedule, WalksOnceForManyTimesBeyondTheEnd) {
   const Clock clock{FixedStep{1.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
   const std::vector<Event> events(100'000, at_time(1e9));
   EXPECT_EQ(schedule(with_events(clock, 100'000, events)).faulty.size(), events.size());
-}
-
-TEST(Schedule, LetsAHitchMoveTheTimesAfterIt) {
-  EXPECT_EQ(at_one_hz(9, {at_step(1, Hitch{0.25}), at_time(2.25)}).frames, (std::vector<std::int64_t>{1, 3}));
-}
-
-TEST(Schedule, UsesTheLastOfTwoHitchesInAFrame) {
-  EXPECT_EQ(at_one_hz(9, {at_step(0, Hitch{0.5}), at_step(0, Hitch{3.0}), at_time(3.0)}).frames,
-            (std::vector<std::int64_t>{0, 0, 1}));
 }
 
 TEST(Schedule, ResolvesAnHourlongWaitOfManyFramesAtOnce) {
