@@ -55,13 +55,6 @@ class Verdict(CheckTest):
         entry = self.check(GOLDEN_MISSING)["results"][2]
         self.assertEqual((entry["class"], entry["max_px"], entry["contacts_moved"]), (None, None, None))
 
-    def test_a_moved_contact_is_of_class_contacts(self):
-        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
-            file["contacts/step"][2] -= 1
-        document = self.check(DISAGREED)
-        self.assertEqual(document["results"][2]["class"], "contacts")
-        self.assertRegex(self.expect(DISAGREED, "check", "--verbose").out, r"moved      ground step 1\d\d")
-
     def test_a_golden_file_of_another_scenario_is_of_class_shape(self):
         os.replace(self.folder / "golden/a/first.h5", self.folder / "golden/a/second.h5")
         document = self.check(GOLDEN_MISSING)
@@ -295,7 +288,6 @@ class Unreferenced(CheckTest):
         self.assertEqual(self.unreferenced(DISAGREED, "scenarios", "--golden", "elsewhere"), ["elsewhere/third"])
         (self.folder / "scenarios/a").rename(self.folder / "outside")
         self.assertEqual(self.unreferenced(GOLDEN_MISSING, "outside", "--golden", "elsewhere"), [])
-
 
     def test_without_any_scenario_they_are_reported_and_none_is_removed(self):
         shutil.rmtree(self.folder / "scenarios/a")

@@ -3,7 +3,7 @@
 
 import os
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
 
 
 class Folders(ProgramTest):
@@ -91,39 +91,6 @@ class Folders(ProgramTest):
     def test_a_folder_may_be_named_like_a_scenario(self):
         self.write("scenarios/c.json/three.json", fling(name="three"))
         self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/c.json/three.json"])
-
-
-class Golden(ProgramTest):
-    """`..` after a link is the parent of its target, as for the system."""
-
-    def setUp(self):
-        super().setUp()
-        self.write("real/scenarios/fling.json", fling())
-        self.write("real/deep/note.txt", "")
-        self.bless("real/scenarios")
-        os.symlink("real/deep", self.folder / "link")
-
-    def test_a_golden_file_is_found_behind_a_link_and_dots(self):
-        for path in ("link/../scenarios/fling.json", "link/../scenarios"):
-            self.expect(AGREED, "check", path)
-            run, = self.expect(AGREED, "run", path, "--json", "-o", "x.h5").json["runs"]
-            self.assertEqual(run["golden"]["status"], "agreed")
-
-    def test_a_golden_folder_is_found_behind_a_link_and_dots(self):
-        self.expect(AGREED, "check", "real/scenarios", "--golden", "link/../golden")
-
-    def test_one_that_is_there_by_name_alone_is_not_taken(self):
-        """Without the link, the same path leads to a golden file that differs."""
-        self.write("scenarios/fling.json", fling(steps=7))
-        self.bless("scenarios")
-        self.write("real/scenarios/fling.json", fling(steps=8))
-        self.expect(DISAGREED, "check", "link/../scenarios", says=())
-        self.expect(AGREED, "bless", "link/../scenarios", "--reason", "x")
-        self.expect(AGREED, "check", "real/scenarios")
-        self.expect(AGREED, "check", "scenarios")
-
-    def test_an_empty_folder_is_bad_input(self):
-        self.expect(BAD_INPUT, "check", "real/deep", says="real/deep: no scenario found (*.json)")
 
 
 if __name__ == "__main__":

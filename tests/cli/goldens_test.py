@@ -1,12 +1,10 @@
 #!/usr/bin/python3
 """The folder golden/: one golden file per scenario, digests with the same hash, small files."""
 
-import re
 import unittest
 
 import h5py
 import numpy
-import xxhash
 
 from process import succeed
 from program import PROGRAM, SOURCE
@@ -77,24 +75,6 @@ class Goldens(unittest.TestCase):
     def test_all_of_them_together_are_small(self):
         size = sum(path.stat().st_size for path in (SOURCE / "golden").rglob("*") if path.is_file())
         self.assertLess(size, BYTES_MAX)
-
-    def test_digests_agree_with_their_file(self):
-        for name in sorted(names("golden", ".h5")):
-            text = (SOURCE / "golden" / f"{name}.txt").read_text(encoding="utf-8")
-            said = dict(re.findall(r"^(scenario|physics|steps|state hash|reason): (.*)$", text, re.MULTILINE))
-            with h5py.File(SOURCE / "golden" / f"{name}.h5") as file:
-                self.assertEqual(said["state hash"], file.attrs["state_hash"], name)
-                self.assertEqual(said["steps"], str(file.attrs["steps"]), name)
-                self.assertEqual(said["physics"], file.attrs["physics"], name)
-                self.assertEqual(said["scenario"], file.attrs["name"], name)
-            self.assertTrue(said["reason"].strip(), name)
-
-    def test_summaries_have_the_checksum_of_their_golden_file(self):
-        for name in sorted(names("golden", ".h5")):
-            golden = SOURCE / "golden" / f"{name}.h5"
-            checksums = golden.with_suffix(".txt").read_text(encoding="utf-8").splitlines()[-1]
-            self.assertRegex(checksums, r"^checksums: [0-9a-f]{32} [0-9a-f]{32}$", name)
-            self.assertEqual(checksums.split()[2], xxhash.xxh3_128_hexdigest(golden.read_bytes()), name)
 
 
 if __name__ == "__main__":
