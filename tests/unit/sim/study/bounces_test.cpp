@@ -65,27 +65,5 @@ TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
   EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u);
 }
 
-TEST(BouncesResult, CountsThrowsOfAMethodAtARate) {
-  const std::vector<KeptEnergy> kept = {{BounceMethod::paper, 60.0, 0, 500.0, 0.9, 0.6},
-                                        {BounceMethod::paper, 60.0, 1, 600.0, 0.7, 0.4},
-                                        {BounceMethod::explicit_euler, 60.0, 0, 500.0, 1.5, 2.1},
-                                        {BounceMethod::explicit_euler, 60.0, 1, 600.0, 1.5, 1.5}};
-  const Result result = bounces_result(kept);
-  const Table& rates = result.tables[1];
-  const auto column = [&](const char* name) {
-    return std::find_if(rates.columns.begin(), rates.columns.end(),
-                        [&](const Column& each) { return each.name == name; })
-        ->values;
-  };
-  EXPECT_EQ(std::get<std::vector<std::int64_t>>(column("about_kept")), (std::vector<std::int64_t>{1, 1}));
-  EXPECT_EQ(std::get<std::vector<double>>(column("ten_minutes")), (std::vector<double>{0.5, 1.8}));
-  EXPECT_NE(std::get<std::string>(result.verdict.text.back()).find("explicit Euler in 1 of 2 throws"),
-            std::string::npos);  // 0.4 off against 1.1 of the one, 0.6 against 0.5 of the other.
-  const Plot& plot = std::get<std::vector<Plot>>(result.figures[0].body).front();
-  ASSERT_EQ(plot.series.size(), 2u);
-  EXPECT_EQ(plot.series[0].x, (std::vector<double>{500.0, 600.0}));
-  EXPECT_EQ(plot.series[1].y, (std::vector<double>{2.1, 1.5}));
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -37,13 +37,6 @@ Result studied(std::vector<Scenario> scenarios) {
   return hard_cases().run(request);
 }
 
-template <class Value>
-const std::vector<Value>& values(const Table& table, const std::string& name) {
-  for (const Column& column : table.columns)
-    if (column.name == name) return std::get<std::vector<Value>>(column.values);
-  throw std::logic_error("no column " + name);
-}
-
 TEST(HardCase, AUsersScenarioIsOneCase) {
   const std::vector<HardCase> cases = hard_cases_of(shipped_core(), fling_at(60.0, 100));
   ASSERT_EQ(cases.size(), 1u);
@@ -172,48 +165,6 @@ TEST(HardCase, ThePositionStandsStillAtEveryRate) {
     zero_speed += is_held;
   }
   EXPECT_EQ(zero_speed, 7);
-}
-
-TEST(HardCasesStudy, AnExpectationThatDoesNotHoldIsBroken) {
-  Scenario scenario = fling_at(60.0, 200);
-  scenario.expect.emplace().final_x_px = Interval{-2.0, -1.0};
-  EXPECT_EQ(studied({scenario}).verdict.broken,
-            std::vector<std::string>{"fling: expectations: final_x_px: wanted -2 .. -1"});
-}
-
-TEST(HardCasesStudy, AFieldOfTheGridHasAPartForEachVerdictAndThreeCasesAreNamed) {
-  Scenario broken = fling_at(60.0, 200);
-  broken.expect.emplace().final_x_px = Interval{-2.0, -1.0};
-  const Result result = studied({named("rest"), broken});
-  EXPECT_NE(
-      std::ranges::find_if(result.verdict.text,
-                           [](const auto& part) {
-                             const auto* const text = std::get_if<std::string>(&part);
-                             return text != nullptr &&
-                                    text->ends_with("\n    rest/20-hz, rest/24-hz, rest/25-hz and 14 more");
-                           }),
-      result.verdict.text.end());
-  const Grid& grid = std::get<Grid>(result.figures.front().body);
-  EXPECT_EQ(grid.rows, (std::vector<std::string>{"rest ×25", "fling"}));
-  std::vector<Cell> rest, expectations;
-  for (const Cell& cell : grid.cells) {
-    if (cell.row == 0 && grid.columns[cell.column].first == "comes-to-rest") rest.push_back(cell);
-    if (cell.row == 1 && grid.columns[cell.column].first == "expectations") expectations.push_back(cell);
-  }
-  ASSERT_EQ(rest.size(), 2u);
-  EXPECT_EQ(rest[0].tone, Tone::good);
-  EXPECT_EQ(rest[0].text, "7");
-  EXPECT_EQ(rest[0].right, rest[1].left);
-  EXPECT_EQ(rest[1].tone, Tone::notable);
-  EXPECT_EQ(rest[1].text, "17");
-  ASSERT_EQ(expectations.size(), 1u);
-  EXPECT_EQ(expectations[0].tone, Tone::bad);
-}
-
-TEST(HardCasesStudy, WithoutACaseItIsRefused) {
-  StudyRequest request{
-      .core = shipped_core(), .scenarios = {{"long.json", named("ten-million-steps")}}, .is_quick = true};
-  EXPECT_THROW(static_cast<void>(hard_cases().run(request)), RequestRefused);
 }
 
 }  // namespace

@@ -35,8 +35,10 @@ Result quick(const Study& study) {
     request.scenarios = {named("calm", fling_at(60.0, 300)), named("eventful", fling_at(144.0, 500))};
     request.scenarios[1].scenario.events = {{std::int64_t{40}, Hitch{0.1}}, {2.5, Fling{{-700.0, -300.0}}}};
   }
-  if (study.name == "hard-cases") {  // One that breaks an expectation, and one of expected failures.
+  if (study.name == "hard-cases") {  // One that breaks an expectation, and some of expected failures.
     request.scenarios[0].scenario.expect.emplace().final_x_px = Interval{-2.0, -1.0};
+    request.scenarios.push_back(
+        named("rest", load_scenario(std::string(HYRAX_SOURCE_DIR) + "/scenarios/hard/rest.json")));
     request.scenarios.push_back(named("wide", fling_at(60.0, 120)));
     request.scenarios.back().scenario.sprite.width_px = 3000;
   }
