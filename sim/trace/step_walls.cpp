@@ -221,7 +221,12 @@ class WallFinder {
       const std::optional<WallComparison>& wall = walls_[static_cast<std::size_t>(outcome.comparison)];
       if (!wall || wall->beyond != outcome.holds || has(contacts, wall->wall)) continue;
       if (wall->is_for_large_sprites && !has_large_sprite(path, is_in_x(wall->wall))) continue;
-      contacts.push_back({.wall = wall->wall, .position = wall->position, .bound = wall->bound});
+      // A position that was set to 0 is beyond the bound at which the path ends.
+      const std::int32_t end = path.members[is_in_x(wall->wall) ? 0 : 1];
+      const bool is_set = wall->is_for_large_sprites && meaning(end).is_bound() && meaning(end).has_window();
+      contacts.push_back({.wall = wall->wall,
+                          .position = is_set ? wall->bound : wall->position,
+                          .bound = is_set ? end : wall->bound});
     }
     std::sort(contacts.begin(), contacts.end(),
               [](const PathContact& a, const PathContact& b) { return a.wall < b.wall; });

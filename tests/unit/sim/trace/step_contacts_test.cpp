@@ -353,5 +353,16 @@ TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {
   EXPECT_GT(contacts[wall_index(Wall::ground)], 60);
 }
 
+TEST(ContactsOfALargeSprite, AreBeyondTheBoundByWhatThePositionWasSetTo) {
+  const auto program = make_step_program(canonical(
+      recording::record([](recording::Body& b, const recording::Frame& f) { SnapsToTheLeft()(b, f); })));
+  ASSERT_TRUE(program);
+  for (const double x : {10.0, 40.0}) {
+    const TracedBody body(*program, {x, 50.0, 0.0, 0.0});
+    EXPECT_EQ(body.meeting(Wall::right, 0.01, {50, 600}, {100, 100}).overshoot_px,
+              x < 30.0 ? 50.0 : x + 50.0);
+  }
+}
+
 }  // namespace
 }  // namespace hyrax
