@@ -190,9 +190,46 @@ bool is_before(const StepPath& a, const StepPath& b) {
   return a.members < b.members;
 }
 
+void sort_paths(std::vector<StepPath>& paths) {
+  std::sort(paths.begin(), paths.end(), is_before);
+  paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+}
+
+// Merges every two paths that differ in the outcome of this comparison alone into one without it, unless the
+// paths are no tree of decisions then. Returns whether any were merged.
+bool drop_comparison(std::vector<StepPath>& paths, std::int32_t comparison) {
+  const auto find_in = [comparison](auto& outcomes) {
+    return std::find_if(outcomes.begin(), outcomes.end(),
+                        [=](const StepOutcome& outcome) { return outcome.comparison == comparison; });
+  };
+  const auto is_in_pair = [&](const StepPath& path) {
+    if (find_in(path.outcomes) == path.outcomes.end()) return false;
+    StepPath other = path;
+    find_in(other.outcomes)->holds = !find_in(path.outcomes)->holds;
+    return std::binary_search(paths.begin(), paths.end(), other, is_before);
+  };
+  if (std::none_of(paths.begin(), paths.end(), is_in_pair)) return false;
+  std::vector<StepPath> merged = paths;
+  for (StepPath& path : merged)
+    if (is_in_pair(path)) path.outcomes.erase(find_in(path.outcomes));
+  sort_paths(merged);
+  if (!make_decision_tree(merged)) return false;
+  paths = std::move(merged);
+  return true;
+}
+
+// The last first: of two that could be dropped, but not both, the one that comes first is kept.
+bool drop_comparisons(TracedStep& step) {
+  bool drops = false;
+  for (std::vector<StepPath>& paths : step.paths)
+    for (auto comparison = static_cast<std::int32_t>(step.comparisons.size()); comparison-- > 0;)
+      drops |= drop_comparison(paths, comparison);
+  return drops;
+}
+
 }  // namespace
 
-TracedStep canonical(const TracedStep& step) {
+TracedStep in_order(const TracedStep& step) {
   const TracedStep unique = unique_step(step);
   const Needed needed(unique);
   TracedStep numbered{.members = step.members};
@@ -209,10 +246,15 @@ TracedStep canonical(const TracedStep& step) {
                 [](const StepOutcome& a, const StepOutcome& b) { return a.comparison < b.comparison; });
       for (std::int32_t& member : path.members) member = expressions[static_cast<std::size_t>(member)];
     }
-    std::sort(paths.begin(), paths.end(), is_before);
-    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+    sort_paths(paths);
   }
   return numbered;
+}
+
+TracedStep canonical(const TracedStep& step) {
+  TracedStep reduced = in_order(step);
+  while (drop_comparisons(reduced)) reduced = in_order(reduced);
+  return reduced;
 }
 
 }  // namespace hyrax

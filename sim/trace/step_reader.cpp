@@ -83,7 +83,7 @@ bool is_name(std::string_view word) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-// The step as the text has it. Whether that is the canonical text of it, its caller finds out.
+// The step as the text has it. Whether that is the text of it in order, its caller finds out.
 class Reader {
  public:
   bool read(std::string_view text) {
@@ -264,8 +264,9 @@ std::optional<TracedStep> read_step(std::string_view text) {
   const std::string first_line = std::string(kStepFirstLine) + "\n";
   Reader reader;
   if (!body.starts_with(first_line) || !reader.read(body.substr(first_line.size()))) return std::nullopt;
-  TracedStep step = canonical(reader.step());
-  if (step_text(step) != text) return std::nullopt;
+  const TracedStep written = in_order(reader.step());
+  if (step_text(written) != text) return std::nullopt;
+  TracedStep step = canonical(written);
   for (const std::vector<StepPath>& paths : step.paths)
     if (!make_decision_tree(paths)) return std::nullopt;
   return step;

@@ -7,7 +7,7 @@ import os
 import pathlib
 import tempfile
 
-from core_edits import BOTTOM, DRAG, DRAG_X, DRAG_Y, GRAVITY, LEFT, MOVE_X, MOVE_Y, RIGHT, TOP
+from core_edits import BOTTOM, DRAG, DRAG_X, DRAG_Y, FLAGS_X, FLAGS_Y, FMIN_AND_FMAX, GRAVITY, LEFT, MOVE_X, MOVE_Y, RIGHT, TOP
 from process import succeed
 from program import ProgramTest, fling, main
 from traced import SHIPPED, settings, traced
@@ -32,6 +32,8 @@ EDITS = {
     "walls in y first": ((COUNTED_X_WALLS, ""), ("  }\n\n  double x()", f"{COUNTED_X_WALLS}  }}\n\n  double x()")),
     "Verlet": ((GRAVITY, "m_vy += 0.5 * GRAVITY * dt;"), ("  }\n\n  double x()", "    m_vy += 0.5 * GRAVITY * dt;\n  }\n\n  double x()")),
     "snap to the left": ((COUNTED_X_WALLS, f"    if (m_x > 0.0 && m_x < 30.0 && std::fabs(m_vx) < 900.0) m_x = 0.0;\n{COUNTED_X_WALLS}"),),
+    "walls by flags": (*FLAGS_X, *FLAGS_Y),
+    "walls by fmin and fmax": (*FLAGS_X, *FMIN_AND_FMAX),
     "speed limit": ((MOVE, f"if (m_vx > 1500.0) m_vx = 1500.0;\n    {MOVE}"),),
     "quadratic drag": ((DRAG, "const double drag = 1.0 - 1e-4 * dt * std::sqrt(m_vx * m_vx + m_vy * m_vy);\n"
                               "    m_vx *= drag;\n    m_vy *= drag;"),),
@@ -39,7 +41,8 @@ EDITS = {
 EVERYDAY = ("reflected", "sub-steps")
 
 STEPS = 900
-START = {"x_px": 20.25, "y_px": 150.5, "vx_px_per_s": 2400, "vy_px_per_s": -900}
+# In the narrow window the first step ends beyond both walls.
+START = {"x_px": -50.25, "y_px": 150.5, "vx_px_per_s": 2400, "vy_px_per_s": -900}
 WINDOWS = ((1920, 1080), (300, 400), (100, 600))  # The last one is narrower than the sprite.
 COUNTER = f"""#include <cstdio>
 #include <cstdlib>

@@ -21,6 +21,10 @@ X_WALLS = f"""    if (m_x < 0.0) {{
       {RIGHT}
     }}
 """
+# Walls that are all asked before one of them is met.
+FLAGS_X = (("if (m_x < 0.0)", "const bool isLeft = m_x < 0.0, isRight = m_x > rightBound;\n    if (isLeft)"), ("(m_x > rightBound)", "(isRight)"))
+FLAGS_Y = (("if (m_y < 0.0)", "const bool isTop = m_y < 0.0, isGround = m_y > bottomBound;\n    if (isTop)"), ("(m_y > bottomBound)", "(isGround)"))
+FMIN_AND_FMAX = (("m_x = 0.0;", "m_x = std::fmax(m_x, 0.0);"), ("m_x = rightBound;", "m_x = std::fmin(m_x, rightBound);"))
 HELPERS = "  double x() const"
 
 
@@ -214,6 +218,9 @@ EQUAL = (
           (LEFT, f"m_x = std::max(m_x, 0.0);\n      {TURN_X}")),
     equal("asked_what_it_is", (RIGHT, f"m_x = rightBound;\n      if (m_x == rightBound) {TURN_X}")),
     equal("never_read", (GRAVITY, f"const double unused = m_vy * 3.0;\n    static_cast<void>(unused);\n    {GRAVITY}")),
+    equal("walls_by_flags", *FLAGS_X, *FLAGS_Y),
+    equal("both_walls_by_flags", (X_WALLS, "    const bool isLeft = m_x < 0.0, isRight = m_x > rightBound;\n"
+                                  f"    if (isLeft | isRight) {{\n      m_x = isLeft ? 0.0 : rightBound;\n      {TURN_X}\n    }}\n")),
     # The same bits, by other operations: no text proves it, and no step refutes it.
     Edit("bound_of_doubles", (("static_cast<double>(screenWidth - objWidth)",
                                "static_cast<double>(screenWidth) - static_cast<double>(objWidth)"),), "not_proved"),
@@ -221,6 +228,7 @@ EQUAL = (
     Edit("walls_by_clamp", (("#include <cmath>", "#include <algorithm>\n#include <cmath>"),
                             (X_WALLS, "    const double clamped = std::clamp(m_x, 0.0, rightBound);\n"
                                       f"    if (clamped != m_x) {{\n      m_x = clamped;\n      {TURN_X}\n    }}\n")), "not_proved"),
+    Edit("walls_by_fmin_and_fmax", (*FLAGS_X, *FMIN_AND_FMAX), "not_proved"),
     Edit("guard_against_nan", ((GRAVITY, f"if (std::isnan(m_vx)) m_vx = 0.0;\n    {GRAVITY}"),), "not_proved"),
     Edit("guard_against_negative_dt", ((GRAVITY, f"if (dt < 0.0) return;\n    {GRAVITY}"),), "not_proved"),
     # Not traced: a reason is given.

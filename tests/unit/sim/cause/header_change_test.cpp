@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "sim/cause/header_change.h"
+#include "sim/core/shipped_core.h"
+#include "sim/trace/step_text.h"
 
 namespace hyrax {
 namespace {
@@ -177,6 +179,20 @@ TEST(StepProof, NeedsTwoCompleteStepsOfTheSameText) {
   EXPECT_FALSE(prove_equal("base.h", incomplete, incomplete).is_equal);
   EXPECT_EQ(prove_equal("base.h", one, incomplete).why, "many paths");
   EXPECT_EQ(prove_equal("base.h", incomplete, one).why, "the step of base.h is not complete: many paths");
+}
+
+TEST(StepProof, LeavesOutComparisonsThatDecideNothing) {
+  TracedStep step = read_step(shipped_core().record.step).value();
+  std::vector<StepPath>& paths = step.paths[static_cast<std::size_t>(CoreFunction::set_position)];
+  paths[0].outcomes = {{0, false}};
+  paths.push_back(paths[0]);
+  const std::string text_of_half = step_text(step);
+  paths[1].outcomes[0].holds = true;
+  const std::string earlier = step_text(step);
+  const CoreRecord of_earlier{.step = earlier}, of_half{.step = text_of_half},
+      now{.step = shipped_core().record.step};
+  EXPECT_TRUE(prove_equal("base.h", of_earlier, now).is_equal);
+  EXPECT_FALSE(prove_equal("base.h", of_half, now).is_equal);
 }
 
 }  // namespace

@@ -163,6 +163,73 @@ TEST(StepText, MergesComparisonsThatAreOne) {
             }));
 }
 
+// The listing's walls in x; both are asked first where they are flags.
+template <bool kHasFlags>
+void meet_walls(Body& body, const Frame& frame) {
+  const Real right = to_real(frame.window_width - frame.sprite_width);
+  const auto is_left = [x = body.x] { return x < 0.0; };
+  const auto is_right = [x = body.x, right] { return x > right; };
+  if (kHasFlags) {
+    is_right();
+    is_left();
+  }
+  if (!is_left() && !is_right()) return;
+  body.x = is_left() ? Real(0.0) : right;
+  body.vx = -body.vx;
+}
+
+TEST(StepText, HasNoComparisonThatDecidesNothing) {
+  EXPECT_EQ(record(meet_walls<true>).paths_of(CoreFunction::update).size(), 4u);
+  EXPECT_EQ(text_of(meet_walls<true>), text_of(meet_walls<false>));
+  // Three, of which one is asked where others were found so.
+  const std::string speed = text_of([](Body& body, const Frame&) { body.vy = body.vx; });
+  EXPECT_EQ(text_of([](Body& body, const Frame&) {
+              if (body.x < body.y) static_cast<void>(body.vx < body.vy || body.x < body.vx);
+              body.vy = body.vx;
+            }),
+            speed);
+}
+
+TEST(StepText, OfTwoConditionsOfOneEffectTheFirstIsKept) {
+  const auto either = [](const std::function<bool(const Body&)>& asks) {
+    return text_of([&](Body& body, const Frame&) {
+      if (asks(body)) body.vx = 0.0;
+    });
+  };
+  const auto asks_both = [](const Body& body) {
+    const bool is_left = body.x < 0.0, is_high = body.y < 0.0;
+    return is_left || is_high;
+  };
+  const auto asks_both_turned = [](const Body& body) {
+    const bool is_high = body.y < 0.0, is_left = body.x < 0.0;
+    return is_high || is_left;
+  };
+  const std::string text = either([](const Body& body) { return body.x < 0.0 || body.y < 0.0; });
+  EXPECT_EQ(either(asks_both), text);
+  EXPECT_EQ(either(asks_both_turned), text);
+}
+
+// Where a comparison is left out, those that remain must lead to one path each: `c ? a && b : b && a`.
+TEST(StepText, StaysATreeOfDecisions) {
+  const TracedStep step = canonical(record([](Body& body, const Frame&) {
+    const auto a = [&] { return body.y < 1.0; };
+    const auto b = [&] { return body.vy < 1.0; };
+    if (body.x < 0.0)
+      body.vx = a() ? (b() ? 1.0 : 2.0) : 3.0;
+    else
+      body.vx = b() ? (a() ? 1.0 : 4.0) : 5.0;
+  }));
+  EXPECT_EQ(step.paths_of(CoreFunction::update).size(), 6u);
+  EXPECT_EQ(read_step(step_text(step)), step);
+}
+
+TEST(StepText, OfEarlierVersionsHasComparisonsThatDecideNothing) {
+  const TracedStep recorded = record(meet_walls<true>);
+  const std::string text = step_text(in_order(recorded));
+  ASSERT_NE(text, step_text(canonical(recorded)));
+  EXPECT_EQ(read_step(text), canonical(recorded));
+}
+
 TEST(StepText, ReadsWhatItWrites) {
   const double tiny = std::numeric_limits<double>::denorm_min();
   const auto some = [&](Body& body, const Frame& frame) {
@@ -219,7 +286,7 @@ TEST(StepText, ReadsNothingButCanonicalTextsHoweverTheChecksumIsMade) {
       edited[place] = static_cast<char>(edited[place] ^ flip);
       edited = with_checksum(edited);
       if (const std::optional<TracedStep> step = read_step(edited)) {
-        EXPECT_EQ(step_text(canonical(*step)), edited);
+        EXPECT_EQ(step_text(*step), edited);
         ++read_back;
       }
     }
