@@ -69,17 +69,13 @@ TEST_F(AtomicFileTest, KeepsTheModeOfTheFileThatItReplaces) {
   }
 }
 
-TEST_F(AtomicFileTest, WritesACompleteFile) {
+TEST_F(AtomicFileTest, WritesACompleteFileAndReplacesAnOldOne) {
   const std::string text = std::string("a\0b\r\n", 5) + std::string(200'000, 'x');
-  write_text_file(path("new.txt"), text);
-  EXPECT_EQ(read_text_file(path("new.txt")), text);
-  EXPECT_EQ(names(), std::set<std::string>{"new.txt"});
-}
-
-TEST_F(AtomicFileTest, ReplacesAnOldFile) {
-  write_text_file(old_file("a.txt"), "new");
-  EXPECT_EQ(read_text_file(path("a.txt")), "new");
-  EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+  for (const std::string& file : {path("new.txt"), old_file("old.txt")}) {
+    write_text_file(file, text);
+    EXPECT_EQ(read_text_file(file), text);
+  }
+  EXPECT_EQ(names(), (std::set<std::string>{"new.txt", "old.txt"}));
 }
 
 TEST_F(AtomicFileTest, AcceptsANewNameOnly) {
@@ -175,31 +171,20 @@ TEST_F(AtomicFileTest, MakesTheFileThatALinkMeans) {
   EXPECT_EQ(read_text_file(path("later.txt")), "new");
 }
 
-TEST_F(AtomicFileTest, RefusesAFolder) {
+TEST_F(AtomicFileTest, RefusesWhatCannotBeAFile) {
   fs::create_directory(path("folder"));
-  EXPECT_EQ(refusal(path("folder")), path("folder") + ": cannot be written: Is a directory");
-  EXPECT_EQ(names(), std::set<std::string>{"folder"});
+  for (const auto& [file, reason] : {std::pair{path("folder"), "Is a directory"},
+                                     {path("no/such/file.txt"), "No such file or directory"},
+                                     {old_file("a.txt") + "/b.txt", "Not a directory"},
+                                     {path(std::string(300, 'a')), "File name too long"}})
+    EXPECT_EQ(refusal(file), file + ": cannot be written: " + reason);
+  EXPECT_EQ(names(), (std::set<std::string>{"a.txt", "folder"}));
 }
 
 TEST_F(AtomicFileTest, RefusesAPipeAndLeavesItThere) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   EXPECT_NE(refusal(path("pipe")).find("cannot be written: is a device or a pipe"), std::string::npos);
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
-}
-
-TEST_F(AtomicFileTest, RefusesAMissingFolder) {
-  EXPECT_EQ(refusal(path("no/such/file.txt")),
-            path("no/such/file.txt") + ": cannot be written: No such file or directory");
-}
-
-TEST_F(AtomicFileTest, RefusesAFileInPlaceOfAFolder) {
-  EXPECT_EQ(refusal(old_file("a.txt") + "/b.txt"),
-            path("a.txt") + "/b.txt: cannot be written: Not a directory");
-}
-
-TEST_F(AtomicFileTest, RefusesAnImpossibleName) {
-  EXPECT_NE(refusal(path(std::string(300, 'a'))).find("cannot be written: File name too long"),
-            std::string::npos);
 }
 
 TEST(MoreSerious, FollowsThePublishedOrder) {

@@ -6,28 +6,25 @@
 namespace hyrax {
 namespace {
 
-void expect_parts(std::string_view path, std::string_view folder, std::string_view stem,
-                  std::string_view extension) {
-  const FileName name = file_name(path);
-  EXPECT_EQ(name.folder, folder) << path;
-  EXPECT_EQ(name.stem, stem) << path;
-  EXPECT_EQ(name.extension, extension) << path;
-}
-
 TEST(FileName, HasFolderStemAndExtension) {
-  expect_parts("scenarios/flings/corner-fling.json", "scenarios/flings/", "corner-fling", ".json");
-  expect_parts("corner.fling.json", "", "corner.fling", ".json");
-  expect_parts("/fling", "/", "fling", "");
+  struct Case {
+    std::string_view path, folder, stem, extension;
+  };
+  for (const Case& each :
+       {Case{"scenarios/flings/corner-fling.json", "scenarios/flings/", "corner-fling", ".json"},
+        {"corner.fling.json", "", "corner.fling", ".json"},
+        {"/fling", "/", "fling", ""},
+        // Dots in names of folders, a hidden file, a folder.
+        {"a.b/fling", "a.b/", "fling", ""},
+        {"../fling.json", "../", "fling", ".json"},
+        {"a/.json", "a/", ".json", ""},
+        {"a/", "a/", "", ""}}) {
+    const FileName name = file_name(each.path);
+    EXPECT_EQ(name.folder, each.folder) << each.path;
+    EXPECT_EQ(name.stem, each.stem) << each.path;
+    EXPECT_EQ(name.extension, each.extension) << each.path;
+  }
 }
-
-TEST(FileName, IgnoresDotsInFolderNames) {
-  expect_parts("a.b/fling", "a.b/", "fling", "");
-  expect_parts("../fling.json", "../", "fling", ".json");
-}
-
-TEST(FileName, OfAHiddenFileIsAllStem) { expect_parts("a/.json", "a/", ".json", ""); }
-
-TEST(FileName, OfAFolderIsEmpty) { expect_parts("a/", "a/", "", ""); }
 
 }  // namespace
 }  // namespace hyrax

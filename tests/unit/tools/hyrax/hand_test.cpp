@@ -20,6 +20,9 @@ Hand moved_hand(ScreenPoint way, std::int64_t period_ms, int moves) {
 TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
   const Hand hand = moved_hand({12, -9}, 10, 30);
   EXPECT_EQ(hand.velocity(300 * kMs), (Velocity{1200.0, -900.0}));
+  EXPECT_EQ(hand.velocity(350 * kMs), (Velocity{600.0, -450.0})) << "slows down";
+  EXPECT_EQ(hand.velocity(400 * kMs), Velocity{}) << "stopped before it let go";
+  EXPECT_EQ(hand.velocity(60'000 * kMs), Velocity{});
 }
 
 TEST(Hand, IgnoresOlderMoves) {
@@ -27,17 +30,6 @@ TEST(Hand, IgnoresOlderMoves) {
   hand.move({-900, 300}, 100 * kMs);
   for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kMs);
   EXPECT_EQ(hand.velocity(200 * kMs), (Velocity{500.0, 0.0}));
-}
-
-TEST(Hand, ThatStoppedBeforeItLetGoGivesNothing) {
-  const Hand hand = moved_hand({12, -9}, 10, 30);
-  EXPECT_EQ(hand.velocity(400 * kMs), Velocity{});
-  EXPECT_EQ(hand.velocity(60'000 * kMs), Velocity{});
-}
-
-TEST(Hand, ThatSlowsDownGivesLess) {
-  const Hand hand = moved_hand({12, -9}, 10, 30);
-  EXPECT_EQ(hand.velocity(350 * kMs), (Velocity{600.0, -450.0}));
 }
 
 TEST(Hand, OfAShortFlickGivesTheFlicksVelocity) {

@@ -29,12 +29,9 @@ TEST(PetOptions, AcceptTheirValueAfterASpaceOrAnEqualsSign) {
   EXPECT_EQ(options.record_path, "a b.json");
   EXPECT_EQ(options.log_path, "run.log");
   EXPECT_EQ(options.seconds, 2.5);
-}
-
-TEST(PetOptions, OfAReplay) {
-  const PetOptions options = parse_options({"--exit", "--replay", "x.json"});
-  EXPECT_EQ(options.replay_path, "x.json");
-  EXPECT_TRUE(options.only_exits);
+  const PetOptions of_replay = parse_options({"--exit", "--replay", "x.json"});
+  EXPECT_EQ(of_replay.replay_path, "x.json");
+  EXPECT_TRUE(of_replay.only_exits);
 }
 
 TEST(PetOptions, ThatAreNoneAreRefused) {
@@ -44,23 +41,18 @@ TEST(PetOptions, ThatAreNoneAreRefused) {
   EXPECT_NE(refusal({"x.json"}).find("unknown option (found x.json)"), std::string::npos);
 }
 
-TEST(PetOptions, WithoutTheirValueAreRefused) {
-  EXPECT_NE(refusal({"--record"}).find("--record needs a value"), std::string::npos);
-  EXPECT_NE(refusal({"--log="}).find("--log needs a value"), std::string::npos);
-  EXPECT_NE(refusal({"--exit=yes"}).find("--exit takes no value (found yes)"), std::string::npos);
-}
-
-TEST(PetOptions, RefuseSecondsThatAreNoTime) {
-  for (const char* const text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
-    EXPECT_NE(
-        refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9 (found " + std::string(text)),
-        std::string::npos)
+TEST(PetOptions, OfOtherValuesAndTogetherWithOthersAreRefused) {
+  using Arguments = std::vector<std::string>;
+  for (const auto& [arguments, says] : {std::pair{Arguments{"--record"}, "--record needs a value"},
+                                        {Arguments{"--log="}, "--log needs a value"},
+                                        {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},
+                                        {Arguments{"--exit"}, "--exit needs --replay FILE"},
+                                        {Arguments{"--record", "a", "--replay", "b"}, "is not allowed with"}})
+    EXPECT_NE(refusal(arguments).find(says), std::string::npos) << says;
+  for (const std::string text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
+    EXPECT_NE(refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9 (found " + text),
+              std::string::npos)
         << text;
-}
-
-TEST(PetOptions, RefuseCombinationsThatAreNotAllowed) {
-  EXPECT_NE(refusal({"--exit"}).find("--exit needs --replay FILE"), std::string::npos);
-  EXPECT_NE(refusal({"--record", "a", "--replay", "b"}).find("is not allowed with"), std::string::npos);
 }
 
 }  // namespace
