@@ -129,6 +129,23 @@ TEST(Cause, IsTheScenariosOwnText) {
             CauseKind::scenario);
 }
 
+TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
+  const Program program;
+  const Scenario scenario = fling_at(60.0, 300);
+  const StoredRun golden = run_of(scenario);
+  const auto run = [&](const char* scenario_change, bool is_repeated) {
+    return DifferingRun{golden, golden, scenario_change, true, true, is_repeated};
+  };
+  const std::vector<DifferingRun> runs = {run("", false),         run("", false),
+                                          run("", false),         run("/a 1 -> 2", true),
+                                          run("/b 1 -> 2", true), run("/b 1 -> 2", true)};
+  const std::vector<CauseGroup> groups = group_by_cause(runs, program.base());
+  ASSERT_EQ(groups.size(), 3u);
+  EXPECT_EQ(groups[0].runs, (std::vector<std::size_t>{4, 5}));
+  EXPECT_EQ(groups[1].runs, std::vector<std::size_t>{3});
+  EXPECT_EQ(groups[2].runs, (std::vector<std::size_t>{0, 1, 2}));
+}
+
 TEST(Cause, IsAGoldenFileThatWasChanged) {
   Program program;
   const Scenario scenario = fling_at(60.0, 300);

@@ -136,6 +136,7 @@ TEST(ArcCutter, EndsAnArcAtTheRowBeforeAnInput) {
 TEST(ArcCutter, BeginsAnArcAfterTheInputsOfTheNextFrame) {
   Scenario scenario = interrupted_by(Fling{{-100.0, -900.0}});
   scenario.events.push_back({std::int64_t{10}, Place{{7000.0, 8000.0}}});
+  scenario.events.push_back({std::int64_t{10}, Hitch{0.5}});  // No input, but the last event.
   const Row start = cut(scenario).arcs.at(1).start.row;
   EXPECT_EQ(start.vx_px_per_s, -100.0);
   EXPECT_EQ(start.vy_px_per_s, -900.0);

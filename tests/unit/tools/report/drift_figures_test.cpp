@@ -56,8 +56,10 @@ TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
   MeasuredRun run(1);
   run.whole.why_not = "gravity is 0";
   EXPECT_EQ(plot_of(drift_figures(run)[0]).when_empty, "no exact fling: gravity is 0");
-  run.whole = {.run = WholeRun{.end_px = 3.0, .max_px = 7.0}, .why_not = ""};
+  run.whole = {.run = WholeRun{.end_px = 3.0, .max_px = 7.0, .energy_end_px = -2.0, .energy_max_px = 9.0},
+               .why_not = ""};
   run.whole_rows = {{1.0, 5.0}, {2.0, 7.0}};
+  EXPECT_TRUE(drift_figures(run)[0].subtitle.ends_with("; at the end 3 px, -2 px of height"));
   const Series series = plot_of(drift_figures(run)[0]).series[0];
   EXPECT_EQ(series.x, (std::vector{1.0, 2.0, 10.0}));
   EXPECT_EQ(series.y, (std::vector{5.0, 7.0, 3.0}));

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::int64_t kLong = 3 * static_cast<std::int64_t>(kBlockRows) + 99;
 
-Scenario long_fling() {
-  Scenario scenario = fling_at(60.0, kLong,
+Scenario long_fling(std::int64_t steps = kLong) {
+  Scenario scenario = fling_at(60.0, steps,
                                {{std::int64_t{3}, Grab{}},
                                 {std::int64_t{8000}, Resize{Size{1000, 700}, {}}},
                                 {std::int64_t{9000}, Release{{900.0, -1500.0}}}});
@@ -71,19 +71,22 @@ TEST_F(GoldenFile, OfACoreOfOnesOwnKeepsItsNameAndNoConstants) {
 }
 
 TEST_F(GoldenFile, OfALongRunKeepsItsBlocks) {
-  const StoredRun kept = kept_run(long_fling());
-  const StoredRun read = write_and_read(kept);
-  expect_same_head(kept, read);
-  EXPECT_EQ(read.rows.size(), 0u);
-  ASSERT_EQ(read.blocks.size(), kept.blocks.size());
-  for (std::size_t block = 0; block < read.blocks.size(); ++block) {
-    EXPECT_EQ(read.blocks[block].count, kept.blocks[block].count);
-    EXPECT_EQ(read.blocks[block].digest, kept.blocks[block].digest);
-    EXPECT_EQ(read.blocks[block].checks, kept.blocks[block].checks);
-    EXPECT_TRUE(is_same_keyframe(read.blocks[block].keyframe, kept.blocks[block].keyframe)) << block;
+  for (const std::int64_t steps : {kLong, 18 * static_cast<std::int64_t>(kBlockRows)}) {
+    const StoredRun kept = kept_run(long_fling(steps));
+    const StoredRun read = write_and_read(kept);
+    expect_same_head(kept, read);
+    EXPECT_EQ(read.rows.size(), 0u);
+    ASSERT_EQ(read.blocks.size(), kept.blocks.size());
+    for (std::size_t block = 0; block < read.blocks.size(); ++block) {
+      EXPECT_EQ(read.blocks[block].count, kept.blocks[block].count);
+      EXPECT_EQ(read.blocks[block].digest, kept.blocks[block].digest);
+      EXPECT_EQ(read.blocks[block].checks, kept.blocks[block].checks);
+      EXPECT_EQ(read.blocks[block].checks.empty(), block >= kCheckedBlocksMax) << block;
+      EXPECT_TRUE(is_same_keyframe(read.blocks[block].keyframe, kept.blocks[block].keyframe)) << block;
+    }
+    EXPECT_TRUE(read.blocks[2].keyframe.window == (Size{1000, 700}));
+    EXPECT_TRUE(read.blocks[2].keyframe.is_held);
   }
-  EXPECT_TRUE(read.blocks[2].keyframe.window == (Size{1000, 700}));
-  EXPECT_TRUE(read.blocks[2].keyframe.is_held);
 }
 
 TEST_F(GoldenFile, OfALongRunAtRestKeepsARepeatedBlockOnce) {
