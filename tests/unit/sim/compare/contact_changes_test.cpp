@@ -42,74 +42,37 @@ TEST(ContactChanges, OfAListThatIsFullEndWithIt) {
   EXPECT_TRUE(contact_changes(full, full).is_none());
 }
 
-TEST(ContactChanges, ReportAMovedContact) {
-  std::vector<Contact> other = kBounces;
-  other[2] = at(Wall::ground, 213);
-  const ContactChanges changes = contact_changes(kBounces, other);
-  ASSERT_EQ(changes.moved.size(), 1u);
-  EXPECT_EQ(changes.moved[0].from.step, 212);
-  EXPECT_EQ(changes.moved[0].to.step, 213);
-  EXPECT_TRUE(changes.only_a.empty());
-  EXPECT_TRUE(changes.only_b.empty());
+std::string text_of(const Contact& contact) {
+  return std::string(name_of(contact.wall)) + " " + std::to_string(contact.step) + ".." +
+         std::to_string(contact.last_step);
 }
 
-TEST(ContactChanges, ReportAContactThatLastsLonger) {
-  std::vector<Contact> other = kBounces;
-  other[3].last_step = 599;
-  const ContactChanges changes = contact_changes(kBounces, other);
-  ASSERT_EQ(changes.moved.size(), 1u);
-  EXPECT_EQ(changes.moved[0].from.last_step, 600);
-  EXPECT_EQ(changes.moved[0].to.last_step, 599);
+// Such as "moved ground 212..212 to 213..213".
+std::vector<std::string> told(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  const ContactChanges changes = contact_changes(a, b);
+  std::vector<std::string> texts;
+  for (const ContactChanges::Moved& moved : changes.moved)
+    texts.push_back("moved " + text_of(moved.from) + " to " + text_of(moved.to));
+  for (const Contact& contact : changes.only_a) texts.push_back("gone " + text_of(contact));
+  for (const Contact& contact : changes.only_b) texts.push_back("new " + text_of(contact));
+  return texts;
 }
 
-TEST(ContactChanges, ReportAVanishedContact) {
-  std::vector<Contact> other = kBounces;
-  other.erase(other.begin() + 1);
-  const ContactChanges changes = contact_changes(kBounces, other);
-  ASSERT_EQ(changes.only_a.size(), 1u);
-  EXPECT_EQ(changes.only_a[0].step, 134);
-  EXPECT_TRUE(changes.only_b.empty());
-  EXPECT_TRUE(changes.moved.empty());
-}
-
-TEST(ContactChanges, ReportAnAppearedContact) {
-  std::vector<Contact> other = kBounces;
-  other.insert(other.begin(), at(Wall::top, 20));
-  const ContactChanges changes = contact_changes(kBounces, other);
-  ASSERT_EQ(changes.only_b.size(), 1u);
-  EXPECT_EQ(changes.only_b[0].wall, Wall::top);
-  EXPECT_TRUE(changes.only_a.empty());
-}
-
-TEST(ContactChanges, DoNotReportAnotherWallAsAMove) {
-  std::vector<Contact> other = kBounces;
-  other[0] = at(Wall::left, 110);
-  const ContactChanges changes = contact_changes(kBounces, other);
-  EXPECT_TRUE(changes.moved.empty());
-  ASSERT_EQ(changes.only_a.size(), 1u);
-  ASSERT_EQ(changes.only_b.size(), 1u);
-  EXPECT_EQ(changes.only_a[0].wall, Wall::right);
-  EXPECT_EQ(changes.only_b[0].wall, Wall::left);
-}
-
-TEST(ContactChanges, DistinguishTheTwoContactsOfACorner) {
-  const std::vector<Contact> corner = {at(Wall::right, 50), at(Wall::ground, 50)};
-  const std::vector<Contact> wall_only = {at(Wall::right, 50)};
-  const ContactChanges changes = contact_changes(corner, wall_only);
-  ASSERT_EQ(changes.only_a.size(), 1u);
-  EXPECT_EQ(changes.only_a[0].wall, Wall::ground);
-  EXPECT_TRUE(contact_changes(corner, corner).is_none());
-}
-
-TEST(ContactChanges, PairMovesInOrderAndLeaveTheRest) {
-  const std::vector<Contact> before = {at(Wall::ground, 10), at(Wall::ground, 20), at(Wall::ground, 30)};
-  const std::vector<Contact> after = {at(Wall::ground, 11), at(Wall::ground, 20)};
-  const ContactChanges changes = contact_changes(before, after);
-  ASSERT_EQ(changes.moved.size(), 1u);
-  EXPECT_EQ(changes.moved[0].from.step, 10);
-  EXPECT_EQ(changes.moved[0].to.step, 11);
-  ASSERT_EQ(changes.only_a.size(), 1u);
-  EXPECT_EQ(changes.only_a[0].step, 30);
+TEST(ContactChanges, AreMovesAndWhatVanishedAndAppeared) {
+  using Texts = std::vector<std::string>;
+  const Contact right = at(Wall::right, 110), first = at(Wall::ground, 134), second = at(Wall::ground, 212);
+  EXPECT_EQ(told({right, second}, {right, at(Wall::ground, 213)}),
+            Texts{"moved ground 212..212 to ground 213..213"});
+  EXPECT_EQ(told({at(Wall::ground, 257, 600)}, {at(Wall::ground, 257, 599)}),
+            Texts{"moved ground 257..600 to ground 257..599"});
+  EXPECT_EQ(told(kBounces, {kBounces[0], kBounces[2], kBounces[3]}), Texts{"gone ground 134..134"});
+  EXPECT_EQ(told({right, first}, {at(Wall::top, 20), right, first}), Texts{"new top 20..20"});
+  // Another wall is no move, and a corner has two contacts.
+  EXPECT_EQ(told({right}, {at(Wall::left, 110)}), (Texts{"gone right 110..110", "new left 110..110"}));
+  EXPECT_EQ(told({right, at(Wall::ground, 110)}, {right}), Texts{"gone ground 110..110"});
+  // Moves are paired in order.
+  EXPECT_EQ(told({first, second, at(Wall::ground, 257)}, {at(Wall::ground, 135), second}),
+            (Texts{"moved ground 134..134 to ground 135..135", "gone ground 257..257"}));
 }
 
 TEST(ContactChanges, ToAnEmptyListAreAllContacts) {
