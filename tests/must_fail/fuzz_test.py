@@ -21,6 +21,7 @@ ONLY_AGAINST = {"gravity_by_one_ulp", "gravity_stronger", "gravity_none", "resti
                 "friction_stronger", "friction_none", "rest_earlier", "rest_later", "two_constants"}
 # What it does depends on the steps of other runs, so that no scenario shows it alone.
 HIDDEN_STATE = {"hidden_state"}
+RUNS = "30"  # Of tests/README.md.
 # With HYRAX_FUZZ_TABLE all cores are tried; else some, so that the test is quick.
 TRIES_ALL = "HYRAX_FUZZ_TABLE" in os.environ
 CORES_EVERY = 1 if TRIES_ALL else 6
@@ -66,7 +67,7 @@ class Fuzz(ProgramTest):
     def test_every_core_that_breaks_an_invariant_is_found_and_shrunk(self):
         for core in sorted(core_faults() - SAME_BITS - ONLY_AGAINST - HIDDEN_STATE)[::CORES_EVERY]:
             with self.subTest(core=core):
-                failure = self.failure(self.fuzz_altered(core, "--runs", "20000"), core, "invariants")
+                failure = self.failure(self.fuzz_altered(core, "--runs", RUNS), core, "invariants")
                 self.assertTrue(failure["fails_again"])
                 self.assertLessEqual(failure["steps"], 3)
                 self.assertLessEqual(failure["events"], 1)
@@ -74,11 +75,17 @@ class Fuzz(ProgramTest):
                 study = run_altered(core, "study", "hard-cases", small, "--gate", "--no-figures", "--json", "-o",
                                     self.folder / "study")
                 self.assertEqual(study.exit_code, DISAGREED, core)
-                case, = study.json["cases"]
+                case = study.json["cases"][0]  # Others are made from it.
                 self.assertIn(case["invariants"][failure["rule"]]["verdict"], ("broken",))
                 shipped = run(PROGRAM, "study", "hard-cases", small, "--gate", "--no-figures", "--json", "-o",
                               self.folder / "study", cwd=SOURCE)
                 self.assertEqual(shipped.exit_code, AGREED, f"{core}: the shipped core fails, too")
+
+    def test_the_readme_counts_them(self):
+        runs, cores, table = re.search(r"`fuzz --runs (\d+)` on each of the (\d+) \[altered cores\].*?\n\n((?:\|.*\n)+)",
+                                       (SOURCE / "tests/README.md").read_text(encoding="utf-8"), re.DOTALL).groups()
+        counts = [len(core_faults() - SAME_BITS - ONLY_AGAINST - HIDDEN_STATE), *map(len, (ONLY_AGAINST, SAME_BITS - {"none"}, HIDDEN_STATE))]
+        self.assertEqual([runs, int(cores), *map(int, re.findall(r"\| (\d+) \|", table))], [RUNS, sum(counts), *counts])
 
     def test_no_other_core_breaks_one(self):
         for core in SAME_BITS | ONLY_AGAINST:
@@ -86,7 +93,7 @@ class Fuzz(ProgramTest):
                 self.assertEqual(self.fuzz_altered(core, "--runs", "3000").exit_code, AGREED)
 
     def test_hidden_state_is_found_and_said_not_to_fail_again(self):
-        failure = self.failure(self.fuzz_altered("hidden_state", "--runs", "5000"), "hidden_state", "invariants")
+        failure = self.failure(self.fuzz_altered("hidden_state", "--runs", RUNS), "hidden_state", "invariants")
         self.assertFalse(failure["fails_again"])
 
     def wrapper(self, core):

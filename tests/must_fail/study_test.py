@@ -4,9 +4,15 @@
 
 import json
 import pathlib
+import sys
+
+import numpy
 
 from altered import StudyControl
 from program import AGREED, DISAGREED, SOURCE, main
+
+sys.path.insert(0, str(SOURCE / "tests/oracle"))
+import flings  # noqa: E402 pylint: disable=wrong-import-position
 
 
 class HardCases(StudyControl):
@@ -60,6 +66,9 @@ class HardCases(StudyControl):
         self.assertTrue(any(": mirror is broken by " in sentence and " in row " in sentence
                             for sentence in sentences), json.dumps(sentences[:3]))
 
+
+# Cores of other constants, and the laws that the numbers of studies follow.
+CORES = {"none": flings.Laws(), "gravity_stronger": flings.Laws(gravity=1250.0)}
 
 # Cores, and the claims that each flips. Every claim except those of NEVER_FLIPPED is flipped by one of them.
 FLIPS = {
@@ -220,6 +229,83 @@ class SpeedError(StudyControl):
         for core in ("no_gravity", "drag_in_y_twice", "drag_before_gravity", "position_before_velocity"):
             with self.subTest(core=core):
                 self.assertEqual(self.study(core, "speed-error").exit_code, DISAGREED)
+
+
+class Numbers(StudyControl):
+    """What studies print of many flings is what tests/oracle/flings.py computes, with the constants of the core; other constants
+    move every median, and another step does."""
+
+    def rows(self, core, study, table):
+        """A table of the study's document, as {key: row}."""
+        keys = ("problem", "method", "clock", "rate_hz")
+        return {tuple(row[key] for key in keys if key in row): row for row in self.study(core, study).json[table]}
+
+    def assert_numbers(self, row, **numbers):
+        """Counts; and of values of all flings median, 10 and 90 %, as far as the row has columns of these names."""
+        for name, values in numbers.items():
+            columns = zip((name.replace("BAND", part) for part in ("median", "low", "high")), flings.band(values)) if "BAND" in name else [(name, values)]
+            for column, number in columns:
+                if column in row or "median" in column:
+                    self.assertAlmostEqual(row[column], number, delta=1e-6 * max(1.0, number), msg=(row, column))
+
+    def assert_moved(self, study, table, core, method, *columns):
+        """By that core most rows of the method have another number in these columns: times come in frames."""
+        moved = self.rows(core, study, table)
+        for column in columns:
+            pairs = [(row[column], moved[key][column]) for key, row in self.rows("none", study, table).items() if method in (*key, "")]
+            self.assertGreater(2 * sum(abs(b - a) > 1e-6 for a, b in pairs), len(pairs), (core, column))
+
+    def test_rest(self):
+        for core, laws in CORES.items():
+            rates = self.rows(core, "rest", "rates")
+            for rate_hz in (24.0, 60.0, 75.0, 144.0):
+                played = flings.Flings(flings.starts(100), laws, rate_hz).play(15.0)
+                vy = played.vy
+                played.step()
+                zero, cycle = ((vy == 0.0) & (played.vy == 0.0)).sum(), ((vy == 0.0) != (played.vy == 0.0)).sum()
+                self.assert_numbers(rates[rate_hz,], rest=zero, cycle=cycle, buzz=100 - zero - cycle, time_BAND_s=played.anchor_s)
+        for core in ("gravity_stronger", "drag_before_gravity"):
+            self.assert_moved("rest", "rates", core, "", "time_median_s")
+
+    def test_frame_rate(self):
+        begin = numpy.concatenate([[[100.0], [100.0], [900.0], [-1200.0]], flings.starts(100)], axis=1)
+        exact = [flings.ExactFling(*each).at(16.0)[0] for each in begin.T]
+        for core, laws in CORES.items():
+            shifts = self.rows(core, "frame-rate", "shifts")
+            for method, by_time in (("paper", None), ("normalised-drag", flings.Laws())):  # By time as by the paper's laws.
+                played = {rate_hz: flings.Flings(begin, by_time or laws, rate_hz, by_time=by_time is not None).play(16.0)
+                          for rate_hz in (60.0, 24.0, 240.0)}
+                for rate_hz, each in played.items():
+                    self.assert_numbers(shifts[method, "steady", rate_hz], shift_BAND_px=abs(each.x - played[60.0].x), off_BAND_px=abs(each.x - exact),
+                                        other_contacts=(each.contacts[:3] != played[60.0].contacts[:3]).any(axis=0).sum())
+        self.assert_moved("frame-rate", "shifts", "gravity_stronger", "paper", "shift_median_px", "off_median_px")
+
+    def test_speed_error(self):
+        begin = flings.starts_like(60.0, 900.0, 1000.0, -1350.0, 120)
+        exact = [flings.ExactFling(*each) for each in begin.T]
+        places = numpy.array([[each.at(row / 60.0)[:2] for each in exact] for row in range(1, 481)])
+        for method in ("paper", "normalised-drag"):
+            played, apart = flings.Flings(begin, flings.Laws(), 60.0, by_time=method != "paper"), []
+            for place in places:
+                played.step()
+                apart.append(numpy.hypot(played.x - place[:, 0], played.y - place[:, 1]))
+            row = self.rows("none", "speed-error", "bands")["fling", method, 60.0]
+            self.assert_numbers(row, position_error_BAND_px=numpy.max(apart, axis=0), end_error_BAND_px=apart[-1])
+        for core in ("drag_in_y_twice", "drag_before_gravity"):
+            self.assert_moved("speed-error", "bands", core, "paper", "position_error_median_px", "end_error_median_px")
+
+    def test_bounces(self):
+        for core, laws in CORES.items():
+            rates = self.rows(core, "bounces", "rates")
+            lossless = flings.Laws(laws.gravity, 1.0, 1.0, 1.0, 0.0)
+            for method in ("paper", "explicit-euler"):
+                played = flings.Flings(flings.starts(100), lossless, 24.0, moves_first=method != "paper")
+                begin = played.energy()
+                for name, duration_s in (("minute", 60.0), ("ten_minutes", 540.0)):
+                    kept = played.play(duration_s).energy() / begin
+                    self.assert_numbers(rates[method, 24.0], **dict(zip((name, f"{name}_low", f"{name}_high"), flings.band(kept))))
+                self.assert_numbers(rates[method, 24.0], about_kept=((kept >= 0.5) & (kept <= 2.0)).sum())
+        self.assert_moved("bounces", "rates", "gravity_stronger", "paper", "ten_minutes")
 
 
 if __name__ == "__main__":
