@@ -104,10 +104,11 @@ class ReportTest(browser.BrowserTest):
         self.played("fling", program.fling(events=events))
         task = self.report("fling")
         for size in ((1400, 900), (800, 900), (375, 844)):
-            (page,) = self.open({**task, "size": size, "actions": [["evaluate", browser.CANVAS_FAULTS]]})
-            count, faults = page["values"][0]
+            (page,) = self.open({**task, "size": size, "actions": [
+                ["evaluate", "(place => place.scrollWidth > place.clientWidth)(document.getElementById('contacts'))"], ["evaluate", browser.CANVAS_FAULTS]]})
+            is_cut, (count, faults) = page["values"]
             self.assertGreater(count, 20)
-            self.assertEqual(faults, [], size)
+            self.assertEqual((is_cut, faults), (False, []), size)
         for place in ("3", "-30"):
             (page,) = self.open({**task, "actions": [["evaluate", browser.CANVAS_FAULTS.replace("at = x", f"at = {place}")]]})
             self.assertNotEqual(page["values"][0][1], [])
@@ -289,11 +290,13 @@ class ReportTest(browser.BrowserTest):
     def test_verdict_and_charts_are_those_of_what_is_flung(self):
         self.played("fling", program.fling())
         down, rows = self.folder / "flung.json", self.folder / "rows.csv"
+        stage = ["evaluate", "document.querySelector('.columns').offsetTop"]
         (page,) = self.open({**self.report("fling"), "actions": [
-            *PLAYGROUND, ["wait", LANDED], ["mouse", "#replay", THROW], ["wait", AT_REST],
+            *PLAYGROUND, stage, ["wait", LANDED], ["mouse", "#replay", THROW], ["wait", AT_REST], stage,
             ["download", "#download-scenario", str(down)], ["download", "#chart-position button", str(rows)],
             ["evaluate", "document.getElementById('verdict').innerText"], ["evaluate", "document.querySelectorAll('#contacts tbody tr').length"]]})
         verdict, contacts = page["values"][-2:]
+        self.assertEqual(page["values"][2], page["values"][6], "the stage moved")
         run, = self.expect(AGREED, "run", down, "-o", "flung.h5", "--json").json["runs"]
         total = sum(run["contacts"].values())
         self.assertGreater(total, 1)

@@ -50,6 +50,18 @@ function light({ target }) {
   for (const each of all) each.classList.toggle('dim', isShared && each.dataset.series !== name);
 }
 
+// Nothing of a verdict is cut or scrolled: findings with a table too wide for two columns have one, and in a table too
+// wide for that each row is a block.
+function fitTables() {
+  const isCut = place => place.scrollWidth > place.clientWidth + 1;
+  for (const findings of document.querySelectorAll('.findings')) {
+    const tables = [...findings.querySelectorAll('.table')];
+    for (const each of [findings, ...tables]) each.classList.remove('one-column', 'folded');
+    findings.classList.toggle('one-column', tables.some(isCut));
+    for (const table of tables) table.classList.toggle('folded', isCut(table));
+  }
+}
+
 function tablesOf(tables, name) {
   if (tables.length === 0) return [];
   return [make('section', { 'aria-label': 'Tables' }, make('h2', {}, 'Tables'), ...tables.map(table =>
@@ -83,6 +95,8 @@ export async function showResults(showMore = async () => {}) {
   document.title = `${report.results.map(each => each.title).join(', ')} · hyrax-sim report`;
   const shown = report.results.map((result, at) => resultOf(result, at, report.results.length === 1));
   element('results').replaceChildren(...shown);
+  fitTables();
+  addEventListener('resize', fitTables);
   for (const event of ['pointerover', 'focusin']) addEventListener(event, light);
   for (const picture of document.querySelectorAll('.picture > svg'))
     for (const each of [...picture.querySelectorAll('[data-series]')].filter(({ dataset }, i, all) => i === all.findIndex(other => other.dataset.series === dataset.series)))

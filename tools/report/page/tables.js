@@ -16,12 +16,13 @@ export function tableOf(table) {
   const { columns } = table;
   const rows = Math.min(rowsShown, columns[0]?.values.length ?? 0);
   const kinds = columns.map(column => (!isText(column) ? 'number' : column.values.every(value => String(value).length <= 36) ? 'text short' : 'text'));
+  const names = columns.map(column => [column.name.replaceAll('_', ' '), column.unit && column.unit !== '1' ? column.unit.replaceAll('2', '²') : '']);
   const head = make('tr', {}, ...columns.map((column, i) => make(column.name ? 'th' : 'td', { scope: column.name ? 'col' : null, class: kinds[i], title: column.long_name || null },
-    column.name.replaceAll('_', ' '), column.unit && column.unit !== '1' ? make('span', { class: 'unit' }, column.unit.replaceAll('2', '²')) : '')));
+    names[i][0], names[i][1] && make('span', { class: 'unit' }, names[i][1]))));
   const lines = Array.from({ length: rows }, (_, row) => make('tr', {}, ...columns.map((column, i) =>
-    make('td', { class: kinds[i] }, cellText(column.values[row], column.digits)))));
+    make('td', { class: kinds[i], 'data-name': names[i].filter(Boolean).join(', ') }, cellText(column.values[row], column.digits)))));
   const place = make('div', { class: 'table', tabindex: '0', role: 'group', 'aria-label': table.long_name || table.name },
-    make('table', { class: kinds.at(-1) === 'text' ? 'prose' : null }, make('thead', {}, head), make('tbody', {}, ...lines)));
+    make('table', {}, make('thead', {}, head), make('tbody', {}, ...lines)));
   const cut = firstOf(rows, table.row_count, ' rows; the file has all');
   return cut ? make('div', {}, place, make('p', { class: 'quiet' }, cut)) : place;
 }
