@@ -65,11 +65,11 @@ class PlotDrawing {
         axis_left_(axis_left),
         x_(plot.x, x_values(plot)),
         y_(plot.y, y_values(plot)) {
-    constexpr double kNamesMax = 0.42;  // Of the width; wider names are above their points.
-    double names_width = 0.0;
-    for (const std::string& name : plot.y.categories)
-      names_width = std::max(names_width, text_width(name, kTickSize));
-    has_names_above_ = names_width > kNamesMax * (right - left);
+    if (!plot.y.categories.empty()) {
+      box_.right = right;
+      place_x();
+      has_names_above_ = !has_room_beside();
+    }
     y_label_ = lines_of(plot.y.label, right - left, kTickSize);
     box_ = {left, top + kLabelLine + text_lines(y_label_) + marks_height() + 4, right, 0.0};
     box_.bottom = box_.top + height_of(right - left, height);
@@ -109,6 +109,18 @@ class PlotDrawing {
     box_.left = std::max(axis_left_, left_ + 10 + (has_names_above_ ? 0.0 : ticks_width));
     x_.place(box_.left, box_.right, kApart);
   }
+
+  // For names at the left of their points, and texts at the right.
+  [[nodiscard]] bool has_room_beside() const {
+    constexpr double kNamesMax = 0.42;  // Of the width.
+    return box_.left - left_ - 10 <= kNamesMax * (box_.right - left_) &&
+           std::ranges::all_of(plot_.texts, [&](const PointText& text) {
+             return text_beside(text) <= text_end() - text_width(text.text, LabelPlacer::kSize);
+           });
+  }
+  // Where the text of a point begins, and where it may end.
+  [[nodiscard]] double text_beside(const PointText& text) const { return x_.clamped(text.x) + 8; }
+  [[nodiscard]] double text_end() const { return box_.right + kRight - 4; }
 
   [[nodiscard]] SvgPoint at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
 
@@ -257,8 +269,7 @@ class PlotDrawing {
   }
 
   void draw_texts() {
-    const double end = box_.right + kRight - 4;
-    LabelPlacer placer({box_.left + 2, box_.top + 2, end, box_.bottom - 2});
+    LabelPlacer placer({box_.left + 2, box_.top + 2, text_end(), box_.bottom - 2});
     for (const Series& series : plot_.series) avoid_series(placer, series);
     for (const Mark& mark : plot_.marks)
       if (mark.is_vertical)
@@ -270,7 +281,7 @@ class PlotDrawing {
       if (plot_.y.categories.empty())
         placer.draw_beside(svg_, point, text.text, text.tone);
       else  // In its row, whatever is beside it; where names are above, below.
-        svg_.text({std::min(point.x + 8, end - text_width(text.text, LabelPlacer::kSize)),
+        svg_.text({std::min(text_beside(text), text_end() - text_width(text.text, LabelPlacer::kSize)),
                    point.y + (has_names_above_ ? 18 : 0)},
                   text.text, {.size = LabelPlacer::kSize, .tone = text.tone, .has_edge = true});
     }

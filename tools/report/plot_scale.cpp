@@ -139,7 +139,9 @@ void PlotScale::add_powers_of_ten(std::vector<Tick>& ticks, const Part& part) co
 void PlotScale::add_round_numbers(std::vector<Tick>& ticks) const {
   const Part& part = parts_.front();
   const double span = part.high - part.low;
-  const double step = round_step(span * apart_px_ / std::fabs(part.high_px - part.low_px));
+  double step = round_step(span * apart_px_ / std::fabs(part.high_px - part.low_px));
+  if (std::floor(part.high / step) <= std::ceil(part.low / step))
+    step = round_step(0.4 * step);  // One is no scale.
   const int needed = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   const double first = std::ceil(part.low / step - 1e-9);
   for (double index = 0.0; index * step <= part.high - first * step + 1e-9 * span; index += 1.0) {

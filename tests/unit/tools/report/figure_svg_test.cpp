@@ -62,6 +62,9 @@ TEST(PlotScale, TicksAreRoundDistinctAndWithinTheEnds) {
       << "more decimals than asked for, or two were the same";
   const Axis signs{.low = -3.0, .high = 3.0};
   EXPECT_EQ(texts_of(scale_of(signs, {})), (std::vector<std::string>{"−2", "0", "2"}));
+  const Axis short_of_two{.low = 5.31, .high = 5.47};
+  EXPECT_EQ(texts_of(scale_of(short_of_two, {}, 180.0)), (std::vector<std::string>{"5.35", "5.40", "5.45"}))
+      << "a single tick gives no scale";
 }
 
 TEST(PlotScale, TicksEndWhereNumbersAreFarApart) {
@@ -236,6 +239,22 @@ TEST(PlotSvg, BarsGoFromTheLowEndOfTheAxisInTheirColour) {
   EXPECT_GT(box_of(svg, "below")->left, bar(Tone::orange)[0]) << "no label left of the axis";
   EXPECT_LT(bar(Tone::blue)[1], bar(Tone::orange)[1]) << "the first category is on top";
   EXPECT_TRUE(has(svg, ">Runge-Kutta</text>")) << "a hyphen is no minus";
+}
+
+TEST(PlotSvg, ATextThatHasNoRoomBesideItsBarIsBelowIt) {
+  Plot plot{.x = {.low = 0.0, .high = 10.0}, .y = {.categories = {"gravity"}}};
+  plot.series = {{.look = {.form = Form::bars, .tone = Tone::blue}, .x = {8.0}, .y = {0.0}}};
+  plot.texts = {{8.0, 0.0, "941 px, 11 contacts moved"}};
+  const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
+  const std::regex bar(
+      "<rect x=\"([0-9.]+)\" y=\"([0-9.]+)\" width=\"([0-9.]+)\" height=\"([0-9.]+)\"[^>]*fill=\"" +
+      colour_of(Tone::blue) + "\"");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(html, found, bar));
+  const std::optional<SvgBox> text = box_of(html, plot.texts[0].text);  // Of the narrow picture.
+  ASSERT_TRUE(text);
+  EXPECT_LT(text->left, std::stod(found[1]) + std::stod(found[3])) << "there was room beside it";
+  EXPECT_GT(text->top, std::stod(found[2]) + std::stod(found[4]));
 }
 
 TEST(PlotSvg, ABandIsTheAreaBetweenItsEnds) {
