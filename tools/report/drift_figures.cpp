@@ -113,10 +113,15 @@ Plot plot_over_time(const DriftRun& run, Axis y) {
           .when_empty = "no flight of two steps or more"};
 }
 
+std::string no_value(const Series& /*series*/) { return ""; }
+
 // The walls' dots are at the top of the first plot only.
-Figure over_time(Figure figure, std::vector<Plot> plots, const DriftRun& run) {
+// @param value_text of a series with data, in the legend after its name.
+Figure over_time(Figure figure, std::vector<Plot> plots, const DriftRun& run,
+                 std::string (*value_text)(const Series&) = no_value) {
   for (const Plot& plot : plots)
-    for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
+    for (const Series& series : plot.series)
+      figure.legend.push_back({series.name + (series.y.empty() ? "" : value_text(series)), series.look});
   mark_arcs(figure, plots.front(), run);
   for (Plot& plot : plots) {
     plot.spans = plots.front().spans;
@@ -176,10 +181,11 @@ Figure energy_figure(const DriftRun& run) {
                               return 100.0 * row.energy_drift_px2_per_s2 / arc.energy_scale_px2_per_s2;
                             })};
   drift.marks = {{.is_vertical = false, .at = 0.0}};
-  return over_time(figure_of(run, kSuffixes[1],
-                             "Energy in flight: the run, the exact solution from each arc's first state, and "
-                             "the drift between them"),
-                   {std::move(energy), std::move(drift)}, run);
+  std::string subtitle =
+      "Energy in flight: the run, the exact solution from each arc's first state, and the drift between them";
+  if (const auto& worst = run.summary.energy_drift_rel_max)
+    subtitle += fmt::format(", at most {} %", rounded(100.0 * worst->value, 3));
+  return over_time(figure_of(run, kSuffixes[1], subtitle), {std::move(energy), std::move(drift)}, run);
 }
 
 // What the step itself adds is rounding, which has a strip of its own.
@@ -216,7 +222,11 @@ Figure errors_figure(const DriftRun& run) {
   return over_time(figure_of(run, kSuffixes[2],
                              "Distance from three exact flights: drag as at 60 Hz (model), drag of this dt "
                              "(truncation), the step itself"),
-                   {std::move(plot)}, run);
+                   {std::move(plot)}, run, [](const Series& series) {
+                     double most_px = 0.0;  // NaN is a gap.
+                     for (const double error_px : series.y) most_px = std::fmax(most_px, error_px);
+                     return fmt::format(", at most {} px", rounded(most_px, 3));
+                   });
 }
 
 Figure restitution_figure(const DriftRun& run) {
@@ -315,7 +325,8 @@ Figure causes_figure(const DriftRun& run) {
   return over_time(
       figure_of(run, kSuffixes[4],
                 "What the step adds and takes by itself: energy against exact flights and bounces"),
-      {std::move(plot)}, run);
+      {std::move(plot)}, run,
+      [](const Series& series) { return fmt::format(" {:+.3g} px", series.y.back()); });
 }
 
 }  // namespace

@@ -139,12 +139,14 @@ Figure kept_figure(const std::vector<KeptEnergy>& kept) {
   for (const auto& [method, tone] : {std::pair(BounceMethod::paper, Tone::vermilion),
                                      std::pair(BounceMethod::explicit_euler, Tone::blue)}) {
     Series series{.name = std::string(kBounceMethodTexts[index_of(method)]),
-                  .look = {.form = Form::points, .tone = tone, .marker_size = 0.3}};
+                  .look = {.form = Form::points, .tone = tone, .marker_size = 0.45}};
     for (const KeptEnergy& each : at_60(kept, method)) {
       series.x.push_back(each.speed_px_per_s);
       series.y.push_back(each.ten_minutes);
     }
     figure.legend.push_back({series.name, series.look});
+    if (const std::optional<Band> band = band_of(series.y))
+      figure.legend.back().text += fmt::format(", median {:.3f}", band->median);
     plot.series.push_back(std::move(series));
   }
   figure.body = std::vector{std::move(plot)};

@@ -205,12 +205,16 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
     steps += played.result.steps;
   }
   Grid grid;
+  InvariantCount all;
   for (const InvariantText& text : kInvariantTexts) grid.columns.emplace_back(text.name, Tone::ink);
   for (const auto& [origin, members] : origins) {
     const std::size_t row = grid.rows.size();
     grid.rows.push_back(members > 1 ? fmt::format("{} ×{}", origin, members) : origin);
     for (std::size_t column = 0; column < kInvariantCount; ++column) {
       const InvariantCount counted = count(judgements, static_cast<Invariant>(column), origin);
+      all.held += counted.held;
+      all.expected_failures += counted.expected_failures;
+      all.broken += counted.broken;
       std::vector<std::pair<std::int64_t, Tone>> parts = {{counted.held, Tone::good},
                                                           {counted.expected_failures, Tone::notable},
                                                           {counted.broken, Tone::bad}};
@@ -227,9 +231,10 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
           .subtitle = fmt::format("Invariants checked in each of {} steps; numbers: cases with that verdict",
                                   fmt::group_digits(steps)),
           .body = std::move(grid),
-          .legend = {{"held", {.form = Form::bars, .tone = Tone::good}},
-                     {"expected failure", {.form = Form::bars, .tone = Tone::notable}},
-                     {"broken", {.form = Form::bars, .tone = Tone::bad}}}};
+          .legend = {{fmt::format("held: {}", all.held), {.form = Form::bars, .tone = Tone::good}},
+                     {fmt::format("expected failure: {}", all.expected_failures),
+                      {.form = Form::bars, .tone = Tone::notable}},
+                     {fmt::format("broken: {}", all.broken), {.form = Form::bars, .tone = Tone::bad}}}};
 }
 
 Result run_hard_cases(const StudyRequest& request) {

@@ -93,14 +93,18 @@ Figure needs_figure(const ScenarioNeeds& needs, double within_px) {
         {end_px, y, text_of(part), part.need == Need::not_exercised ? Tone::quiet : Tone::ink});
   }
   if (within_px > 0.0) plot.marks.push_back({.at = within_px, .text = "tolerance", .tone = Tone::vermilion});
-  return {
-      .suffix = "-" + needs.scenario,
-      .title = "What " + needs.scenario + " needs",
-      .subtitle = fmt::format("How far its path moves when a part is left out; tolerance {:g} px", within_px),
-      .note = count < needs.parts.size() ? fmt::format("the first {} of {} parts", count, needs.parts.size())
-                                         : "",
-      .body = std::vector{std::move(plot)},
-      .legend = legend()};
+  const auto needed =
+      std::ranges::count_if(needs.parts, [](const PartNeed& part) { return group_of(part.need) == 0; });
+  return {.suffix = "-" + needs.scenario,
+          .title = "What " + needs.scenario + " needs",
+          .subtitle = fmt::format(
+              "How far its path moves when a part is left out: {} of {} parts are needed within {:g} px",
+              needed, needs.parts.size(), within_px),
+          .note = count < needs.parts.size()
+                      ? fmt::format("the first {} of {} parts", count, needs.parts.size())
+                      : "",
+          .body = std::vector{std::move(plot)},
+          .legend = legend()};
 }
 
 Figure coverage_figure(const std::vector<ScenarioNeeds>& scenarios, double within_px) {

@@ -105,13 +105,15 @@ std::string number_text(const Claim& claim, bool has_all_digits) {
   return claim.unit == "1" ? number : number + " " + unit_text(claim.unit);
 }
 
-Verdict verdict_of(const std::vector<Claim>& claims) {
+std::string counts_text(const std::vector<Claim>& claims) {
   std::array<int, kClaimVerdictNames.size()> counts{};
   for (const Claim& claim : claims) ++counts[static_cast<std::size_t>(claim.verdict)];
-  std::string sentence =
-      fmt::format("paper: {} claims measured: {} hold, {} hold on a condition, {} do not hold", claims.size(),
-                  counts[0], counts[1], counts[2]);
-  if (counts[3] > 0) sentence += fmt::format(", {} could not be measured", counts[3]);
+  return fmt::format("{} hold, {} hold on a condition, {} do not hold", counts[0], counts[1], counts[2]) +
+         (counts[3] > 0 ? fmt::format(", {} could not be measured", counts[3]) : "");
+}
+
+Verdict verdict_of(const std::vector<Claim>& claims) {
+  std::string sentence = fmt::format("paper: {} claims measured: {}", claims.size(), counts_text(claims));
   const auto number = [](const Claim& claim) {
     std::string text = number_text(claim, claim.is_exact);
     if (!claim.range) return text;
@@ -161,11 +163,9 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
     if (expected != nullptr) row.insert(row.begin() + 3, expected_field(claim, *expected, kTones));
     listing.rows.push_back(std::move(row));
   }
-  Figure figure{
-      .title = "The paper's claims, measured",
-      .subtitle = expected == nullptr
-                      ? "Each sentence against the core"
-                      : "Each sentence against the core; an expected verdict that differs is coloured"};
+  Figure figure{.title = "The paper's claims, measured",
+                .subtitle = "Each sentence against the core: " + counts_text(claims) +
+                            (expected == nullptr ? "" : "; an expected verdict that differs is coloured")};
   figure.body = std::move(listing);
   return figure;
 }
