@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/result/number_text.h"
+
 namespace hyrax {
 
 std::string_view name_of(CheckStatus status) {
@@ -28,9 +30,7 @@ std::string counts_sentence(const std::vector<CheckStatus>& statuses, std::int64
   sentence += part(", ", CheckStatus::missing, "without golden file");
   sentence += part(", ", CheckStatus::failed, "failed");
   if (unreferenced > 0) sentence += part("; ", CheckStatus::unreferenced, "unreferenced");
-  if (folders_failed > 0)
-    sentence +=
-        "; " + std::to_string(folders_failed) + (folders_failed == 1 ? " folder" : " folders") + " failed";
+  if (folders_failed > 0) sentence += "; " + plain_counted(folders_failed, "folder") + " failed";
   return sentence;
 }
 

@@ -86,10 +86,7 @@ std::string description_of(const FuzzLimits& limits, const FuzzFailure& failure,
 // A file of that name is kept: the scenario gets a number.
 Written write_failure(const FuzzRequest& request, const FuzzLimits& limits, const FuzzFailure& failure,
                       Shrunk shrunk) {
-  std::error_code error;
-  std::filesystem::create_directories(request.folder, error);
-  if (error)
-    throw Failure(ExitCode::cannot_access, request.folder + ": cannot create the folder: " + error.message());
+  make_folder(request.folder);
   Scenario& scenario = shrunk.scenario;
   scenario.name = failure.scenario.name;
   std::string path;

@@ -7,7 +7,6 @@
 #include "tools/app/command_line/options.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/json_pointer.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/store/output_guard.h"
 
@@ -60,8 +59,7 @@ ExitCode write_new(const NewRequest& request) {
   const std::int64_t steps = std::get<std::int64_t>(to_scenario(document, path, "").length);
   std::vector<std::string> inputs;
   if (frames) inputs.push_back(request.clock.path);
-  OutputGuard(inputs).admit_scenario("hyrax-sim new", path);
-  if (!request.is_forced && is_there(path)) refuse_input(path + ": exists; `--force` replaces it");
+  OutputGuard(inputs).admit_scenario("hyrax-sim new", path, request.is_forced);
   AtomicFile file(path);
   file.write(to_text(document, {.depth_indented = 1}) + "\n");
   request.is_forced ? file.commit() : file.commit_as_new();

@@ -100,11 +100,8 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
 }
 
 void make_output_folder(const RunRequest& request, std::size_t scenarios) {
-  if (request.output.empty() || !writes_into_folder(request, scenarios)) return;
-  std::error_code error;
-  fs::create_directories(request.output, error);
-  if (error)
-    throw Failure(ExitCode::cannot_access, request.output + ": cannot be created: " + error.message());
+  if (!request.output.empty() && writes_into_folder(request, scenarios))
+    make_folder(request.output, "cannot be created");
 }
 
 std::optional<StoredDrift> stored_drift(const Core& core, const RunRequest& request) {
@@ -150,6 +147,11 @@ void check_page_request(const RunRequest& request, std::size_t scenarios) {
                  "); allowed: .h5");
 }
 
+void print_written(const RunRequest& request, const std::string& path) {
+  if (!request.printing.is_json)
+    print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", path);
+}
+
 void write_page(const Core& core, const RunRequest& request, const ScenarioRun& run) {
   std::vector<std::string> command = {"hyrax-sim", "run", as_argument(run.path)};
   for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
@@ -158,8 +160,7 @@ void write_page(const Core& core, const RunRequest& request, const ScenarioRun& 
                       .against = run.comparison ? run.golden_path : "",
                       .output = request.page,
                       .command = shell_command(command)});
-  if (!request.printing.is_json)
-    print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.page);
+  print_written(request, request.page);
 }
 
 void run_one(const Core& core, const RunRequest& request, const std::optional<StoredDrift>& drift,
@@ -183,8 +184,7 @@ void run_one(const Core& core, const RunRequest& request, const std::optional<St
   if (!picture) return;
   outcomes.attempt_after([&] {
     picture->draw(request.figure, run);
-    if (!request.printing.is_json && run.output != kStandardOutput)
-      print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", request.figure);
+    if (run.output != kStandardOutput) print_written(request, request.figure);
   });
 }
 

@@ -120,12 +120,9 @@ ShrinkOutcome shrink_against(const Core& core, const ShrinkRequest& request, con
 
 void admit_output(const ShrinkRequest& request) {
   constexpr char kOption[] = "hyrax-sim shrink: -o";
-  OutputGuard guard(request.files);
   if (file_name(request.output).extension != ".json")
     refuse_input(fmt::format("{}: unknown suffix (found {}); allowed: .json", kOption, request.output));
-  guard.admit_scenario(kOption, request.output);
-  if (!request.is_forced && is_there(request.output))
-    refuse_input(request.output + ": exists; `--force` replaces it");
+  OutputGuard(request.files).admit_scenario(kOption, request.output, request.is_forced);
 }
 
 void write_shrunk(const ShrinkRequest& request, const Scenario& scenario) {

@@ -174,13 +174,6 @@ std::string stem_of(const Study& study, const StudyArguments& arguments) {
                                  : (std::filesystem::path(arguments.folder) / study.name).string();
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Failure(ExitCode::cannot_access, folder + ": cannot create the folder: " + error.message());
-}
-
 // What the report page needs besides the tables, as text in the file: verdict and figures.
 Table report_table(const Result& result) {
   const auto column = [](const char* name, const char* long_name, const Json& json) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/core/core.h"
+#include "sim/result/number_text.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/part.h"
 #include "tools/app/command_line/workers.h"
@@ -18,6 +19,7 @@ namespace hyrax {
 namespace {
 
 constexpr const char* kName = "hyrax-sim sweep";
+constexpr const char* kOutputOption = "hyrax-sim sweep: -o";
 
 struct SweepRequest {
   std::vector<std::string> files;
@@ -36,11 +38,19 @@ struct SweepRequest {
   refuse_input(std::string(kName) + ": " + sentence);
 }
 
-std::string names_of(const KeepSet& keep) {
+// The names of what a sweep keeps, or of what it does not.
+std::string names_of(const KeepSet& keep, bool is_kept) {
   std::string names;
   for (std::size_t each = 0; each < kKeepNames.size(); ++each)
-    if (keep.has(static_cast<Keep>(each))) names.append(names.empty() ? "" : ", ").append(kKeepNames[each]);
+    if (keep.has(static_cast<Keep>(each)) == is_kept)
+      names.append(names.empty() ? "" : ", ").append(kKeepNames[each]);
   return names;
+}
+
+OutputGuard guard_of(const std::string& path, const SweepFile& file) {
+  std::vector<std::string> inputs{path};
+  if (!file.base_path.empty()) inputs.push_back(file.base_path);
+  return OutputGuard(inputs);
 }
 
 void report(const SweepRequest& request, const std::string& text, Json::Object document) {
@@ -55,11 +65,7 @@ ExitCode write_member(const SweepRequest& request) {
   if (*request.member >= file.sweep.members)
     refuse_request(
         fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
-  std::vector<std::string> inputs{path};
-  if (!file.base_path.empty()) inputs.push_back(file.base_path);
-  OutputGuard(inputs).admit_scenario(std::string(kName) + ": -o", request.output);
-  if (!request.is_forced && is_there(request.output))
-    refuse_input(request.output + ": exists; `--force` replaces it");
+  guard_of(path, file).admit_scenario(kOutputOption, request.output, request.is_forced);
   const Scenario scenario = member_scenario(file.sweep, *request.member);
   AtomicFile output(request.output);
   output.write(scenario_file_text(scenario));
@@ -68,8 +74,6 @@ ExitCode write_member(const SweepRequest& request) {
          Json::Object{{"member", *request.member}, {"scenario", request.output}});
   return ExitCode::agreed;
 }
-
-constexpr const char* kOutputOption = "hyrax-sim sweep: -o";
 
 ExitCode merge(const SweepRequest& request) {
   if (request.output.empty()) refuse_request("--merge: needs -o FILE.h5");
@@ -105,8 +109,7 @@ bool is_complete(const std::string& path, const EnsembleHead& head) {
 std::string summary_text(const SweepRequest& request, const SweepFile& file, const SweepOutcome& outcome,
                          const std::string& output) {
   const StepTally& tally = outcome.tally;
-  std::string text =
-      fmt::format("{}: {} member{}", request.files.front(), outcome.rows, outcome.rows == 1 ? "" : "s");
+  std::string text = fmt::format("{}: {}", request.files.front(), plain_counted(outcome.rows, "member"));
   if (outcome.rows != file.sweep.members) text += fmt::format(" of {}", file.sweep.members);
   if (outcome.rows_resumed > 0) text += fmt::format(", {} of them done before", outcome.rows_resumed);
   text += fmt::format("\n  steps          {}", tally.steps);
@@ -114,11 +117,9 @@ std::string summary_text(const SweepRequest& request, const SweepFile& file, con
   if (left_out > 0)
     text += fmt::format("; {} left out, {:.3g} %: at rest, or repeating exactly", left_out,
                         100.0 * static_cast<double>(left_out) / static_cast<double>(tally.steps));
-  text += "\n  kept           " + names_of(file.sweep.keep);
-  std::vector<std::string_view> dropped;
-  for (std::size_t each = 0; each < kKeepNames.size(); ++each)
-    if (!file.sweep.keep.has(static_cast<Keep>(each))) dropped.push_back(kKeepNames[each]);
-  if (!dropped.empty()) text += fmt::format("\n  not computed   {}", fmt::join(dropped, ", "));
+  text += "\n  kept           " + names_of(file.sweep.keep, true);
+  const std::string dropped = names_of(file.sweep.keep, false);
+  if (!dropped.empty()) text += "\n  not computed   " + dropped;
   return text + "\nwritten: " + output;
 }
 
@@ -139,9 +140,7 @@ ExitCode compute(const Core& core, const SweepRequest& request) {
   job.threads = request.threads.value_or(processors());
   if (request.resumes) job.existing = Existing::resumed;
   if (request.is_forced) job.existing = Existing::replaced;
-  std::vector<std::string> inputs{path};
-  if (!file.base_path.empty()) inputs.push_back(file.base_path);
-  OutputGuard guard(inputs);
+  OutputGuard guard = guard_of(path, file);
   guard.admit(kOutputOption, job.output, {".h5"});
   guard.admit(kOutputOption, partial_path(job.output));
   SweepOutcome outcome;

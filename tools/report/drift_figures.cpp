@@ -30,8 +30,7 @@ std::string note_of(const DriftRun& run) {
   const DriftSummary& summary = run.summary;
   if (summary.arcs > static_cast<std::int64_t>(run.arcs.size()))
     return fmt::format("the first {} of {} arcs", run.arcs.size(), summary.arcs);
-  return fmt::format("{} arc{}, {} contact{}", summary.arcs, summary.arcs == 1 ? "" : "s", summary.contacts,
-                     summary.contacts == 1 ? "" : "s");
+  return plain_counted(summary.arcs, "arc") + ", " + plain_counted(summary.contacts, "contact");
 }
 
 Figure figure_of(const DriftRun& run, std::string_view suffix, std::string subtitle) {

@@ -123,7 +123,7 @@ OutputGuard::OutputGuard(const std::vector<std::string>& inputs, const std::stri
 void OutputGuard::admit(const std::string& option, const std::string& path,
                         const std::vector<std::string>& suffixes) {
   require_suffix(option, path, suffixes);
-  admit_scenario(option, path);
+  admit_any(option, path);
   refuse_scenarios(option, path);
 }
 
@@ -134,7 +134,12 @@ void OutputGuard::admit_file(const std::string& option, const std::string& path,
   if (!folder.empty() && !is_folder(folder.string())) fail_to_write(path, ENOENT);
 }
 
-void OutputGuard::admit_scenario(const std::string& option, const std::string& path) {
+void OutputGuard::admit_scenario(const std::string& option, const std::string& path, bool is_forced) {
+  admit_any(option, path);
+  if (!is_forced && is_there(path)) refuse_input(path + ": exists; `--force` replaces it");
+}
+
+void OutputGuard::admit_any(const std::string& option, const std::string& path) {
   const Route route = route_to(path);
   const auto identity = identity_of(path);
   if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))
@@ -159,6 +164,12 @@ void OutputGuard::refuse_scenarios(const std::string& option, const std::string&
   const bool is_scenario_by_name =
       route.is_in_scenarios && identity_of(path) && fs::path(route.end).extension() == ".json";
   if (is_scenario_by_name || holds_scenario(path)) refuse(option, "a scenario", path);
+}
+
+void make_folder(const std::string& path, const std::string& what) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw Failure(ExitCode::cannot_access, path + ": " + what + ": " + error.message());
 }
 
 }  // namespace hyrax

@@ -31,8 +31,9 @@ class OutputGuard {
   void admit_file(const std::string& option, const std::string& path,
                   const std::vector<std::string>& suffixes = {});
 
-  /// The same for a scenario file: it may replace a scenario.
-  void admit_scenario(const std::string& option, const std::string& path);
+  /// The same for a scenario file: it may replace a scenario, if that is forced.
+  /// ERRORS: also Failure(bad_input) "PATH: exists; ...".
+  void admit_scenario(const std::string& option, const std::string& path, bool is_forced);
 
   /// The same for a golden file that is written on purpose; it may be admitted several times.
   void admit_golden(const std::string& option, const std::string& path) const;
@@ -42,6 +43,7 @@ class OutputGuard {
   struct Route;
 
   [[nodiscard]] Route route_to(const std::string& path) const;
+  void admit_any(const std::string& option, const std::string& path);
   void refuse_inputs(const std::string& option, const std::string& path) const;
   void refuse_scenarios(const std::string& option, const std::string& path) const;
 
@@ -50,5 +52,9 @@ class OutputGuard {
   std::set<std::string> golden_folders_;  // Their paths without links.
   std::set<std::string> outputs_;
 };
+
+/// Makes the folder of outputs, and those above it, unless it is there.
+/// ERRORS: Failure(cannot_access) "PATH: WHAT: REASON".
+void make_folder(const std::string& path, const std::string& what = "cannot create the folder");
 
 }  // namespace hyrax

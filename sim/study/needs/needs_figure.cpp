@@ -40,8 +40,7 @@ std::string text_of(const PartNeed& part) {
   const PathDifference& difference = part.difference;
   std::string text = difference.path_px == 0.0 ? "only the speed changes" : length_text(difference.path_px);
   if (difference.contacts_moved > 0)
-    text += fmt::format(", {} contact{} moved", difference.contacts_moved,
-                        difference.contacts_moved == 1 ? "" : "s");
+    text += fmt::format(", {} moved", plain_counted(difference.contacts_moved, "contact"));
   return part.need == Need::needed_jointly ? text + ", needed with others left out" : text;
 }
 

@@ -20,7 +20,7 @@ std::string px_text(double px) { return rounded(px, 3) + " px"; }
 
 std::string contacts_text(std::int64_t contacts, bool is_cut) {
   if (contacts == 0) return is_cut ? "no recorded contact moved" : "no contact moved";
-  return fmt::format("{}{} contact{} moved", is_cut ? "at least " : "", contacts, contacts == 1 ? "" : "s");
+  return fmt::format("{}{} moved", is_cut ? "at least " : "", plain_counted(contacts, "contact"));
 }
 
 std::string_view class_text(DifferenceClass difference) {
@@ -94,10 +94,9 @@ void print_group(const DifferenceGroup& group, std::size_t checked) {
 
 CauseSentence cause_sentence(const DifferenceGroup& group, std::size_t checked) {
   const std::size_t scenarios = group.scenarios.size();
-  CauseSentence sentence{
-      .subject = fmt::format("{} of {} scenario{}", scenarios, checked, checked == 1 ? "" : "s"),
-      .verb = scenarios == 1 ? "differs" : "differ",
-      .predicate = {}};
+  CauseSentence sentence{.subject = fmt::format("{} of {}", scenarios, plain_counted(checked, "scenario")),
+                         .verb = scenarios == 1 ? "differs" : "differ",
+                         .predicate = {}};
   if (is_non_finite(group)) {
     sentence.verb = scenarios == 1 ? "becomes non-finite" : "become non-finite";
     sentence.predicate = fmt::format(": {}{}.", scenarios == 1 ? "" : "in the worst, ", group.cause.detail);

@@ -4,13 +4,20 @@
 
 #include <charconv>
 #include <cstdlib>
-#include <utility>
 
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
+
+// Index, count and first index of a part, by variables or, of the count, by an option.
+constexpr const char* kPartNames[][3] = {
+    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN"},
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", ""},
+    {"JOB_COMPLETION_INDEX", "--parts", ""}};
+
+bool is_option(const char* name) { return *name == '-'; }
 
 std::optional<std::int64_t> parse_count(std::string_view text) {
   std::int64_t value = 0;
@@ -52,28 +59,19 @@ std::optional<ChosenPart> choose_part(const std::string& command, const std::str
   if (!part.empty() && parts) refuse_input(command + ": --part and --parts: only one allowed");
   if (!part.empty()) return parse_part(command, part);
   const auto variable = [&](const char* name) { return read_variable(command, name); };
-  if (!parts) {
-    const auto task = variable("SLURM_ARRAY_TASK_ID");
-    const auto tasks = variable("SLURM_ARRAY_TASK_COUNT");
-    if (task && tasks)
-      return checked(command + ": SLURM_ARRAY_TASK_ID", *task - variable("SLURM_ARRAY_TASK_MIN").value_or(0),
-                     *tasks, "SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT");
-    const auto rank = variable("OMPI_COMM_WORLD_RANK");
-    const auto size = variable("OMPI_COMM_WORLD_SIZE");
-    if (rank && size)
-      return checked(command + ": OMPI_COMM_WORLD_RANK", *rank, *size,
-                     "OMPI_COMM_WORLD_RANK and OMPI_COMM_WORLD_SIZE");
-    for (const auto& [index, count] : {std::pair{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT"},
-                                       std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
-                                       std::pair{"JOB_COMPLETION_INDEX", "--parts N"}})
-      if (std::getenv(index) != nullptr)
-        print_error(fmt::format("{}: {} without {} names no part; this process computes all of them", command,
-                                index, count));
-    return std::nullopt;
+  for (const auto& [index_name, count_name, first_name] : kPartNames) {
+    if (parts.has_value() != is_option(count_name)) continue;
+    const auto index = variable(index_name), count = parts ? parts : variable(count_name);
+    if (index && count)
+      return checked(command + ": " + index_name, *index - variable(first_name).value_or(0), *count,
+                     fmt::format("{} and {}", index_name, count_name));
   }
-  const auto index = variable("JOB_COMPLETION_INDEX");
-  if (!index) refuse_input(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");
-  return checked(command + ": JOB_COMPLETION_INDEX", *index, *parts, "JOB_COMPLETION_INDEX and --parts");
+  if (parts) refuse_input(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");
+  for (const auto& [index_name, count_name, first_name] : kPartNames)
+    if (std::getenv(index_name) != nullptr)
+      print_error(fmt::format("{}: {} without {}{} names no part; this process computes all of them", command,
+                              index_name, count_name, is_option(count_name) ? " N" : ""));
+  return std::nullopt;
 }
 
 }  // namespace hyrax

@@ -68,8 +68,8 @@ std::string distance_sentence(const TrajectoryDiff& diff) {
 
 std::string contacts_sentence(const ContactChanges& contacts) {
   if (contacts.is_none()) return contacts.is_cut ? "no recorded contact moved" : "no contact moved";
-  return fmt::format("{}{} contact{} moved, {} vanished, {} appeared", contacts.is_cut ? "at least " : "",
-                     contacts.moved.size(), contacts.moved.size() == 1 ? "" : "s", contacts.only_a.size(),
+  return fmt::format("{}{} moved, {} vanished, {} appeared", contacts.is_cut ? "at least " : "",
+                     plain_counted(contacts.moved.size(), "contact"), contacts.only_a.size(),
                      contacts.only_b.size());
 }
 

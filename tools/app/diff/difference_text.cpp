@@ -103,7 +103,7 @@ std::string unit_of(std::string_view field) {
 
 std::string ulps_text(const std::optional<std::uint64_t>& ulps) {
   constexpr std::uint64_t kShownMax = 1'000'000;
-  return ulps && *ulps <= kShownMax ? fmt::format("{} ulp{}", *ulps, *ulps == 1 ? "" : "s") : "";
+  return ulps && *ulps <= kShownMax ? plain_counted(*ulps, "ulp") : "";
 }
 
 std::string field_value_text(std::string_view field, double value) {

@@ -14,7 +14,7 @@ std::string number(const std::optional<Worst>& worst) {
   return worst ? number(worst->value) : std::string("-");
 }
 
-std::string arcs_text(std::int64_t count) { return fmt::format("{} arc{}", count, count == 1 ? "" : "s"); }
+std::string arcs_text(std::int64_t count) { return plain_counted(count, "arc"); }
 
 std::vector<Column> with(std::vector<Column> columns, std::vector<Column> more) {
   std::move(more.begin(), more.end(), std::back_inserter(columns));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/core/core.h"
+#include "sim/result/number_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/diff/difference_text.h"
@@ -47,7 +48,7 @@ Coverage coverage_of(const Core& core, const ScenarioRun& run) {
   if (skipped > 0 && summary.periodic_from_step)
     coverage.not_computed.push_back(
         fmt::format("{} of {} steps (the state repeats every {} from row {})", skipped, summary.steps,
-                    summary.period_steps == 1 ? "step" : fmt::format("{} steps", summary.period_steps),
+                    summary.period_steps == 1 ? "step" : plain_counted(summary.period_steps, "step"),
                     *summary.periodic_from_step));
   else if (skipped > 0)
     coverage.not_computed.push_back(
@@ -116,8 +117,8 @@ void print_motion(const Core& core, const RunSummary& summary) {
 void print_details(const RunSummary& summary) {
   print_text("  clamped steps  {}; rest rule {}\n", counts_text(summary.clamped_steps), summary.rest_steps);
   if (summary.periodic_from_step)
-    print_text("  repeats        from row {}, every {} step{}\n", *summary.periodic_from_step,
-               summary.period_steps, summary.period_steps == 1 ? "" : "s");
+    print_text("  repeats        from row {}, every {}\n", *summary.periodic_from_step,
+               plain_counted(summary.period_steps, "step"));
 }
 
 // Those that do not hold, or all.
@@ -171,8 +172,7 @@ void print_run(const Core& core, const ScenarioRun& run, const Printing& printin
   print_expectations(run.expectations, printing.is_verbose());
   print_golden(run);
   print_text("  state hash     {}\n", hex(summary.state_hash));
-  print_text("  written        {} ({} row{})\n", run.output, run.rows_recorded,
-             run.rows_recorded == 1 ? "" : "s");
+  print_text("  written        {} ({})\n", run.output, plain_counted(run.rows_recorded, "row"));
 }
 
 Json run_json(const Core& core, const ScenarioRun& run) {

@@ -2,12 +2,12 @@
 import { Charts } from './charts.js';
 import { Core } from './core.js';
 import { doubles, firstAtLeast, lastAtMost, rowsOf } from './data.js';
-import { element, make, report, root } from './document.js';
-import { showContacts, showDetails } from './details.js';
+import { element, make, report, root, save } from './document.js';
 import { Playground } from './fling.js';
+import { contactsOf, coverageOf, expectationOf, inputsOf, originOf, shownMax } from './lists.js';
 import { Moment } from './moment.js';
-import { fixed } from './numbers.js';
-import { followLook, Painter } from './painter.js';
+import { firstOf, fixed, rounded } from './numbers.js';
+import { followLook, Painter, wallColors } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { placeAt, replay, sizesOf } from './replay.js';
 import { distancesFrom } from './series.js';
@@ -28,6 +28,54 @@ function showVerdict(result) {
   const tiles = (kind, all) => make('div', { class: `tiles ${kind}` }, ...all.map(({ label, value, note, state }) => make('div', { class: `tile ${state}` },
     make('p', { class: 'label' }, label), make('p', { class: 'value' }, value), make('p', { class: 'note' }, note))));
   element('verdict').replaceChildren(...causes.map(text => make('p', { class: 'cause' }, text)), tiles('verdicts', verdicts), tiles('figures', figures));
+}
+
+const entry = (term, text) => [make('dt', {}, term), make('dd', {}, text)];
+
+function contactRow({ step, last, wall, name, numbers }, seek) {
+  const link = make('button', { type: 'button', class: 'link', onclick: () => seek(step) }, String(step));
+  return make('tr', {}, make('td', {}, link, ' ', make('span', { class: 'quiet' }, last)),
+    make('td', {}, make('span', { class: 'wall', style: `color: var(--${wallColors[wall]})` }), name),
+    ...numbers.map(value => make('td', { class: 'number' }, rounded(value))));
+}
+
+function showContacts(result, seek) {
+  const place = element('contacts');
+  const { rows, heads, all } = contactsOf(result);
+  if (rows.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, 'None.'));
+  place.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(head => make('th', { scope: 'col' }, head)))),
+    make('tbody', {}, ...rows.map(row => contactRow(row, seek)))));
+  const cut = firstOf(rows.length, all);
+  if (cut) place.append(make('p', { class: 'quiet' }, cut));
+}
+
+function showInputs({ run: { inputs } }, seek) {
+  const lines = inputsOf(inputs), shown = lines.slice(0, shownMax), cut = firstOf(shown.length, lines.length);
+  element('inputs').hidden = lines.length === 0;
+  element('inputs-list').replaceChildren(...shown.map(({ frame, text }) => make('li', {},
+    make('button', { type: 'button', class: 'link', onclick: () => seek(frame) }, `step ${frame}`), ` ${text}`)),
+  ...(cut ? [make('li', { class: 'quiet' }, cut)] : []));
+}
+
+function showCoverage(run) {
+  element('coverage').replaceChildren(...coverageOf(run).flatMap(([term, text]) => entry(term, text)));
+  element('expectations').replaceChildren(...run.expect.map(expectationOf).map(({ state, word, text }) =>
+    make('p', { class: `expectation ${state}` }, make('b', {}, word), ' ', text)));
+}
+
+function showOrigin({ run, check }) {
+  const place = element('made');
+  place.replaceChildren(...originOf(report, run, check).flatMap(([term, text, isCode]) => entry(term, isCode ? make('code', {}, text) : text)));
+  if (run.scenario_text)
+    place.append(...entry('scenario', make('button', { type: 'button', class: 'link',
+      onclick: () => save(`${run.name}.json`, 'application/json', run.scenario_text) }, `Save ${run.name}.json`)));
+}
+
+function showDetails(result, seek) {
+  showContacts(result, seek);
+  showInputs(result, seek);
+  showCoverage(result.run);
+  showOrigin(result);
 }
 
 // The golden file's rows, or those of the file where the replay differs from it.
