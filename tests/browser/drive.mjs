@@ -16,7 +16,7 @@ const { chromium } = require('playwright-core');
 const axeSource = await readFile(require.resolve('axe-core/axe.min.js'), 'utf8');
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium' });
 
-// By hand, with 20 ms from point to point however busy the machine is.
+// By hand, with 20 ms from point to point however busy the machine is: each point comes frames after its time.
 async function drag(page, device, selector, points) {
   const place = page.locator(selector).first();
   await place.scrollIntoViewIfNeeded();
@@ -24,9 +24,10 @@ async function drag(page, device, selector, points) {
   const input = await page.context().newCDPSession(page);
   const begin = Date.now() / 1000;
   const types = device === 'touch' ? ['touchStart', 'touchMove', 'touchEnd'] : ['mousePressed', 'mouseMoved', 'mouseReleased'];
-  const send = (type, [partX, partY], index) => {
+  const send = async (type, [partX, partY], index) => {
     const [x, y] = [box.x + partX * box.width, box.y + partY * box.height];
     const timestamp = begin + 0.02 * index;
+    if (index > 0) await page.waitForTimeout(70);
     if (device === 'touch') return input.send('Input.dispatchTouchEvent', { type, timestamp, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
     return input.send('Input.dispatchMouseEvent', { type, timestamp, x, y, button: 'left', buttons: 1, clickCount: 1 });
   };

@@ -282,7 +282,10 @@ class ReportTest(browser.BrowserTest):
             kinds = {kind for event in flung["events"] for kind in event if kind != "step"}
             self.assertEqual(kinds, {"grab", "place", "release"})
             release, = (event["release"] for event in flung["events"] if "release" in event)
-            self.assertGreater(math.hypot(*release.values()), 200)
+            (from_x, from_y), (to_x, to_y) = THROW[0], THROW[-1] # In 100 ms, to whole pixels.
+            width, height = flung["window"]["width_px"], flung["window"]["height_px"]
+            self.assertAlmostEqual(release["vx_px_per_s"], (to_x - from_x) * width * 10, delta=20)
+            self.assertAlmostEqual(release["vy_px_per_s"], (to_y - from_y) * height * 10, delta=20)
             self.assertEqual({name: again["start"][name] for name in release}, release)
             for name, document in (("flung", flung), ("again", again)):
                 self.assertEqual(self.hash_of(f"{name}.json", f"{name}.h5"), document["expect"]["state_hash"], hand)

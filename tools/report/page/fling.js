@@ -46,6 +46,9 @@ export class Playground {
   get isLive() {
     return this.#frame !== 0;
   }
+  get isHeld() {
+    return this.#isHeld;
+  }
 
   // Another run of the same hyrax.
   #begin(state) {
@@ -104,7 +107,7 @@ export class Playground {
     const dt = this.last === null ? 0 : (now - this.last) / 1000;
     this.last = now;
     if (dt > 0 && dt <= longestFrame_s) this.#playFrame(dt);
-    if (this.#isHeld) Object.assign(this.body, this.core.liveVelocity(this.#ticksOf(performance.now())));
+    if (this.#isHeld) Object.assign(this.body, this.core.liveVelocity(this.#ticksFrom(performance.now())));
   }
   #playFrame(dt) {
     const before = this.body;
@@ -148,12 +151,14 @@ export class Playground {
     this.view.player.play([Math.max(0, lastAtMost(rows.t, at - 0.15)), lastAtMost(rows.t, at + 0.15)], 0.1);
   }
 
-  // A clock that does not go backwards, as the hand of hyrax.exe has it.
-  #ticksOf(milliseconds) {
-    return (this.#ticks = Math.max(this.#ticks, Math.round(milliseconds * 1000)));
+  // A clock that does not go backwards, as the hand of hyrax.exe has it. It is set by events only: one may come
+  // after a frame that is later than it.
+  #ticksFrom(milliseconds) {
+    return Math.max(this.#ticks, Math.round(milliseconds * 1000));
   }
   #hand(event) {
-    return [...this.painter.pointOf(event).map(Math.round), this.#ticksOf(event.timeStamp)];
+    this.#ticks = this.#ticksFrom(event.timeStamp);
+    return [...this.painter.pointOf(event).map(Math.round), this.#ticks];
   }
 
   #down(event) {

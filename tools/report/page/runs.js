@@ -156,13 +156,13 @@ class View {
     return true;
   }
 
-  /** What is flung, so far. */
+  /** What is flung, so far; the verdict when it is let go, for other heights of tiles move the stage under the hand. */
   show(result) {
     this.result = result;
     this.charts.update(result);
     this.player.contacts = result.contacts;
     this.moment.replace(result.rows);
-    showVerdict(result);
+    if (!this.playground.isHeld) showVerdict(result);
     showContacts(result, step => this.player.seekStep(step));
   }
 
