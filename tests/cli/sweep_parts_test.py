@@ -192,9 +192,12 @@ class Interrupted(SweepTest):
         """The partial file that a signal leaves of it, and what the signal prints."""
         self.write("sweep.json", sweep)
         process = self.begin("sweep", "sweep.json", "-o", "out.h5", "--threads=1", env=NO_CLUSTER)
-        while process.is_running and not (self.folder / "out.h5.partial").exists():
+        partial = self.folder / "out.h5.partial"
+        while process.is_running and not partial.exists():
             time.sleep(0.001)
-        time.sleep(0.05)  # Until rows are done.
+        without_rows = partial.stat().st_blocks
+        while process.is_running and partial.stat().st_blocks == without_rows:
+            time.sleep(0.001)
         process.send(signal.SIGINT)
         outcome = process.wait()
         self.assertEqual(outcome.exit_code, -signal.SIGINT)
