@@ -45,7 +45,7 @@ export function originOf(report, run, check) {
   return [
     ['command', report.command, true],
     ['report', report.program],
-    ['file', `${run.file}, ${count(run.row_count, 'row')}`],
+    ['file', `${run.file.split('/').at(-1)}, ${count(run.row_count, 'row')}`],
     ['physics', run.physics],
     ['state hash of the file', run.state_hash, true],
     ['of this browser', check?.stateHash ?? '–', true],

@@ -282,7 +282,7 @@ test('a hand’s way is one line, and each size is told', () => {
 test('what was exercised, and how it was made, is said under its own name', () => {
   assert.deepEqual(lists.coverageOf({ result: { exercised: ['drag', 'top'], never_touched: ['left'], not_computed: [] }, margin: 'm' }),
     [['Exercised', 'drag, top'], ['Never touched', 'left'], ['Not computed', 'nothing'], ['Margin', 'm']]);
-  const run = { file: 'a.h5', row_count: 1, physics: 'paper', state_hash: '01', provenance: { built_by: 'g++' } };
+  const run = { file: '/folder/a.h5', row_count: 1, physics: 'paper', state_hash: '01', provenance: { built_by: 'g++' } };
   const origin = check => lists.originOf({ command: 'report a.h5', program: 'hyrax-sim 1' }, run, check).map(parts => parts.join(' | '));
   assert.deepEqual(origin({ stateHash: '02' }), ['command | report a.h5 | true', 'report | hyrax-sim 1', 'file | a.h5, 1 row', 'physics | paper',
     'state hash of the file | 01 | true', 'of this browser | 02 | true', 'built by | g++']);
