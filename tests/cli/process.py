@@ -16,7 +16,7 @@ import unittest
 
 sys.dont_write_bytecode = True  # A test leaves nothing behind in the source tree.
 
-TIMEOUT_S = 120  # Enough for a build with sanitizers on a busy machine.
+TIMEOUT_S = 300  # Enough for a build with sanitizers on a busy machine.
 _CHUNK_BYTES = 1 << 16
 _SKIPPED = 77  # To ctest, by SKIP_RETURN_CODE.
 _IS_CI = os.environ.get("CI") == "true"

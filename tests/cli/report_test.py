@@ -119,11 +119,14 @@ class Numbers(ProgramTest):
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
 
     def test_the_command_in_the_page_writes_it_again(self):
-        self.write("fling.json", program.fling())
-        page = self.page_by("run", "fling.json", "--set", "/steps=200", "--set", "/clock/rate_hz=144", "--report", "page.html")
-        called, *arguments = shlex.split(page["command"])
-        self.assertEqual(called, "hyrax-sim")
-        self.assertEqual(self.page_by(*arguments), page)
+        self.write("scenarios/fling.json", program.fling())
+        self.expect(AGREED, "bless", "scenarios/fling.json", "--golden", "accepted", "--reason", "first")
+        for options in (("--set", "/steps=200", "--set", "/clock/rate_hz=144"), ("--golden", "accepted")):
+            page = self.page_by("run", "scenarios/fling.json", *options, "--report", "page.html")
+            called, *arguments = shlex.split(page["command"])
+            self.assertEqual(called, "hyrax-sim")
+            self.assertEqual(self.page_by(*arguments), page)
+        self.assertTrue(page["runs"][0]["golden"]["agrees"])
 
 
 if __name__ == "__main__":

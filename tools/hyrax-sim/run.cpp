@@ -155,6 +155,7 @@ void print_written(const RunRequest& request, const std::string& path) {
 void write_page(const Core& core, const RunRequest& request, const ScenarioRun& run) {
   std::vector<std::string> command = {"hyrax-sim", "run", as_argument(run.path)};
   for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
+  if (!request.golden_folder.empty()) command.insert(command.end(), {"--golden", request.golden_folder});
   command.insert(command.end(), {"--report", request.page});
   write_report(core, {.files = {run.output},
                       .against = run.comparison ? run.golden_path : "",
