@@ -324,9 +324,11 @@ std::string changes_sentence(const std::vector<HeaderChange>& changes) {
 StepProof prove_equal(const std::string& base_name, const CoreRecord& base, const CoreRecord& core) {
   StepProof proof{.is_complete = !base.step.empty() && !core.step.empty()};
   // Texts of two versions of the program may differ in comparisons that decide nothing.
-  const std::optional<TracedStep> base_step = read_step(base.step);
-  proof.is_equal =
-      proof.is_complete && (base.step == core.step || (base_step && base_step == read_step(core.step)));
+  const auto is_same_step = [&] {
+    const std::optional<TracedStep> base_step = read_step(base.step);
+    return base_step && base_step == read_step(core.step);
+  };
+  proof.is_equal = proof.is_complete && (base.step == core.step || is_same_step());
   if (!proof.is_complete)
     proof.why = core.step.empty()
                     ? std::string(core.why_incomplete)

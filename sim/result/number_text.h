@@ -49,15 +49,15 @@ namespace hyrax {
   return unit;
 }
 
-/// "1 step", "11,400 steps"; plain "11400 steps".
+/// "1 step", "11,400 steps".
 template <class Count>
-[[nodiscard]] std::string counted(Count count, const std::string& noun, bool is_plain = false) {
-  const std::string number = is_plain ? std::to_string(count) : with_decimals(static_cast<double>(count), 0);
-  return number + " " + noun + (count == 1 ? "" : "s");
+[[nodiscard]] std::string counted(Count count, const std::string& noun) {
+  return with_decimals(static_cast<double>(count), 0) + " " + noun + (count == 1 ? "" : "s");
 }
+/// "1 step", "11400 steps".
 template <class Count>
 [[nodiscard]] std::string plain_counted(Count count, const std::string& noun) {
-  return counted(count, noun, true);
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 }  // namespace hyrax

@@ -112,15 +112,14 @@ Plot plot_over_time(const DriftRun& run, Axis y) {
           .when_empty = "no flight of two steps or more"};
 }
 
-std::string no_value(const Series& /*series*/) { return ""; }
-
 // The walls' dots are at the top of the first plot only.
 // @param value_text of a series with data, in the legend after its name.
 Figure over_time(Figure figure, std::vector<Plot> plots, const DriftRun& run,
-                 std::string (*value_text)(const Series&) = no_value) {
+                 std::string (*value_text)(const Series&) = nullptr) {
   for (const Plot& plot : plots)
     for (const Series& series : plot.series)
-      figure.legend.push_back({series.name + (series.y.empty() ? "" : value_text(series)), series.look});
+      figure.legend.push_back(
+          {series.name + (value_text && !series.y.empty() ? value_text(series) : ""), series.look});
   mark_arcs(figure, plots.front(), run);
   for (Plot& plot : plots) {
     plot.spans = plots.front().spans;

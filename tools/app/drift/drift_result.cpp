@@ -14,8 +14,6 @@ std::string number(const std::optional<Worst>& worst) {
   return worst ? number(worst->value) : std::string("-");
 }
 
-std::string arcs_text(std::int64_t count) { return plain_counted(count, "arc"); }
-
 std::vector<Column> with(std::vector<Column> columns, std::vector<Column> more) {
   std::move(more.begin(), more.end(), std::back_inserter(columns));
   return columns;
@@ -145,11 +143,12 @@ std::vector<std::string> not_computed(const DriftReport& report) {
   const DriftSummary& summary = report.run.summary;
   std::vector<std::string> items;
   if (summary.arcs_without_x > 0)
-    items.push_back(fmt::format("x in {} without horizontal motion", arcs_text(summary.arcs_without_x)));
+    items.push_back(
+        fmt::format("x in {} without horizontal motion", plain_counted(summary.arcs_without_x, "arc")));
   if (report.run.checked_by.empty()) items.emplace_back("GSL (--reference gsl)");
   if (!report.has_rows_stored) items.emplace_back("errors of every row (--rows)");
   if (summary.skipped_arcs > 0)
-    items.push_back(fmt::format("{} of fewer than two steps", arcs_text(summary.skipped_arcs)));
+    items.push_back(fmt::format("{} of fewer than two steps", plain_counted(summary.skipped_arcs, "arc")));
   return items;
 }
 
@@ -201,7 +200,7 @@ std::vector<std::string> faults_of(const DriftSummary& summary) {
     faults.push_back(fmt::format("{} flight steps differ from the listing", summary.differing_steps));
   if (summary.reference_faults > 0)
     faults.push_back(fmt::format("INTERNAL ERROR of the reference in {}, the first from row {}: {}",
-                                 arcs_text(summary.reference_faults),
+                                 plain_counted(summary.reference_faults, "arc"),
                                  summary.first_reference_fault_step.value_or(0),
                                  summary.first_reference_fault));
   return faults;
