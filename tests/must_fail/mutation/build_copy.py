@@ -20,6 +20,7 @@ from original_build import PROGRAM, CannotBuild, printed
 _ADDRESS_SPACE_MAX, _FILE_SIZE_MAX = 8 << 30, 4 << 30
 _CHECK_S_MAX = 2  # Of processor time; a check of all scenarios takes a tenth of a second.
 PASSED = ("Passed", "Skipped")
+_OF_TESTS = ("Testing", "wine", "outside_project")  # Folders in a build that tests fill, maybe while it is copied.
 _RELOCATED = ("build.ninja", "rules.ninja", "CTestTestfile.cmake", "compile_commands.json", "settings.cmake",
               "unity_0_cxx.cxx")
 _OUTCOME = re.compile(r"^ *\d+/\d+ Test +#\d+: (\S+) \.*(?:\*\*\*)? *(.*?) +([\d.]+) sec", re.MULTILINE)
@@ -54,7 +55,7 @@ class BuildCopy:
         self._moves = [(build.folder, self.folder), (build.source, self.source)]
         shutil.copytree(build.source, self.source, symlinks=True,
                         ignore=lambda at, _: {".git", "build"} if pathlib.Path(at) == build.source else ())
-        shutil.copytree(build.folder, self.folder, symlinks=True, ignore=shutil.ignore_patterns("Testing"))
+        shutil.copytree(build.folder, self.folder, symlinks=True, ignore=shutil.ignore_patterns(*_OF_TESTS))
         for path in self._files():
             if path.name in _RELOCATED:
                 self._copy(path)
