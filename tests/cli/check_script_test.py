@@ -79,12 +79,12 @@ class CheckScript(ProgramTest):
             self.write("sim/source.txt", "other")
             self.wait_for(log, "exit code 1; waiting", times=2)
             os.killpg(process.id, signal.SIGINT)
-            self.assertEqual(process.wait(timeout=10).exit_code, 0)
+            self.assertEqual(process.wait().exit_code, 0)
         self.assertEqual(log.read_text().count("build hyrax-sim"), 2)
 
     def wait_for(self, log, text, times=1):
         """Until the log contains the text that often."""
-        end = time.monotonic() + 30
+        end = time.monotonic() + 120
         while log.read_text().count(text) < times:
             self.assertLess(time.monotonic(), end, log.read_text())
             time.sleep(0.05)

@@ -25,7 +25,7 @@ class Running(unittest.TestCase):
 
     def assert_ends(self, process_id):
         """A process that was sent a signal is gone soon."""
-        give_up_s = time.monotonic() + 10
+        give_up_s = time.monotonic() + 60
         while is_alive(process_id):
             self.assertLess(time.monotonic(), give_up_s, "still running")
             time.sleep(0.01)
@@ -45,8 +45,8 @@ class Running(unittest.TestCase):
             succeed("false")
 
     def test_at_the_end_of_the_time_all_of_it_is_killed(self):
-        with self.assertRaisesRegex(TimedOut, "still running after 0.2 s") as caught:
-            run("sh", "-c", f"{LEAVES_A_CHILD}; wait", timeout=0.2)
+        with self.assertRaisesRegex(TimedOut, "still running after 1 s") as caught:
+            run("sh", "-c", f"{LEAVES_A_CHILD}; wait", timeout=1)
         self.assert_ends(int(str(caught.exception).split("stdout\n")[1].split()[0]))
 
     def test_a_child_that_is_left_neither_delays_the_outcome_nor_survives(self):

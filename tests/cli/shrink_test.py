@@ -69,7 +69,7 @@ class Shrink(ProgramTest):
         temporary.mkdir()
         process = self.begin("shrink", "fling.json", "--fails", "echo $$ > shell; touch {}.seen; sleep 60; true", "-o", "small.json",
                              env={**os.environ, "TMPDIR": str(temporary)})
-        deadline = time.monotonic() + 30
+        deadline = time.monotonic() + 120
         while not list(temporary.glob("*/*.seen")) and time.monotonic() < deadline:
             time.sleep(0.01)
         self.assertEqual(len(list(temporary.iterdir())), 1)

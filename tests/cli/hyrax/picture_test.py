@@ -68,7 +68,7 @@ class Picture(HyraxTest):
     def screenshot(self):
         """The desktop when nothing moves any more."""
         before, now = None, self.screen.pixels()
-        give_up_s = time.monotonic() + 30
+        give_up_s = time.monotonic() + 120
         while before is None or (before != now).any():
             self.assertLess(time.monotonic(), give_up_s, "the desktop does not stop changing")
             time.sleep(0.3)
