@@ -15,12 +15,6 @@ namespace {
 
 constexpr int kBins = 40;
 
-bool is_prime(std::int64_t number) {
-  for (std::int64_t divisor = 2; divisor * divisor <= number; ++divisor)
-    if (number % divisor == 0) return false;
-  return true;
-}
-
 std::string count_note(std::int64_t count, std::int64_t members) {
   const auto text = [](std::int64_t number) { return with_decimals(static_cast<double>(number), 0); };
   return (count == members ? "all " : text(count) + " of ") + text(members) + " members";
@@ -29,7 +23,8 @@ std::string count_note(std::int64_t count, std::int64_t members) {
 std::vector<const MemberNumbers*> results_of(const std::vector<MemberNumbers>& numbers) {
   std::vector<const MemberNumbers*> list;
   for (const MemberNumbers& each : numbers)
-    if (each.role() == MemberRole::result && std::isfinite(each.smallest()) && !each.is_constant())
+    if (each.role() == MemberRole::result && std::isfinite(each.largest() - each.smallest()) &&
+        !each.is_constant())
       list.push_back(&each);
   return list;
 }
@@ -46,7 +41,7 @@ std::vector<double> known_of(const std::vector<double>& values) {
 std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max) {
   assert(members >= 0 && samples_max > 0);
   std::int64_t stride = (members + samples_max - 1) / samples_max;
-  while (stride > 1 && !is_prime(stride)) ++stride;
+  while (stride > 1 && std::gcd(stride, members) > 1) ++stride;
   return std::max<std::int64_t>(stride, 1);
 }
 
@@ -69,9 +64,9 @@ void MemberNumbers::add(double value) {
 }
 
 void MemberNumbers::bin(double value) {
-  if (!std::isfinite(value)) return;
+  const double range = largest_ - smallest_;
+  if (!std::isfinite(value) || !std::isfinite(range)) return;
   if (bins_.empty()) {
-    const double range = largest_ - smallest_;
     const bool is_counted = is_whole_ && range < kBins;
     bins_.resize(is_counted ? static_cast<std::size_t>(range) + 1 : kBins);
     bins_from_ = is_counted ? smallest_ - 0.5 : smallest_;

@@ -14,8 +14,9 @@ namespace hyrax {
 /// So many values make the points and quantiles of a number.
 inline constexpr std::int64_t kSamplesMax = 20'000;
 
-/// The member whose number, and every multiple of it, is in a sample of at most `samples_max` of `members`: a
-/// prime, so that the sample meets every value of a grid. REQUIRES: members >= 0, samples_max > 0.
+/// The member whose number, and every multiple of it, is in a sample of at most `samples_max` of `members`:
+/// without a common divisor with `members`, so that the sample meets every value of a grid. REQUIRES: members
+/// >= 0, samples_max > 0.
 [[nodiscard]] std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max);
 
 enum class MemberRole : std::uint8_t { result, input, grid };  ///< A grid is an input, too.

@@ -30,7 +30,8 @@ namespace hyrax {
   const double size = std::fabs(value);
   if (size >= 1e7 || size < 1e-3) {
     char letters[40];
-    std::snprintf(letters, sizeof letters, "%.*e", std::min(digits, 2) - 1, value);
+    std::snprintf(letters, sizeof letters, "%.*e", std::min(digits, 2) - 1,
+                  size < 1.0 ? value : std::nextafter(value, std::copysign(HUGE_VAL, value)));
     const std::string text = letters;
     const std::size_t e = text.find('e');
     return text.substr(0, text.substr(0, e).ends_with(".0") ? e - 2 : e) + "e" +

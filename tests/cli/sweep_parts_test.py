@@ -129,6 +129,8 @@ class Parts(SweepTest):
                 ({"SLURM_ARRAY_TASK_ID": "11", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY_TASK_COUNT": "4"}, (),
                  "1-of-4"),
                 ({"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_COUNT": "4"}, (), "3-of-4"),
+                ({"SLURM_ARRAY_TASK_ID": "7", "SLURM_ARRAY_TASK_MIN": "1", "SLURM_ARRAY_TASK_STEP": "3",
+                  "SLURM_ARRAY_TASK_COUNT": "4"}, (), "2-of-4"),
                 ({"OMPI_COMM_WORLD_RANK": "2", "OMPI_COMM_WORLD_SIZE": "3"}, (), "2-of-3"),
                 ({"JOB_COMPLETION_INDEX": "0"}, ("--parts", "2"), "0-of-2")):
             outcome = self.sweep("sweep.json", "-o", "out.h5", *arguments, env={**NO_CLUSTER, **variables})

@@ -78,9 +78,9 @@ std::string shrunk_text(const Shrunk& shrunk) {
 }
 
 std::string description_of(const FuzzLimits& limits, const FuzzFailure& failure, const Shrunk& shrunk) {
-  return fmt::format("Run {} of hyrax-sim fuzz --seed {}, {} frames: breaks {} ({}): {}. {}", failure.run,
-                     limits.seed, step_count(failure.scenario), failure.broken.name(), failure.broken.rule(),
-                     failure.broken.found, shrunk_text(shrunk));
+  return fmt::format("Run {} of hyrax-sim fuzz --seed {}, {}: breaks {} ({}): {}. {}", failure.run,
+                     limits.seed, plain_counted(step_count(failure.scenario), "frame"), failure.broken.name(),
+                     failure.broken.rule(), failure.broken.found, shrunk_text(shrunk));
 }
 
 // A file of that name is kept: the scenario gets a number.
@@ -129,13 +129,12 @@ void print_json(const FuzzRequest& request, const FuzzLimits& limits, const Fuzz
 // Commands that show the failure again.
 std::string commands_for(const Core& core, const FuzzRequest& request, const Written& written) {
   const std::string path = as_argument(written.path);
-  if (request.against.empty() && !core.constants)
-    return "  " + shell_command({"hyrax-sim", "run", path}) + "\n";
+  if (request.against.empty() && !core.constants) return "  " + program_command({"run", path}) + "\n";
   if (request.against.empty())
-    return "  " + shell_command({"hyrax-sim", "study", "hard-cases", path, "--gate", "--no-figures"}) + "\n";
-  return "  " + shell_command({"hyrax-sim", "run", path, "-o", "here.h5"}) + "\n  " +
-         shell_command({request.against, "run", path, "-o", "there.h5"}) +
-         "\n  hyrax-sim diff here.h5 there.h5\n";
+    return "  " + program_command({"study", "hard-cases", path, "--gate", "--no-figures"}) + "\n";
+  return "  " + program_command({"run", path, "-o", "here.h5"}) + "\n  " +
+         shell_command({request.against, "run", path, "-o", "there.h5"}) + "\n  " +
+         program_command({"diff", "here.h5", "there.h5"}) + "\n";
 }
 
 void print_outcome(const FuzzRequest& request, const FuzzLimits& limits, const FuzzOutcome& outcome) {
@@ -151,8 +150,9 @@ void print_failure(const Core& core, const FuzzRequest& request, const FuzzFailu
   print_text("run {} {}: {} ({}): {}\n", failure.run,
              VerdictWord{broken.invariant ? "breaks an invariant" : "differs", false}, broken.name(),
              broken.rule(), broken.found);
-  print_text("written: {} ({} frames and {} events; found with {} and {})\n", written.path, written.steps,
-             written.events, step_count(failure.scenario), failure.scenario.events.size());
+  print_text("written: {} ({} and {}; found with {} and {})\n", written.path,
+             plain_counted(written.steps, "frame"), plain_counted(written.events, "event"),
+             step_count(failure.scenario), failure.scenario.events.size());
   if (!written.fails_again)
     print_text("it did not fail again: what it does depends on more than the scenario\n");
   if (!request.printing.is_quiet()) print_text("{}", commands_for(core, request, written));

@@ -12,11 +12,11 @@ struct ReportArguments {
 };
 
 std::string command_of(const ReportRequest& request) {
-  std::vector<std::string> words = {"hyrax-sim", "report"};
+  std::vector<std::string> words = {"report"};
   for (const std::string& file : request.files) words.push_back(as_argument(file));
   if (!request.against.empty()) words.insert(words.end(), {"--against", request.against});
   words.insert(words.end(), {"-o", request.output});
-  return shell_command(words);
+  return program_command(words);
 }
 
 ExitCode write_page(const Core& core, const ReportArguments& arguments) {

@@ -153,14 +153,14 @@ void print_written(const RunRequest& request, const std::string& path) {
 }
 
 void write_page(const Core& core, const RunRequest& request, const ScenarioRun& run) {
-  std::vector<std::string> command = {"hyrax-sim", "run", as_argument(run.path)};
+  std::vector<std::string> command = {"run", as_argument(run.path)};
   for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
   if (!request.golden_folder.empty()) command.insert(command.end(), {"--golden", request.golden_folder});
   command.insert(command.end(), {"--report", request.page});
   write_report(core, {.files = {run.output},
                       .against = run.comparison ? run.golden_path : "",
                       .output = request.page,
-                      .command = shell_command(command)});
+                      .command = program_command(command)});
   print_written(request, request.page);
 }
 

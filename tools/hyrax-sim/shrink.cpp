@@ -167,7 +167,8 @@ ExitCode run_shrink(const Core& core, const ShrinkRequest& request) {
     refuse_input(request.files.front() +
                  ": ended differently when it was tried again; only what fails every time can be shrunk");
   outcome.shrunk.scenario.description =
-      fmt::format("Shrunk from {}, {} frames; kept: {}.", scenario.name, step_count(scenario), outcome.kept);
+      fmt::format("Shrunk from {}, {}; kept: {}.", scenario.name,
+                  plain_counted(step_count(scenario), "frame"), outcome.kept);
   write_shrunk(request, outcome.shrunk.scenario);
   print_shrunk(request, scenario, outcome);
   return ExitCode::agreed;

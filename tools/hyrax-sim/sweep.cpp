@@ -82,8 +82,8 @@ ExitCode merge(const SweepRequest& request) {
   for (const std::string& path : outcome.missing) print_error(path + ": is missing; nothing was written");
   if (!outcome.missing.empty()) return ExitCode::golden_missing;
   report(request,
-         fmt::format("merged: {} members of {} parts\nwritten: {}", outcome.head.members,
-                     request.files.size(), request.output),
+         fmt::format("merged: {} of {}\nwritten: {}", plain_counted(outcome.head.members, "member"),
+                     plain_counted(request.files.size(), "part"), request.output),
          Json::Object{{"members", outcome.head.members},
                       {"parts", static_cast<std::int64_t>(request.files.size())},
                       {"output", request.output}});

@@ -18,11 +18,11 @@ std::optional<Row> row_at(const Columns& rows, std::int64_t step) {
   return rows.row(static_cast<std::size_t>(std::distance(rows.step.begin(), found)));
 }
 
-// The body that the events of one frame are applied to.
+// The body that the events of a frame are applied to.
 struct Thrown {
   void setPos(double x_px, double y_px) { position = Position{x_px, y_px}; }
   void setVelocity(double vx_px_per_s, double vy_px_per_s) { velocity = Velocity{vx_px_per_s, vy_px_per_s}; }
-  void resetVelocity() {}
+  void resetVelocity() { velocity.reset(); }
 
   Size window;
   Size sprite;
@@ -42,13 +42,14 @@ std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::in
   std::vector<Throw> throws = {thrown_from(scenario.start, scenario.sprite, scenario.start_velocity)};
   Thrown thrown;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0 && frames[i] != frames[i - 1]) thrown.position.reset();
-    thrown.velocity.reset();
     apply(scenario.events[i].action, thrown);
+    if (i + 1 < frames.size() && frames[i + 1] == frames[i]) continue;
     const auto row = row_at(rows, frames[i]);
-    if (thrown.velocity && row)
+    if (thrown.velocity && !thrown.is_held && row)
       throws.push_back(thrown_from(thrown.position.value_or(Position{row->x_px, row->y_px}),
                                    sizes.at(frames[i]).sprite, *thrown.velocity));
+    thrown.position.reset();
+    thrown.velocity.reset();
   }
   return throws;
 }

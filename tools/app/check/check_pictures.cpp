@@ -62,7 +62,7 @@ void write_page(const Core& core, const CheckReport& report, const DifferenceGro
   write_report(core, {.files = {run},
                       .against = scenario.golden->h5_path,
                       .output = path,
-                      .command = shell_command({"hyrax-sim", "check", as_argument(scenario.path)}),
+                      .command = program_command({"check", as_argument(scenario.path)}),
                       .cause = cause_sentence(group, checked).text() + " " + consequence_sentence(group)});
 }
 

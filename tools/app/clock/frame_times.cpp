@@ -9,6 +9,7 @@
 #include <map>
 #include <string_view>
 
+#include "sim/result/number_text.h"
 #include "sim/scenario/scenario.h"
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
@@ -190,7 +191,7 @@ class Sources {
       std::string text;
       for (std::size_t key = 0; key < keys_.size(); ++key)
         if (keys_[key].column) text += fmt::format("{} {}, ", keys_[key].shown, shortened(source[key]));
-      texts.push_back(text + fmt::format("{} frames", frames));
+      texts.push_back(text + plain_counted(frames, "frame"));
     }
     return fmt::format("{}", fmt::join(texts, "; "));
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -11,11 +12,11 @@
 namespace hyrax {
 namespace {
 
-// Index, count and first index of a part, by variables or, of the count, by an option.
-constexpr const char* kPartNames[][3] = {
-    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN"},
-    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", ""},
-    {"JOB_COMPLETION_INDEX", "--parts", ""}};
+// Index, count, first index and step of the indices of parts, by variables or, of the count, by an option.
+constexpr const char* kPartNames[][4] = {
+    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"},
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "", ""},
+    {"JOB_COMPLETION_INDEX", "--parts", "", ""}};
 
 bool is_option(const char* name) { return *name == '-'; }
 
@@ -59,15 +60,16 @@ std::optional<ChosenPart> choose_part(const std::string& command, const std::str
   if (!part.empty() && parts) refuse_input(command + ": --part and --parts: only one allowed");
   if (!part.empty()) return parse_part(command, part);
   const auto variable = [&](const char* name) { return read_variable(command, name); };
-  for (const auto& [index_name, count_name, first_name] : kPartNames) {
+  for (const auto& [index_name, count_name, first_name, step_name] : kPartNames) {
     if (parts.has_value() != is_option(count_name)) continue;
     const auto index = variable(index_name), count = parts ? parts : variable(count_name);
-    if (index && count)
-      return checked(command + ": " + index_name, *index - variable(first_name).value_or(0), *count,
-                     fmt::format("{} and {}", index_name, count_name));
+    if (!index || !count) continue;
+    const std::int64_t step = std::max<std::int64_t>(variable(step_name).value_or(1), 1);
+    return checked(command + ": " + index_name, (*index - variable(first_name).value_or(0)) / step, *count,
+                   fmt::format("{} and {}", index_name, count_name));
   }
   if (parts) refuse_input(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");
-  for (const auto& [index_name, count_name, first_name] : kPartNames)
+  for (const auto& [index_name, count_name, first_name, step_name] : kPartNames)
     if (std::getenv(index_name) != nullptr)
       print_error(fmt::format("{}: {} without {}{} names no part; this process computes all of them", command,
                               index_name, count_name, is_option(count_name) ? " N" : ""));

@@ -8,7 +8,7 @@ export function rounded(value, digits = 4) {
   const size = Math.abs(value);
   if (size >= 1e7 || size < 1e-3) return value.toExponential(Math.min(digits, 2) - 1).replace('.0e', 'e').replaceAll('-', '−').replace('e+', 'e');
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
-  return grouped(Number(value.toFixed(Math.min(decimals, 8))), 8);
+  return grouped(value, Math.min(decimals, 8));
 }
 
 /** 11,400.5, with a minus sign. */

@@ -79,7 +79,7 @@ function overview({ rows, contacts: met }) {
     while (at < (met?.step.length ?? 0) && met.step[at] <= rows.step[to - 1]) ++at;
     steps.push(rows.step[from]);
     speeds.push(most);
-    contacts.push((at - first) / (rows.t[to - 1] - rows.t[from] || 1));
+    contacts.push((at - first) / (rows.t[to - 1] - rows.t[Math.max(0, from - 1)] || 1));
   }
   const chart = (id, title, unit, name, tint, values) => ({ id, title, unit, decimals: 1, isOverview: true, range: fromZero, series: [
     { name, color: tint, values: joined(rows, steps, values), known: { steps, values, isJoined: true } }] });
