@@ -99,11 +99,11 @@ class ClockFrom(NewTest):
     def test_one_of_several_sources_has_to_be_picked(self):
         self.write("frames.csv", SEVERAL)
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", says=(
-            "frames.csv: frames of several sources: application dwm.exe, process 7, swap chain 0xC, 1 frames; "
+            "frames.csv: frames of several sources: application dwm.exe, process 7, swap chain 0xC, 1 frame; "
             "application game.exe, process 42, swap chain 0xA, 2 frames; ",
             "; pick one with --application or --process or --swap-chain"))
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "game.exe", "--process", "42",
-                    says="swap chain 0xB, 1 frames; pick one with --swap-chain\n")
+                    says="swap chain 0xB, 1 frame; pick one with --swap-chain\n")
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "gam",
                     says="frames.csv: no such frame; found: application dwm.exe, ")
         self.assertEqual(self.names(), ["frames.csv"])
