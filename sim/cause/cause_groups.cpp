@@ -89,10 +89,11 @@ class CauseFinder {
     if (!is_repeated) return {CauseKind::unknown, std::string(kNotRepeated)};
     const bool is_judged = base_.accepted != nullptr && names_accepted;
     const Core& core = is_judged ? *base_.accepted : base_.program;
-    const bool has_equal_rows = golden.state_hash == fresh.state_hash;
-    if (is_judged && !(has_equal_rows && !scenario_change.empty()) &&
-        match(core, fresh.scenario, golden).is_whole())
-      return core_cause();
+    // A changed scenario of other length, or of equal rows, differs whatever the core is.
+    const bool is_core_asked =
+        scenario_change.empty() ||
+        (golden.state_hash != fresh.state_hash && step_count(golden.scenario) == step_count(fresh.scenario));
+    if (is_judged && is_core_asked && match(core, fresh.scenario, golden).is_whole()) return core_cause();
     if (!scenario_change.empty()) return scenario_cause(run, core, is_judged);
     // A golden file is no evidence of anything but its own damage.
     if (!is_as_blessed) return {CauseKind::golden, "the golden file was changed since it was blessed"};

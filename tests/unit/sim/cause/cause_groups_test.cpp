@@ -124,6 +124,11 @@ TEST(Cause, IsTheScenariosOwnText) {
   const StoredRun golden = run_of(scenario);
   EXPECT_EQ(program.cause_of(golden, run_of(faster), "/start/vx_px_per_s 2400 -> 2401"),
             (Cause{CauseKind::scenario, "/start/vx_px_per_s 2400 -> 2401"}));
+  for (const std::int64_t steps : {299, 301}) {
+    Scenario other = scenario;
+    other.length = steps;
+    EXPECT_EQ(program.cause_of(golden, run_of(other), "/steps 300 -> other").kind, CauseKind::scenario);
+  }
   program.step.constants.gravity_px_per_s2 = 1250.0;  // It changes the run by itself, whatever the core does.
   EXPECT_EQ(program.cause_of(golden, run_of(faster, program.step), "/start/vx_px_per_s 2400 -> 2401").kind,
             CauseKind::scenario);
