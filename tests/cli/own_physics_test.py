@@ -317,6 +317,12 @@ class Shapes(OutsideProject):
                     self.assertEqual(file[f"members/{column}"][member], final[key], (member, column))
         return document["steps_computed"], document["steps"]
 
+    def expect_page(self, path):
+        """Its page is no fault, though that has no copy of the core. A program without pages says so."""
+        outcome = self.hyrax_sim("report", path, "-o", "page.html")
+        if "HYRAX_PAGE" not in outcome.err:
+            self.assertEqual(outcome.exit_code, AGREED, outcome)
+
     def test_the_same_shape_has_everything_with_its_constants(self):
         self.use("moon")
         constants = [value for _, value in MOON.values()]
@@ -331,6 +337,7 @@ class Shapes(OutsideProject):
         self.assertLess(drift["worst"]["implementation_px"], 1e-9)
         self.assertEqual(self.expect(AGREED, "drift", "run.h5", "--json").json["runs"][0]["worst"], drift["worst"])
         self.assertIn("the model's is 0.75", self.expect(AGREED, "drift", "fling.json").out)
+        self.expect_page("run.h5")
         # Another program measures the file by its constants, and replays it with them where rows are missing.
         self.write("seldom.json", {**self.fling(), "record": {"every": 100}})
         self.expect(AGREED, "run", "seldom.json", "-o", "seldom.h5")
@@ -377,6 +384,7 @@ class Shapes(OutsideProject):
                 self.expect(AGREED, "check", "fling.json", "--golden", golden)
                 self.expect(AGREED, "run", "fling.json", "-o", f"{name}.h5")
                 self.expect(AGREED, "diff", f"{golden}/fling.h5", f"{name}.h5")
+                self.expect_page(f"{name}.h5")
                 with h5py.File(self.folder / f"{name}.h5") as file:
                     self.assertNotIn("constants", file.attrs)
                 self.expect(AGREED, "shrink", "fling.json", "--fails", "false {}", "-o", f"small-{name}.json")

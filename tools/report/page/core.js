@@ -1,11 +1,12 @@
 // The page's core: the C++ of hyrax-sim as WebAssembly. Lists pass through its memory.
-import { bytes, rowFields, unzipped } from './data.js';
+import { gunzipSync } from 'fflate';
+import { bytes, rowFields } from './data.js';
 import { element, root } from './document.js';
 
 export class Core {
-  static async start() {
-    const binary = await unzipped(bytes(element('core').textContent));
-    const { instance } = await WebAssembly.instantiate(binary, {});
+  /** At once, so that a page is ready when its scripts have run; throws where a browser runs no WebAssembly. */
+  static start() {
+    const instance = new WebAssembly.Instance(new WebAssembly.Module(gunzipSync(bytes(element('core').textContent))));
     instance.exports.__wasm_call_ctors();
     return new Core(instance.exports);
   }

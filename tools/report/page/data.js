@@ -17,11 +17,6 @@ export const rowFields = ['step', 't', 'dt', 'x', 'y', 'vx', 'vy', 'contact'];
 
 export const rowsOf = run => Object.fromEntries(rowFields.map(field => [field, doubles(run.rows[field])]));
 
-export async function unzipped(array) {
-  const stream = new Blob([array]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
-}
-
 /** Smallest and largest value that is known; null and null if none is. */
 export function rangeOf(values) {
   let low = Infinity, high = -Infinity;

@@ -196,10 +196,10 @@ class Stage {
 let stage = null;
 
 /** Adds to a result of a sweep its members. */
-export async function showMembers({ sweep }, article) {
+export function showMembers({ sweep }, article) {
   if (!sweep || sweep.results.length === 0) return;
   if (!stage) {
-    const core = await Core.start();
+    const core = Core.start();
     core.requireSame(sweep.core_fingerprint, report.program);
     stage = new Stage(core);
   }

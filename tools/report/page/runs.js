@@ -204,11 +204,19 @@ async function replayed(core, run, share) {
   return replay(core, run, share);
 }
 
+function startedCore() {
+  try {
+    return isOwnCore ? null : Core.start();
+  } catch {
+    return null;
+  }
+}
+
 async function main() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
-  const core = isOwnCore ? null : await Core.start().catch(() => null);
+  const core = startedCore();
   if (core) core.requireSame(report.core_fingerprint, report.program);
   const results = [];
   for (const run of report.runs)
