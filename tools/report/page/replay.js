@@ -14,7 +14,7 @@ async function playAll(core, steps, progress) {
     if (took < 15) piece *= 2;
     if (took > 60) piece = Math.max(1000, piece / 2);
     progress(at / steps);
-    await pause();
+    if (at < steps) await pause();
   }
 }
 
