@@ -55,8 +55,8 @@ class Literal(ProgramTest):
 
     def test_an_empty_value_takes_no_file(self):
         self.write("fling.json", fling())
-        for arguments in (("--output=", "fling.json"), ("-o", "", "fling.json"), ("fling.json", "--set=")):
-            self.expect(BAD_INPUT, "run", *arguments, says="must not be empty")
+        for name, *arguments in (("--output", "--output=", "fling.json"), ("-o", "-o", "", "fling.json"), ("--set", "fling.json", "--set=")):
+            self.expect(BAD_INPUT, "run", *arguments, says=f"hyrax-sim run: {name}: must not be empty; see `")
         self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
         self.assertEqual(self.names(), ["fling.json"])
 

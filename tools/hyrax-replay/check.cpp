@@ -48,7 +48,7 @@ CheckArguments parsed(const std::vector<std::string>& arguments) {
     if (!request.golden_folder.empty()) refuse("--golden: given twice");
     if (index + 1 == arguments.size()) refuse("--golden: value is missing: DIR");
     request.golden_folder = arguments[++index];
-    if (request.golden_folder.empty()) refuse("--golden: must not be empty: DIR");
+    if (request.golden_folder.empty()) refuse("--golden: must not be empty");
   }
   return request;
 }

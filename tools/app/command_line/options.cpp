@@ -174,7 +174,7 @@ Options::Argument Options::read_option(Argument argument, Argument last) {
   if (!has_value && argument == last) refuse_input(name + ": value is missing: " + option.text.value);
   if (option.kind == Kind::once && std::exchange(option.is_given, true)) refuse_input(name + ": given twice");
   const std::string value = has_value ? argument->substr(name_end + (is_long ? 1 : 0)) : *++argument;
-  if (value.empty()) refuse_input(name + ": must not be empty: " + option.text.value);
+  if (value.empty()) refuse_input(name + ": must not be empty");
   option.set(value);
   return argument;
 }
