@@ -7,25 +7,11 @@
 #include <tuple>
 
 #include "sim/cause/run_match.h"
+#include "sim/compare/comparison.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
 namespace {
-
-std::string input_text(const Input& input) {
-  return fmt::format("{} in frame {}", name_of(input.action), input.frame);
-}
-
-// The first input that differs, as text.
-std::optional<std::string> input_difference(const StoredRun& golden, const StoredRun& fresh) {
-  const auto [from, to] = std::ranges::mismatch(
-      golden.inputs, fresh.inputs, [](const Input& a, const Input& b) { return same_bits(a, b); });
-  const bool has_from = from != golden.inputs.end();
-  const bool has_to = to != fresh.inputs.end();
-  if (!has_from && !has_to) return std::nullopt;
-  return fmt::format("inputs differ: {} -> {}", has_from ? input_text(*from) : "none",
-                     has_to ? input_text(*to) : "none");
-}
 
 bool has_hitch(const std::vector<Input>& inputs, std::int64_t frame) {
   return std::ranges::any_of(inputs, [frame](const Input& input) {
@@ -53,7 +39,8 @@ std::optional<std::string> time_difference(const StoredRun& golden, const Stored
       return fmt::format("the clock gives other frame times: dt of row {} {} -> {} s", from[row].step,
                          from[row].dt_s, to[row].dt_s);
   }
-  if (input_difference(golden, fresh)) return std::nullopt;  // A hitch in another frame changes all times.
+  // A hitch in another frame changes all times.
+  if (input_difference(golden.inputs, fresh.inputs)) return std::nullopt;
   for (std::size_t row = 0; row < rows && from[row].step == to[row].step; ++row)
     if (!same_bits(from[row].t_s, to[row].t_s))
       return fmt::format("the clock counts time differently: t of row {} {} -> {} s", from[row].step,
@@ -130,7 +117,7 @@ class CauseFinder {
   [[nodiscard]] static std::optional<Cause> playback_cause(const StoredRun& golden, const StoredRun& fresh,
                                                            const Core& core) {
     const auto time = time_difference(golden, fresh);
-    const auto input = input_difference(golden, fresh);
+    const auto input = input_difference(golden.inputs, fresh.inputs);
     if (!time && !input) return std::nullopt;
     const bool is_kept = golden.blocks.empty();
     if (is_kept && !match(core, playback_of(golden), golden).rows) return std::nullopt;
@@ -149,7 +136,7 @@ class CauseFinder {
       return {CauseKind::golden, "the golden file's scenario and inputs do not give its rows"};
     }
     // Its own inputs do give its rows, though this program does not play them in their frames.
-    if (const auto input = input_difference(golden, fresh); input && kept.gives_all)
+    if (const auto input = input_difference(golden.inputs, fresh.inputs); input && kept.gives_all)
       return {CauseKind::input, *input};
     const StepEvidence played = evidence_of(core, fresh, golden);
     if (!kept.gives_all || !played.gives_all || golden.state_hash != fresh.state_hash) {

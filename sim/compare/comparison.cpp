@@ -40,6 +40,10 @@ std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector
   return missing;
 }
 
+std::string input_text(const Input& input) {
+  return std::string(name_of(input.action)) + " in frame " + std::to_string(input.frame);
+}
+
 }  // namespace
 
 std::string_view name_of(DifferenceClass difference) {
@@ -85,6 +89,15 @@ ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<
                           come.end());
   }
   return changes;
+}
+
+std::optional<std::string> input_difference(const std::vector<Input>& a, const std::vector<Input>& b) {
+  const auto [from, to] =
+      std::ranges::mismatch(a, b, [](const Input& one, const Input& other) { return same_bits(one, other); });
+  if (from == a.end() && to == b.end()) return std::nullopt;
+  const std::string before = from == a.end() ? "none" : input_text(*from);
+  const std::string after = to == b.end() ? "none" : input_text(*to);
+  return "inputs differ: " + (before == after ? before + ": other values" : before + " -> " + after);
 }
 
 }  // namespace hyrax

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/compare/run_distance.h"
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
@@ -140,5 +141,9 @@ struct Comparison {
 
 /// The changes from contacts `a` to `b`, both in order of their first step.
 [[nodiscard]] ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b);
+
+/// The first input that differs, as "inputs differ: fling in frame 41 -> none"; nothing where none does.
+[[nodiscard]] std::optional<std::string> input_difference(const std::vector<Input>& a,
+                                                          const std::vector<Input>& b);
 
 }  // namespace hyrax

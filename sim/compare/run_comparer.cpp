@@ -167,9 +167,7 @@ void RunComparer::measure(const BlockPair& pair) {
 std::string RunComparer::contradiction(const Played& played) const {
   if (!damage_.empty()) return damage_;
   if (kept_.state_hash != played.state_hash) return "state hash";
-  if (!std::equal(kept_.inputs.begin(), kept_.inputs.end(), played.inputs.begin(), played.inputs.end(),
-                  [](const Input& a, const Input& b) { return same_bits(a, b); }))
-    return "events";
+  if (input_difference(kept_.inputs, played.inputs)) return "events";
   if (first_difference(kept_.final, played.final)) return "last row";
   const auto recorded = static_cast<std::int64_t>(contacts_.size());
   if (recorded < kContactsRecordedMax && kept_.contacts_total != recorded) return "number of contacts";

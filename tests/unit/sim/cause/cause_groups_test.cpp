@@ -109,6 +109,8 @@ TEST(Cause, IsAnInputThatDiffers) {
   const Event fling{std::int64_t{40}, Fling{{-1500.0, -900.0}}};
   EXPECT_EQ(cause_of({std::int64_t{41}, fling.action}, fling, false),
             (Cause{CauseKind::input, "inputs differ: fling in frame 41 -> fling in frame 40"}));
+  EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, false),
+            (Cause{CauseKind::input, "inputs differ: fling in frame 40: other values"}));
   EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, true),
             (Cause{CauseKind::input, "an input has another effect"}));
   // The frame of a hitch has another length, whatever the clock gives.
