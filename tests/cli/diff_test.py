@@ -112,15 +112,47 @@ class Diff(ProgramTest):
                           self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
         self.assertEqual(found, [0, 7])
 
-    def test_two_scenarios_are_compared_in_px_and_contacts_never_in_ulps(self):
-        self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", "/start/vx_px_per_s=1190")
+    def test_two_scenarios_are_compared_value_by_value_too(self):
+        start = numpy.nextafter(1200.0, 1300.0)
+        self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", f"/start/vx_px_per_s={start}")
         text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
-        self.assertIn("the scenarios differ: /start/vx_px_per_s 1200 -> 1190\n", text)
-        for part in ("ulp", "worst", "first", "0x1."):
-            self.assertNotIn(part, text)
+        for part in ("class      shape", "the scenarios differ: /start/vx_px_per_s 1200 -> 1200.0000000000002\n",
+                     "first      step 0, field vx\n", "distance   1 ulp\n", "worst vx "):
+            self.assertIn(part, text)
         document = self.diff(DISAGREED)
-        self.assertIsNone(document["first_divergence"]["ulps"])
-        self.assertEqual({worst["ulps"] for worst in document["worst"].values()}, {None})
+        self.assertEqual((document["class"], document["first_divergence"]["ulps"]), ("shape", 1))
+        self.assertNotIn(None, {worst["ulps"] for worst in document["worst"].values()})
+
+    def test_other_inputs_are_of_class_shape(self):
+        self.write("fling.json", fling(events=[{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}]))
+        self.expect(AGREED, "run", "fling.json", "-o", "a.h5")
+        for dataset, value, says in (("a", -901.0, "fling in frame 20: other values"),
+                                     ("frame", 21, "fling in frame 20 -> fling in frame 21")):
+            self.change(f"events/{dataset}", 0, value)
+            self.assertEqual(self.diff(DISAGREED, "--abs", "1")["class"], "shape")
+            self.assertIn(f"\n  shape      the inputs differ: {says}\n", self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            del file["events"]
+        self.expect(BAD_INPUT, "diff", "a.h5", "b.h5", says="b.h5: /events/frame: is missing")
+
+    def test_a_file_that_contradicts_itself_is_of_class_shape(self):
+        def text_of_change(group, attribute, value):
+            shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")
+            with h5py.File(self.folder / "b.h5", "r+") as file:
+                file[group].attrs[attribute] = value
+            self.assertEqual(self.diff(DISAGREED)["class"], "shape")
+            text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+            self.assertNotIn("not recorded in both", text)
+            self.assertNotIn("the core changed", text)
+            return text
+
+        with h5py.File(self.folder / "a.h5") as file:
+            total = int(file["contacts"].attrs["total"])
+        text = text_of_change("contacts", "total", total + 1)
+        self.assertIn("  shape      a file contradicts itself: the contacts agree, their numbers do not\n"
+                      f"  total      the numbers of contacts differ: {total} and {total + 1}\n", text)
+        self.assertIn("  shape      a file contradicts itself: all rows agree, the state hashes do not\n",
+                      text_of_change("/", "state_hash", "0" * 32))
 
     def test_px_come_first(self):
         with h5py.File(self.folder / "a.h5") as file:

@@ -53,12 +53,6 @@ std::string worst_text(std::string_view field, const WorstDifference& worst) {
                      ulps.empty() ? "" : ", " + ulps);
 }
 
-// Distances in ulps say how far rounding went; two scenarios have more than rounding between them.
-Comparison as_far_as_it_says_something(Comparison comparison, bool is_same_scenario) {
-  if (!is_same_scenario) comparison.first.reset();
-  return comparison;
-}
-
 }  // namespace
 
 std::string distance_sentence(const TrajectoryDiff& diff) {
@@ -86,11 +80,14 @@ std::string consequence_text(const TrajectoryDiff& diff) {
 
 std::string values_text(const TrajectoryDiff& diff, bool lists_all) {
   const Comparison& comparison = diff.comparison;
-  std::string text =
-      difference_text(as_far_as_it_says_something(comparison, diff.is_same_scenario), lists_all);
-  if (comparison.difference && comparison.shape.empty() && comparison.contacts.is_none() && !comparison.first)
+  std::string text = difference_text(comparison, lists_all);
+  const std::int64_t total_a = diff.end_a.contacts_total, total_b = diff.end_b.contacts_total;
+  if (comparison.contacts.is_none() && total_a != total_b)
+    text += fmt::format("  total      the numbers of contacts differ: {} and {}\n", total_a, total_b);
+  else if (comparison.difference && comparison.shape.empty() && comparison.contacts.is_none() &&
+           !comparison.first)
     text += "  hash       the state hashes differ: in rows that are not recorded in both\n";
-  for (std::size_t field = 0; field < kRowFields.size() && diff.is_same_scenario; ++field)
+  for (std::size_t field = 0; field < kRowFields.size(); ++field)
     if (const auto& worst = diff.values.worst()[field]) text += worst_text(kRowFields[field].name, *worst);
   return text;
 }
@@ -100,17 +97,14 @@ Json diff_json(const TrajectoryDiff& diff) {
   Json::Object worst;
   for (std::size_t field = 0; field < kRowFields.size(); ++field)
     if (const auto& value = diff.values.worst()[field]) {
-      const auto ulps =
-          diff.is_same_scenario ? ulps_of(kRowFields[field].name, value->a, value->b) : std::nullopt;
+      const auto ulps = ulps_of(kRowFields[field].name, value->a, value->b);
       worst.emplace_back(kRowFields[field].name,
                          Json::Object{{"step", value->step}, {"abs", value->abs()}, {"ulps", or_null(ulps)}});
     }
-  std::optional<Divergence> first = comparison.first;
-  if (first && !diff.is_same_scenario) first->ulps.reset();
   const auto count = [](const auto& list) { return Json(static_cast<std::int64_t>(list.size())); };
   return Json::Object{{"agree", comparison.agrees},
                       {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
-                      {"first_divergence", divergence_json(first)},
+                      {"first_divergence", divergence_json(comparison.first)},
                       {"worst", std::move(worst)},
                       {"contacts", Json::Object{{"moved", count(comparison.contacts.moved)},
                                                 {"only_a", count(comparison.contacts.only_a)},

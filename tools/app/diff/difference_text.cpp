@@ -87,7 +87,8 @@ bool setting_differs(const Provenance& a, const Provenance& b, const ProvenanceF
 
 std::string_view meaning(DifferenceClass difference, bool builds_differ) {
   if (difference == DifferenceClass::shape)
-    return "not explained by the build: the files are not two complete runs of one scenario";
+    return "not explained by the build: the files are not two intact runs of one scenario with the same "
+           "inputs";
   if (!builds_differ) return "not explained by the build: usually the core changed between the runs";
   return "strict builds give the same bits with all build settings: usually one of the two fuses\n"
          "             multiply-adds, or the core changed as well; `hyrax-sim check` with each of the\n"

@@ -93,6 +93,7 @@ RunEnd end_of(const TrajectoryFile& file) {
     else if (anchor->moves_to(end.row.x_px, end.row.y_px))
       anchor->t_s = end.row.t_s;
   }
+  end.contacts_total = file.contacts_total();
   if (end.has_every_row) end.settled_since_s = anchor->at_rest_since_s(end.row.t_s);
   return end;
 }
@@ -102,22 +103,36 @@ bool hold_recorded_rows(const TrajectoryFile& a, const TrajectoryFile& b) {
   return !a.has("blocks") && !b.has("blocks");
 }
 
-std::string shape_of(const TrajectoryFile& a, const TrajectoryFile& b,
-                     const std::optional<std::int64_t>& lone_step) {
+// A hash or total that cannot be of the rows or contacts, which are all recorded and agree; a sentence.
+std::string contradiction(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
+                          const TrajectoryDiff& diff) {
+  const Comparison& comparison = diff.comparison;
+  if (comparison.first || !comparison.contacts.is_none()) return "";
+  if (diff.end_a.contacts_total != diff.end_b.contacts_total && !comparison.contacts.is_cut)
+    return "a file contradicts itself: the contacts agree, their numbers do not";
+  if (tolerance.is_exact() && a.head().state_hash != b.head().state_hash &&
+      diff.rows_compared == a.head().steps + 1)
+    return "a file contradicts itself: all rows agree, the state hashes do not";
+  return "";
+}
+
+std::string shape_of(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
+                     const TrajectoryDiff& diff, const std::optional<std::int64_t>& lone_step) {
   const std::string changes = scenario_changes(a.head().scenario, b.head().scenario);
   if (!changes.empty()) return "the scenarios differ: " + changes;
   if (a.head().steps != b.head().steps)
     return fmt::format("the numbers of steps differ: {} and {}", a.head().steps, b.head().steps);
   if (lone_step && hold_recorded_rows(a, b))
     return fmt::format("only one of the files holds row {}", *lone_step);
-  return "";
+  if (const auto difference = input_difference(a.inputs(), b.inputs())) return "the " + *difference;
+  return contradiction(a, b, tolerance, diff);
 }
 
 std::optional<DifferenceClass> class_of_files(const TrajectoryFile& a, const TrajectoryFile& b,
                                               const Tolerance& tolerance, const TrajectoryDiff& diff) {
   const Comparison& comparison = diff.comparison;
   if (!comparison.shape.empty()) return DifferenceClass::shape;
-  if (a.contacts_total() != b.contacts_total()) return DifferenceClass::contacts;
+  if (diff.end_a.contacts_total != diff.end_b.contacts_total) return DifferenceClass::contacts;
   if (comparison.first || !comparison.contacts.is_none() ||
       (tolerance.is_exact() && a.head().state_hash != b.head().state_hash))
     return class_of(comparison.contacts, diff.values.distance());
@@ -135,7 +150,6 @@ TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& 
                                  Overlay* overlay) {
   TrajectoryDiff diff(tolerance);
   if (a.head().constants && b.head().constants) diff.energy.emplace(a.head().constants->gravity_px_per_s2);
-  diff.is_same_scenario = plays_the_same(a.head().scenario, b.head().scenario);
   diff.is_by_time = !(a.head().scenario.clock == b.head().scenario.clock);
   Comparison& comparison = diff.comparison;
   RunDistance distance;
@@ -158,13 +172,13 @@ TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& 
   comparison.first = diff.values.first();
   comparison.contacts = diff.values.contacts();
   comparison.largest = distance.largest();
-  comparison.shape = shape_of(a, b, lone_step);
+  diff.end_a = end_of(a);
+  diff.end_b = end_of(b);
+  comparison.shape = shape_of(a, b, tolerance, diff, lone_step);
   if (a.head().physics != b.head().physics)
     comparison.physics = "the physics models differ: " + a.head().physics + " and " + b.head().physics;
   comparison.difference = class_of_files(a, b, tolerance, diff);
   comparison.agrees = !comparison.difference;
-  diff.end_a = end_of(a);
-  diff.end_b = end_of(b);
   if (diff.end_a.settled_since_s && diff.end_b.settled_since_s)
     comparison.rest_shift_px = distance_px(state_of(diff.end_a.row), state_of(diff.end_b.row));
   return diff;

@@ -18,12 +18,12 @@ struct RunEnd {
   Row row;
   bool has_every_row = false;  ///< Else it is not known when it settled.
   std::optional<double> settled_since_s;
+  std::int64_t contacts_total = 0;  ///< With those that are not recorded.
 };
 
 struct TrajectoryDiff {
   explicit TrajectoryDiff(const Tolerance& tolerance) : values(tolerance) {}
 
-  bool is_same_scenario = true;
   bool is_by_time = false;  ///< Distances of rows of the same time: the clocks differ.
   Comparison comparison;
   TrajectoryComparer values;
@@ -51,11 +51,11 @@ struct TrajectoryDiff {
 /// indented by two.
 [[nodiscard]] std::string consequence_text(const TrajectoryDiff& diff);
 
-/// The first difference, the contacts that moved, the worst value of each field: bits and ulps only where
-/// both play the same scenario. Complete lines, indented by two.
+/// The first difference, the contacts that moved, the worst value of each field. Complete lines, indented by
+/// two.
 [[nodiscard]] std::string values_text(const TrajectoryDiff& diff, bool lists_all);
 
-/// {"agree", "class", "first_divergence", "worst", "contacts"}; without ulps where the scenarios differ.
+/// {"agree", "class", "first_divergence", "worst", "contacts"}
 [[nodiscard]] Json diff_json(const TrajectoryDiff& diff);
 
 }  // namespace hyrax
