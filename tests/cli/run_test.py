@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """`run`: the files it writes, their paths, and its output."""
 
+import os
 import re
 
 import h5py
@@ -271,6 +272,14 @@ class Golden(ProgramTest):
         self.assertIn("golden         missing: golden/fling.h5; to create it: ", outcome.out)
         golden = self.expect(AGREED, "run", self.path, "--json").json["runs"][0]["golden"]
         self.assertEqual(golden["status"], "missing")
+        self.bless(self.path)
+        (self.folder / "golden/fling.txt").unlink()
+        self.assertIn("golden         missing: golden/fling.txt; ", self.expect(AGREED, "run", self.path).out)
+
+    def test_with_a_damaged_golden_file_nothing_is_written(self):
+        os.truncate(self.folder / "golden/fling.h5", 5000)
+        self.expect(BAD_INPUT, "run", self.path, says="golden/fling.h5: ")
+        self.assertEqual(self.names(), ["golden", "scenarios"])
 
     def test_golden_names_another_folder(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")

@@ -129,16 +129,9 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
   ReplayOptions replay = judged_options(scenario);
   replay.skips_repetition = options.skips_repetition;
   ScenarioRun run;
-  static_cast<WrittenRun&>(run) =
-      write_run(core, output, scenario, {.replay = replay, .drift = options.drift, .also = also});
   run.path = path;
   run.scenario = scenario;
   run.output = output;
-  if (margin) run.start = {margin->margin(), contact_chance_of(core, scenario, margin->margin())};
-  run.expectations = judge_run(core, scenario, run.summary,
-                               run.drift  ? std::optional(run.drift->summary)
-                               : measures ? std::optional(meter.finish())
-                                          : std::nullopt);
   const auto place = golden_place(path, options.golden_folder);
   if (path == "-")
     run.not_compared = "standard input";
@@ -146,11 +139,19 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
     run.not_compared = "no folder `scenarios` above it; --golden DIR names one";
   else if (!options.compares)
     run.not_compared = "values were set";
-  if (!run.not_compared.empty()) return run;
-  run.golden_path = place->h5_path;
-  run.golden_folder = options.golden_folder;
-  if (has_golden_file(*place))
-    run.comparison = compare_with_pair(core, scenario, *place, true, core)->comparison;
+  if (run.not_compared.empty()) {
+    run.golden_path = place->h5_path;
+    run.golden_folder = options.golden_folder;
+    if (has_golden_file(*place))
+      run.comparison = compare_with_pair(core, scenario, *place, true, core)->comparison;
+  }
+  static_cast<WrittenRun&>(run) =
+      write_run(core, output, scenario, {.replay = replay, .drift = options.drift, .also = also});
+  if (margin) run.start = {margin->margin(), contact_chance_of(core, scenario, margin->margin())};
+  run.expectations = judge_run(core, scenario, run.summary,
+                               run.drift  ? std::optional(run.drift->summary)
+                               : measures ? std::optional(meter.finish())
+                                          : std::nullopt);
   return run;
 }
 

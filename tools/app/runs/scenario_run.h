@@ -68,7 +68,8 @@ struct ScenarioRun : WrittenRun {
   [[nodiscard]] const char* status() const;
 };
 
-/// Plays the scenario and writes `output`, then judges.
+/// Compares with the golden file, so that nothing is written if it cannot be read; then plays the scenario,
+/// writes `output` and judges.
 /// ERRORS: Failure(cannot_access) for the output, Failure of reading the golden file.
 [[nodiscard]] ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenario& scenario,
                                        const std::string& output, const ScenarioRunOptions& options);
