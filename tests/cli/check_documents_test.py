@@ -74,6 +74,7 @@ class Document(CheckTest):
 
     def test_junit_that_cannot_be_written_is_exit_3(self):
         self.expect(CANNOT_ACCESS, "check", "--junit", "no/such/report.xml", says="no/such/report.xml")
+        self.expect(CANNOT_ACCESS, "check", "--junit", "/dev/stdout", says="/dev/stdout: cannot be written: is a device or a pipe")
 
     def test_a_scenario_given_twice_is_played_once(self):
         again = ("scenarios/third.json", "./scenarios/third.json", "scenarios")

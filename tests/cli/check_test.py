@@ -263,6 +263,11 @@ class Unreferenced(CheckTest):
         suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("3", "1", "0"))
 
+    def test_that_of_a_link_to_nowhere_is_not_reported(self):
+        (self.folder / "scenarios/third.json").unlink()
+        (self.folder / "scenarios/third.json").symlink_to("nowhere")
+        self.assertEqual(self.unreferenced(CANNOT_ACCESS), [])
+
     def test_each_half_counts_once(self):
         self.write("golden/a/half.txt", "")
         self.write("golden/deep/er/other.h5", "")
@@ -348,6 +353,8 @@ class Selection(CheckTest):
         self.check(GOLDEN_MISSING, env=env)
         self.assertEqual(self.listed("--last-failed", env=env), [all_paths[0], all_paths[2]])
         self.assertEqual(self.listed("--last-failed", "--filter", "third", env=env), [all_paths[2]])
+        self.expect(BAD_INPUT, "check", "--last-failed", "--filter", "second", env=env,
+                    says="no path that failed when this folder was last checked contains it (found second)")
         self.assertEqual(self.listed("--last-failed", "a", env=env, cwd=self.folder / "scenarios", says=says),
                          ["a/first.json", "a/second.json"])
         self.bless(all_paths[0])

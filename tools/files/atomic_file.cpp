@@ -31,7 +31,7 @@ std::string link_target(const std::string& path) {
 std::string replaceable(const std::string& path) {
   std::string target = link_target(path);
   std::error_code unknown;
-  const auto status = std::filesystem::status(target, unknown);
+  const auto status = std::filesystem::status(path, unknown);  // The target of /dev/stdout may be no path.
   if (std::filesystem::is_symlink(target, unknown)) fail_to_write(path, ELOOP);
   if (std::filesystem::is_directory(status)) fail_to_write(path, EISDIR);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))

@@ -48,7 +48,8 @@ void add_unreferenced(const FolderPair& folders, const fs::path& folder,
       const fs::path stem = fs::path(entry.path()).replace_extension();
       fs::path scenario = folders.scenarios / stem.lexically_relative(folders.golden);
       scenario += ".json";
-      if (is_there(scenario.string()) && !is_folder(scenario.string())) continue;
+      const bool is_given = is_there(scenario.string()) || fs::is_symlink(scenario, no_status);
+      if (is_given && !is_folder(scenario.string())) continue;
       found[stem.lexically_normal().string()] = {stem.generic_string(), "", scenario.generic_string()};
     }
   } catch (const fs::filesystem_error& error) {

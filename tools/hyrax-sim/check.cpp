@@ -106,7 +106,8 @@ struct Selection {
 
 bool is_folder_failure(const CheckVerdict& verdict) { return verdict.status == CheckStatus::failed; }
 
-void narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
+// Whether only those that failed when the folder was last checked are left.
+bool narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
   const auto has_failed = [&](const std::string& path) { return last_failed.contains(path); };
   const bool takes_failed = request.takes_last_failed &&
                             (std::ranges::any_of(selection.paths, has_failed) ||
@@ -121,6 +122,7 @@ void narrow(const CheckRequest& request, const LastFailed& last_failed, Selectio
   std::erase_if(selection.unreferenced, [&](const CheckVerdict& verdict) {
     return !is_folder_failure(verdict) && is_left_out(verdict.path);
   });
+  return takes_failed;
 }
 
 // ERRORS: Failure(bad_input) if there is nothing to report.
@@ -132,10 +134,11 @@ Selection select(const CheckRequest& request, const LastFailed& last_failed) {
     return !listed.insert(std::filesystem::path(path).lexically_normal()).second;
   });
   selection.unreferenced = unreferenced_verdicts(request.files, request.golden_folder);
-  narrow(request, last_failed, selection);
+  const bool takes_failed = narrow(request, last_failed, selection);
   if (!selection.paths.empty() || !selection.unreferenced.empty()) return selection;
   if (!selection.unlisted.empty()) throw selection.unlisted.front().failure;
-  refuse_input("hyrax-sim check: --filter: no path contains it (found " + request.filter + ")");
+  const std::string which = takes_failed ? " that failed when this folder was last checked" : "";
+  refuse_input("hyrax-sim check: --filter: no path" + which + " contains it (found " + request.filter + ")");
 }
 
 // What keeps scenarios from being found.
