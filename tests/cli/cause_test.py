@@ -69,6 +69,10 @@ class Causes(CauseTest):
         self.assertEqual(group["operation"], "unknown")
         self.assertIn("no accepted core in golden/core; to accept this program's: ", group["detail"])
         self.assertEqual(document["cores"][0]["status"], "none")
+        alone = self.write("third.json", fling(name="third", steps=10))
+        out = self.expect(DISAGREED, "check", alone, "--golden", "golden").out
+        self.assertIn("no accepted core in golden/core", out)
+        self.assertNotIn("--core", out)  # bless refuses it there.
 
     def test_the_command_that_accepts_a_core_is_of_the_library_that_was_checked(self):
         shutil.copytree(self.folder / "scenarios", self.folder / "throws")

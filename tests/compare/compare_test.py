@@ -422,7 +422,7 @@ class Alone(CompareTest):
         self.assertRegex(outcome.err, r"\Agolden/core/physics\.h: does not have the checksum in accepted\.txt; take the folder from version control\n\Z")
         shutil.rmtree(self.folder / "golden")
         outcome = self.compare(GOLDEN_MISSING, *arguments)
-        self.assertRegex(outcome.err, r"\Agolden/core: no accepted core; name a base, or accept .*: hyrax-sim bless --core .*\n\Z")
+        self.assertRegex(outcome.err, r"\Agolden/core: no accepted core; name a base, or accept .*: hyrax-sim bless --golden golden --core .*\n\Z")
 
 
     def test_an_accepted_header_that_takes_another_step_now_is_refused(self):

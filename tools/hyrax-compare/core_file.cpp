@@ -109,7 +109,7 @@ CoreFile core_of_golden(const CoreRecord& shipped, const std::string& golden_fol
   if (!accepted)
     throw Failure(ExitCode::golden_missing,
                   fmt::format("{}: no accepted core; name a base, or accept this program's core: {}",
-                              accepted_core_folder(golden_folder), core_commands({}, "").accept));
+                              accepted_core_folder(golden_folder), core_commands({}, golden_folder).accept));
   if (accepted->header == shipped.header && accepted->step == shipped.step) return shipped_file(shipped);
   const std::string header = accepted_core_folder(golden_folder) + "/physics.h";
   CoreFile base = make_core(header, folder, name);

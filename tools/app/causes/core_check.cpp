@@ -10,6 +10,7 @@
 #include "sim/result/figure.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/app/causes/library.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -76,13 +77,14 @@ CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCom
   } catch (const Failure& failure) {
     verdict_.why = failure.what();
     verdict_.exit_code = failure.exit_code();
-    if (verdict_.exit_code == ExitCode::disagreed)
+    if (verdict_.exit_code == ExitCode::disagreed && !verdict_.commands.accept.empty())
       verdict_.why += ", or accept this program's core: " + verdict_.commands.accept;
     return;
   }
   if (!accepted_) {
-    verdict_.why = fmt::format("no accepted core in {}; to accept this program's: {}",
-                               accepted_core_folder(golden_folder), verdict_.commands.accept);
+    verdict_.why = "no accepted core in " + accepted_core_folder(golden_folder);
+    if (!verdict_.commands.accept.empty())
+      verdict_.why += "; to accept this program's: " + verdict_.commands.accept;
     return;
   }
   compare();
@@ -178,6 +180,14 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
     verdict_.why = fmt::format("{} steps tried, none of other bits", verdict_.unnoticed.front().steps_tried);
   else if (!pair.are_setters_equal())
     verdict_.why = "the constructor or a setter is another one, and no scenario shows it";
+}
+
+CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenarios,
+                       const std::string& golden_option)
+    : core_(core) {
+  // Of scenarios in no library bless accepts no core.
+  if (scenarios.empty() || !libraries_of(scenarios, golden_option).empty())
+    commands_ = core_commands(scenarios, golden_option);
 }
 
 std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_agree) {

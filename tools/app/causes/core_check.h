@@ -112,8 +112,7 @@ class CoreCheck {
 class CoreChecks {
  public:
   /// Refers to the core. @param scenarios,golden_option as of core_commands.
-  CoreChecks(const Core& core, const std::vector<std::string>& scenarios, const std::string& golden_option)
-      : core_(core), commands_(core_commands(scenarios, golden_option)) {}
+  CoreChecks(const Core& core, const std::vector<std::string>& scenarios, const std::string& golden_option);
 
   [[nodiscard]] CoreCheck& of(const std::string& golden_folder) {
     return checks_.try_emplace(golden_folder, core_, golden_folder, commands_).first->second;
@@ -127,7 +126,7 @@ class CoreChecks {
 
  private:
   const Core& core_;
-  CoreCommands commands_;
+  CoreCommands commands_;  // None for scenarios in no library.
   std::map<std::string, CoreCheck> checks_;
 };
 
