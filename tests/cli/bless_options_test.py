@@ -186,6 +186,10 @@ class UpdateHash(Update):
 
     def test_a_missing_hash_is_added(self):
         before = self.scenario('{"finite": true}')
+        self.bless("scenarios")
+        self.assertIn("scenarios/fling.json: new expect.state_hash\n",
+                      self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--dry-run").out)
+        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
         self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         state_hash = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]["state_hash"]
         self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
@@ -350,6 +354,7 @@ class Prune(ProgramTest):
         before = self.state_of(".")
         for path in ("golden", "scenarios/fling.json", "no-such", "."):
             self.expect(BAD_INPUT, "bless", "--prune", path, says="must be a folder named scenarios or below one")
+        self.expect(BAD_INPUT, "bless", "--prune", cwd=self.folder / "golden", says="(found scenarios, which does not exist)")
         self.expect(BAD_INPUT, "bless", "--reason", "x", says="SCENARIO: at least 1 needed")
         self.assertEqual(self.state_of("."), before)
 

@@ -3,6 +3,7 @@
 
 import json
 import os
+import shutil
 
 import h5py
 
@@ -59,6 +60,11 @@ class Bless(ProgramTest):
         with h5py.File(self.folder / "golden/new.h5") as file:
             self.assertEqual(file.attrs["state_hash"], run["state_hash"])
 
+    def test_what_a_terminal_would_obey_is_escaped_in_the_reason(self):
+        self.expect(AGREED, "bless", "scenarios/new.json", "--reason", os.fsdecode(b"a\x1b[31m\xff \xc3\xa9"))
+        self.assertIn("\nreason: a\\u001b[31m\\xff é\n", (self.folder / "golden/new.txt").read_text(encoding="utf-8"))
+        self.expect(AGREED, "check")
+
     def test_it_refuses_without_a_reason(self):
         for arguments in ((), ("--reason", ""), ("--reason", " \t\n ")):
             outcome = self.expect(BAD_INPUT, "bless", "scenarios/new.json", *arguments, says="--reason")
@@ -103,11 +109,15 @@ class Bless(ProgramTest):
         self.write("scenarios/c/long.json", fling(name="long", steps=1990))
         self.write("scenarios/c/short.json", fling(name="short", steps=5))
         command = (PROGRAM, "bless", "scenarios/c", "--reason", "x")
+        (self.folder / "scenarios/new.json").unlink()
+        shutil.rmtree(self.folder / "golden/core")
         outcome = run("sh", "-c", 'ulimit -f 180; exec "$@"', "sh", *command, cwd=self.folder)
         self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
         self.assertIn("golden/c/long.h5: cannot be written: File too large\nhyrax-sim bless: 1 of 2 scenarios blessed, "
                       "1 could not be written; the same command completes it\n", outcome.err)
+        self.assertIn("\ncore: not accepted in golden/core: not every golden file could be written\n", outcome.out)
         self.assertEqual(self.names("golden/c"), ["short.h5", "short.txt"])
+        self.assertFalse((self.folder / "golden/core").exists())
         self.expect(AGREED, *command[1:])
         self.expect(AGREED, "check", "scenarios/c")
 

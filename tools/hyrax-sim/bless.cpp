@@ -34,6 +34,7 @@ void complete(BlessRequest& request) {
   if (blesses(request) && request.options.reason.find_first_not_of(" \t\n") == std::string::npos)
     refuse_input(
         "hyrax-sim bless: --reason must say why the golden files change, as in --reason 'wider window'");
+  request.options.reason = printable_lines(request.options.reason);
   request.options.accepted = *std::ranges::find(kDifferenceClasses, request.accepted,
                                                 [](DifferenceClass value) { return name_of(value); });
 }

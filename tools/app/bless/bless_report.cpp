@@ -29,7 +29,9 @@ bool plays_otherwise(const Blessing& blessing) {
 void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
   if (printing.is_quiet()) return;
-  if (!blessing.updated.empty()) print_text("{}: new {}\n", path, broken_sentence(blessing.updated));
+  if (blessing.scenario_text)
+    print_text("{}: new {}\n", path,
+               blessing.updated.empty() ? "expect.state_hash" : broken_sentence(blessing.updated));
   if (blessing.status == BlessStatus::fresh) print_text("{}: new golden file\n", path);
   if (blessing.status != BlessStatus::changed && blessing.status != BlessStatus::refused) return;
   if (!blessing.unreadable.empty())

@@ -91,9 +91,9 @@ struct CoreAcceptance {
                                                                 const std::vector<Blessing>& blessings,
                                                                 const BlessOptions& options);
 
-/// Writes those that are accepted, unless a blessing has failed.
+/// Writes those that are accepted; if a blessing has failed, none is.
 /// ERRORS: as write_accepted_core's.
-void write_cores(const std::vector<CoreAcceptance>& cores, const std::vector<Blessing>& blessings);
+void write_cores(std::vector<CoreAcceptance>& cores, const std::vector<Blessing>& blessings);
 
 /// "core: accepted in golden/core", or why not. Complete lines.
 [[nodiscard]] std::string acceptances_text(const std::vector<CoreAcceptance>& cores, bool is_written);

@@ -95,10 +95,15 @@ std::vector<CoreAcceptance> plan_core_acceptances(const Core& core, const std::v
   return acceptances;
 }
 
-void write_cores(const std::vector<CoreAcceptance>& cores, const std::vector<Blessing>& blessings) {
-  if (std::ranges::any_of(blessings, &Blessing::has_failed)) return;
-  for (const CoreAcceptance& acceptance : cores)
-    if (acceptance.why_not.empty()) write_accepted_core(acceptance.golden_folder, acceptance.core);
+void write_cores(std::vector<CoreAcceptance>& cores, const std::vector<Blessing>& blessings) {
+  const bool has_failed = std::ranges::any_of(blessings, &Blessing::has_failed);
+  for (CoreAcceptance& acceptance : cores) {
+    if (!acceptance.why_not.empty()) continue;
+    if (has_failed)
+      acceptance.why_not = "not every golden file could be written";
+    else
+      write_accepted_core(acceptance.golden_folder, acceptance.core);
+  }
 }
 
 std::string acceptances_text(const std::vector<CoreAcceptance>& cores, bool is_written) {

@@ -45,7 +45,7 @@ void require_no_link(const std::string& folder, const std::string& golden_folder
 void require_scenarios(const std::string& folder) {
   if (!is_folder(folder) || !golden_place((fs::path(folder) / "x.json").string(), ""))
     refuse_input("hyrax-sim bless: --prune: must be a folder named scenarios or below one (found " + folder +
-                 ")");
+                 (is_there(folder) ? ")" : ", which does not exist)"));
   std::vector<UnlistedFolder> unlisted;
   const std::vector<std::string> paths = list_scenarios({folder}, unlisted);
   if (!unlisted.empty())
