@@ -53,7 +53,7 @@ FuzzLimits limits_of(const FuzzRequest& request) {
   if (const auto chosen = choose_part("hyrax-sim fuzz", request.part, request.parts)) {
     limits.part = chosen->part;
     if (!chosen->source.empty())
-      print_error(fmt::format("hyrax-sim fuzz: part {}/{} by {}", limits.part.index, limits.part.count,
+      print_error(fmt::format("hyrax-sim fuzz: part {}/{}, from {}", limits.part.index, limits.part.count,
                               chosen->source));
   }
   return limits;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sim/replay/replay.h"
+#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/progress.h"
 
@@ -93,8 +94,9 @@ Shrunk shrink_with_progress(const Core& core, const Scenario& scenario,
                             const std::function<bool(const Scenario&)>& fails, std::int64_t trials_max) {
   Progress progress;
   const auto report = [&](std::int64_t trials, const Scenario& smallest) {
-    progress.show_text(fmt::format("{} scenarios tried, the smallest has {} frames and {} events", trials,
-                                   step_count(smallest), smallest.events.size()));
+    progress.show_text(fmt::format("{} tried, the smallest has {} and {}", plain_counted(trials, "scenario"),
+                                   plain_counted(step_count(smallest), "frame"),
+                                   plain_counted(smallest.events.size(), "event")));
   };
   return shrink(core, scenario, fails, {.trials_max = trials_max, .report = report});
 }
