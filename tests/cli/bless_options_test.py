@@ -124,16 +124,6 @@ class Accept(ProgramTest):
         self.bless_accepting(DISAGREED, None, "--dry-run", "--update-hash", says="--accept values")
         self.assertEqual(self.state_of("."), before)
 
-    def test_a_wider_class_than_rounding_suggests_a_new_number_for_the_model(self):
-        says = "give the physics model a new number (now hyrax-physics/1"
-        self.differ("rounding")
-        self.assertNotIn(says, self.expect(AGREED, "bless", "scenarios", "--reason", "x").out)
-        self.differ("values")
-        self.assertIn(says, self.expect(DISAGREED, "bless", "scenarios", "--reason", "x").out)
-        self.assertIn(says, self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "values").out)
-        self.write("scenarios/a.json", fling(name="a", start=ANOTHER_START))
-        self.assertNotIn(says, self.expect(AGREED, "bless", "scenarios", "--reason", "x").out)
-
 
 class Update(ProgramTest):
     """A scenario file in a layout of its own."""

@@ -211,6 +211,17 @@ class Text(CauseTest):
         self.assertEqual(self.groups("gravity_stronger", "--quiet", command=bless), self.groups("gravity_stronger"))
         self.assertEqual(self.groups("none", command=bless, exit_code=AGREED), [])
 
+    def test_other_results_of_a_model_suggest_a_new_number_for_it(self):
+        """Not rounding, nor an edited scenario or golden file."""
+        says, bless = "give the physics model a new number (now hyrax-physics/1", ("bless", "scenarios", "--reason", "x", "--dry-run")
+        self.assertIn(says, self.altered("gravity_stronger", command=bless).out)
+        self.assertIn(says, self.altered("gravity_stronger", "--accept", "contacts", command=bless, exit_code=AGREED).out)
+        self.assertNotIn(says, self.altered("gravity_by_one_ulp", command=bless, exit_code=AGREED).out)
+        self.write("scenarios/third.json", fling(name="third", steps=301))
+        with h5py.File(self.folder / "golden/a/first.h5", "r+") as file:
+            file["trajectory/x"][100] += 0.5
+        self.assertNotIn(says, self.altered("none", command=bless).out)
+
     def test_rounding_moves_no_contact(self):
         text = self.altered("gravity_by_one_ulp").out
         self.assertIn("Rounding only (class rounding): at most ", text)

@@ -16,10 +16,6 @@ namespace {
 
 using BlessStatus = Blessing::Status;
 
-bool differs_more_than_rounding(const Blessing& blessing) {
-  return blessing.differs_in && *blessing.differs_in > DifferenceClass::rounding;
-}
-
 // Whether its run is another one than its golden file's; one that fails for another reason may be, too.
 bool plays_otherwise(const Blessing& blessing) {
   return blessing.status != BlessStatus::fresh && blessing.unreadable.empty() && !blessing.comparison.agrees;
@@ -56,11 +52,15 @@ void print_unchanged(const BlessReport& report) {
                  printable(blessing.golden->h5_path));
 }
 
-// Where results that were accepted under a model's name change by more than rounding.
-void print_model_hint(const Core& core, const BlessReport& report) {
-  const bool is_due = std::ranges::any_of(report.blessings, [&core](const Blessing& blessing) {
-    return differs_more_than_rounding(blessing) && blessing.runs &&
-           blessing.runs->golden.physics == core.name;
+// Where results that were accepted under a model's name change by more than rounding. Of a golden file or a
+// scenario that was edited they do not.
+void print_model_hint(const Core& core, const std::vector<DifferenceGroup>& groups) {
+  const bool is_due = std::ranges::any_of(groups, [&core](const DifferenceGroup& group) {
+    return group.difference > DifferenceClass::rounding && group.cause.kind != CauseKind::golden &&
+           group.cause.kind != CauseKind::scenario &&
+           std::ranges::any_of(group.scenarios, [&core](const PairVerdict* verdict) {
+             return verdict->runs && verdict->runs->golden.physics == core.name;
+           });
   });
   if (is_due && is_paper_model(core.name))
     print_text(
@@ -145,7 +145,7 @@ void print_plans(const Core& core, const BlessReport& report, const std::vector<
   for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
   if (printing.is_quiet()) return;
   print_groups(groups, cores.verdicts(), report.blessings.size());
-  print_model_hint(core, report);
+  print_model_hint(core, groups);
   for (const std::string& path : report.pruning.removed) print_text("{}: has no scenario\n", printable(path));
 }
 
