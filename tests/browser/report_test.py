@@ -103,7 +103,7 @@ class ReportTest(browser.BrowserTest):
         events = [{"step": step, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -900}} for step in (30, 31, 90)]
         self.played("fling", program.fling(events=events))
         task = self.report("fling")
-        for size in ((1400, 900), (800, 900), (375, 844)):
+        for size in ((1400, 900), (1100, 900), (800, 900), (375, 844)):
             (page,) = self.open({**task, "size": size, "actions": [
                 ["evaluate", "(place => place.scrollWidth > place.clientWidth)(document.getElementById('contacts'))"], ["evaluate", browser.CANVAS_FAULTS]]})
             is_cut, (count, faults) = page["values"]
