@@ -56,6 +56,9 @@ class HyraxReplay(ProgramTest):
     def test_bad_usage_is_reported(self):
         self.replay(BAD_INPUT, says="SCENARIO is missing")
         self.replay(BAD_INPUT, "--fast", says="unknown option (found --fast); allowed: --help, --version")
+        self.replay(BAD_INPUT, "", says="hyrax-replay: SCENARIO: must not be empty")
+        self.replay(BAD_INPUT, "--", says="SCENARIO is missing")
+        self.replay(CANNOT_ACCESS, "--", "--help", says="--help: cannot be read")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")
         self.replay(BAD_INPUT, ".", says=".: no scenario found")
 

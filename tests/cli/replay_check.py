@@ -44,6 +44,8 @@ class ReplayCheckCases:
         self.assertIn("2 checked", self.check(AGREED, "scenarios/a"))
         self.assertIn("2 checked", self.check(AGREED, "scenarios/a/"))
         self.assertIn("2 checked", self.check(AGREED, "scenarios/third.json", "scenarios/a/first.json"))
+        (self.folder / "-a.json").write_text((self.folder / "scenarios/third.json").read_text())
+        self.check(GOLDEN_MISSING, "scenarios", "--", "-a.json", says="-a.json: missing")
 
     def test_another_state_hash_is_a_disagreement(self):
         known = re.search("[0-9a-f]{32}", (self.folder / "golden/third.txt").read_text()).group()

@@ -1,6 +1,7 @@
 #include "tools/hyrax-replay/check.h"
 
 #include <exception>
+#include <utility>
 
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/expect/judged_run.h"
@@ -37,9 +38,11 @@ struct ScenarioVerdict {
 
 CheckArguments parsed(const std::vector<std::string>& arguments) {
   CheckArguments request;
+  bool only_files = false;  // Behind "--".
   for (std::size_t index = 0; index < arguments.size(); ++index) {
     const std::string& argument = arguments[index];
-    if (!argument.starts_with('-')) {
+    if (argument == "--" && !std::exchange(only_files, true)) continue;
+    if (only_files || !argument.starts_with('-')) {
       if (argument.empty()) refuse("SCENARIO or DIR: must not be empty");
       request.files.push_back(argument);
       continue;

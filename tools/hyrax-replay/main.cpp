@@ -1,6 +1,7 @@
 // hyrax-replay: the state hash of scenarios, without HDF5 and GSL, so that it builds for every target.
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "help_text.h"
@@ -66,6 +67,7 @@ void require_strict_arithmetic() {
 // Whether it was all that was asked for.
 bool print_information(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
+    if (argument == "--") return false;
     if (argument != "--help" && argument != "--version") continue;
     argument == "--help" ? print_text(kHelpText) : print_version();
     return true;
@@ -74,15 +76,21 @@ bool print_information(const std::vector<std::string>& arguments) {
 }
 
 ExitCode print_hashes(const Core& core, const std::vector<std::string>& arguments) {
-  for (const std::string& argument : arguments)
-    if (argument.starts_with('-'))
+  std::vector<std::string> files;
+  bool only_files = false;  // Behind "--".
+  for (const std::string& argument : arguments) {
+    if (argument == "--" && !std::exchange(only_files, true)) continue;
+    if (argument.empty()) refuse_input("hyrax-replay: SCENARIO: must not be empty");
+    if (!only_files && argument.starts_with('-'))
       refuse_input("hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
-  if (arguments.empty())
+    files.push_back(argument);
+  }
+  if (files.empty())
     refuse_input(
         "hyrax-replay: SCENARIO is missing; for example `hyrax-replay scenarios/flings/first-fling.json`");
   require_strict_arithmetic();
   ExitCode exit_code = ExitCode::agreed;
-  for (const std::string& path : list_scenarios(arguments))
+  for (const std::string& path : list_scenarios(files))
     exit_code = more_serious(exit_code, replay_file(core, path));
   return exit_code;
 }
