@@ -89,6 +89,7 @@ class ClockFrom(NewTest):
         self.assertEqual(self.new("\ufeff" + PRESENTMON), wanted)
         self.assertEqual(self.new(PRESENTMON.replace("\r\n", "\n")), wanted)
         self.assertEqual(self.new(PRESENTMON.removesuffix("\r\n")), wanted)
+        self.assertEqual(self.new(PRESENTMON + "\r\n\n"), wanted)
 
     def test_both_versions_of_presentmon_whatever_the_case(self):
         for header in ("msBetweenPresents", "MsBetweenPresents", "FrameTime", "frametime", " Frame Time "):
@@ -97,11 +98,12 @@ class ClockFrom(NewTest):
         self.assertEqual(self.new("FrameTime\n16\n", "--column", "frametime"), [0.016])
 
     def test_one_of_several_sources_has_to_be_picked(self):
-        self.write("frames.csv", SEVERAL)
-        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", says=(
-            "frames.csv: frames of several sources: application dwm.exe, process 7, swap chain 0xC, 1 frame; "
-            "application game.exe, process 42, swap chain 0xA, 2 frames; ",
-            "; pick one with --application or --process or --swap-chain"))
+        for text in (SEVERAL.replace("0xC,0,4", "0xC,0,NA"), SEVERAL):
+            self.write("frames.csv", text)
+            self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", says=(
+                "frames.csv: frames of several sources: application dwm.exe, process 7, swap chain 0xC, 1 frame; "
+                "application game.exe, process 42, swap chain 0xA, 2 frames; ",
+                "; pick one with --application or --process or --swap-chain"))
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "game.exe", "--process", "42",
                     says="swap chain 0xB, 1 frame; pick one with --swap-chain\n")
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "gam",
@@ -137,15 +139,15 @@ class ClockFrom(NewTest):
 
     def test_what_is_wrong_is_named(self):
         for text, says in (
-                ("", "line 1: unknown column (found MsBetweenPresents)"),
-                ("a,MsBetweenPresent\n1,2\n", "(did you mean MsBetweenPresent?)"),
+                ("", "line 1: column is missing: MsBetweenPresents or FrameTime (found none); --column names another"),
+                ("a,dt\n1,2\n", "line 1: column is missing: MsBetweenPresents or FrameTime (found a, dt); "),
                 ("MsBetweenPresents,MsBetweenPresents\n1,2\n", "line 1: duplicate column (found MsBetweenPresents)"),
                 ("MsBetweenPresents\n", "line 1: no frame after the header"),
                 ("a,MsBetweenPresents\n1,2\n1,NA\n", "line 3, column 2 (MsBetweenPresents): must be a number 0 .. 1000000000000 (found NA)"),
                 ("MsBetweenPresents\n-1\n", "line 2, column 1 (MsBetweenPresents): must be a number 0 .. 1000000000000 (found -1)"),
                 ("MsBetweenPresents\n1e13\n", "(found 1e13)"), ("MsBetweenPresents\nnan\n", "(found nan)"),
                 ("MsBetweenPresents\n1,5\n", "line 2: must have 1 fields, as the header (found 2)"),
-                ("a,MsBetweenPresents\n1,2\n\n", "line 3: must have 2 fields, as the header (found 1)"),
+                ("a,MsBetweenPresents\n1,2\n\n1,2\n", "line 3: must have 2 fields, as the header (found 1)"),
                 ('a,MsBetweenPresents\n"x\ny",2\n"z",?\n', "line 4, column 2 (MsBetweenPresents)"),
                 ('a,MsBetweenPresents\n"x,2\n', "line 2, column 1: closing quote is missing"),
                 ('a,MsBetweenPresents\nx"y,2\n', "line 2, column 1: quote inside a field without quotes"),
@@ -153,6 +155,9 @@ class ClockFrom(NewTest):
             self.write("frames.csv", text)
             self.expect(BAD_INPUT, "new", "my-fling", "--clock-from", "frames.csv", says=("frames.csv: ", says))
             self.assertEqual(self.names(), ["frames.csv"])
+        for encoding in ("utf-16-le", "utf-16-be"):
+            (self.folder / "frames.csv").write_bytes("\ufeffMsBetweenPresents\n5\n".encode(encoding))
+            self.expect(BAD_INPUT, "new", "my-fling", "--clock-from", "frames.csv", says="frames.csv: is UTF-16; save it as UTF-8")
 
     def test_options_that_need_one_another(self):
         self.write("frames.csv", "dt\n1\n")

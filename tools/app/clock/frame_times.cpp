@@ -27,10 +27,10 @@ class CsvReader {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
   }
 
-  // The next record's fields; nothing at the end of the file. ERRORS: Failure(bad_input) for a misplaced
-  // quote.
+  // The next record's fields; nothing at the end of the file, blank lines there are skipped. ERRORS:
+  // Failure(bad_input) for a misplaced quote.
   std::optional<std::vector<std::string>> next() {
-    if (rest_.empty()) return std::nullopt;
+    if (rest_.find_first_not_of("\r\n") == rest_.npos) return std::nullopt;
     line_ = next_line_++;
     std::vector<std::string> fields;
     do
@@ -114,9 +114,12 @@ std::size_t times_column(const CsvReader& csv, const Record& header, const std::
   if (name.empty())
     for (const std::string_view presentmon : kPresentMonColumns)
       if (const auto column = find_column(csv, header, presentmon)) return *column;
-  const std::string wanted = name.empty() ? std::string(kPresentMonColumns[0]) : name;
-  if (const auto column = find_column(csv, header, wanted)) return *column;
-  csv.refuse(": " + unknown_word("column", wanted, {header.begin(), header.end()}));
+  if (name.empty())
+    csv.refuse(fmt::format(": column is missing: {} (found {}); --column names another",
+                           fmt::join(kPresentMonColumns, " or "),
+                           shortened(listed(std::vector<std::string_view>(header.begin(), header.end())))));
+  if (const auto column = find_column(csv, header, name)) return *column;
+  csv.refuse(": " + unknown_word("column", name, {header.begin(), header.end()}));
 }
 
 double read_dt_s(const CsvReader& csv, const std::string& field, const std::string& place, double unit) {
@@ -218,6 +221,8 @@ FrameTimes read_frame_times(const FrameTimesRequest& request) {
   if (request.unit.empty() && !request.column.empty() && !is_presentmon(request.column))
     refuse_input("hyrax-sim new: --unit: is missing; needed with --column " + request.column);
   const std::string text = read_text_file(request.path);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    refuse_input(request.path + ": is UTF-16; save it as UTF-8");
   CsvReader csv(request.path, text);
   const Record header = csv.next().value_or(Record{});
   const std::size_t column = times_column(csv, header, request.column);
@@ -227,17 +232,23 @@ FrameTimes read_frame_times(const FrameTimesRequest& request) {
   FrameTimes frames;
   if (dropped.column) frames.dropped = 0;
   bool has_frames = false;
+  std::optional<Failure> bad_value;  // Reported once the frames are known to be of one source.
   while (const auto record = csv.next()) {
     has_frames = true;
     if (record->size() != header.size())
       csv.refuse(
           fmt::format(": must have {} fields, as the header (found {})", header.size(), record->size()));
-    if (!sources.takes(*record)) continue;
-    frames.dt_s.push_back(read_dt_s(csv, (*record)[column], place, request.unit == "s" ? 1.0 : 1000.0));
+    if (!sources.takes(*record) || bad_value) continue;
+    try {
+      frames.dt_s.push_back(read_dt_s(csv, (*record)[column], place, request.unit == "s" ? 1.0 : 1000.0));
+    } catch (const Failure& failure) {
+      bad_value = failure;
+    }
     if (dropped.column && plain((*record)[*dropped.column]) == dropped.when) ++*frames.dropped;
   }
   if (!has_frames) csv.refuse(": no frame after the header");
   sources.require_one(request.path);
+  if (bad_value) throw *bad_value;
   return frames;
 }
 
