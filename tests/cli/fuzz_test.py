@@ -17,6 +17,7 @@ class Fuzz(ProgramTest):
         return self.expect(AGREED, "fuzz", "--json", *options, **arguments).json
 
     def test_no_rule_is_broken_in_many_runs_and_nothing_is_written(self):
+        self.assertEqual(self.fuzz("--runs", "1", "--seed", str(2 ** 64 - 1))["seed"], 2 ** 64 - 1)
         document = self.fuzz("--runs", "10000", "--seed", "12")
         self.assertEqual((document["seed"], document["runs"], document["failures"]), (12, 10000, []))
         self.assertEqual(self.names(), [])
@@ -78,6 +79,7 @@ class Refused(ProgramTest):
     def test_values_out_of_range(self):
         for options, says in ((("--time", "0"), "--time: must be a time above 0"), (("--time", "5d"), "found 5d"),
                               (("--time", "1e400s"), "--time"), (("--runs", "0"), "--runs"), (("--seed", "-1"), "--seed"),
+                              (("--seed", str(2 ** 64)), f"--seed: must be a whole number 0 .. {2 ** 64 - 1} (found {2 ** 64})"),
                               (("--part", "3/3"), "--part: must be I/N"),
                               (("--time", "1s", "--runs", "1"), "--time and --runs: only one allowed")):
             self.expect(BAD_INPUT, "fuzz", *options, says=says)

@@ -21,7 +21,7 @@ namespace hyrax {
 namespace {
 
 struct FuzzRequest {
-  std::optional<std::int64_t> seed;
+  std::optional<std::uint64_t> seed;
   std::string time;
   std::optional<std::int64_t> runs;
   std::string against;
@@ -47,7 +47,7 @@ FuzzLimits limits_of(const FuzzRequest& request) {
   if (!request.time.empty() && request.runs)
     refuse_input("hyrax-sim fuzz: --time and --runs: only one allowed");
   FuzzLimits limits;
-  limits.seed = static_cast<std::uint64_t>(request.seed.value_or(1));
+  limits.seed = request.seed.value_or(1);
   limits.runs = request.runs;
   if (!request.time.empty()) limits.time_s = parse_time_s(request.time);
   if (const auto chosen = choose_part("hyrax-sim fuzz", request.part, request.parts)) {
@@ -200,7 +200,7 @@ ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
 }
 
 void declare(Options& options, FuzzRequest& request) {
-  options.integer(request.seed, {"--seed", "N", "which scenarios are drawn (default: 1)"}, 0);
+  options.seed(request.seed, {"--seed", "N", "which scenarios are drawn (default: 1)"});
   options.text(request.time, {"--time", "TIME", "how long, as 60s, 5m or 2h (default: 60s)"});
   options.integer(request.runs, {"--runs", "N", "how many scenarios, instead of a time"}, 1);
   options.text(

@@ -98,6 +98,15 @@ void Options::integer(std::optional<std::int64_t>& into, const OptionText& text,
   });
 }
 
+void Options::seed(std::optional<std::uint64_t>& into, const OptionText& text) {
+  add(text, Kind::once, [&into, names = text.names](const std::string& value) {
+    into = parse_number<std::uint64_t>(value);
+    if (!into)
+      refuse_input(fmt::format("{}: must be a whole number 0 .. {} (found {})", names,
+                               std::numeric_limits<std::uint64_t>::max(), value));
+  });
+}
+
 void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed) {
   OptionText shown = text;
   if (allowed.size() > 1 && text.value.find('|') == std::string::npos)

@@ -48,6 +48,8 @@ class Options {
   /// A whole number, `low` .. `high`.
   void integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low,
                std::int64_t high = std::numeric_limits<std::int64_t>::max());
+  /// A whole number, 0 .. 2^64 - 1.
+  void seed(std::optional<std::uint64_t>& into, const OptionText& text);
   /// One of `allowed`.
   void choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed);
   /// What every command has: --json, --quiet and --verbose, the last with its own help.
