@@ -102,12 +102,14 @@ class Refused(SweepTest):
                           ("/clock", "/clock"), ("/clock/dt_s", "exactly one of"), ("/events/0/step", "/events"),
                           ("/clock/jitter/seed", "/clock/jitter"), ("", "must be an object")):
             self.refuse(document(vary={key: {"choice": [1]}}), "member 0", says)
-        self.refuse(document(base=base(events=[{"step": 1, "stop": {}}]), vary={
-            "/events/0/step": {"choice": [1]}, "/events/00/step": {"choice": [1]}}), "the same number as another key")
+        self.refuse(document(base=base(events=[{"step": 1, "stop": {}}]), vary={"/events/00/step": {"choice": [1]}}),
+                    "/events/00/step: does not exist (found no '00')")
 
     def test_whole_numbers_where_the_key_holds_them(self):
         for rule in ({"grid": [100, 101, 3]}, {"choice": [100.5]}, {"uniform": [100.5, 200]}):
             self.refuse(document(vary={"/window/width_px": rule}), "/vary/~1window~1width_px", "whole numbers")
+        self.refuse(document(vary={"/clock/jitter/seed": {"choice": [2 ** 64]}}), "/vary/~1clock~1jitter~1seed/choice/0",
+                    "whole numbers")
 
     def test_members_beyond_the_limits_are_named(self):
         self.refuse(document(vary={"/start/x_px": {"grid": [0, 2e12, 4]}}), "member 2: /start/x_px",

@@ -5,9 +5,12 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 
 namespace hyrax {
 namespace {
@@ -62,21 +65,42 @@ std::string plain_reason(std::string_view what) {
   return bracket == std::string_view::npos ? std::string(what) : std::string(what.substr(bracket + 2));
 }
 
-// Whether the text of a number has the value of an integer, as 1.50e1 has: no digit but zeros lies below 1.
-bool has_no_fraction(std::string_view text) {
+// The text of a number in its parts.
+struct Decimal {
+  std::string_view digits;  // With the point.
+  std::size_t point;        // Where it is, or would be. The parser writes it as the locale does.
+  std::int64_t tens;        // The exponent.
+};
+
+Decimal decimal_of(std::string_view text) {
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
-  const std::string_view digits = text.substr(0, end);
-  const std::size_t last = digits.find_last_of("123456789");
-  if (last == digits.npos) return true;
-  const std::size_t point = std::min(digits.find('.'), end);
-  const auto digits_below_one =
-      static_cast<std::int64_t>(last) - static_cast<std::int64_t>(point) + (last < point ? 1 : 0);
   std::string_view exponent = text.substr(std::min(end + 1, text.size()));
   if (exponent.starts_with('+')) exponent.remove_prefix(1);
   std::int64_t tens = 0;
   const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), tens);
-  if (read.ec == std::errc::result_out_of_range) return !exponent.starts_with('-');
-  return digits_below_one <= tens;
+  if (read.ec == std::errc::result_out_of_range)
+    tens = exponent.starts_with('-') ? std::numeric_limits<std::int64_t>::min()
+                                     : std::numeric_limits<std::int64_t>::max();
+  return {text.substr(0, end), std::min(text.find_first_not_of("-0123456789"), end), tens};
+}
+
+// Whether it has the value of an integer, as 1.50e1 has: no digit but zeros lies below 1.
+bool has_no_fraction(const Decimal& number) {
+  const std::size_t last = number.digits.find_last_of("123456789");
+  if (last == number.digits.npos) return true;
+  const auto digits_below_one = static_cast<std::int64_t>(last) - static_cast<std::int64_t>(number.point) +
+                                (last < number.point ? 1 : 0);
+  return digits_below_one <= number.tens;
+}
+
+// Its digits as an integer, if they fit. REQUIRES: has_no_fraction(number), 1 <= number < 1e20.
+std::optional<std::uint64_t> integer_of(const Decimal& number) {
+  std::string digits(number.digits);
+  if (number.point < digits.size()) digits.erase(number.point, 1);
+  digits.resize(static_cast<std::size_t>(static_cast<std::int64_t>(number.point) + number.tens), '0');
+  std::uint64_t integer = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), integer);
+  return read.ec == std::errc() ? std::optional(integer) : std::nullopt;
 }
 
 // Behind the bracket that opens the first part of that level. REQUIRES: JSON up to there.
@@ -96,9 +120,15 @@ std::size_t end_of_level(std::string_view text, int level) {
 
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Builder(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+  Builder(std::string_view text, const std::string& source) : text_(text), source_(source), parsed_(text) {}
 
-  Json take() { return std::move(document_); }
+  Json parse() {
+    while (!nlohmann::json::sax_parse(parsed_.begin(), parsed_.end(), this)) {
+      open_.clear();
+      numbers_ = 0;
+    }
+    return std::move(document_);
+  }
 
   bool null() override { return add(Json()); }
   bool boolean(bool value) override { return add(value); }
@@ -106,7 +136,14 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool number_integer(std::int64_t value) override { return value == 0 ? add(-0.0) : add(value); }
   bool number_unsigned(std::uint64_t value) override { return add(value); }
   bool number_float(double value, const std::string& text) override {
-    return add({value, has_no_fraction(text)});
+    if (const auto overflow = overflows_.find(numbers_++); overflow != overflows_.end())
+      return add(RoundedNumber{overflow->second.front() == '-' ? -HUGE_VAL : HUGE_VAL, overflow->second});
+    const Decimal number = decimal_of(text);
+    if (!has_no_fraction(number))
+      return std::floor(value) == value ? add(RoundedNumber{value, text}) : add(value);
+    if (value >= 0x1p53 && value <= 0x1p64)
+      if (const auto integer = integer_of(number)) return add(*integer);
+    return add(value);
   }
   bool string(std::string& value) override { return add(std::move(value)); }
   bool binary(nlohmann::json::binary_t&) override { return false; }
@@ -118,8 +155,19 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(Json::Array()); }
   bool end_array() override { return close(); }
-  bool parse_error(std::size_t position, const std::string&,
+  // At a number beyond binary64 the parser stops. It is replaced by a zero of the same length, and the text
+  // parsed again.
+  bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::json::exception& error) override {
+    constexpr int kNumberOverflow = 406;
+    constexpr std::size_t kOverflowsMax = 20;  // Each costs the time of one parse.
+    if (error.id == kNumberOverflow) {
+      if (overflows_.size() == kOverflowsMax)
+        fail(text_, source_, position, "number is too large (found " + shortened(token) + ")");
+      overflows_.emplace(numbers_, token);
+      parsed_.replace(position - token.size(), token.size(), "0e" + std::string(token.size() - 2, '0'));
+      return false;
+    }
     fail(text_, source_, position, plain_reason(error.what()));
   }
 
@@ -151,6 +199,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   const std::string& source_;
+  std::string parsed_;
+  std::map<std::size_t, std::string> overflows_;  // The texts, by the count of numbers before them.
+  std::size_t numbers_ = 0;                       // With a point or an exponent, or beyond 64 bits.
   Json document_;
   std::vector<Json*> open_;
   std::string key_;
@@ -188,6 +239,7 @@ class Writer {
       if (std::isfinite(*number)) return to_text(*number);
       return std::isnan(*number) ? "\"NaN\"" : *number > 0.0 ? "\"Infinity\"" : "\"-Infinity\"";
     }
+    if (const auto* number = json.get<RoundedNumber>()) return number->text;
     return "null";
   }
 
@@ -224,11 +276,14 @@ class Writer {
 double Json::number() const {
   assert(is_number());
   if (const auto* value = get<double>()) return *value;
+  if (const auto* rounded = get<RoundedNumber>()) return rounded->value;
   if (const auto* value = get<std::int64_t>()) return static_cast<double>(*value);
   return static_cast<double>(*get<std::uint64_t>());
 }
 
-bool Json::is_whole() const { return is_number() && !is_rounded_ && std::floor(number()) == number(); }
+bool Json::is_whole() const {
+  return is_number() && get<RoundedNumber>() == nullptr && std::floor(number()) == number();
+}
 
 const Json* Json::find(std::string_view key) const {
   const auto* object = get<Object>();
@@ -246,9 +301,7 @@ Json parse_json(std::string_view text, const std::string& source) {
     fail(text, source, zero + 1, "not JSON: holds a zero byte; save it as UTF-8");
   // What the parser says of it depends on its version.
   if (text.empty()) fail(text, source, 1, "not JSON: unexpected end of input");
-  Builder builder(text, source);
-  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
-  return builder.take();
+  return Builder(text, source).parse();
 }
 
 std::string to_text(const Json& json, JsonLayout layout) {

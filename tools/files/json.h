@@ -14,6 +14,13 @@
 
 namespace hyrax {
 
+/// A number of which a double keeps less than the text says: with a fraction that was lost in rounding, or
+/// beyond the largest double (the value is then infinite).
+struct RoundedNumber {
+  double value;
+  std::string text;
+};
+
 class Json {
  public:
   using Array = std::vector<Json>;
@@ -23,8 +30,7 @@ class Json {
   Json(std::nullptr_t) {}
   Json(bool value) : value_(value) {}
   Json(double value) : value_(value) {}
-  /// A number as read. @param is_whole whether its text has no fraction.
-  Json(double value, bool is_whole) : value_(value), is_rounded_(!is_whole) {}
+  Json(RoundedNumber value) : value_(std::move(value)) {}
   Json(int value) : value_(static_cast<std::int64_t>(value)) {}
   Json(std::int64_t value) : value_(value) {}
   Json(std::uint64_t value) : value_(value) {}
@@ -45,7 +51,8 @@ class Json {
   }
   [[nodiscard]] bool is_null() const { return std::holds_alternative<std::monostate>(value_); }
   [[nodiscard]] bool is_number() const {
-    return get<double>() != nullptr || get<std::int64_t>() != nullptr || get<std::uint64_t>() != nullptr;
+    return get<double>() != nullptr || get<std::int64_t>() != nullptr || get<std::uint64_t>() != nullptr ||
+           get<RoundedNumber>() != nullptr;
   }
   /// REQUIRES: is_number().
   [[nodiscard]] double number() const;
@@ -58,9 +65,10 @@ class Json {
 
  private:
   // A non-negative integer up to 2^64 - 1 is unsigned, a negative one signed, every other number
-  // (and -0) a double.
-  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value_;
-  bool is_rounded_ = false;  // From a text with a fraction.
+  // (and -0) a double. One with a point or an exponent is an integer from 2^53 on, where doubles have gaps.
+  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, RoundedNumber, std::string, Array,
+               Object>
+      value_;
 };
 
 /// The deepest nesting that is read.
@@ -82,7 +90,7 @@ template <class Items, class ToJson>
 
 /// Parses a document.
 /// ERRORS: Failure(bad_input) "SOURCE: line L, column C: ..." for anything that is not one JSON
-/// text in UTF-8 without byte-order mark, a number beyond binary64, or deeper nesting.
+/// text in UTF-8 without byte-order mark, deeper nesting, or very many numbers beyond binary64.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& source);
 
 /// Layout of a document: members and elements down to a depth have lines of their own, the rest is in one

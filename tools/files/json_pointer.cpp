@@ -25,6 +25,8 @@ std::vector<std::string> tokens_of(std::string_view pointer) {
       tokens.emplace_back();
     else if (tokens.empty())
       fail_at(pointer, "is not a JSON Pointer; it must begin with '/', as in /clock/rate_hz");
+    else if (pointer[at] == '~' && !is_escape)
+      fail_at(pointer, "is not a JSON Pointer; '~' is written ~0");
     else
       tokens.back() += !is_escape ? pointer[at] : escape == "~1" ? '/' : '~';
     if (is_escape) ++at;
@@ -36,7 +38,8 @@ Json* element_at(Json::Array& array, const std::string& token) {
   if (token == "-") return &array.emplace_back();
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  const bool is_index = error == std::errc() && end == token.data() + token.size();
+  const bool is_index = error == std::errc() && end == token.data() + token.size() &&
+                        (token.size() == 1 || !token.starts_with('0'));
   return is_index && index < array.size() ? &array[index] : nullptr;
 }
 

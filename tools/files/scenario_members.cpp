@@ -27,23 +27,28 @@ std::optional<Interval> read_interval(const JsonPlace& here, const std::string& 
     here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
     return std::nullopt;
   }
-  return Interval{(*array)[0].number(), (*array)[1].number()};
+  const auto low = here.element(0).number();
+  const auto high = here.element(1).number();
+  return low && high ? std::optional(Interval{*low, *high}) : std::nullopt;
 }
 
 std::optional<Interval> read_time(const JsonPlace& here) {
-  if (here.is_there() && here.json()->is_number()) return Interval{-kInfinity, here.json()->number()};
-  return read_interval(here, ", or a number as upper bound");
+  if (!here.is_there() || !here.json()->is_number())
+    return read_interval(here, ", or a number as upper bound");
+  const auto latest = here.number();
+  return latest ? std::optional(Interval{-kInfinity, *latest}) : std::nullopt;
 }
 
 std::optional<Interval> read_count(const JsonPlace& here) {
   const bool is_exact = here.is_there() && here.json()->is_number();
   const auto interval = is_exact ? std::optional(Interval{here.json()->number(), here.json()->number()})
                                  : read_interval(here, ", or an exact number");
-  const auto is_count = [](double value) {
-    return value >= 0.0 && value <= 1e15 && std::floor(value) == value;
+  const auto is_count = [](const Json& json) {
+    return json.is_whole() && json.number() >= 0.0 && json.number() <= 1e15;
   };
-  if (interval && (!is_count(interval->low) || !is_count(interval->high)))
-    here.breaks_rule("must be whole numbers of 0 or more");
+  if (interval &&
+      !(is_exact ? is_count(*here.json()) : std::ranges::all_of(*here.json()->get<Json::Array>(), is_count)))
+    here.breaks_rule("must be whole numbers 0 .. 1e15");
   return interval;
 }
 

@@ -63,10 +63,18 @@ TEST(Json, KeepsIntegersOf64Bits) {
   EXPECT_EQ(*parsed("-9223372036854775808").get<std::int64_t>(), std::numeric_limits<std::int64_t>::min());
   EXPECT_EQ(to_text(parsed("18446744073709551615")), "18446744073709551615");
   EXPECT_EQ(to_text(parsed("9007199254740993")), "9007199254740993");
+  for (const auto& [text, integer] : {std::pair{"9007199254740993.0", 9007199254740993u},
+                                      {"9007199254740993e0", 9007199254740993u},
+                                      {"9007199254740993000.00e-3", 9007199254740993u},
+                                      {"1.2345678901234567891e19", 12345678901234567891u},
+                                      {"0.00018446744073709551615E+23", 18446744073709551615u},
+                                      {"18446744073709551615.0", 18446744073709551615u}})
+    EXPECT_EQ(to_text(parsed(text)), std::to_string(integer)) << text;
 }
 
 TEST(Json, ReadsLargerIntegersAsDoubles) {
   EXPECT_EQ(*parsed("18446744073709551616").get<double>(), 0x1p64);
+  EXPECT_EQ(*parsed("18446744073709551616.0").get<double>(), 0x1p64);
   EXPECT_EQ(*parsed("-9223372036854775809").get<double>(), -0x1p63);
 }
 
@@ -87,6 +95,19 @@ TEST(Json, KnowsAFractionThatIsLostInRounding) {
   for (const char* const text :
        {"60.5", "99.99999999999999999999999", "1e-400", "1e-99999999999999999999", "1205e-1"})
     EXPECT_FALSE(parsed(text).is_whole()) << text;
+  for (const char* const text : {"99.99999999999999999999999", "1e-400", "9007199254740993.5"})
+    EXPECT_EQ(to_text(parsed(text)), text);
+}
+
+TEST(Json, KeepsTheTextsOfNumbersBeyondBinary64) {
+  const std::string digits(1000, '9');
+  const std::string text = "[0e0, 1e999, 2, 1.5, -1e309, " + digits + ", 0e0]";
+  const Json json = parsed(text);
+  EXPECT_EQ(to_text(json), "[0, 1e999, 2, 1.5, -1e309, " + digits + ", 0]");
+  const auto& numbers = *json.get<Json::Array>();
+  EXPECT_EQ(numbers[1].number(), HUGE_VAL);
+  EXPECT_EQ(numbers[4].number(), -HUGE_VAL);
+  EXPECT_FALSE(numbers[1].is_whole());
 }
 
 TEST(Json, WritesTheShortestTextThatReadsBack) {
@@ -155,7 +176,7 @@ TEST(JsonRefusal, NamesLineAndColumn) {
                            {"\0"s, "line 1, column 1", "zero byte"},
                            {"\xEF\xBB\xBF{}", "line 1, column 1", "save it as UTF-8 without one"},
                            {"[\n\"\xff\"]", "line 2, column 2", "ill-formed UTF-8 byte"},
-                           {"[1e999]", "line 1, column 6", "1e999"}})
+                           {"[1e999, ?]", "line 1, column 9", "not JSON"}})
     EXPECT_TRUE(is_refused_at(each.text, each.place, each.part)) << each.text;
   EXPECT_EQ(refusal("{} \r\n\t"), "taken");
   EXPECT_EQ(refusal("1.7976931348623157e308"), "taken");
@@ -182,10 +203,17 @@ TEST(JsonRefusal, ShowsOnlyTheEndOfALongTokenAndOnlyWhatCanBeRead) {
   EXPECT_NE(said.find("xxx?'"), std::string::npos);
 }
 
+TEST(JsonRefusal, IsForVeryManyNumbersBeyondBinary64) {
+  std::string text = "[1e999";
+  for (int number = 0; number < 20; ++number) text += ",\n1" + std::string(100'000, '0');
+  EXPECT_EQ(refusal(text + "]"),
+            "f.json: line 21, column 100001: number is too large (found 1" + std::string(59, '0') + "...)");
+}
+
 TEST(JsonRefusal, IsForWhatOnlyOtherDialectsHave) {
   for (const std::string text :
        {"NaN",       "Infinity",    "-Infinity",   "+1",    ".5",      "1.",        "01",
-        "-",         "0x10",        "1e",          "1e+",   "--1",     "-1e309",    "{'a': 1}",
+        "-",         "0x10",        "1e",          "1e+",   "--1",     "1e309.5",   "{'a': 1}",
         "{a: 1}",    "[1,]",        "{\"a\": 1,}", "[1 2]", "// x\n1", "/* x */ 1", "\"a\tb\"",
         "\"\\x41\"", "\"\\ud800\"", "True",        "nul"})
     EXPECT_NE(refusal(text), "taken") << text;
@@ -236,6 +264,9 @@ TEST(JsonPointer, ReportsAPlaceThatDoesNotExist) {
             "/\\u0000\\u001b: does not exist (found no '\\u0000\\u001b')");
   EXPECT_EQ(set("[1]", "/x", 9), "/x: does not exist (found no 'x')");
   EXPECT_EQ(set("[1]", "/-1", 9), "/-1: does not exist (found no '-1')");
+  EXPECT_EQ(set("[1]", "/00", 9), "/00: does not exist (found no '00')");
+  for (const std::string pointer : {"/a~2b", "/a~"})
+    EXPECT_EQ(set("{}", pointer, 9), pointer + ": is not a JSON Pointer; '~' is written ~0");
   EXPECT_EQ(set(R"({"a": 1})", "/a/b", 9), "/a/b: does not exist (found no 'b')");
   EXPECT_EQ(set("[1]", "/99999999999999999999", 9),
             "/99999999999999999999: does not exist (found no '99999999999999999999')");

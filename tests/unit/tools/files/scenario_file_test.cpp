@@ -123,7 +123,7 @@ TEST_F(ScenarioFile, TakesOverridesByPointer) {
                                                  {"/start/x_px", "-0"},
                                                  {"/name", "other"},
                                                  {"/description", "42 flings"},
-                                                 {"/clock/jitter/seed", "18446744073709551615"},
+                                                 {"/clock/jitter/seed", "18446744073709551615.0"},
                                                  {"/events/0/fling/vx_px_per_s", "1e3"},
                                                  {"/events/-", R"({"step": 899, "stop": {}})"},
                                                  {"/record/every", "10"}});
