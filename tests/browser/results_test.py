@@ -175,8 +175,10 @@ class ResultsTest(browser.BrowserTest):
         points = "(select => { select.value = 'at_rest_since'; select.dispatchEvent(new Event('change')); })(document.getElementById('members-y'))"
         (page,) = self.open({**self.grid(), "actions": [
             ["evaluate", colors], ["evaluate", "[...document.querySelectorAll('#members-tint option')].map(each => each.value)"],
+            ["evaluate", "[...document.querySelectorAll('.bar span')].map(each => Number(each.textContent.replace('−', '-').replaceAll(',', '')))"],
             ["evaluate", "document.querySelector('.verdict').innerText"], ["evaluate", points], ["evaluate", colors]]})
-        (empty, *ends), names, verdict, _, (background, *_) = page["values"]
+        (empty, *ends), names, (_, low, high), verdict, _, (background, *_) = page["values"]
+        self.assertLess(low, high)
         self.assertEqual(empty, 0)
         self.assertGreater(min(ends), 50)
         self.assertGreater(background, 10_000)

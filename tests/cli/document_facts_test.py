@@ -43,6 +43,18 @@ STATED = (
         (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
         (HYRAX, "{} done, {} the state hash differs, {} bad usage or input, {} a file or the screen cannot be used, {} arithmetic\n"
          "is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
+        ("tools/hyrax/help.txt", "exit code {} if its state hash agrees, {} if it differs", "agreed, disagreed"),
+        ("tools/hyrax/help.txt", "Exit codes: {} done, {} the hash differs, {} bad usage or input, {} a file or the screen cannot be used,\n"
+         "{} arithmetic is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
+        ("tools/hyrax-replay/help.txt", "Exit codes: {} agreed or done, {} disagreed or a state is not finite, {} bad usage or input, {} cannot\n"
+         "read, {} golden file missing, {} arithmetic is not strict IEEE-754, {} internal",
+         "agreed, disagreed, bad_input, cannot_access, golden_missing, not_strict_ieee, program_fault"),
+        ("tools/hyrax-sim/program.cpp", "Exit codes: {} agreed or done, {} disagreed, {} bad usage or input, {} cannot read or write,",
+         "agreed, disagreed, bad_input, cannot_access"),
+        ("tools/hyrax-sim/program.cpp", '"{} golden file missing (or a part of a sweep), {} arithmetic is not strict IEEE-754, {} internal',
+         "golden_missing, not_strict_ieee, program_fault"),
+        ("tools/hyrax-sim/check.cpp", "unreferenced (exit code {})", "disagreed"),
+        ("tools/hyrax-sim/check.cpp", "notices; exit code {} if there is one", "disagreed"),
         (CARD, "The exit code is {} whatever", "agreed"), (CARD, "{}: `golden/core` is damaged; {}: bad usage", "disagreed, bad_input"),
         (CARD, "{}: a file cannot be read; {}: there is no", "cannot_access, golden_missing"),
         (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),

@@ -60,6 +60,17 @@ class EveryMember(SweepTest):
         self.assertEqual(list(found["inputs/start.y_px"][:5]), [0, 1, 2, 3, 0])
         self.assertEqual(len(found["members/x"]), 20)
 
+    def test_columns_say_their_units(self):
+        units = {"start.x_px": "px", "start.vx_px_per_s": "px/s", "clock.rate_hz": "Hz", "events.0.hitch.dt_s": "s"}
+        vary = {"/" + name.replace(".", "/"): {"uniform": [1, 2]} for name in units}
+        self.computed(document(base=base(events=[{"step": 3, "hitch": {"dt_s": 0.5}}]), vary=vary, keep=ALL))
+        with h5py.File(self.folder / "sweep.h5") as file:
+            found = {name: file["inputs"][name].attrs["units"] for name in file["inputs"]}
+            self.assertEqual(found, units)
+            found = {name: file["members"][name].attrs.get("units") for name in file["members"]}
+        self.assertEqual(found, {"x": "px", "y": "px", "x_min": "px", "x_max": "px", "y_min": "px", "y_max": "px", "vx": "px/s", "vy": "px/s",
+                                 "speed_max": "px/s", "at_rest_since": "s", "contacts": "1", "state_hash": None})
+
     def test_the_base_may_be_a_file_beside_the_sweep(self):
         self.write("deep/base.json", fling(expect={"in_bounds": True}))
         self.write("deep/sweep.json", document(base="base.json"))

@@ -85,6 +85,12 @@ TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
   EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
 }
 
+TEST(PlotScale, AReversedAxisHasItsLowEndWhereOthersHaveTheHigh) {
+  EXPECT_EQ(scale_of({.low = 0.0, .high = 10.0}, {}).at(10.0), 400.0);
+  EXPECT_EQ(scale_of({.is_reversed = true, .low = 0.0, .high = 10.0}, {}).at(0.0), 400.0);
+  EXPECT_EQ(scale_of({.is_reversed = true, .low = 0.0, .high = 10.0}, {}).at(10.0), 0.0);
+}
+
 TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
   const PlotScale scale = scale_of(axis, {1e-12, 1e-11, 1.0, 10.0});

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/report/picture_faults.h"
+#include "tools/report/look.h"
 #include "tools/report/run_scene.h"
 
 namespace hyrax {
@@ -140,6 +141,18 @@ TEST(RunSvg, DrawsTheWindowToScale) {
   const SvgBox window = window_of(run_svg(some_fling(), colourful_rows(100), {}));
   EXPECT_NEAR(window.width() / window.height(), 1920.0 / 1080.0, 1e-3);
   EXPECT_GT(window.width(), 700.0);
+}
+
+TEST(RunSvg, TheBarOfSpeedsHasTheSlowOnesBelow) {
+  const std::string svg = run_svg(some_fling(), colourful_rows(100), {});
+  const auto top_of = [&svg](double part) {
+    std::smatch found;
+    EXPECT_TRUE(std::regex_search(
+        svg, found,
+        std::regex("<rect x=\"[^\"]*\" y=\"([^\"]*)\"[^>]*fill=\"" + speed_colour(part) + "\"/>")));
+    return std::stod(found[1]);
+  };
+  EXPECT_GT(top_of(0.0), top_of(1.0) + 100.0);
 }
 
 TEST(RunSvg, TheSameRunGivesTheSameText) {
