@@ -121,10 +121,14 @@ void RunComparer::find_row(const BlockPair& pair) {
 }
 
 bool RunComparer::find_row_in(const RowBlock& expected, const BlockPair& pair) {
-  BlockRows kept(pair.kept.keyframe, expected, pair.kept_repetition);
-  BlockRows played(pair.played.keyframe, pair.played.rows, pair.played_repetition);
-  for (std::size_t index = 0; index < std::min(expected.size(), pair.played.rows.size()); ++index) {
-    result_.first = first_difference(kept.next(), played.next());
+  const RowBlock& actual = pair.played.rows;
+  const auto row_of = [&](const RowBlock& rows, std::size_t index) {
+    Row row = rows.row(index);
+    row.step = pair.first_step() + static_cast<std::int64_t>(index);
+    return row;
+  };
+  for (std::size_t index = 0; index < std::min(expected.size(), actual.size()); ++index) {
+    result_.first = first_difference(row_of(expected, index), row_of(actual, index));
     if (result_.first) return true;
   }
   return false;
