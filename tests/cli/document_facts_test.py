@@ -43,6 +43,8 @@ STATED = (
         (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
         (HYRAX, "{} done, {} the state hash differs, {} bad usage or input, {} a file or the screen cannot be used, {} arithmetic\n"
          "is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
+        ("CHANGELOG.md", "the other way round, is missing ({}); an unreferenced golden file is {};", "golden_missing, disagreed"),
+        ("CHANGELOG.md", "in a golden folder is refused ({}); an unwritable stdout is {}.", "bad_input, cannot_access"),
         ("tools/hyrax/help.txt", "exit code {} if its state hash agrees, {} if it differs", "agreed, disagreed"),
         ("tools/hyrax/help.txt", "Exit codes: {} done, {} the hash differs, {} bad usage or input, {} a file or the screen cannot be used,\n"
          "{} arithmetic is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
@@ -104,6 +106,11 @@ STATED = (
     (DRIFT, "more than {} px +\n{} times the arc's", "sim/reference/drift.h", "kSolversApart_px, kSolversApart_rel"),
     (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"),
     (DRIFT, "up to {} frames of equal dt", "sim/reference/arc_solution.h", "kFramesMax"),
+    ("tools/app/drift/drift_run.cpp", "tolerance of GSL (default: {})", "sim/reference/gsl_flight.h", "tolerance"),
+    ("tools/hyrax-sim/fuzz.cpp", "are drawn (default: {})", "tools/hyrax-sim/fuzz.cpp", "seed.value_or"),
+    ("tools/hyrax-sim/shrink.cpp", "(default: {}, of PROGRAM {})", "tools/hyrax-sim/shrink.cpp", "kLimit_s, kProgramLimit_s"),
+    *(("tools/hyrax-compare/main.cpp", words, "tools/hyrax-compare/main.cpp", name + ".value_or") for words, name in (
+        ("flings and runs (default {})", "seed"), ("random flings (default {})", "flings"), ("(default {} s)", "limit_s"))),
     (CARD, "takes more than {} s |", "tools/hyrax-compare/main.cpp", "limit_s.value_or"),
     (CARD, "scenarios, {} random flings (seed {})", "tools/hyrax-compare/main.cpp", "flings.value_or, seed.value_or"),
     (CARD, "settle at {} Hz, after {} s:", FLINGS, "kRate_hz, kDuration_s"),
@@ -213,6 +220,12 @@ class Facts(unittest.TestCase):
             spans = [place_of(document, row[1]).span() for row in STATED if row[0] == document]
             for code in re.finditer(r"exit(?: code)? (\d+)", prose):
                 self.assertTrue(any(first <= code.start(1) < last for first, last in spans), (document, code[0]))
+
+    def test_how_long_a_recording_is(self):
+        exponent, hours = stated(HYRAX, "ends after 2^{} frames, about {} hours of motion")
+        self.assertIn(f"kFramesMax = std::int64_t{{1}} << {exponent:.0f};", text_of("tools/hyrax/recording.h"))
+        self.assertEqual([hours], [round(2**exponent / 60 / 3600)])
+        self.assertEqual(stated("tools/hyrax/help.txt", "after about {} hours of motion"), [hours])
 
     def test_numbers_that_follow_from_the_constants(self):
         names = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"

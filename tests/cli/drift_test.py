@@ -89,6 +89,10 @@ class Files(DriftTest):
         self.assertEqual(self.errors(live), self.errors(stored))
         text = self.expect(AGREED, "drift", "fling.h5").out
         self.assertIn("replayed from its scenario: the file holds 44 of 301 rows", text)
+        self.assertNotIn("STATE HASH DIFFERS", text)
+        with h5py.File(self.folder / "fling.h5", "r+") as file:
+            file.attrs["state_hash"] = 32 * "0"
+        self.assertIn("THE REPLAY'S STATE HASH DIFFERS", self.hyrax_sim("drift", "fling.h5").out)
 
     def test_golden_files_are_measured_short_or_long(self):
         for name in ("flings/first-fling", "clocks/hour-at-60-hz"):

@@ -48,6 +48,11 @@ class Fuzz(ProgramTest):
         self.assertEqual(min(firsts), self.first_failure())
         self.assertNotIn(0, firsts, "any core fails there")
 
+    def test_a_failing_scenario_replaces_no_file(self):
+        for names in (1, 2):
+            self.first_failure()
+            self.assertEqual(len(self.names()), names, self.names())
+
     def first_failure(self, *options):
         """The first run in which a core that differs on bounds only breaks a rule."""
         outcome = run(os.environ["HYRAX_ALTERED_SIM"], "fuzz", "--runs", "1000", "--json", *options, cwd=self.folder,

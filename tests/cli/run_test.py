@@ -111,9 +111,10 @@ class StandardOutput(ProgramTest):
         for name in ("-", "/dev/stdout"):
             outcome = self.expect(AGREED, "run", "fling.json", "-o", name)
             self.assertEqual((outcome.out, outcome.err), (rows, "fling: agreed\n"))
-        with open("/dev/full", "wb") as full:
-            outcome = self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "-", stdout=full)
-        self.assertEqual(outcome.err, "hyrax-sim: standard output cannot be written\n")
+        for steps in (300, 3):  # More than fits a buffer, and less.
+            with open("/dev/full", "wb") as full:
+                outcome = self.expect(CANNOT_ACCESS, "run", "fling.json", "--set", f"/steps={steps}", "-o", "-", stdout=full)
+            self.assertEqual(outcome.err, "hyrax-sim: standard output cannot be written\n")
         self.assertEqual(self.names(), ["fling.csv", "fling.json"])
 
     def test_it_is_for_one_scenario_alone(self):

@@ -265,6 +265,13 @@ class Interrupted(SweepTest):
             self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
             self.sweep("sweep.json", "--force")
             self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
+        with h5py.File(self.folder / "sweep.h5", "a") as file:  # One that could be continued.
+            file.attrs["rows_done"] = numpy.int64(0)
+        os.rename(self.folder / "sweep.h5", self.folder / "precious.h5")
+        os.link(self.folder / "precious.h5", self.folder / "sweep.h5.partial")
+        before = self.state_of(".")
+        self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="sweep.h5.partial")
+        self.assertEqual(self.state_of("."), before)
 
     def test_what_is_complete_is_not_computed_again(self):
         self.computed(document())

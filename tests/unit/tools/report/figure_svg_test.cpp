@@ -91,6 +91,15 @@ TEST(PlotScale, AReversedAxisHasItsLowEndWhereOthersHaveTheHigh) {
   EXPECT_EQ(scale_of({.is_reversed = true, .low = 0.0, .high = 10.0}, {}).at(10.0), 0.0);
 }
 
+TEST(PlotScale, EqualScalesWidenTheAxisThatIsTooLong) {
+  const Axis axis;
+  PlotScale x = scale_of(axis, {0.0, 10.0}), y = scale_of(axis, {0.0, 10.0}, 100.0);
+  PlotScale::make_equal(x, y);
+  EXPECT_NEAR(x.at(1.0) - x.at(0.0), y.at(1.0) - y.at(0.0), 1e-9);
+  EXPECT_NEAR(y.at(10.0) - y.at(0.0), 100.0 / 1.1, 1e-9) << "the other stays";
+  EXPECT_NEAR(x.at(5.0), 200.0, 1e-9) << "to both sides";
+}
+
 TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
   const PlotScale scale = scale_of(axis, {1e-12, 1e-11, 1.0, 10.0});
@@ -123,8 +132,16 @@ TEST(PlotSvg, SpreadIsDrawnAsBarsThroughThePoints) {
       .series = {{.look = {.form = Form::points, .tone = Tone::blue}, .x = {1.0, 2.0}, .y = {3.0, 4.0}}}};
   EXPECT_TRUE(lines_of_colour(svg_of(plot), Tone::blue).empty());
   plot.series[0].x_low = {0.5, 1.5};
-  plot.series[0].x_high = {1.25, 2.25};
-  EXPECT_EQ(lines_of_colour(svg_of(plot), Tone::blue).size(), 2u);
+  plot.series[0].x_high = {1.25, 2.75};
+  std::vector<double> lengths;
+  for (const std::string& line : lines_of_colour(svg_of(plot), Tone::blue)) {
+    std::smatch ends;
+    ASSERT_TRUE(std::regex_match(line, ends, std::regex(R"(M([\d.]+)[ ,][\d.]+ ?L?([\d.]+)[ ,][\d.]+)")))
+        << line;
+    lengths.push_back(std::stod(ends[2]) - std::stod(ends[1]));
+  }
+  ASSERT_EQ(lengths.size(), 2u);
+  EXPECT_NEAR(lengths[1] / lengths[0], 1.25 / 0.75, 0.02) << "from the low to the high end";
 }
 
 TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
