@@ -108,8 +108,11 @@ class Diff(ProgramTest):
             self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", change)
             moved, vanished, appeared = self.diff(DISAGREED)["contacts"].values()
             found.append(moved)
-            self.assertIn(f"\n  contacts   {moved} contact{'' if moved == 1 else 's'} moved, {vanished} vanished, {appeared} appeared\n",
-                          self.expect(DISAGREED, "diff", "a.h5", "b.h5").out)
+            text = self.expect(DISAGREED, "diff", "a.h5", "b.h5").out
+            self.assertIn(f"\n  contacts   {moved} contact{'' if moved == 1 else 's'} moved, {vanished} vanished, {appeared} appeared\n", text)
+            with h5py.File(self.folder / "a.h5") as a, h5py.File(self.folder / "b.h5") as b:
+                ends = [" -> ".join(dict.fromkeys(f"{file[f'trajectory/{name}'][-1]:.6g}" for file in (a, b))) for name in "xy"]
+            self.assertRegex(text, rf"\n  (end |rest) +.* px apart: x {ends[0]}, y {ends[1]}[ ;]")
         self.assertEqual(found, [0, 7])
 
     def test_two_scenarios_are_compared_value_by_value_too(self):

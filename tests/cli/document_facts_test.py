@@ -215,7 +215,7 @@ class Facts(unittest.TestCase):
                 self.assertEqual(stated(document, words), [number for place in printed for number in stated(*place)] or None)
 
     def test_every_exit_code_in_a_document_is_one_of_these(self):
-        for document in {row[0] for row in STATED} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
+        for document in {row[0] for row in STATED if not row[0].endswith(".cpp")} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
             prose = re.sub(r"```.*?```", lambda block: " " * len(block[0]), text_of(document), flags=re.DOTALL)
             spans = [place_of(document, row[1]).span() for row in STATED if row[0] == document]
             for code in re.finditer(r"exit(?: code)? (\d+)", prose):

@@ -19,7 +19,7 @@ const inputs = [{ kind: 'grab', frame: 1 }, { kind: 'resize', frame: 4, window: 
   { kind: 'resize', frame: 7, sprite: [21, 31] }];
 const sizes = replay.sizesOf([100, 80, 10, 20, 0, 0], inputs);
 const errors = { step: [0, 4, 8], model: [0, 1e-3, 2], truncation: [0, 2e-3, 3], implementation: [0, 1e-9, 2e-9] };
-const causes = { step: [0, 4, 8], gravity: [0, 1, 2], drag: [0, -1, -2], lift: [0, 3, 4], bounce: [0, 5, 7], sum: [0, 8, 11] };
+const causes = { step: [0, 4, 8], gravity: [0, 1, 2], drag: [0, -1, -20], lift: [0, 3, 4], bounce: [0, 5, 7], sum: [0, 8, 11] };
 const contactErrors = { step: [4, 6], time_error: [0.001, NaN], effective_restitution: [0.5, 0.625] };
 const result = { rows, errors, causes, contactErrors, run: { constants: [500] }, contacts: { step: [4, 6], wall: [3, 1] } };
 const said = charts => charts.map(({ id, title, unit, isLog, series: all }) => [`${id}: ${title}, ${unit}${isLog ? ', logarithmic' : ''}`, ...all.map(({ name, color, dash, points, steps, values }) =>
@@ -251,7 +251,7 @@ test('the figures of a run have their units, the largest cause first', () => {
   const run = { errors: { implementation_px: { value: 1e-9 }, truncation_px: { value: 2.5 }, model_px: { value: 3.5 }, energy_drift_rel: { value: 0.0125 } } };
   assert.deepEqual(figures({ run, causes }).slice(2), ['Implementation error: 1e−9 px; from the exact solution of its step',
     'Truncation error: 2.5 px; from the ODE at this frame rate', 'Model error: 3.5 px; from the ODE with the drag of 60 Hz',
-    `${drift} an arc; in all late bounce +7, lift +4, gravity +2, drag −2 px`]);
+    `${drift} an arc; in all drag −20, late bounce +7, lift +4, gravity +2 px`]);
   assert.equal(figures({ run, causes: { step: [0], gravity: [0], drag: [-2], lift: [9], bounce: [1000] } })[5], `${drift} an arc; in all late bounce +1,000 px`);
   assert.equal(figures({ run })[5], `${drift} a flight arc`);
   assert.deepEqual(figures({ run: { errors: {} } }).slice(2), ['Implementation error', 'Truncation error', 'Model error', 'Energy drift'].map(label => `${label}: –; no flight arc`));
