@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 namespace hyrax {
@@ -12,7 +13,7 @@ namespace hyrax {
 [[nodiscard]] inline std::string with_decimals(double value, int decimals) {
   char letters[400];
   // Of two equally near numbers the one farther from 0, as JavaScript does.
-  const double size = std::nextafter(std::fabs(value), HUGE_VAL);
+  const double size = std::nextafter(std::fabs(value), std::numeric_limits<double>::max());
   std::snprintf(letters, sizeof letters, "%.*f", decimals, value == 0.0 ? 0.0 : size);
   std::string text = letters;
   const std::size_t point = std::min(text.find('.'), text.size());
@@ -30,8 +31,9 @@ namespace hyrax {
   const double size = std::fabs(value);
   if (size >= 1e7 || size < 1e-3) {
     char letters[40];
-    std::snprintf(letters, sizeof letters, "%.*e", std::min(digits, 2) - 1,
-                  size < 1.0 ? value : std::nextafter(value, std::copysign(HUGE_VAL, value)));
+    std::snprintf(
+        letters, sizeof letters, "%.*e", std::min(digits, 2) - 1,
+        size < 1.0 ? value : std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), value)));
     const std::string text = letters;
     const std::size_t e = text.find('e');
     return text.substr(0, text.substr(0, e).ends_with(".0") ? e - 2 : e) + "e" +

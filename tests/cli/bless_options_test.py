@@ -236,7 +236,7 @@ class UpdateExpect(Update):
     def test_it_says_what_changes(self):
         self.scenario('{"contacts": {"right": 5}}')
         out = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-expect").out
-        self.assertIn("scenarios/fling.json: new expect contacts/right: wanted 5, measured 1\n", out)
+        self.assertIn("scenarios/fling.json: new expect.state_hash; expect contacts/right: wanted 5, measured 1\n", out)
         self.assertIn("scenarios/fling.json: expect updated\n", out)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 import program
 from process import run, succeed
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, ProgramTest, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, main
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 HYRAX_SIM = program.PROGRAM
@@ -320,8 +320,7 @@ class Shapes(OutsideProject):
     def expect_page(self, path):
         """Its page is no fault, though that has no copy of the core. A program without pages says so."""
         outcome = self.hyrax_sim("report", path, "-o", "page.html")
-        if "HYRAX_PAGE" not in outcome.err:
-            self.assertEqual(outcome.exit_code, AGREED, outcome)
+        self.assertEqual(outcome.exit_code, CANNOT_ACCESS if "HYRAX_PAGE" in outcome.err else AGREED, outcome)
 
     def test_the_same_shape_has_everything_with_its_constants(self):
         self.use("moon")

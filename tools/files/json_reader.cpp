@@ -98,7 +98,7 @@ std::optional<double> JsonPlace::number(const NumberRule& rule) const {
   const double value = json_->number();
   const bool is_low = rule.excludes_low ? !(value > rule.low) : !(value >= rule.low);
   if (!std::isfinite(value) || is_low || value > rule.high) {
-    breaks_rule(std::isfinite(value) || std::isfinite(rule.high) ? sentence_of(rule) : "number is too large");
+    breaks_rule(is_low || std::isfinite(rule.high) ? sentence_of(rule) : "number is too large");
     return std::nullopt;
   }
   return value;

@@ -29,10 +29,9 @@ constexpr std::string_view kVariations[] = {"uniform", "choice", "grid", "member
 
 // A number of a key: whole where the key's numbers are whole.
 bool is_number_of(ScenarioNumberKind kind, const Json& json) {
-  const bool is_seed = json.get<std::uint64_t>() != nullptr || (json.is_whole() && json.number() < 0x1p64);
   return json.is_number() && std::isfinite(json.number()) &&
          (kind == ScenarioNumberKind::real || json.is_whole()) &&
-         (kind != ScenarioNumberKind::seed || is_seed);
+         (kind != ScenarioNumberKind::seed || json.get<std::uint64_t>() != nullptr || json.number() < 0x1p64);
 }
 std::string number_rule(ScenarioNumberKind kind) {
   return kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds";

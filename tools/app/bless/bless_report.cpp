@@ -25,9 +25,10 @@ bool plays_otherwise(const Blessing& blessing) {
 void print_plan(const Blessing& blessing, const Printing& printing) {
   const std::string path = printable(blessing.path);
   if (printing.is_quiet()) return;
-  if (blessing.scenario_text)
-    print_text("{}: new {}\n", path,
-               blessing.updated.empty() ? "expect.state_hash" : broken_sentence(blessing.updated));
+  if (blessing.scenario_text && !blessing.has_failed())
+    print_text("{}: new {}{}{}\n", path, blessing.has_new_hash ? "expect.state_hash" : "",
+               blessing.has_new_hash && !blessing.updated.empty() ? "; " : "",
+               blessing.updated.empty() ? "" : broken_sentence(blessing.updated));
   if (blessing.status == BlessStatus::fresh) print_text("{}: new golden file\n", path);
   if (blessing.status != BlessStatus::changed && blessing.status != BlessStatus::refused) return;
   if (!blessing.unreadable.empty())
@@ -52,8 +53,8 @@ void print_unchanged(const BlessReport& report) {
                  printable(blessing.golden->h5_path));
 }
 
-// Where results that were accepted under a model's name change by more than rounding. Of a golden file or a
-// scenario that was edited they do not.
+// Where results that were accepted under a model's name change by more than rounding; not where only a golden
+// file or a scenario was edited, since the model's results are then the same.
 void print_model_hint(const Core& core, const std::vector<DifferenceGroup>& groups) {
   const bool is_due = std::ranges::any_of(groups, [&core](const DifferenceGroup& group) {
     return group.difference > DifferenceClass::rounding && group.cause.kind != CauseKind::golden &&

@@ -32,7 +32,8 @@ struct Blessing : PairVerdict {
   std::string unreadable;                     ///< Why the golden file cannot be read; else empty.
   std::optional<DifferenceClass> differs_in;  ///< What has to be accepted; nothing: nothing has to be.
   std::optional<std::string> scenario_text;   ///< The scenario file with its new `expect`, where it changes.
-  std::vector<Expectation> updated;           ///< What else than the state hash changes there.
+  bool has_new_hash = false;                  ///< expect.state_hash changes there,
+  std::vector<Expectation> updated;           ///< and what else.
 
   [[nodiscard]] bool has_failed() const { return status == Status::failed; }
   [[nodiscard]] bool writes_golden_file() const {

@@ -115,12 +115,14 @@ void update_expect(const Core& core, const RunSummary& summary, bool updates_ran
   const std::string hash = hex(summary.state_hash);
   const std::string text = read_scenario_text(blessing.path);
   std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
+  blessing.has_new_hash = updated != text;
   if (updates_ranges) {
     const std::vector<Expectation> broken =
         broken_expectations(core, scenario, summary, reference_model(core));
     updated = with_updated_ranges(std::move(updated), scenario, broken);
     for (const Expectation& expectation : broken)
-      if (is_updatable(expectation)) blessing.updated.push_back(expectation);
+      if (is_updatable(expectation) && expectation.rule != "state_hash")
+        blessing.updated.push_back(expectation);
   }
   scenario = parse_scenario_file(updated, blessing.path);
   if (updated != text) blessing.scenario_text = std::move(updated);

@@ -185,7 +185,7 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
 CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenarios,
                        const std::string& golden_option)
     : core_(core) {
-  // Of scenarios in no library bless accepts no core.
+  // bless accepts a core for a library only.
   if (scenarios.empty() || !libraries_of(scenarios, golden_option).empty())
     commands_ = core_commands(scenarios, golden_option);
 }

@@ -111,13 +111,13 @@ bool is_presentmon(std::string_view column) {
 }
 
 std::size_t times_column(const CsvReader& csv, const Record& header, const std::string& name) {
-  if (name.empty())
+  if (name.empty()) {
     for (const std::string_view presentmon : kPresentMonColumns)
       if (const auto column = find_column(csv, header, presentmon)) return *column;
-  if (name.empty())
     csv.refuse(fmt::format(": column is missing: {} (found {}); --column names another",
                            fmt::join(kPresentMonColumns, " or "),
                            shortened(listed(std::vector<std::string_view>(header.begin(), header.end())))));
+  }
   if (const auto column = find_column(csv, header, name)) return *column;
   csv.refuse(": " + unknown_word("column", name, {header.begin(), header.end()}));
 }

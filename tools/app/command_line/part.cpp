@@ -65,7 +65,11 @@ std::optional<ChosenPart> choose_part(const std::string& command, const std::str
     const auto index = variable(index_name), count = parts ? parts : variable(count_name);
     if (!index || !count) continue;
     const std::int64_t step = std::max<std::int64_t>(variable(step_name).value_or(1), 1);
-    return checked(command + ": " + index_name, (*index - variable(first_name).value_or(0)) / step, *count,
+    const std::int64_t offset = *index - variable(first_name).value_or(0);
+    if (offset % step != 0)
+      refuse_input(fmt::format("{}: {}: must be a multiple of {} after the first one (found {})", command,
+                               index_name, step_name, *index));
+    return checked(command + ": " + index_name, offset / step, *count,
                    fmt::format("{} and {}", index_name, count_name));
   }
   if (parts) refuse_input(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");

@@ -103,7 +103,8 @@ bool hold_recorded_rows(const TrajectoryFile& a, const TrajectoryFile& b) {
   return !a.has("blocks") && !b.has("blocks");
 }
 
-// A hash or total that cannot be of the rows or contacts, which are all recorded and agree; a sentence.
+// Why a file must be damaged, as a sentence: all rows and contacts are recorded and agree, but the state
+// hashes or the numbers of contacts do not. Else empty.
 std::string contradiction(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
                           const TrajectoryDiff& diff) {
   const Comparison& comparison = diff.comparison;

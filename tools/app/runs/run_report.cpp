@@ -11,7 +11,6 @@
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/play/play_with_progress.h"
 #include "tools/app/runs/scenario_run.h"
-#include "tools/files/golden_place.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/table_text.h"
@@ -138,8 +137,7 @@ void print_golden(const ScenarioRun& run) {
   if (run.golden_path.empty()) return;
   if (!run.comparison)
     print_text(
-        "  golden         missing: {}{}\n",
-        is_there(run.golden_path) ? golden_place(run.path, run.golden_folder)->txt_path : run.golden_path,
+        "  golden         missing: {}{}\n", run.golden_path,
         run.is_as_expected() ? "; to create it: " + bless_command_for({run.path}, run.golden_folder) : "");
   else if (run.comparison->agrees)
     print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden_path);

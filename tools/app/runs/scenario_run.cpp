@@ -144,6 +144,8 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
     run.golden_folder = options.golden_folder;
     if (has_golden_file(*place))
       run.comparison = compare_with_pair(core, scenario, *place, true, core)->comparison;
+    else if (is_there(place->h5_path))
+      run.golden_path = place->txt_path;
   }
   static_cast<WrittenRun&>(run) =
       write_run(core, output, scenario, {.replay = replay, .drift = options.drift, .also = also});

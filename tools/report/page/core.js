@@ -4,9 +4,15 @@ import { bytes, rowFields } from './data.js';
 import { element, root } from './document.js';
 
 export class Core {
-  /** At once, so that a page is ready when its scripts have run; throws where a browser runs no WebAssembly. */
-  static start() {
-    const instance = new WebAssembly.Instance(new WebAssembly.Module(gunzipSync(bytes(element('core').textContent))));
+  /** Without threads of the browser where it allows that, so that a page is ready when its scripts have run. */
+  static async start() {
+    const binary = gunzipSync(bytes(element('core').textContent));
+    let instance;
+    try {
+      instance = new WebAssembly.Instance(new WebAssembly.Module(binary));
+    } catch {
+      ({ instance } = await WebAssembly.instantiate(binary, {})); // Older browsers compile 4 KB at once.
+    }
     instance.exports.__wasm_call_ctors();
     return new Core(instance.exports);
   }

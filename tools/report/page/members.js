@@ -196,10 +196,10 @@ class Stage {
 let stage = null;
 
 /** Adds to a result of a sweep its members. */
-export function showMembers({ sweep }, article) {
+export async function showMembers({ sweep }, article) {
   if (!sweep || sweep.results.length === 0) return;
   if (!stage) {
-    const core = Core.start();
+    const core = await Core.start();
     core.requireSame(sweep.core_fingerprint, report.program);
     stage = new Stage(core);
   }

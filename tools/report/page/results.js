@@ -91,7 +91,7 @@ function resultOf(result, at, isOnly) {
 }
 
 /** Shows all of them; `showMore` adds to a result what its file holds besides. */
-export function showResults(showMore = () => {}) {
+export async function showResults(showMore = async () => {}) {
   document.title = `${report.results.map(each => each.title).join(', ')} · hyrax-sim report`;
   const shown = report.results.map((result, at) => resultOf(result, at, report.results.length === 1));
   element('results').replaceChildren(...shown);
@@ -102,6 +102,6 @@ export function showResults(showMore = () => {}) {
     for (const each of [...picture.querySelectorAll('[data-series]')].filter(({ dataset }, i, all) => i === all.findIndex(other => other.dataset.series === dataset.series)))
       each.tabIndex = 0;
   root.dataset.replay = 'none';
-  for (const [at, result] of report.results.entries()) showMore(result, shown[at]);
+  for (const [at, result] of report.results.entries()) await showMore(result, shown[at]);
   root.dataset.ready = '';
 }

@@ -204,19 +204,11 @@ async function replayed(core, run, share) {
   return replay(core, run, share);
 }
 
-function startedCore() {
-  try {
-    return isOwnCore ? null : Core.start();
-  } catch {
-    return null;
-  }
-}
-
 async function main() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
-  const core = startedCore();
+  const core = isOwnCore ? null : await Core.start().catch(() => null);
   if (core) core.requireSame(report.core_fingerprint, report.program);
   const results = [];
   for (const run of report.runs)
