@@ -392,7 +392,7 @@ class Shapes(OutsideProject):
         self.use("leak")
         outcome = self.expect(DISAGREED, "fuzz", "--runs", "200")
         self.assertIn("breaks an invariant: in-bounds", outcome.out)
-        self.assertIn("\n  hyrax-sim run ", outcome.out)  # No study of hard cases for this shape.
+        self.assertIn(f"\n  {program.PROGRAM} run ", outcome.out)  # No study of hard cases for this shape.
 
 
 class OwnPhysics(OutsideProject):
