@@ -123,6 +123,12 @@ class Parts(SweepTest):
         self.sweep("--merge", *parts, "-o", "merged.h5")
         self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
 
+    def test_a_part_whose_seeds_go_to_the_largest_is_read_again(self):
+        clock = {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.2, "seed": 3}}
+        self.write("sweep.json", document(base=base(clock=clock), vary={"/clock/jitter/seed": {"uniform": [0, 2 ** 64 - 1]}}))
+        self.sweep("sweep.json", "--part", "0/1", "-o", "out.h5")
+        self.sweep("--merge", "out.part-0-of-1.h5", "-o", "merged.h5")
+
     def test_a_scheduler_names_the_part(self):
         self.write("sweep.json", document())
         for variables, arguments, part in (

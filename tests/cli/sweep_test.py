@@ -119,6 +119,7 @@ class Refused(SweepTest):
     def test_whole_numbers_where_the_key_holds_them(self):
         for rule in ({"grid": [100, 101, 3]}, {"choice": [100.5]}, {"uniform": [100.5, 200]}):
             self.refuse(document(vary={"/window/width_px": rule}), "/vary/~1window~1width_px", "whole numbers")
+        self.refuse(document(vary={"/clock/jitter/seed": {"choice": ["x"]}}), "/vary/~1clock~1jitter~1seed/choice/0")
         self.refuse(document(vary={"/clock/jitter/seed": {"choice": [2 ** 64]}}), "/vary/~1clock~1jitter~1seed/choice/0",
                     "whole numbers")
 

@@ -30,8 +30,7 @@ constexpr std::string_view kVariations[] = {"uniform", "choice", "grid", "member
 // A number of a key: whole where the key's numbers are whole.
 bool is_number_of(ScenarioNumberKind kind, const Json& json) {
   return json.is_number() && std::isfinite(json.number()) &&
-         (kind == ScenarioNumberKind::real || json.is_whole()) &&
-         (kind != ScenarioNumberKind::seed || json.get<std::uint64_t>() != nullptr || json.number() < 0x1p64);
+         (kind == ScenarioNumberKind::real || json.is_whole());
 }
 std::string number_rule(ScenarioNumberKind kind) {
   return kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds";
@@ -81,7 +80,8 @@ ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
   if (array->empty()) here.wrong("must hold at least one number (found [])");
   for (std::size_t entry = 0; entry < array->size(); ++entry) {
     const Json& json = (*array)[entry];
-    if (is_number_of(kind, json) && is_convertible(kind, json.number()))
+    if (is_number_of(kind, json) && is_convertible(kind, json.number()) &&
+        (kind != ScenarioNumberKind::seed || json.get<std::uint64_t>() != nullptr || json.number() < 0x1p64))
       choice.values.push_back(number_of(kind, json));
     else
       here.element(entry).breaks_rule("must be one of " + number_rule(kind));
