@@ -9,12 +9,16 @@
 
 namespace hyrax {
 
+/// The next double farther from 0: of two equally near texts its own is the farther one, as in JavaScript.
+[[nodiscard]] inline double farther_from_0(double value) {
+  return std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), value));
+}
+
 /// A number with so many decimals at least 0, its thousands apart: "11,400", "-0.50".
 [[nodiscard]] inline std::string with_decimals(double value, int decimals) {
   char letters[400];
-  // Of two equally near numbers the one farther from 0, as JavaScript does.
-  const double size = std::nextafter(std::fabs(value), std::numeric_limits<double>::max());
-  std::snprintf(letters, sizeof letters, "%.*f", decimals, value == 0.0 ? 0.0 : size);
+  std::snprintf(letters, sizeof letters, "%.*f", decimals,
+                value == 0.0 ? 0.0 : farther_from_0(std::fabs(value)));
   std::string text = letters;
   const std::size_t point = std::min(text.find('.'), text.size());
   for (std::size_t at = point; at > 3; at -= 3) text.insert(at - 3, 1, ',');
@@ -31,9 +35,8 @@ namespace hyrax {
   const double size = std::fabs(value);
   if (size >= 1e7 || size < 1e-3) {
     char letters[40];
-    std::snprintf(
-        letters, sizeof letters, "%.*e", std::min(digits, 2) - 1,
-        size < 1.0 ? value : std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), value)));
+    std::snprintf(letters, sizeof letters, "%.*e", std::min(digits, 2) - 1,
+                  size < 1.0 ? value : farther_from_0(value));
     const std::string text = letters;
     const std::size_t e = text.find('e');
     return text.substr(0, text.substr(0, e).ends_with(".0") ? e - 2 : e) + "e" +

@@ -15,12 +15,13 @@ struct ChosenPart {
 };
 
 /// The part that `--part I/N` names (empty: not given). Without it, I and N are taken from
-///   SLURM_ARRAY_TASK_ID less SLURM_ARRAY_TASK_MIN (0 if unset), in steps of SLURM_ARRAY_TASK_STEP (1 if
-///   unset), and SLURM_ARRAY_TASK_COUNT; OMPI_COMM_WORLD_RANK and OMPI_COMM_WORLD_SIZE; JOB_COMPLETION_INDEX,
-///   and `--parts N`,
+///   SLURM_ARRAY_TASK_ID less _MIN (0 if unset) by _STEP (1 if unset), and SLURM_ARRAY_TASK_COUNT;
+///   OMPI_COMM_WORLD_RANK and OMPI_COMM_WORLD_SIZE;
+///   JOB_COMPLETION_INDEX, and `--parts N`,
 /// the first pair that is set. Nothing if none is; half a pair is reported on standard error.
 /// @param command begins the messages, as "hyrax-sim fuzz".
-/// ERRORS: Failure(bad_input) if a value is no number, or I is not 0 .. N - 1; or if --parts has no index.
+/// ERRORS: Failure(bad_input) if a value is no number, an index is between two steps, I is not 0 .. N - 1, or
+/// --parts has no index.
 [[nodiscard]] std::optional<ChosenPart> choose_part(const std::string& command, const std::string& part,
                                                     std::optional<std::int64_t> parts);
 
