@@ -5,18 +5,20 @@
     documentation_test.py --update    rewrites printed outputs and pictures that differ from the program's
 
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
+With HYRAX_LONG_BLOCKS set, and by --update, blocks marked `long` are run, too.
 
 What a README may print, by the first word after the fence:
 
     console   `$ COMMAND` lines, each followed by its exact output (stdout and stderr). The commands of a file run
-              in order, by bash, in one scratch folder with copies of those folders of the project that COPIED names.
-              After the first word:
+              in order, by bash, in one scratch folder with copies of some folders of the project: those of COPIED,
+              and those of COPIED_IF_NAMED that the file's blocks name. After the first word:
               exit=N   exit code of the last command that fails (0 if left out)
               core=N   `hyrax-sim` is the altered program, with core N
+              long     not in the everyday set, which has a shorter run of the same
               A line `<!-- varies: REGEX -->` above the block names what differs from run to run.
     json      is valid; a scenario is valid, too, and its expectations hold. A name after the first word is the
               file's name in the scratch folder.
-    python    runs there without error, after the blocks above it.
+    python    runs there without error, after the blocks above it. May be `long`.
     cmake, cpp   are lines of tests/cli/outside_project or tests/cli/own_physics, which build and run.
     sh    is not run, but its scripts exist.
     text  is not checked.
@@ -39,7 +41,8 @@ from process import run, succeed
 from program import PROGRAM, SOURCE
 
 README_WORDS_MAX = 1200
-COPIED = ("scenarios", "golden", "tests/robustness/fuzz/found")
+COPIED = ("scenarios/flings", "golden/flings", "golden/core")
+COPIED_IF_NAMED = ("scenarios/hard", "scenarios/recorded", "tests/robustness/fuzz/found")
 FOLDERS = ("golden", "scenarios", "sim", "tests", "tools")
 DOCUMENTS = sorted([*SOURCE.glob("*.md"), *(path for folder in FOLDERS for path in (SOURCE / folder).rglob("*.md"))])
 
@@ -47,6 +50,7 @@ BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>[^\n]*) -->\n)?"
                    r"^```(?P<info>[^\n`]+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 RUN = {"console", "json", "python"}
 NOT_RUN = {"sh", "cmake", "cpp", "text"}
+RUNS_LONG = "HYRAX_LONG_BLOCKS" in os.environ or "--update" in sys.argv
 
 
 @dataclasses.dataclass(frozen=True)
@@ -84,13 +88,17 @@ def blocks_of(document):
 
 
 class Scratch:
-    """Copies of some of the project's folders, where commands do no harm."""
+    """Copies of the project's folders that some blocks need, where commands do no harm."""
+
+    def __init__(self, blocks):
+        named = "".join(block.body for block in blocks)
+        self.copied = [*COPIED, *(folder for folder in COPIED_IF_NAMED if folder in named)]
 
     def __enter__(self):
         self.top = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-documentation-"))
         self.folder = self.top / "project"
         self.folder.mkdir()
-        succeed("cp", "-R", "--parents", *COPIED, self.folder, cwd=SOURCE)
+        succeed("cp", "-R", "--parents", *self.copied, self.folder, cwd=SOURCE)
         (self.top / "bin").mkdir()
         self.text = ""  # That the last console block printed.
         return self
@@ -128,6 +136,8 @@ class Scratch:
 
     def try_out(self, block):
         """Runs a block of any kind; returns the promised and the actual result: output and exit code."""
+        if "long" in block.arguments and not RUNS_LONG:
+            return None, None
         if block.kind == "json":
             self.write(block)
         if block.kind == "python":
@@ -200,7 +210,7 @@ class Documents(unittest.TestCase):
             blocks = [block for block in blocks_of(document) if block.kind in RUN]
             if not blocks:
                 continue
-            with self.on_each(document), Scratch() as scratch:
+            with self.on_each(document), Scratch(blocks) as scratch:
                 for block in blocks:
                     seen += block.kind == "console"
                     with self.subTest(block="; ".join(block.commands)):
@@ -208,8 +218,26 @@ class Documents(unittest.TestCase):
                 for picture, drawn in pictures_of(document, scratch):
                     pictures += 1
                     self.assertEqual(said_by(picture), said_by(drawn), picture)
+                if document == SOURCE / "README.md":
+                    self.try_the_task_table(document, scratch)
         self.assertGreater(seen, 10, "the console blocks were not found")
         self.assertGreater(pictures, 2, "the pictures were not found")
+
+    def try_the_task_table(self, document, scratch):
+        """Every command of the table works after the document's blocks."""
+        rows = re.findall(r"^\|[^|]*\|([^|]*)\|$", document.read_text(encoding="utf-8"), re.MULTILINE)
+        commands = [command for row in rows for command in re.findall(r"`(hyrax-sim [^`]*)`", row)
+                    if "sweep.json" not in command]  # A file of its own page.
+        self.assertGreater(len(commands), 8, "README.md: the task table was not found")
+        for command in commands:
+            if command.startswith("hyrax-sim study"):
+                command += " --quick --no-figures"
+            with self.subTest(command=command):
+                code, output = scratch.run(command, scratch.call(PROGRAM))
+                if command.startswith("hyrax-sim shrink"):  # Of a scenario that is good.
+                    self.assertIn("my.json: the command does not fail here", output)
+                else:
+                    self.assertEqual(code, 0, output)
 
     def test_every_scenario_is_valid_and_its_expectations_hold(self):
         scenarios = 0
@@ -218,31 +246,12 @@ class Documents(unittest.TestCase):
                 if block.kind != "json" or json.loads(block.body).get("format") != "hyrax-scenario/1":
                     continue
                 scenarios += 1
-                with self.on_each(document), Scratch() as scratch:
-                    (scratch.folder / "printed.json").write_text(block.body, encoding="utf-8")
-                    for command in ("hyrax-sim validate printed.json", "hyrax-sim run printed.json"):
-                        code, output = scratch.run(command, scratch.call(PROGRAM))
-                        self.assertEqual(code, 0, output)
+                with self.on_each(document), tempfile.NamedTemporaryFile(suffix=".json") as file:
+                    pathlib.Path(file.name).write_text(block.body, encoding="utf-8")
+                    for command in ("validate", "run"):
+                        outcome = run(PROGRAM, command, file.name)
+                        self.assertEqual(outcome.exit_code, 0, outcome)
         self.assertGreater(scenarios, 1, "the scenarios were not found")
-
-    def test_every_command_of_the_task_table_works(self):
-        text = (SOURCE / "README.md").read_text(encoding="utf-8")
-        rows = re.findall(r"^\|[^|]*\|([^|]*)\|$", text, re.MULTILINE)
-        commands = [command for row in rows for command in re.findall(r"`(hyrax-sim [^`]*)`", row)
-                    if "sweep.json" not in command]  # A file of its own page.
-        self.assertGreater(len(commands), 8, "README.md: the task table was not found")
-        with Scratch() as scratch:
-            for block in blocks_of(SOURCE / "README.md"):
-                scratch.try_out(block)
-            for command in commands:
-                if command.startswith("hyrax-sim study"):
-                    command += " --quick --no-figures"
-                with self.subTest(command=command):
-                    code, output = scratch.run(command, scratch.call(PROGRAM))
-                    if command.startswith("hyrax-sim shrink"):  # Of a scenario that is good.
-                        self.assertIn("my.json: the command does not fail here", output)
-                    else:
-                        self.assertEqual(code, 0, output)
 
     def test_every_link_leads_somewhere(self):
         for document in DOCUMENTS:
@@ -314,7 +323,7 @@ class Controls(unittest.TestCase):
         self.document.with_name("same.svg").write_text("<text>new\n<", encoding="utf-8")
 
     def test_wrong_blocks_and_pictures_are_detected(self):
-        with Scratch() as scratch:
+        with Scratch(()) as scratch:
             tried = [scratch.try_out(block) for block in blocks_of(self.document)]
             pictures = [said_by(picture) == said_by(drawn) for picture, drawn in pictures_of(self.document, scratch)]
         self.assertEqual([promised == came for promised, came in tried], [False, True, False, True])
@@ -333,7 +342,7 @@ class Controls(unittest.TestCase):
 def update(document):
     """Replaces the output of each console block that differs from the program's; returns a line about each."""
     changes = []
-    with Scratch() as scratch:
+    with Scratch(blocks_of(document)) as scratch:
 
         def renewed(match):
             block = block_of(match)
