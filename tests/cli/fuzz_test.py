@@ -17,13 +17,12 @@ class Fuzz(ProgramTest):
         return self.expect(AGREED, "fuzz", "--json", *options, **arguments).json
 
     def test_no_rule_is_broken_in_many_runs_and_nothing_is_written(self):
-        self.assertEqual(self.fuzz("--runs", "1", "--seed", str(2 ** 64 - 1))["seed"], 2 ** 64 - 1)
-        document = self.fuzz("--runs", "10000", "--seed", "12")
-        self.assertEqual((document["seed"], document["runs"], document["failures"]), (12, 10000, []))
+        document = self.fuzz("--runs", "2500", "--seed", str(2 ** 64 - 1))
+        self.assertEqual((document["seed"], document["runs"], document["failures"]), (2 ** 64 - 1, 2500, []))
         self.assertEqual(self.names(), [])
 
     def test_a_time_ends_it(self):
-        for time, seconds in (("0.1", 0.1), ("0.1s", 0.1), ("0.002m", 0.12), ("0.0001h", 0.36)):
+        for time, seconds in (("0.03", 0.03), ("0.03s", 0.03), ("0.001m", 0.06), ("0.00002h", 0.072)):
             document = self.fuzz("--time", time)
             self.assertGreater(document["runs"], 0)
             self.assertTrue(seconds <= document["elapsed_s"] < 20, document)
@@ -73,7 +72,7 @@ class Fuzz(ProgramTest):
     def test_another_program_that_does_not_end_is_not_waited_for(self):
         (self.folder / "other").write_text(f'#!/bin/sh\nmkdir asked 2>&- && exec {PROGRAM} "$@"\nexec sleep 600\n')
         (self.folder / "other").chmod(0o755)
-        outcome = self.expect(AGREED, "fuzz", "--time", "0.2s", "--against", "./other", says="not compared: ")
+        outcome = self.expect(AGREED, "fuzz", "--time", "0.4s", "--against", "./other", says="not compared: ")
         self.assertIn("which ./other did not end in the time that was left", outcome.err)
         self.assertIn("all invariants hold, the state hashes that were compared agree\n", outcome.out)
 

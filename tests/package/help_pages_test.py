@@ -5,6 +5,7 @@ import gzip
 import pathlib
 import re
 import shlex
+import tempfile
 
 from process import run, skip_without, succeed
 from program import PROGRAM, SOURCE, ProgramTest, main
@@ -42,18 +43,23 @@ def options_in_page(page):
 class HelpPages(ProgramTest):
     """The files that tools/cmake/help_pages.py makes."""
 
-    def setUp(self):
-        super().setUp()
-        self.program = PROGRAM
-        self.make()
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory(prefix="hyrax-test-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.pages = cls.made(PROGRAM, pathlib.Path(folder.name, "pages"))
+        cls.options = options_in_help(PROGRAM)
 
-    def make(self):
-        """Makes both files."""
-        succeed("/usr/bin/python3", "-B", MAKER, self.program, self.folder / "pages")
+    @staticmethod
+    def made(program, folder):
+        """The folder with both files of that program."""
+        succeed("/usr/bin/python3", "-B", MAKER, program, folder)
+        return folder
 
-    def page(self):
+    def page(self, pages):
         """The man page as a reader sees it; the formatter must have no complaint."""
-        source = gzip.decompress((self.folder / "pages/hyrax-sim.1.gz").read_bytes()).decode()
+        source = gzip.decompress((pages / "hyrax-sim.1.gz").read_bytes()).decode()
         outcome = succeed("groff", "-man", "-ww", "-Tascii", "-P-cbou", self.file("page.1", source))
         self.assertEqual(outcome.err, "")
         return outcome.out
@@ -62,50 +68,46 @@ class HelpPages(ProgramTest):
         """A file in the folder."""
         return pathlib.Path(self.folder / self.write(name, text))
 
-    def completed(self, *words):
-        """What bash offers for the last word."""
-        line = " ".join(map(shlex.quote, words))
-        script = (f"source {shlex.quote(str(self.folder))}/pages/hyrax-sim; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; "
-                  "_hyrax_sim; printf '%s\\n' \"${COMPREPLY[@]}\"")
-        return set(succeed("bash", "-euc", script).out.split())
+    def completed(self, pages, *lines):
+        """What bash offers for the last word of each line."""
+        asked = "".join(f"COMP_WORDS=({shlex.join(words)}); COMP_CWORD={len(words) - 1}; unset COMPREPLY; _hyrax_sim; "
+                        "printf '%s ' \"${COMPREPLY[@]}\"; echo\n" for words in lines)
+        script = f"source {shlex.quote(str(pages))}/hyrax-sim\n{asked}"
+        return [set(line.split()) for line in succeed("bash", "-euc", script).out.splitlines()]
 
-    def test_every_command_and_option_is_in_the_man_page(self):
-        self.assertEqual(options_in_page(self.page()), options_in_help(self.program))
+    def assert_complete(self, pages, options):
+        """Every command and option is in the man page, and is completed."""
+        page = self.page(pages)
+        self.assertEqual(options_in_page(page), options)
+        commands, *offered = self.completed(pages, ("hyrax-sim", ""), *(("hyrax-sim", command, "-") for command in options))
+        self.assertEqual(commands, {*options, "--help", "--version"})
+        self.assertEqual(dict(zip(options, offered, strict=True)), options)
+        return page
 
-    def test_every_command_and_option_is_completed(self):
-        expected = options_in_help(self.program)
-        self.assertEqual(self.completed("hyrax-sim", ""), {*expected, "--help", "--version"})
-        for command, options in expected.items():
-            self.assertEqual(self.completed("hyrax-sim", command, "-"), options, command)
-
-    def test_a_new_command_and_option_is_in_both(self):
-        self.program = self.file("longer", LONGER.replace("{program}", shlex.quote(str(PROGRAM))))
-        self.program.chmod(0o755)
-        self.assertIn("--how-many", options_in_help(self.program)["juggle"])
-        self.assertNotEqual(options_in_page(self.page()), options_in_help(self.program))  # Made without it.
-        self.make()
-        self.test_every_command_and_option_is_in_the_man_page()
-        self.test_every_command_and_option_is_completed()
-
-    def test_words_are_completed_from_their_beginning(self):
-        self.assertEqual(self.completed("hyrax-sim", "sch"), {"schema"})
-        self.assertEqual(self.completed("hyrax-sim", "check", "--ju"), {"--junit"})
-        self.assertEqual(self.completed("hyrax-sim", "run", "--reference", ""), {"closed", "gsl"})
-        self.assertEqual(self.completed("hyrax-sim", "run", "scen"), set())  # bash completes file names.
-
-    def test_the_page_has_examples_and_exit_codes(self):
-        page = " ".join(self.page().split())
+    def test_every_command_and_option_is_in_both(self):
+        page = " ".join(self.assert_complete(self.pages, self.options).split())
         for part in ("EXIT STATUS 0 agreed or done, 1 disagreed,", "70 internal error",
                      "hyrax-sim check scenarios/flings --junit check.xml", "/usr/share/hyrax-sim/golden"):
             self.assertIn(part, page)
 
-    def test_the_same_program_gives_the_same_bytes(self):
-        def state():
-            return {path.name: path.read_bytes() for path in (self.folder / "pages").iterdir()}
+    def test_a_new_command_and_option_is_in_both(self):
+        longer = self.file("longer", LONGER.replace("{program}", shlex.quote(str(PROGRAM))))
+        longer.chmod(0o755)
+        options = options_in_help(longer)
+        self.assertIn("--how-many", options["juggle"])
+        self.assertNotEqual(self.options, options)
+        self.assert_complete(self.made(longer, self.folder / "pages"), options)
 
-        before = state()
-        self.make()
-        self.assertEqual(state(), before)
+    def test_words_are_completed_from_their_beginning(self):
+        lines = {("hyrax-sim", "sch"): {"schema"}, ("hyrax-sim", "check", "--ju"): {"--junit"},
+                 ("hyrax-sim", "run", "--reference", ""): {"closed", "gsl"},
+                 ("hyrax-sim", "run", "scen"): set()}  # bash completes file names.
+        self.assertEqual(self.completed(self.pages, *lines), list(lines.values()))
+
+    def test_the_same_program_gives_the_same_bytes(self):
+        before, after = ({path.name: path.read_bytes() for path in pages.iterdir()}
+                         for pages in (self.pages, self.made(PROGRAM, self.folder / "again")))
+        self.assertEqual(after, before)
 
     def test_a_program_that_fails_gives_no_pages(self):
         outcome = run("/usr/bin/python3", "-B", MAKER, "/bin/false", self.folder / "none")
