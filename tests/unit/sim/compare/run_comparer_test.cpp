@@ -163,14 +163,12 @@ TEST_F(ShortRun, ThatContradictsItselfDoesNotAgree) {
 
 // A sprite wider than its window touches both walls in turn.
 TEST(KnockingRun, OfMoreContactsThanAreRecordedHasTheRestCounted) {
-  Scenario scenario = fling_at(60.0, 1'200'000);
+  Scenario scenario = fling_at(60.0, kContactsRecordedMax + 100);
   scenario.window = {100, 1080};
   StoredRun kept = kept_run(scenario);
   ASSERT_EQ(kept.contacts_total, kContactsRecordedMax);
-  kept.contacts_total += 200'000;
+  kept.contacts_total += 100;
   EXPECT_TRUE(compare(kept, scenario).agrees);
-  kept.contacts.pop_back();
-  EXPECT_FALSE(compare(kept, scenario).agrees);
 }
 
 }  // namespace

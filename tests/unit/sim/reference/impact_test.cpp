@@ -21,7 +21,7 @@ Wide position_at(const Approach& approach, const Wide& t) {
 
 // The root between two times, inside at the first and outside at the second, by halving.
 Wide true_time(const Approach& approach, Wide low, Wide high) {
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const Wide middle = (low + high) / 2.0;
     (position_at(approach, middle) < Wide(0.0) ? low : high) = middle;
   }

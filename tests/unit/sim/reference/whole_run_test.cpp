@@ -97,7 +97,7 @@ TEST(WholeRun, GetsTheInputsOfTheRun) {
 
 TEST(WholeRun, OfARepetitionIsThatOfEveryRow) {
   Scenario scenario = fling();
-  scenario.length = std::int64_t{300'000};
+  scenario.length = std::int64_t{60'000};
   WholeMeter live(scenario, inputs_of(scenario));
   replay(shipped_core(), scenario, live);
   EXPECT_EQ(live.wants().rows_every, 0) << "the rest is not played";

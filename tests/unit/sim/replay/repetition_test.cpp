@@ -120,7 +120,7 @@ TEST(SkippedRepetition, CoversZeroLengthFrames) {
 
 TEST(SkippedRepetition, PassesNoMoreContactsThanAreRecorded) {
   // A sprite wider than its window touches both walls in turn forever.
-  Scenario scenario = fling_at(60.0, 1'500'000);
+  Scenario scenario = fling_at(60.0, kContactsRecordedMax + 20'000);
   scenario.window = {100, 1080};
   const RunSummary summary = expect_skipping_changes_nothing(scenario, 0, "knocking");
   EXPECT_GT(summary.contacts.left + summary.contacts.right, kContactsRecordedMax);

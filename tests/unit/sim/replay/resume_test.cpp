@@ -229,7 +229,7 @@ TEST(ReplayInPieces, GivesTheSameRunWhereItBecomesNonFinite) {
 
 TEST(ReplayInPieces, GivesTheSameContactsWhereTheListIsFull) {
   // A sprite wider than its window touches both walls in turn forever.
-  Scenario scenario = fling_at(60.0, 1'200'000);
+  Scenario scenario = fling_at(60.0, kContactsRecordedMax + 20'000);
   scenario.window = {100, 1080};
   // It fills up within a piece, and later ones begin with a full list.
   expect_same_in_pieces(scenario, 1, 7'000, {.rows_every = 0, .contacts = true});

@@ -18,17 +18,17 @@ TEST(SpeedClaim, HoldsOnlyForAFastStep) {
 // The measures must not depend on a start: neither the seed, nor how fast throws are, nor the frame rates.
 TEST(AccuracyClaims, KeepTheirVerdictsWhateverTheStarts) {
   const std::vector<Claim> expected = accuracy_claims(shipped_core());
-  for (const std::uint64_t seed : {1u, 2u, 3u})
-    for (const double fastest_px_per_s : {500.0, 1500.0, 3000.0})
-      for (const double slowest_hz : {8.0, 15.0, 40.0}) {
-        const std::vector<Claim> claims = accuracy_claims(
-            shipped_core(), {.seed = seed, .fastest_px_per_s = fastest_px_per_s, .slowest_hz = slowest_hz});
-        ASSERT_EQ(claims.size(), expected.size());
-        for (std::size_t index = 0; index < claims.size(); ++index)
-          EXPECT_EQ(claims[index].verdict, expected[index].verdict)
-              << claims[index].id << ": " << claims[index].number << ", seed " << seed << ", "
-              << fastest_px_per_s << " px/s, " << slowest_hz << " Hz";
-      }
+  std::uint64_t seed = 0;
+  for (const double fastest_px_per_s : {500.0, 3000.0})
+    for (const double slowest_hz : {8.0, 15.0, 40.0}) {
+      const std::vector<Claim> claims = accuracy_claims(
+          shipped_core(), {.seed = ++seed, .fastest_px_per_s = fastest_px_per_s, .slowest_hz = slowest_hz});
+      ASSERT_EQ(claims.size(), expected.size());
+      for (std::size_t index = 0; index < claims.size(); ++index)
+        EXPECT_EQ(claims[index].verdict, expected[index].verdict)
+            << claims[index].id << ": " << claims[index].number << ", seed " << seed << ", "
+            << fastest_px_per_s << " px/s, " << slowest_hz << " Hz";
+    }
 }
 
 // One start can lock its bounces, or settle in one place by chance.
@@ -91,31 +91,25 @@ std::vector<ListField> shown_claim(const Result& result, const std::string& name
   return std::get<Listing>(result.figures.front().body).rows[row];
 }
 
-TEST(Paper, OwnVerdictsBreakNothing) { EXPECT_TRUE(run_paper(own_verdicts()).verdict.broken.empty()); }
-
-TEST(Paper, AnotherOrMissingVerdictIsBroken) {
+TEST(Paper, OnlyAnotherOrMissingVerdictIsBrokenAndColoured) {
+  EXPECT_EQ(shown_claim(plain_paper(), "2.3-energy").size(), 4u);
   ExpectedVerdicts expected = own_verdicts();
   verdict_on("5-restitution", expected) = "not measured";
+  verdict_on("5-air-drag", expected) = "does not hold";
   std::erase_if(expected.verdicts, [](const auto& entry) { return entry.first == "5-gravity"; });
   const Result result = run_paper(expected);
   EXPECT_EQ(result.verdict.broken,
             (std::vector<std::string>{
                 "5-gravity: holds, but expected.json has no verdict for it",
-                "5-restitution: holds, but expected.json expects: not measured (the core's value: 0.6)"}));
+                "5-restitution: holds, but expected.json expects: not measured (the core's value: 0.6)",
+                "5-air-drag: holds, but expected.json expects: does not hold (the core's value: 0.999)"}));
   EXPECT_EQ(shown_claim(result, "5-restitution")[3].fill, Tone::hairline);
   EXPECT_EQ(shown_claim(result, "5-gravity")[3].text, "no verdict");
-}
-
-TEST(Paper, APictureShowsExpectedVerdictsColouredWhereTheyDiffer) {
-  EXPECT_EQ(shown_claim(plain_paper(), "2.3-energy").size(), 4u);
-  ExpectedVerdicts expected = own_verdicts();
-  verdict_on("2.3-energy", expected) = "holds";
-  const Result result = run_paper(expected);
-  const std::vector<ListField> energy = shown_claim(result, "2.3-energy");
-  ASSERT_EQ(energy.size(), 5u);
-  EXPECT_EQ(energy[2].fill, Tone::bad);
-  EXPECT_EQ(energy[3].text, "holds");
-  EXPECT_EQ(energy[3].fill, Tone::good);
+  const std::vector<ListField> drag = shown_claim(result, "5-air-drag");
+  ASSERT_EQ(drag.size(), 5u);
+  EXPECT_EQ(drag[2].fill, Tone::good);
+  EXPECT_EQ(drag[3].text, "does not hold");
+  EXPECT_EQ(drag[3].fill, Tone::bad);
   const ListField same = shown_claim(result, "2.2-stokes")[3];
   EXPECT_EQ(same.text, "holds when");
   EXPECT_EQ(same.fill, Tone::none);

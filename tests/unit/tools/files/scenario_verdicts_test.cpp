@@ -113,7 +113,7 @@ TEST(ScenarioVerdicts, OfGoodDocumentsReadTheSameOnceWritten) {
 // A small file must not make a report of hundreds of megabytes.
 TEST(ScenarioVerdicts, ListOnlyTheFirstOfVeryManyErrors) {
   std::string text = R"({"format": "hyrax-scenario/1", "name": "base", "events": [0)";
-  for (int event = 1; event < 300'000; ++event) text += ",0";
+  for (int event = 1; event < 200'010; ++event) text += ",0";
   const std::vector<std::string> lines = [&] {
     try {
       static_cast<void>(parse_scenario(text + "]}", kSource));
@@ -124,7 +124,7 @@ TEST(ScenarioVerdicts, ListOnlyTheFirstOfVeryManyErrors) {
   }();
   ASSERT_EQ(lines.size(), 200'001u);
   // Beside the events, window, sprite, start and clock are missing.
-  EXPECT_EQ(lines.back(), std::string(kSource) + ": and 100004 more errors");
+  EXPECT_EQ(lines.back(), std::string(kSource) + ": and 14 more errors");
 }
 
 // Control: a table that expects too little, or something else, does not pass.

@@ -52,8 +52,7 @@ class Contacts : public testing::Test {
 };
 
 TEST_F(Contacts, AreKeptFewOrMany) {
-  for (const std::int64_t count :
-       {std::int64_t{0}, std::int64_t{1}, kBatch - 1, kBatch, kBatch + 1, 2 * kBatch}) {
+  for (const std::int64_t count : {std::int64_t{0}, std::int64_t{1}, kBatch - 1, kBatch, kBatch + 1}) {
     const std::vector<Contact> contacts = write(count, {});
     EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts)) << count;
     EXPECT_EQ(TrajectoryFile(path_).contacts_total(), count);
@@ -63,11 +62,6 @@ TEST_F(Contacts, AreKeptFewOrMany) {
 TEST_F(Contacts, MayEndAfterTheyWereWritten) {
   const std::vector<Contact> contacts =
       write(2 * kBatch + 10, {0, kBatch - 1, kBatch, 2 * kBatch - 1, 2 * kBatch, 2 * kBatch + 9});
-  EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts));
-}
-
-TEST_F(Contacts, AHundredThousandOfThemAreKept) {
-  const std::vector<Contact> contacts = write(100'000, {0, 4095, 4096, 50'000, 99'999});
   EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), contacts));
 }
 

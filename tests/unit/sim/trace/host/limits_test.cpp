@@ -43,7 +43,7 @@ TEST(LimitProcess, SaysWhichLimitAHeaderMet) {
             "over its limits: recursion without end, or memory that is not its own");
   EXPECT_EQ(why_incomplete<Throws>(), "over its limits: throws an exception");
   EXPECT_EQ(why_incomplete<Exits>(), "over its limits: ends the program");
-  EXPECT_EQ(why_incomplete<WhileTimeIsLeft>(), "more than 4,096 paths");
+  EXPECT_EQ(why_incomplete<Indexes>(), "a number becomes an integer");
   if (trace::kLimitsMemory) {
     EXPECT_EQ(why_incomplete<Allocates>(), "over its limits: more than 1 GB of memory");
   }
