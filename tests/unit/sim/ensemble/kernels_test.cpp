@@ -99,10 +99,12 @@ void load(Lanes& lanes, std::size_t lane, const Start& start, double dt_s) {
 TEST(Kernels, MoveAsUpdateDoes) {
   const std::vector<Start> starts = edge_grid();
   ASSERT_GT(starts.size(), 2000u);
-  for (const KernelSet& kernels : kernel_sets())
-    for (const Detail detail : {Detail::final, Detail::tracked, Detail::extremes})
-      for (const std::int64_t steps : {1, 2, 3, 7, 120})
-        for (const double dt_s : {1.0 / 60.0, 1.0 / 144.0, 0.0, 0.5}) {
+  for (const std::int64_t steps : {1, 2, 3, 7, 120})
+    for (const double dt_s : {1.0 / 60.0, 1.0 / 144.0, 0.0, 0.5}) {
+      std::vector<State> expected;
+      for (const Start& start : starts) expected.push_back(updated(start, dt_s, steps));
+      for (const KernelSet& kernels : kernel_sets())
+        for (const Detail detail : {Detail::final, Detail::tracked, Detail::extremes}) {
           int different = 0;
           for (std::size_t first = 0; first < starts.size(); first += kLanes) {
             Lanes lanes{};
@@ -110,10 +112,11 @@ TEST(Kernels, MoveAsUpdateDoes) {
             for (std::size_t lane = 0; lane < kLanes; ++lane) load(lanes, lane, starts[first + lane], dt_s);
             kernels.play(lanes, steps, detail, LaneClock::fixed);
             for (std::size_t lane = 0; lane < kLanes; ++lane)
-              different += is_same(state_in(lanes, lane), updated(starts[first + lane], dt_s, steps)) ? 0 : 1;
+              different += is_same(state_in(lanes, lane), expected[first + lane]) ? 0 : 1;
           }
           EXPECT_EQ(different, 0) << kernels.name << ", " << steps << " steps of " << dt_s << " s";
         }
+    }
 }
 
 TEST(Kernels, DrawTheFrameTimesOfTheClock) {
