@@ -175,13 +175,6 @@ TEST(ResumedReplay, DetectsRepetitionFromItsKeyframeOn) {
   }
 }
 
-// The row of an event's frame has the state before it.
-TEST(RepeatedRows, BeginAfterTheEventThatBringsThemAbout) {
-  const Played held(fling_at(60.0, 2'000, {{std::int64_t{300}, Grab{}}}));
-  ASSERT_EQ(held.summary.periodic_from_step, 301);
-  expect_periodic_from(held.trace.rows(), 301, held.summary.period_steps);
-}
-
 // In pieces of 0 .. piece_max - 1 frames, or of one frame.
 void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::int64_t piece_max,
                            RowSink::Wants wants = {.rows_every = 1, .contacts = true, .blocks = true},

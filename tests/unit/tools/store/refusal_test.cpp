@@ -10,15 +10,19 @@ namespace {
 
 class Refusal : public testing::Test {
  protected:
-  Refusal() { write_run(path_, eventful_fling()); }
+  Refusal() {
+    write_run(path_, eventful_fling());
+    whole_ = bytes_of(path_);
+  }
 
   // Opens the file for damage.
   h5::Handle open() const { return {H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose}; }
 
   void remove(const char* object) const { ASSERT_GE(H5Ldelete(open(), object, H5P_DEFAULT), 0) << object; }
 
-  // Puts another dataset in the place of one.
+  // Puts another dataset, of zeros, in the place of one of the undamaged file.
   void replace(const char* dataset, hid_t type, const std::vector<hsize_t>& shape) const {
+    write_bytes(path_, whole_);
     remove(dataset);
     const h5::Handle file = open();
     const h5::Handle made = h5::create_dataset(file, dataset, type, shape);
@@ -42,6 +46,7 @@ class Refusal : public testing::Test {
 
   const TempFolder folder_;
   const std::string path_ = folder_.at("run.h5");
+  std::string whole_;
 };
 
 TEST_F(Refusal, DoesNotOccurForACompleteFile) {
@@ -49,14 +54,13 @@ TEST_F(Refusal, DoesNotOccurForACompleteFile) {
 }
 
 TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
-  const std::string whole = bytes_of(path_);
-  const std::size_t stride = whole.size() / 199;
-  for (std::size_t length = 0; length < whole.size(); length += stride) {
-    write_bytes(path_, whole.substr(0, length));
-    EXPECT_NE(refusal([&] { read_all(path_); }), "") << length << " of " << whole.size() << " bytes";
+  const std::size_t stride = whole_.size() / 199;
+  for (std::size_t length = 0; length < whole_.size(); length += stride) {
+    write_bytes(path_, whole_.substr(0, length));
+    EXPECT_NE(refusal([&] { read_all(path_); }), "") << length << " of " << whole_.size() << " bytes";
   }
   for (const std::size_t missing : {1u, 2u, 8u, 100u}) {
-    write_bytes(path_, whole.substr(0, whole.size() - missing));
+    write_bytes(path_, whole_.substr(0, whole_.size() - missing));
     EXPECT_NE(refusal([&] { read_all(path_); }), "") << "the last " << missing << " bytes are missing";
   }
 }
@@ -71,18 +75,16 @@ TEST_F(Refusal, OfAFileOfAnotherKind) {
 }
 
 TEST_F(Refusal, OfAMissingAttribute) {
-  const std::string whole = bytes_of(path_);
   for (const std::string attribute : {"scenario", "steps", "physics", "state_hash", "format"}) {
-    write_bytes(path_, whole);
+    write_bytes(path_, whole_);
     ASSERT_GE(H5Adelete(open(), attribute.c_str()), 0);
     expect_refused(attribute == "format" ? "none" : attribute);
   }
 }
 
 TEST_F(Refusal, OfAnAttributeOfAnotherValue) {
-  const std::string whole = bytes_of(path_);
   const auto with = [&](const char* attribute, auto value, const char* place) {
-    write_bytes(path_, whole);
+    write_bytes(path_, whole_);
     H5Adelete(open(), attribute);
     h5::write_attribute(open(), attribute, value);
     expect_refused(place);
@@ -97,7 +99,6 @@ TEST_F(Refusal, OfAnAttributeOfAnotherValue) {
 }
 
 TEST_F(Refusal, OfAMissingDatasetOrGroup) {
-  const std::string whole = bytes_of(path_);
   std::vector<std::string> names = {"/trajectory",      "/contacts",           "/events",
                                     "/trajectory/step", "/trajectory/contact", "/events/frame",
                                     "/events/kind",     "/events/a",           "/events/b"};
@@ -105,18 +106,16 @@ TEST_F(Refusal, OfAMissingDatasetOrGroup) {
   for (const ColumnOf<Contact>& column : kContactColumns)
     names.push_back(std::string("/contacts/") + column.name);
   for (const std::string& name : names) {
-    write_bytes(path_, whole);
+    write_bytes(path_, whole_);
     remove(name.c_str());
     expect_refused(name);
   }
 }
 
-TEST_F(Refusal, OfAWrongType) {
-  const std::string whole = bytes_of(path_);
-  const auto with = [&](const char* dataset, hid_t type, hsize_t length) {
-    write_bytes(path_, whole);
+TEST_F(Refusal, OfAWrongTypeOrLength) {
+  const auto with = [&](const char* dataset, hid_t type, hsize_t length, const char* place = nullptr) {
     replace(dataset, type, {length});
-    expect_refused(dataset);
+    expect_refused(place == nullptr ? dataset : place);
   };
   with("/trajectory/x", H5T_IEEE_F32LE, 331);
   with("/trajectory/x", H5T_STD_I64LE, 331);
@@ -125,33 +124,20 @@ TEST_F(Refusal, OfAWrongType) {
   with("/trajectory/contact", H5T_STD_I64LE, 331);
   with("/contacts/wall", H5T_IEEE_F64LE, 20);
   with("/events/kind", H5T_STD_U8LE, 14);
-}
-
-TEST_F(Refusal, OfLengthsThatDiffer) {
-  const std::string whole = bytes_of(path_);
-  const auto with = [&](const char* dataset, hid_t type, hsize_t length, const char* place) {
-    write_bytes(path_, whole);
-    replace(dataset, type, {length});
-    expect_refused(place);
-  };
-  with("/trajectory/x", H5T_IEEE_F64LE, 330, "/trajectory/x");
+  with("/trajectory/x", H5T_IEEE_F64LE, 330);
   with("/trajectory/step", H5T_STD_I64LE, 0, "/trajectory");
-  with("/trajectory/vy", H5T_IEEE_F64LE, 332, "/trajectory/vy");
-  with("/trajectory/contact", H5T_STD_U8LE, 0, "/trajectory/contact");
-  with("/contacts/overshoot", H5T_IEEE_F64LE, 3, "/contacts/overshoot");
-  with("/contacts/last_step", H5T_STD_I64LE, 0, "/contacts/last_step");
+  with("/trajectory/vy", H5T_IEEE_F64LE, 332);
+  with("/trajectory/contact", H5T_STD_U8LE, 0);
+  with("/contacts/overshoot", H5T_IEEE_F64LE, 3);
+  with("/contacts/last_step", H5T_STD_I64LE, 0);
   with("/events/b", H5T_IEEE_F64LE, 3, "/events");
-}
-
-TEST_F(Refusal, OfATableOfTwoAxes) {
   replace("/trajectory/x", H5T_IEEE_F64LE, {331, 1});
   expect_refused("/trajectory/x");
 }
 
 TEST_F(Refusal, OfAWallOrAnInputThatIsNone) {
-  const std::string whole = bytes_of(path_);
   for (const auto& [dataset, value] : {std::pair{"/contacts/wall", 3}, {"/events/kind", 200}}) {
-    write_bytes(path_, whole);
+    write_bytes(path_, whole_);
     set_first(dataset, static_cast<std::uint8_t>(value));
     expect_refused(dataset);
   }
@@ -175,16 +161,13 @@ class BlockRefusal : public Refusal {
     whole_ = bytes_of(path_);
   }
 
-  // With another dataset, of zeros, in the place of one.
   void expect_refused_with(const char* dataset, hid_t type, std::int64_t length,
                            const std::string& sentence) {
-    write_bytes(path_, whole_);
     replace(dataset, type, {static_cast<hsize_t>(length)});
     EXPECT_EQ(refusal([&] { static_cast<void>(read_golden(path_)); }), path_ + ": " + sentence);
   }
 
   static constexpr std::int64_t kSteps = 2 * static_cast<std::int64_t>(kBlockRows) + 99;
-  std::string whole_;
 };
 
 TEST_F(BlockRefusal, OfLengthsThatDiffer) {
