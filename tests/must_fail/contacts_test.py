@@ -1,16 +1,13 @@
 #!/usr/bin/python3
 """Contacts of edited cores: `run` prints what counters in the wall branches of their headers count."""
 
-import concurrent.futures
 import json
 import os
-import pathlib
-import tempfile
 
 from core_edits import BOTTOM, DRAG, DRAG_X, DRAG_Y, FLAGS_X, FLAGS_Y, FMIN_AND_FMAX, GRAVITY, LEFT, MOVE_X, MOVE_Y, RIGHT, TOP
 from process import succeed
 from program import ProgramTest, fling, main
-from traced import SHIPPED, settings, traced
+from traced import SHIPPED, SHIPPED_CORE, build, in_namespaces, traced
 
 COUNTED = SHIPPED.replace("#pragma once\n", "#pragma once\n#ifndef MEET\n#define MEET(wall)\n#endif\n")
 for _wall, _branch in enumerate((LEFT, RIGHT, TOP, BOTTOM)):
@@ -44,18 +41,15 @@ STEPS = 900
 # In the narrow window the first step ends beyond both walls.
 START = {"x_px": -50.25, "y_px": 150.5, "vx_px_per_s": 2400, "vy_px_per_s": -900}
 WINDOWS = ((1920, 1080), (300, 400), (100, 600))  # The last one is narrower than the sprite.
-COUNTER = f"""#include <cstdio>
-#include <cstdlib>
-static int met = 0;
-#define MEET(wall) (met |= (wall))
-#include HEADER
-int main(int, char** sizes) {{
-  physics body({START["x_px"]}, {START["y_px"]}, {START["vx_px_per_s"]}, {START["vy_px_per_s"]});
+COUNTER = f"""template <class Body>
+void count(int width, int height) {{
+  Body body({START["x_px"]}, {START["y_px"]}, {START["vx_px_per_s"]}, {START["vy_px_per_s"]});
   for (int step = 0; step < {STEPS}; ++step) {{
     met = 0;
-    body.update(1.0 / 60.0, std::atoi(sizes[1]), std::atoi(sizes[2]), 128, 128);
-    std::printf("%d\\n", met);
+    body.update(1.0 / 60.0, width, height, 128, 128);
+    std::printf("%d ", met);
   }}
+  std::puts("");
 }}
 """
 
@@ -70,83 +64,67 @@ def edited(edit):
     return text
 
 
-class CountedCore:
-    """An edited core, and a program that counts what its wall branches do."""
-
-    def __init__(self, edit, folder):
-        self.core = traced(edited(edit))
-        self.folder = folder
-        self.counter = folder / "counter"
-        source = folder / "counter.cpp"
-        source.write_text(COUNTER, encoding="utf-8")
-        succeed(*settings()["compiler"], *settings()["flags"], f"-I{settings()['root'][0]}", "-w",
-                f'-DHEADER="{self.core.header}"', source, "-o", self.counter)
-
-    def counted(self, window):
-        """The walls that each step met, as a row's contact byte has them."""
-        return [int(line) for line in succeed(self.counter, *map(str, window)).out.split()]
-
-    def run(self, window):
-        """The same by `run`, and its document."""
-        scenario = fling(name="fling", start=START, steps=STEPS, window=dict(zip(("width_px", "height_px"), window)),
-                         sprite={"width_px": 128, "height_px": 128})
-        path, csv = self.folder / "fling.json", self.folder / "run.csv"
-        path.write_text(json.dumps(scenario), encoding="utf-8")
-        document = self.core.run("run", path, "--json", "-o", csv).json["runs"][0]
-        rows = csv.read_text(encoding="utf-8").splitlines()
-        return [int(row.rsplit(",", 1)[1]) & 15 for row in rows[2:]], document
+PLAYED = {edit: traced(edited(edit)) for edit in (EDITS if "HYRAX_ALL_EDITS" in os.environ else EVERYDAY)}
+HALF_MOVES = traced(edited("half moves"))
+# More than 4,096 paths.
+QUARTERS = traced(COUNTED.replace(STEP, f"for (int part = 0; part < 4; ++part) {{\n{STEP}    }}\n"))
 
 
-def faults_of(edit):
-    """In what the contacts of an edited core are not those of its counters."""
-    faults = []
-    with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-        core = CountedCore(edit, pathlib.Path(folder))
-        for window in WINDOWS:
-            counted, (found, document) = core.counted(window), core.run(window)
-            if document["contacts_from"] != "step":
-                faults.append(f"{edit}: {core.core.why}")
-            if found != counted:
-                step = next(step for step in range(STEPS) if found[step] != counted[step])
-                faults.append(f"{edit}, {window}: step {step + 1}: contact {found[step]}, counted {counted[step]}")
-            for wall, name in enumerate(("left", "right", "top", "ground")):
-                met = [byte >> wall & 1 for byte in (0, *counted)]
-                contacts = sum(now > before for before, now in zip(met, met[1:]))
-                if (document["clamped_steps"][name], document["contacts"][name]) != (sum(met), contacts):
-                    faults.append(f"{edit}, {window}: {name}: {document['contacts'][name]} contacts, counted {contacts}")
-            if not any(counted):
-                faults.append(f"{edit}, {window}: no contact")
-    return faults
+def counted(folder):
+    """{edit: for each window the walls that each step met, as a row's contact byte has them}, by their wall branches."""
+    source, program = folder / "counter.cpp", folder / "counter"
+    text = in_namespaces([core.header for core in PLAYED.values()], ("<cstdio>",), "HYRAX_CORE_HEADER")
+    calls = "".join(f"  count<core_{core}::physics>({width}, {height});\n" for core in range(len(PLAYED)) for width, height in WINDOWS)
+    source.write_text(f"static int met = 0;\n#define MEET(wall) (met |= (wall))\n{text}{COUNTER}int main() {{\n{calls}}}\n")
+    build(source, program)
+    lines = iter(succeed(program).out.splitlines())
+    return {edit: [[int(met) for met in next(lines).split()] for _ in WINDOWS] for edit in PLAYED}
+
+
+def played(core, window, folder):
+    """The same by `run`, and its document."""
+    scenario = fling(name="fling", start=START, steps=STEPS, window=dict(zip(("width_px", "height_px"), window)))
+    path, csv = folder / "fling.json", folder / "run.csv"
+    path.write_text(json.dumps(scenario), encoding="utf-8")
+    document = core.run("run", path, "--json", "-o", csv).json["runs"][0]
+    rows = csv.read_text(encoding="utf-8").splitlines()
+    return [int(row.rsplit(",", 1)[1]) & 15 for row in rows[2:]], document
 
 
 class Contacts(ProgramTest):
     """Edited headers, played as what they were traced to be."""
 
     def test_are_those_of_the_counters(self):
-        edits = EDITS if "HYRAX_ALL_EDITS" in os.environ else EVERYDAY
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            self.assertEqual([fault for faults in pool.map(faults_of, edits) for fault in faults], [])
+        for edit, by_window in counted(self.folder).items():
+            for window, walls in zip(WINDOWS, by_window):
+                with self.subTest(edit=edit, window=window):
+                    found, document = played(PLAYED[edit], window, self.folder)
+                    self.assertEqual(document["contacts_from"], "step", PLAYED[edit].why)
+                    self.assertEqual(found, walls)
+                    self.assertTrue(any(walls))
+                    for wall, name in enumerate(("left", "right", "top", "ground")):
+                        met = [byte >> wall & 1 for byte in (0, *walls)]
+                        contacts = sum(now > before for before, now in zip(met, met[1:]))
+                        self.assertEqual((document["clamped_steps"][name], document["contacts"][name]), (sum(met), contacts), name)
 
     def test_half_moves_move_no_contact(self):
-        core = traced(edited("half moves"))
-        outcome = core.run("check", "--json", "scenarios/flings")
+        outcome = HALF_MOVES.run("check", "--json", "scenarios/flings")
         self.assertTrue(outcome.json["groups"], outcome)
         for group in outcome.json["groups"]:
             self.assertIn(group["class"], ("rounding", "values"))
             self.assertEqual(group["contacts_moved"], 0)
-        played = ("run", "scenarios/flings/first-fling.json", "--json", "-o", self.folder / "run.h5")
-        by_edited, by_shipped = (traced(text).run(*played).json["runs"][0] for text in (edited("half moves"), SHIPPED))
+        command = ("run", "scenarios/flings/first-fling.json", "--json", "-o", self.folder / "run.h5")
+        by_edited, by_shipped = (core.run(*command).json["runs"][0] for core in (HALF_MOVES, SHIPPED_CORE))
         self.assertEqual((by_edited["contacts"], by_edited["contacts_from"]), (by_shipped["contacts"], "step"))
 
     def test_rows_tell_those_of_a_step_that_is_not_complete(self):
         # The program plays the shipped step in its place.
-        core = traced(COUNTED.replace(STEP, f"for (int part = 0; part < 4; ++part) {{\n{STEP}    }}\n"))
-        self.assertEqual(core.why, "more than 4,096 paths")
-        played = ("run", "scenarios/flings/first-fling.json", "-o", self.folder / "run.h5")
+        self.assertEqual(QUARTERS.why, "more than 4,096 paths")
+        command = ("run", "scenarios/flings/first-fling.json", "-o", self.folder / "run.h5")
         self.assertIn("\n  contacts       right 1, ground 8; from the rows: the core's step is not complete: more than 4,096 "
-                      "paths\n", core.run(*played).out)
-        self.assertEqual(core.run(*played, "--json").json["runs"][0]["contacts_from"], "rows")
-        self.assertRegex(core.run("info").out, r"\ncontacts +from the rows\n")
+                      "paths\n", QUARTERS.run(*command).out)
+        self.assertEqual(QUARTERS.run(*command, "--json").json["runs"][0]["contacts_from"], "rows")
+        self.assertRegex(QUARTERS.run("info").out, r"\ncontacts +from the rows\n")
 
 
 if __name__ == "__main__":

@@ -1,37 +1,32 @@
 """Edited cores, played by what their headers were traced to be: hyrax-sim need not be compiled for each.
 
 HYRAX_CONTROLS is the folder of the programs that are wrong on purpose, HYRAX_BUILD that of the build, whose compiler
-and flags trace an edited header as tools/cmake/record_core.cmake does.
+and flags trace edited headers as tools/cmake/record_core.cmake does. HYRAX_ALL_EDITS is set: they play the whole library.
 """
 
-import dataclasses
 import functools
 import os
 import pathlib
 import re
 import shutil
 import tempfile
+import threading
 
 from process import run, succeed
 from program import SOURCE
 
 TRACED = pathlib.Path(os.environ["HYRAX_CONTROLS"]) / "control_traced"
 SHIPPED = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
-_INCLUDED = (SOURCE / "sim/physics/strict_arithmetic.h").read_text(encoding="utf-8")
 _FOLDER = tempfile.TemporaryDirectory(prefix="hyrax-test-traced-")
-
-# Of 1e7 steps and more, left out of the library that edited cores play.
-_LONG = ("hard/ten-million-steps", "edges/frames-past-a-float")
 
 
 def _copied_library():
-    """A folder with the project's scenarios and golden files."""
+    """A folder with scenarios and golden files of the project: every wall, the corners and rest; or all but runs of 1e7 steps."""
     folder = pathlib.Path(_FOLDER.name) / "library"
-    for name in ("scenarios", "golden"):
-        shutil.copytree(SOURCE / name, folder / name)
-    for name in _LONG:
-        for path in (f"scenarios/{name}.json", f"golden/{name}.h5", f"golden/{name}.txt"):
-            (folder / path).unlink()
+    parts = ("",) if "HYRAX_ALL_EDITS" in os.environ else ("flings", "paper")
+    for path in [*(f"{name}/{part}" for name in ("scenarios", "golden") for part in parts), "golden/core"]:
+        shutil.copytree(SOURCE / path, folder / path, dirs_exist_ok=True,
+                        ignore=shutil.ignore_patterns("ten-million-steps.*", "frames-past-a-float.*"))
     return folder
 
 
@@ -46,33 +41,72 @@ def settings():
             for name, value in re.findall(r"^set\((\w+) \[==\[(.*)\]==\]\)$", text, re.MULTILINE)}
 
 
-@dataclasses.dataclass(frozen=True)
+def build(source, program, *options):
+    """Compiles a source file with the build's compiler and flags, not optimised: the bits are the same."""
+    given = settings()
+    succeed(*given["compiler"], *given["flags"], *(f"-D{name}" for name in given.get("definitions", ())),
+            f"-I{given['root'][0]}", "-w", "-O0", "-g0", *options, source, *given["libraries"], "-o", program)
+
+
+def in_namespaces(headers, once, each):
+    """C++ that includes headers side by side: `core_0`, `core_1`, ...
+
+    once: included before, as all standard headers of theirs are; each: what includes HYRAX_CORE_HEADER.
+    """
+    texts = "".join(header.read_text(encoding="utf-8") for header in headers)
+    included = [*sorted(set(re.findall(r"^#include (<\w+>)", texts, re.MULTILINE))), '"sim/physics/strict_arithmetic.h"', *once]
+    return "".join([*(f"#include {name}\n" for name in included), *(
+        f'#define HYRAX_CORE_HEADER "{header}"\nnamespace core_{number} {{\n#include {each}\n}}\n#undef HYRAX_CORE_HEADER\n'
+        for number, header in enumerate(headers))])
+
+
 class TracedCore:
     """A header, and its step or why it is not complete."""
 
-    header: pathlib.Path
-    step: pathlib.Path
-    why: str
+    def __init__(self, folder):
+        self.header, self.step, self.why_file = (folder / name for name in ("physics.h", "step.txt", "why.txt"))
+
+    @property
+    def why(self):
+        """Why the step is not complete; empty where it is."""
+        trace()
+        return self.why_file.read_text(encoding="utf-8") if self.why_file.exists() else ""
 
     def run(self, *arguments, env=None, **options):
         """The program with this core, in the folder of the library. One without a step plays the shipped core's."""
-        step, why = (self.step, {}) if not self.why else (SOURCE / "golden/core/step.txt", {"HYRAX_TRACED_WHY": self.why})
+        step, why = (SOURCE / "golden/core/step.txt", {"HYRAX_TRACED_WHY": self.why}) if self.why else (self.step, {})
         environment = {**(env or os.environ), **why, "HYRAX_TRACED_HEADER": str(self.header), "HYRAX_TRACED_STEP": str(step)}
         return run(TRACED, *arguments, cwd=LIBRARY, env=environment, **options)
 
 
+_UNTRACED = []
+_TRACING = threading.Lock()
+
+
 @functools.cache
 def traced(text):
-    """The core whose header has that text. Takes a second."""
+    """The core whose header has that text. It is traced when it is used, with all others that are not yet."""
     folder = pathlib.Path(tempfile.mkdtemp(dir=_FOLDER.name))
-    header, step, why, program = (folder / name for name in ("physics.h", "step.txt", "why.txt", "record_step"))
-    header.write_text(text, encoding="utf-8")
-    prelude = folder / "prelude.h"
-    prelude.write_text("".join(f"#include {name}\n" for name in re.findall(r"^#include (<\w+>)", text + _INCLUDED, re.MULTILINE)))
-    given = settings()
-    root = given["root"][0]
-    succeed(*given["compiler"], *given["flags"], *(f"-D{name}" for name in given.get("definitions", ())), f"-I{root}", "-w",
-            f'-DHYRAX_CORE_HEADER="{header}"', f'-DHYRAX_CORE_PRELUDE="{prelude}"', "-DHYRAX_TRACES_BOOL", "-O0", "-g0",
-            f"{root}/sim/trace/host/programs/record_step.cpp", *given["libraries"], "-o", program)
-    succeed(program, step, why)
-    return TracedCore(header, step, why.read_text() if why.exists() else "")
+    (folder / "physics.h").write_text(text, encoding="utf-8")
+    _UNTRACED.append(TracedCore(folder))
+    return _UNTRACED[-1]
+
+
+def trace():
+    """Traces cores by one program: its own headers take most of the time that its compiler takes."""
+    with _TRACING:
+        if not _UNTRACED:
+            return
+        program, source = (pathlib.Path(_FOLDER.name) / name for name in ("record_steps", "record_steps.cpp"))
+        hosts = ("<cstdlib>", '"sim/trace/host/explorer.h"', '"sim/trace/host/number_functions.h"')
+        text = in_namespaces([core.header for core in _UNTRACED], hosts, '"sim/trace/host/programs/record_step.cpp"')
+        mains = ", ".join(f"core_{number}::main" for number in range(len(_UNTRACED)))
+        source.write_text(f"{text}int main(int count, char** words) {{\n  int (*const mains[])(int, char**) = {{{mains}}};\n"
+                          "  return mains[std::atoi(words[1])](count - 1, words + 1);\n}\n", encoding="utf-8")
+        build(source, program, "-DHYRAX_CORE_PRELUDE=<cmath>", "-DHYRAX_TRACES_BOOL")
+        for number, core in enumerate(_UNTRACED):
+            succeed(program, str(number), core.step, core.why_file)
+        _UNTRACED.clear()
+
+
+SHIPPED_CORE = traced(SHIPPED)
