@@ -15,6 +15,13 @@ from program import SOURCE, ProgramTest
 CONTROLS = pathlib.Path(os.environ["HYRAX_CONTROLS"])
 ALTERED = CONTROLS / "control_altered"
 
+# The same arithmetic in another order: no bit of any run changes.
+SAME_BITS = {"none", "friction_before_restitution", "turn_before_clamp", "y_moves_before_x"}
+
+# Constants are the parameters of the laws of hard-cases and of `fuzz`, which hold with any.
+ONLY_CONSTANTS = {"gravity_by_one_ulp", "gravity_stronger", "gravity_none", "restitution_softer", "drag_stronger",
+                  "friction_stronger", "friction_none", "rest_earlier", "rest_later", "two_constants"}
+
 
 def run_altered(core, *arguments):
     """The program with that core, in the project's folder."""

@@ -40,44 +40,30 @@ def recipe():
 class Bisect(ProgramTest):
     """A repository of seven commits."""
 
-    def setUp(self):
+    def test_the_first_commit_that_changes_the_bits_and_that_moves_a_contact(self):
         skip_unless_installed("git")
-        super().setUp()
-        self.repository = self.folder / "project"
+        keep, bits, contact = recipe()
+        repository = self.folder / "project"
         for name in (f"scenarios/{SCENARIO}.json", f"golden/{SCENARIO}.h5", f"golden/{SCENARIO}.txt"):
-            (self.repository / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(SOURCE / name, self.repository / name)
-        (self.repository / "tools").mkdir()
-        (self.repository / "tools/check").write_text(CHECK.format(program=shlex.quote(str(ALTERED))))
-        (self.repository / "tools/check").chmod(0o755)
-        self.sh("git init -q")
-        for number, (core, message) in enumerate(COMMITS):
-            (self.repository / "core").write_text(core + "\n")
-            (self.repository / "number").write_text(f"{number}\n")
-            self.sh(f"git add . && git commit -qm {shlex.quote(message)}" + (" && git tag v0.1.0" if number == 0 else ""))
-        self.sh(recipe()[0])
+            (repository / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(SOURCE / name, repository / name)
+        (repository / "tools").mkdir()
+        (repository / "tools/check").write_text(CHECK.format(program=shlex.quote(str(ALTERED))))
+        (repository / "tools/check").chmod(0o755)
+        self.sh("set -e\ngit init -q\n" + "".join(
+            f"echo {core} >core && echo {number} >number && git add . && git commit -qm {shlex.quote(message)}\n"
+            for number, (core, message) in enumerate(COMMITS)) + f"git tag v0.1.0 HEAD~{len(COMMITS) - 1}\n" + keep)
+        for commands, message in ((bits, "Changes the bits"), (contact, "Moves a contact")):
+            out = self.sh(commands)
+            self.assertRegex(out, rf"[0-9a-f]{{40}} is the first bad commit(\n.*)*\n    {message}\n")
+            self.assertIn(COMMITS[-1][1], self.sh("git log -1 --format=%s"), "bisect reset has come back")
 
     def sh(self, commands):
         """Runs the commands in the repository, by a user who has no settings of his own."""
         variables = {"HOME": str(self.folder), "GIT_CONFIG_NOSYSTEM": "1"}
         for who in ("AUTHOR", "COMMITTER"):
             variables |= {f"GIT_{who}_NAME": "A", f"GIT_{who}_EMAIL": "a@example.org"}
-        return succeed("bash", "-c", commands, cwd=self.repository, env={**os.environ, **variables}).out
-
-    def assert_found(self, commands, message):
-        """The commit that the commands name as the first bad one."""
-        out = self.sh(commands)
-        self.assertRegex(out, rf"[0-9a-f]{{40}} is the first bad commit(\n.*)*\n    {message}\n")
-        self.assertIn(COMMITS[-1][1], self.sh("git log -1 --format=%s"), "bisect reset has come back")
-
-    def test_there_are_three_blocks(self):
-        self.assertEqual(len(recipe()), 3)
-
-    def test_the_first_commit_that_changes_the_bits(self):
-        self.assert_found(recipe()[1], "Changes the bits")
-
-    def test_the_first_commit_that_moves_a_contact(self):
-        self.assert_found(recipe()[2], "Moves a contact")
+        return succeed("bash", "-c", commands, cwd=self.folder / "project", env={**os.environ, **variables}).out
 
 
 if __name__ == "__main__":

@@ -20,7 +20,8 @@ from traced import SHIPPED, SHIPPED_CORE, traced
 
 EDITS = [edit for edit in ALL if "HYRAX_ALL_EDITS" in os.environ or edit.name in EVERYDAY]
 CORES = {edit.name: traced(edit.apply(SHIPPED)) for edit in (
-    *EDITS, *(edit for edit in SINGLE if edit.name in ("half_moves", "AIR_DRAG_0.998")), at_ground("narrow", "m_vx > 500.0 && m_vx < 501.0"), when("1200_high", "screenHeight == 1200"),
+    *EDITS, *(edit for edit in SINGLE if edit.name in ("half_moves", "AIR_DRAG_0.998")),
+    at_ground("narrow", "m_vx > 500.0 && m_vx < 501.0"), when("1200_high", "screenHeight == 1200"),
     when("dt_of_0", "dt == 0.0 && m_vx > 123456.0"), when("dt_of_-0", "dt == 0.0 && m_vx > 123456.0 && std::signbit(dt)"))}
 CHANGED = CORES["GRAVITY_1250.0+REST_THRESHOLD_7.0"]
 

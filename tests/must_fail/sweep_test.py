@@ -2,8 +2,6 @@
 """A sweep by a program whose core is altered gives what that core gives, member by member: its kernels stand for the
 listing alone."""
 
-import json
-
 import h5py
 
 from altered import altered_cores, run_altered
@@ -27,24 +25,19 @@ class AlteredSweep(ProgramTest):
                 "/start/vy_px_per_s": {"choice": [0, -700]}}
         sweep = self.write("sweep.json", {"format": "hyrax-sweep/1", "base": base, "members": 6, "seed": 3, "vary": vary,
                                           "keep": ["final", "contacts"]})
+        members = [self.folder / f"member-{member}.json" for member in range(6)]
+        for member, path in enumerate(members):
+            self.expect(AGREED, "sweep", sweep, "--member", str(member), "-o", path)
         for core in ("none", *CORES):
             with self.subTest(core=core):
                 out = self.folder / f"{core}.h5"
                 outcome = run_altered(core, "sweep", self.folder / sweep, "-o", out)
                 self.assertEqual(outcome.exit_code, AGREED, outcome)
                 with h5py.File(out) as file:
-                    found = [([file["members"][name][i] for name in ("x", "y", "vx", "vy")],
-                              file["members/contacts"][i].tolist()) for i in range(6)]
-                for member, (final, contacts) in enumerate(found):
-                    self.assertEqual((final, contacts), self.run_of(core, sweep, member), f"member {member}")
-
-    def run_of(self, core, sweep, member):
-        """Where the member's own run ends, and its contacts."""
-        scenario = self.folder / "member.json"
-        run_altered(core, "sweep", self.folder / sweep, "--member", str(member), "-o", scenario, "--force")
-        outcome = run_altered(core, "run", scenario, "--json", "-o", self.folder / "member.h5")
-        result, = json.loads(outcome.out)["runs"]
-        return (list(result["final"].values()), list(result["contacts"].values()))
+                    columns = [file["members"][name][:].tolist() for name in ("x", "y", "vx", "vy", "contacts")]
+                runs = run_altered(core, "run", *members, "--json", "-o", f"{self.folder}/{core}/").json["runs"]
+                self.assertEqual(list(map(list, zip(*columns))),
+                                 [[*entry["final"].values(), list(entry["contacts"].values())] for entry in runs])
 
 
 if __name__ == "__main__":
