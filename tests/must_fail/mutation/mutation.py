@@ -2,7 +2,6 @@
 """Makes small changes of the sources and sees whether they are detected.
 
     mutation.py --build build/tools --core                # every change of the core, the clock and the events
-    mutation.py --build build/tools --core --one-in 80    # an eightieth of each kind of change, and of each file
     mutation.py --build build/tools                       # 100 changes of the other sources, drawn at random
     mutation.py --build build/tools --seed 7 --count 10   # ten, the same ones each time
     mutation.py --build build/tools --only 'ulps.h: .* < '
@@ -30,7 +29,7 @@ sys.dont_write_bytecode = True  # The source tree stays as it is.
 from build_copy import BuildCopy
 from original_build import Build, CannotBuild
 from reasons import faults_of, read_reasons
-from subjects import drawn, mutants_by_subject, one_in
+from subjects import drawn, mutants_by_subject
 from table import report_of
 from trials import Trials
 
@@ -53,8 +52,6 @@ def options():
     parser.add_argument("--reasons", type=pathlib.Path, default=here / "reasons.json", help="why some cannot be caught")
     parser.add_argument("--core", action="store_true", help="changes the core, the clock and the events")
     parser.add_argument("--scenarios", default="scenarios", help="what is checked of the core (scenarios)")
-    parser.add_argument("--one-in", type=int, metavar="N", default=1,
-                        help="of the core, every Nth of each kind of change in each file, at least one of each (1)")
     parser.add_argument("--count", type=int, default=100, metavar="N", help="mutants to draw of other sources (100)")
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 32), help="repeats a draw")
     parser.add_argument("--only", type=re.compile, default=re.compile(""), metavar="REGEX",
@@ -77,8 +74,7 @@ def run(asked):
     everything = [mutant for mutants in by_subject.values() for mutant in mutants]
     matching = [[mutant for mutant in mutants if asked.only.search(f"{mutant.path}: {mutant.name}")]
                 for (subject, _), mutants in by_subject.items() if subject.is_core == asked.core]
-    mutants = one_in(asked.one_in, sum(matching, [])) if asked.core else (
-        drawn(asked.count, matching, random.Random(asked.seed)))
+    mutants = sum(matching, []) if asked.core else drawn(asked.count, matching, random.Random(asked.seed))
     print(f"{'' if asked.core else f'Seed {asked.seed}: '}{len(mutants)} of {len(everything)} mutants", flush=True)
     if asked.list:
         print("\n".join(f"{mutant.path}:{mutant.line}: {mutant.kind}: {mutant.name}" for mutant in mutants))

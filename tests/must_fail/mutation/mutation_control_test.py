@@ -18,7 +18,7 @@ from original_build import Build
 from process import run
 from program import SOURCE
 from reasons import faults_of, read_reasons
-from subjects import SUBJECTS, mutants_by_subject, one_in
+from subjects import SUBJECTS, mutants_by_subject
 from trials import batches_of
 
 BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
@@ -82,14 +82,6 @@ class Fates(unittest.TestCase):
         (unused,) = (mutant for mutant in self.mutants if mutant.name.endswith("-> physics() : physics(-0.0, 0.0) {}"))
         self.assertEqual(self.fate(unused).fate, "survived")
         self.assertEqual(self.fate(unused, self.build.tests), Verdict("caught", "unit.physics", "Failed"))
-
-    def test_one_in_some_has_each_kind_of_change_and_each_file(self):
-        chosen = one_in(80, self.mutants)
-        for part in ("path", "kind"):
-            self.assertEqual({getattr(mutant, part) for mutant in chosen}, {getattr(mutant, part) for mutant in self.mutants})
-        self.assertLess(len(self.mutants) / 80, len(chosen))
-        self.assertLess(len(chosen), len(self.mutants) / 20)
-        self.assertEqual(one_in(1, self.mutants), self.mutants)
 
     def test_every_reason_is_of_a_mutant(self):
         self.assertEqual(faults_of(read_reasons(TOOL.with_name("reasons.json")), self.everything, {}), [])

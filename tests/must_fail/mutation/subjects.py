@@ -86,16 +86,6 @@ def _is_by_one_ulp(mutant, text):
     return mutant.kind == "constant" and math.isclose(before, after, rel_tol=1e-12, abs_tol=1e-300)
 
 
-def one_in(share, mutants):
-    """Every so-manieth mutant of each kind of change, and of each file; at least one of each."""
-    alike = {}
-    for mutant in mutants:
-        for part in (mutant.kind, mutant.path):
-            alike.setdefault(part, []).append(mutant)
-    chosen = {mutant for group in alike.values() for mutant in group[::share]}
-    return [mutant for mutant in mutants if mutant in chosen]
-
-
 def drawn(count, groups, generator):
     """So many mutants, equally many of each group where it has enough, in random order."""
     left = [generator.sample(mutants, len(mutants)) for mutants in groups]
