@@ -7,10 +7,11 @@ import shutil
 
 import h5py
 
+from check_program import ProjectTest
 from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
 
-class Accept(ProgramTest):
+class Accept(ProjectTest):
     """The widest difference that may be blessed."""
 
     CLASSES = ("rounding", "values", "contacts", "shape")
@@ -240,7 +241,7 @@ class UpdateExpect(Update):
         self.assertIn("scenarios/fling.json: expect updated\n", out)
 
 
-class Prune(ProgramTest):
+class Prune(ProjectTest):
     """`--prune` removes golden files without a scenario."""
 
     def setUp(self):

@@ -7,6 +7,7 @@ import shutil
 
 import h5py
 
+from check_program import ProjectTest
 from process import run
 from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM,
                      Maybe, ProgramTest, fling, main)
@@ -18,7 +19,7 @@ BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe(
            "summary": Maybe(str), "updates_hash": bool}
 
 
-class Bless(ProgramTest):
+class Bless(ProjectTest):
     """A project with two throws, and one without golden file."""
 
     def setUp(self):
@@ -262,9 +263,9 @@ class Memory(ProgramTest):
         with h5py.File(self.folder / "golden/wide.h5") as file:
             contacts = file["contacts"]
             self.assertEqual(contacts["step"].shape, (1_000_000,))
-            ground = contacts["wall"][...] == 8
-            self.assertEqual(contacts["last_step"][ground][-1], 10**9)
-            self.assertTrue((contacts["last_step"][~ground] == contacts["step"][~ground]).all())
+            wall, first, last = (contacts[name][:1000] for name in ("wall", "step", "last_step"))
+            self.assertEqual(last[wall == 8][-1], 10**9)
+            self.assertTrue((last[wall != 8] == first[wall != 8]).all())
 
 
 if __name__ == "__main__":

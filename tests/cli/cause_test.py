@@ -4,6 +4,7 @@
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
 """
 
+import functools
 import json
 import os
 import re
@@ -14,13 +15,14 @@ import h5py
 import numpy
 
 import program
+from check_program import ProjectTest
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
 
-class CauseTest(ProgramTest):
+class CauseTest(ProjectTest):
     """A project with three throws, and the program with a changed core."""
 
     def setUp(self):
@@ -33,6 +35,14 @@ class CauseTest(ProgramTest):
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         return outcome
 
+    _printed = {}
+
+    def stronger(self, *arguments):
+        """The outcome of `check` of the unchanged project with a stronger gravity; it is played once."""
+        if arguments not in self._printed:
+            self._printed[arguments] = self.altered("gravity_stronger", *arguments)
+        return self._printed[arguments]
+
     def groups(self, core, *arguments, **options):
         """The groups of the JSON document."""
         return self.altered(core, "--json", *arguments, **options).json["groups"]
@@ -42,10 +52,12 @@ class Causes(CauseTest):
     """Groups of the JSON document."""
 
     def test_without_a_difference_there_is_none(self):
-        self.assertEqual(self.groups("none", exit_code=AGREED), [])
+        outcome = self.altered("none", "--json", "--annotate", "github", exit_code=AGREED)
+        self.assertEqual(outcome.json["groups"], [])
+        self.assertNotIn("::", outcome.out + outcome.err)
 
     def test_the_core_is_named_where_the_accepted_one_gives_the_golden_files(self):
-        document = self.altered("gravity_stronger", "--json").json
+        document = self.stronger("--json").json
         group, = document["groups"]
         self.assertEqual((group["operation"], group["class"]), ("core", "contacts"))
         self.assertEqual(group["detail"], "GRAVITY 1200 -> 1250")
@@ -80,7 +92,7 @@ class Causes(CauseTest):
         for arguments in ((), ("scenarios/a",), ("throws", "--golden", "accepted"), ("--core", "throws", "--golden", "accepted")):
             folder = self.folder / ("accepted" if "throws" in arguments else "golden") / "core"
             kept = (folder / "step.txt").read_bytes()
-            for damage in (shutil.rmtree, lambda folder: (folder / "accepted.txt").unlink()):
+            for damage in (shutil.rmtree, lambda folder: (folder / "accepted.txt").unlink())[:1 if arguments else 2]:
                 damage(folder)
                 command = re.search("^core: .* this program's(?: core)?: (.*)", self.run_check(*arguments), re.MULTILINE)[1].split()
                 self.assertEqual(command[0], "hyrax-sim")
@@ -191,11 +203,11 @@ class Text(CauseTest):
 
     def test_names_of_the_program_s_own_are_not(self):
         for core in ("gravity_stronger", "side_walls_softer", "right_does_not_turn", "frames_longer", "bounce_explodes"):
-            text = self.altered(core, "--verbose").out
+            text = (self.stronger if core == "gravity_stronger" else functools.partial(self.altered, core))("--verbose").out
             self.assertEqual(re.findall(r"\b[a-z]+_\w+", text.replace(f"ALTERED_CORE {core};", "")), [])
 
     def test_one_paragraph_says_cause_distance_contacts_and_rest(self):
-        text = self.altered("gravity_stronger").out
+        text = self.stronger().out
         self.assertRegex(text, r"^core: changed\n  line \d+ +constant: GRAVITY 1200 -> 1250; alone reproduces 3\n"
                                r"3 of 3 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 3 golden files\.\n"
                                r"  Contacts differ \(class contacts\): at most [\d.,]+ px, \d+ contacts moved, "
@@ -204,17 +216,20 @@ class Text(CauseTest):
         self.assertIn("  to see all      hyrax-sim check --verbose\n", text)
         self.assertTrue(text.endswith("3 checked: 0 agreed, 3 disagreed, 0 without golden file, 0 failed\n"))
 
+    NEW_NUMBER = "give the physics model a new number (now hyrax-physics/1"
+
     def test_bless_shows_the_groups_of_check(self):
         bless = ("bless", "scenarios", "--reason", "x", "--dry-run")
-        paragraph = self.altered("gravity_stronger").out.partition("  to see all")[0]
-        self.assertIn(paragraph, self.altered("gravity_stronger", command=bless).out)
-        self.assertEqual(self.groups("gravity_stronger", "--quiet", command=bless), self.groups("gravity_stronger"))
+        paragraph = self.stronger().out.partition("  to see all")[0]
+        text = self.altered("gravity_stronger", command=bless).out
+        self.assertIn(paragraph, text)
+        self.assertIn(self.NEW_NUMBER, text)
+        self.assertEqual(self.groups("gravity_stronger", "--quiet", command=bless), self.stronger("--json").json["groups"])
         self.assertEqual(self.groups("none", command=bless, exit_code=AGREED), [])
 
     def test_other_results_of_a_model_suggest_a_new_number_for_it(self):
         """Not rounding, nor an edited scenario or golden file."""
-        says, bless = "give the physics model a new number (now hyrax-physics/1", ("bless", "scenarios", "--reason", "x", "--dry-run")
-        self.assertIn(says, self.altered("gravity_stronger", command=bless).out)
+        says, bless = self.NEW_NUMBER, ("bless", "scenarios", "--reason", "x", "--dry-run")
         self.assertIn(says, self.altered("gravity_stronger", "--accept", "contacts", command=bless, exit_code=AGREED).out)
         self.assertNotIn(says, self.altered("gravity_by_one_ulp", command=bless, exit_code=AGREED).out)
         self.write("scenarios/third.json", fling(name="third", steps=301))
@@ -265,11 +280,11 @@ class Text(CauseTest):
                       "bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n", text)
 
     def test_a_run_that_becomes_non_finite_without_expectations_is_said_first_and_not_to_be_blessed(self):
-        for options in ((), ("--verbose",)):
-            text = self.altered("bounce_explodes", *options).out
+        texts = [self.altered("bounce_explodes", *options).out for options in ((), ("--verbose",))]
+        for text in texts:
             self.assertIn("3 of 3 scenarios become non-finite: in the worst, vx is infinite from step 46 of 300 (0.77 s).\n", text)
             self.assertNotIn("hyrax-sim bless", text)
-        self.assertTrue(self.altered("bounce_explodes").out.startswith("3 of 3 scenarios become non-finite: "))
+        self.assertTrue(texts[0].startswith("3 of 3 scenarios become non-finite: "))
 
     def test_a_missing_golden_file_does_not_hide_an_expectation(self):
         self.expecting({"contacts": {"right": 7}})
@@ -292,7 +307,7 @@ class Text(CauseTest):
         self.assertEqual(self.altered("gravity_stronger", "-q", command=bless).out, "dry run: nothing written\n")
 
     def test_verbose_prints_every_scenario_as_well(self):
-        text = self.altered("gravity_stronger", "--verbose").out
+        text = self.stronger("--verbose").out
         for name in ("a/first", "a/second", "third"):
             self.assertIn(f"scenarios/{name}.json: disagreed\n  class      contacts\n  first      step 1, field y\n", text)
         self.assertIn("the accepted core gives all 3 golden files", text)
@@ -312,34 +327,31 @@ class Text(CauseTest):
 class Documents(CauseTest):
     """JUnit XML, annotations, Markdown."""
 
-    def test_junit_has_cause_and_distance_in_the_message(self):
-        self.altered("gravity_stronger", "--junit", "report.xml")
+    def test_all_have_causes_and_scenarios(self):
+        printed = self.altered("gravity_stronger", "--junit", "report.xml", "--annotate", "github", "--summary", "check.md").out
         suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
         messages = [failure.get("message") for failure in suite.iter("failure")]
         self.assertEqual(len(messages), 3)
         for message in messages:
             self.assertRegex(message, r"^disagreed: GRAVITY 1200 -> 1250: [\d.]+ px at step \d+, [\d.]+ s, "
                                       r"\d+ contacts moved")
-
-    def test_annotations_name_each_file_once(self):
-        lines = self.altered("gravity_stronger", "--annotate", "github").out.splitlines()
-        annotations = [line for line in lines if line.startswith("::")]
+        annotations = [line for line in printed.splitlines() if line.startswith("::")]
         self.assertEqual(sorted(re.match(r"::error file=([^,]+),title=[^:]+::GRAVITY 1200 -> 1250: ", line)[1]
                                 for line in annotations),
                          ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
-        self.assertEqual(self.altered("none", "--annotate", "github", exit_code=AGREED).out.count("::"), 0)
-        outcome = self.altered("gravity_stronger", "--annotate", "github", "--json")
-        self.assertEqual(outcome.json["disagreed"], 3)
-        self.assertEqual(outcome.err.count("::error "), 3)
-        self.expect(BAD_INPUT, "check", "--annotate", "gitlab", says="--annotate: ")
-
-    def test_the_summary_has_groups_and_scenarios(self):
-        self.altered("gravity_stronger", "--summary", "check.md")
         text = (self.folder / "check.md").read_text()
         self.assertTrue(text.startswith("## hyrax-sim check: not agreed\n"), text)
         self.assertIn("the accepted core gives all 3 golden files", text)
         for name in ("a/first", "a/second", "third"):
             self.assertIn(f"- `scenarios/{name}.json`: ", text)
+
+    def test_annotations_of_a_document_are_errors(self):
+        outcome = self.altered("gravity_stronger", "--annotate", "github", "--json")
+        self.assertEqual(outcome.json["disagreed"], 3)
+        self.assertEqual(outcome.err.count("::error "), 3)
+        self.expect(BAD_INPUT, "check", "--annotate", "gitlab", says="--annotate: ")
+
+    def test_the_summary_has_the_verdict(self):
         self.expect(AGREED, "check", "--summary", "green.md")
         self.assertTrue((self.folder / "green.md").read_text().startswith("## hyrax-sim check: agreed\n\n3 checked: 3 agreed"))
         self.assertEqual([name for name in self.names() if name.startswith("green")], ["green.md"])

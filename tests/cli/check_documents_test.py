@@ -84,7 +84,7 @@ class Document(CheckTest):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         (self.folder / "golden/a/first.h5").unlink()
         one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
-        for jobs in ("2", "4", "64"):
+        for jobs in ("2", "64"):
             self.assertEqual(self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", jobs).out, one.out)
 
 
@@ -113,7 +113,7 @@ class Suggested(CheckTest):
         self.expect(AGREED, *check)
 
     def test_for_a_missing_golden_file(self):
-        for name in ("plain", "with a space", "it's $HOME `x` \"y\" *", "-dash", "é", "\x1b[31m\nred", "!!"):
+        for name in ("it's $HOME `x` \"y\" * !! é", "-dash", "\x1b[31m\nred"):
             path = f"my folder/scenarios/{name}.json"
             self.write(path, fling())
             self.assert_mended(GOLDEN_MISSING, "check", path)

@@ -23,23 +23,24 @@ class Detail(ProgramTest):
         """What is printed by default, with -q and with -v."""
         return [self.expect(exit_code, *arguments, *option).out for option in ((), ("-q",), ("--verbose",))]
 
-    def test_quiet_is_the_verdict(self):
-        for arguments, verdict in ((("run", self.path), "fling: agreed; written: fling.h5\n"),
-                                   (("check",), "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed\n"),
-                                   (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n"),
-                                   (("validate", self.path), "1 of 1 good\n"),
-                                   (("new", "other", "--force"), "written: other.json (600 steps)\n"),
+    def test_quiet_is_the_verdict_and_verbose_is_more_than_the_default(self):
+        for arguments, verdict, more in (
+                (("run", self.path), "fling: agreed; written: fling.h5\n",
+                 ("  clamped steps  right ", "  any start within ±", "  within ±1 px of the start, ", "  end moves by ")),
+                (("check",), "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed\n", (f"{self.path}: agreed\n",)),
+                (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n", ()),
+                (("validate", self.path), "1 of 1 good\n", ())):
+            normal, quiet, verbose = self.printed(*arguments)
+            self.assertEqual(quiet, verdict, arguments)
+            self.assertLessEqual(len(quiet), len(normal), arguments)
+            self.assertLess(len(normal), len(verbose), arguments)
+            for part in more:
+                self.assertIn(part, verbose)
+                self.assertNotIn(part, normal)
+        for arguments, verdict in ((("new", "other"), "written: other.json (600 steps)\n"),
                                    (("info",), "self_test        strict IEEE-754 double arithmetic\n")):
-            self.assertEqual(self.printed(*arguments)[1], verdict, arguments)
-        self.assertRegex(self.printed("drift", self.path)[1], r"^fling: largest errors: implementation .* px\n$")
-
-    def test_verbose_is_more_than_the_default_and_that_is_more_than_quiet(self):
-        for arguments in (("run", self.path), ("diff", "fling.h5", "fling.h5"), ("validate", self.path)):
-            normal, quiet, verbose = map(len, self.printed(*arguments))
-            self.assertLessEqual(quiet, normal, arguments)
-            self.assertLess(normal, verbose, arguments)
-        self.assertIn(f"{self.path}: agreed\n", self.printed("check")[2])
-        self.assertIn("  clamped steps  right ", self.printed("run", self.path)[2])
+            self.assertEqual(self.expect(AGREED, *arguments, "-q").out, verdict)
+        self.assertRegex(self.expect(AGREED, "drift", self.path, "-q").out, r"^fling: largest errors: implementation .* px\n$")
 
     def test_what_is_compared_with_nothing_was_played(self):
         self.write("alone.json", fling(name="alone"))
@@ -83,12 +84,6 @@ class Detail(ProgramTest):
         self.assertEqual(margin, drift)
         self.assertEqual(set(margin["contact_change"]), {
             "within_px", "chance", "low", "high", "drawn_part", "starts", "changed", "steps", "seed"})
-
-    def test_run_prints_how_it_depends_on_its_start(self):
-        normal, _, verbose = self.printed("run", self.path)
-        for part in ("  any start within ±", "  within ±1 px of the start, ", "  end moves by "):
-            self.assertIn(part, verbose)
-            self.assertNotIn(part, normal)
 
 
 class Colour(ProgramTest):
