@@ -1,10 +1,12 @@
 #!/usr/bin/python3
-"""The pages' plain functions, by node: page_test.mjs."""
+"""The pages' modules, by node and without a browser: all *_test.mjs of this folder in one process."""
 
+import json
 import os
 import pathlib
 
 from process import skip_without
 
 skip_without("node")
-os.execvp("node", ["node", pathlib.Path(__file__).with_suffix(".mjs")])
+TESTS = sorted(pathlib.Path(__file__).parent.glob("*_test.mjs"))
+os.execvp("node", ["node", "--input-type=module", "--eval", "\n".join(f"import {json.dumps(test.as_uri())};" for test in TESTS)])
