@@ -147,7 +147,7 @@ class Table(DriftTest):
                          r"\(\S+ \.\. \S+ %; 200 starts, seed 1\)")
 
     def test_it_fits_a_terminal(self):
-        for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard", "clocks"))).out.splitlines():
+        for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard"))).out.splitlines():
             self.assertLessEqual(len(line), WIDTH_MAX, line)
 
     def test_it_says_that_and_why_the_step_does_not_converge(self):

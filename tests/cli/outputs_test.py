@@ -20,8 +20,8 @@ class Guarded(ProgramTest):
         os.symlink("../golden/dangling", self.folder / "sub/dangling")
         self.write("elsewhere/note.txt", "golden files of somebody")
 
-    def victims(self, suffix):
-        """Outputs that are refused for scenarios/in.SUFFIX, and a part of the message."""
+    def victims(self, suffix, of_each=1):
+        """Outputs that are refused for scenarios/in.SUFFIX, and a part of the message; so many paths to each."""
         source = self.folder / self.write(f"scenarios/in{suffix}", fling(name="in"))
         self.bless(f"scenarios/in{suffix}")
         self.write(f"other{suffix}", fling(name="other"))
@@ -35,8 +35,8 @@ class Guarded(ProgramTest):
         golden = [f"golden/new{suffix}", f"scenarios/../golden/new{suffix}", f"to-golden/new{suffix}", f"to-new{suffix}",
                   f"golden/deep/new{suffix}", f"hard-golden{suffix}", str(self.folder / f"golden/new{suffix}"),
                   f"golden/in{suffix}"]
-        return ([(path, "would overwrite an input of this command") for path in inputs] +
-                [(f"other{suffix}", "would overwrite a scenario")] + [(path, "golden") for path in golden])
+        return ([(path, "would overwrite an input of this command") for path in inputs[:of_each]] +
+                [(f"other{suffix}", "would overwrite a scenario")] + [(path, "golden") for path in golden[:of_each]])
 
     def assert_refused(self, *arguments, says, **options):
         """Exit 2 with a message, and nothing is written."""
@@ -45,15 +45,15 @@ class Guarded(ProgramTest):
         self.assertEqual((self.state_of("."), self.names()), before, arguments)
         self.assertEqual(outcome.out, "", arguments)
 
-    def assert_all_refused(self, suffix, *command):
+    def assert_all_refused(self, suffix, *command, of_each=1):
         """Each victim, as the value of the option that ends the command."""
-        for victim, says in self.victims(suffix):
+        for victim, says in self.victims(suffix, of_each):
             arguments = [part.replace("IN", f"scenarios/in{suffix}") for part in command]
             self.assert_refused(*arguments, victim, says=(command[-1], says))
         self.assert_refused(*arguments[:-1], "--golden", "elsewhere", command[-1], f"elsewhere/new{suffix}", says="golden")
 
     def test_run_o(self):
-        self.assert_all_refused(".h5", "run", "IN", "-o")
+        self.assert_all_refused(".h5", "run", "IN", "-o", of_each=8)
 
     def test_run_o_of_values(self):
         self.assert_all_refused(".csv", "run", "IN", "-o")
@@ -144,7 +144,7 @@ class Guarded(ProgramTest):
         os.symlink("golden-old", self.folder / "old")
         for output in ("golden-old/x.h5", "old/x.h5", "sub/golden.h5", "golden/../x.h5", "scenarios/notes.h5"):
             self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)
-            self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)  # Over its own output.
+        self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)  # Over its own output.
         self.expect(AGREED, "check", "scenarios/fling.json", "--junit", "report.xml")
 
 

@@ -13,14 +13,16 @@ SPEEDS = (100, 900, 1700)
 class TwoWriters(ProgramTest):
     """Three throws of different speed, and the file that each of them makes."""
 
+    whole = []
+
     def setUp(self):
         super().setUp()
-        self.whole = []
         for speed in SPEEDS:
             start = {"x_px": 0, "y_px": 500, "vx_px_per_s": speed, "vy_px_per_s": -400}
             self.write(f"{speed}.json", fling(name="same", start=start))
-            self.expect(AGREED, "run", f"{speed}.json")
-            self.whole.append((self.folder / "same.h5").read_bytes())
+            if len(self.whole) < len(SPEEDS):
+                self.expect(AGREED, "run", f"{speed}.json", "-o", "whole.h5")
+                self.whole.append((self.folder / "whole.h5").read_bytes())
 
     def is_locked(self, name):
         """Whether a process has made the file its own, which it does just after it created it."""
@@ -34,7 +36,7 @@ class TwoWriters(ProgramTest):
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 
     def test_many_writers_at_once_succeed_and_leave_one_file(self):
-        for _ in range(8):
+        for _ in range(4):
             for process in [self.begin("run", f"{speed}.json", "-o", "out.h5") for speed in SPEEDS for _ in range(2)]:
                 self.assert_done(process)
             self.assertIn((self.folder / "out.h5").read_bytes(), self.whole)
@@ -53,7 +55,7 @@ class TwoWriters(ProgramTest):
     def test_concurrent_blessings_leave_a_complete_one(self):
         start = {"x_px": 0, "y_px": 500, "vx_px_per_s": 100, "vy_px_per_s": -400}
         self.write("scenarios/same.json", fling(name="same", start=start))
-        for _ in range(8):
+        for _ in range(4):
             for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]:
                 self.assert_done(process)
             self.expect(AGREED, "check")
