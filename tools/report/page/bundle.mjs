@@ -12,7 +12,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const esbuild = createRequire(join(packages, 'package.json'))('esbuild');
 
 const scripts = {
-  'runs.js': `import './runs.js';`,
+  'runs.js': `import { showRuns } from './runs.js'; showRuns();`,
   'results.js': `import { showResults } from './results.js'; showResults();`,
   'sweeps.js': `import { showResults } from './results.js'; import { showMembers } from './members.js'; showResults(showMembers);`,
 };

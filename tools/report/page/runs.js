@@ -204,7 +204,7 @@ async function replayed(core, run, share) {
   return replay(core, run, share);
 }
 
-async function main() {
+export async function showRuns() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
@@ -241,5 +241,3 @@ async function main() {
   root.dataset.ready = '';
   requestAnimationFrame(() => setTimeout(() => performance.mark('ready'))); // Painted.
 }
-
-main();

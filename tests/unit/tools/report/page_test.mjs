@@ -303,7 +303,10 @@ test('a figure as a table has each point of each series, cells and lists', () =>
   const plot = { x: axis('rate'), y: axis('height', ['low', 'high']), series: [line('a', [1, 2], [0, 1]), line('b', [3], [7], { y_low: [6] })] };
   assert.equal(read({ plots: [plot] }), 'series,rate,height,y_low\na,1,low,\na,2,high,\nb,3,7,6\n');
   assert.equal(read({ plots: [plot, { ...plot, series: [line('c', [4], [1])] }] }), 'plot,series,rate,height,y_low\n1,a,1,low,\n1,a,2,high,\n1,b,3,7,6\n2,c,4,high,\n');
-  assert.equal(read({ plots: [plot, { x: axis('t'), y: axis('v'), series: [line('d', [5], [6])] }] }).split('\n')[4], 'v against t,d,5,6,');
+  for (const [across, up, head, named] of [['rate', 'height', 'rate,height', 2], ['t', 'height', 'x,y', 'height against t'], ['rate', 'v', 'x,y', 'v against rate'], ['t', 'v', 'x,y', 'v against t']]) {
+    const lines = read({ plots: [plot, { x: axis(across), y: axis(up), series: [line('d', [5], [6])] }] }).split('\n');
+    assert.deepEqual([lines[0], lines[4]], [`plot,series,${head},y_low`, `${named},d,5,6,`]);
+  }
   assert.equal(read({ rows: ['r'], columns: [{ text: 'c' }], cells: [{ row: 0, column: 0, text: 't', tone: 'blue' }] }), 'row,column,text,colour\nr,c,t,blue\n');
   assert.equal(read({ list_columns: [{ title: 'h' }, { title: '' }], list_rows: [[{ text: 'a', detail: 'b' }, { text: 'c' }]] }), 'h,column 2\na (b),c\n');
 });

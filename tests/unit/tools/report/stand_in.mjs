@@ -1,6 +1,7 @@
 // What the pages' modules use of a browser: elements, canvases that record what is drawn, a clock that tests move, and of
 // uPlot the options it is given and a linear scale.
 import { register } from 'node:module';
+import { beforeEach } from 'node:test';
 
 const resolve = `export const resolve = (name, context, next) => (name === 'uplot' ? { url: '${import.meta.url}', shortCircuit: true } : next(name === 'fflate' ? 'node:zlib' : name, context));`;
 register(`data:text/javascript,${encodeURIComponent(resolve)}`);
@@ -240,6 +241,16 @@ export function later() {
   for (const { call } of due) call();
   return due.map(({ after }) => after);
 }
+
+/** As a page that was just opened: nothing listens, waits or was written into it. */
+export function reopen() {
+  for (const each of [windowEvents, ...known.values()]) Object.assign(each, { listeners: [], ...(['data', 'sprite'].includes(each.id) ? {} : { childNodes: [] }) });
+  waiting = [];
+  html.dataset = {};
+  location.hash = '';
+}
+
+beforeEach(reopen);
 
 let ids = 0;
 const wait = kind => (call, after) => waiting.push({ kind, call, after, id: ++ids }) && ids;

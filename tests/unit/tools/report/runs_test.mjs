@@ -1,0 +1,119 @@
+// The page of runs: which one it opens and at which moment, the address, lists that lead to steps, two runs, the playground.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { base64, element, frame, later, load, reopen, saved, windowEvents } from './stand_in.mjs';
+
+const { report } = await load('document');
+Object.assign(report, { program: 'hyrax-sim 1', command: 'report a.h5', core: 'paper', core_fingerprint: 'ab' });
+const [{ Core }, { rowFields }, { showRuns }] = await Promise.all(['core', 'data', 'runs'].map(load));
+
+element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
+// One row of every ten, for 4 s.
+const count = length => Array.from({ length }, (_, i) => i);
+const rows = { step: count(41).map(i => 10 * i), t: count(41).map(i => i / 10) };
+Object.assign(rows, { dt: rows.t.map(() => 0.01), x: count(41).map(i => 2 * i), y: count(41).map(i => i), vx: rows.t.map(() => 20), vy: rows.t.map(() => 10), contact: rows.t.map(() => 0) });
+const contacts = { step: [95, 200], wall: [2, 8], last_step: [95, 210], t: [0.95, 2], vx_before: [1, 2], vx_after: [3, 4], vy_before: [5, 6], vy_after: [7, 8], overshoot: [0.5, 0.25], x: [18, 40], y: [9, 20] };
+const filed = changed => Object.fromEntries(rowFields.map(name => [name, base64({ ...rows, ...changed }[name])]));
+const run = (name, more) => ({ name, title: `${name}: Title of ${name}`, description: '', file: `/folder/${name}.h5`, rows: filed(), record: base64([100, 80, 10, 20, 0, 0, 0, 0]), blocks: '', steps: 400, row_count: 41, state_hash: 'ab',
+  physics: 'paper', provenance: {}, inputs: [], constants: [500], errors: null, golden: null, expect: [], margin: '2 px', non_finite: '',
+  result: { contacts: { left: 0, right: 1, top: 0, ground: 1 }, final: { x_px: 80, y_px: 40 }, at_rest_since_s: null, exercised: ['drag'], never_touched: [], not_computed: [] }, ...more });
+const checked = { every: 10, compared: 41, nonFinite: null, atRestSince: null, errors: null, firstDifference: null, isComplete: true, steps: 400, stateHash: 'ab', contacts: { left: 0, right: 1, top: 0, ground: 1 } };
+
+const body = () => ({ t: 0, x: 45, y: 0, vx: 0, vy: 0, contact: 0, frames: 1 });
+
+/** Opens a page; `found` is what the core comes to, or null where it has no scenario. */
+async function opened(runs, { against, hash = '', found = () => ({}), start } = {}) {
+  reopen();
+  frame(0);
+  element('replay').parentElement = { clientWidth: 200 };
+  element('speed').value = '1';
+  location.hash = hash;
+  Object.assign(report, { runs, against });
+  let played = -1;
+  Core.start = start ?? (async () => ({ requireSame() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
+    contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }) }));
+  await showRuns();
+}
+const text = id => element(id).textContent;
+const row = () => Number(element('time').value);
+const rowShown = () => element('readouts').querySelector('[data-name=row]').textContent;
+const data = () => document.documentElement.dataset;
+
+test('of several runs it opens the first of the worst', async () => {
+  const differs = { stateHash: 'cd', firstDifference: 30 };
+  for (const [founds, name, outcome] of [[[{}], 'a', 'agrees'], [[{}, {}], 'a', 'agrees'], [[{}, differs, differs], 'b', 'differs'], [[differs, {}, null], 'a', 'differs'], [[{}, null, {}, null], 'b', 'none'], [[null, {}, differs], 'c', 'differs']]) {
+    await opened(founds.map((_, i) => run('abcd'[i])), { found: at => founds[at] });
+    assert.deepEqual([text('name'), document.title, data().replay, element('run').value, element('run-picker').hidden], [name, `${name} · hyrax-sim report`, outcome, 'abcd'.indexOf(name), founds.length < 2]);
+    assert.deepEqual([data().stateHash, data().firstDifference], outcome === 'none' ? [undefined, undefined] : outcome === 'differs' ? ['cd', 30] : ['ab', undefined]);
+  }
+  assert.deepEqual(element('run').children.map(({ value, textContent }) => `${value} ${textContent}`), ['0 a (/folder/a.h5)', '1 b (/folder/b.h5)', '2 c (/folder/c.h5)']);
+  element('run').value = '1';
+  element('run').fire('change');
+  assert.deepEqual([text('name'), text('title')], ['b', 'Title of b']);
+});
+
+test('the address has the step that is shown, and opens it', async () => {
+  for (const [hash, shown] of [['', 0], ['#step=0', 0], ['#step=120', 12], ['#step=129', 12], ['#step=9999', 40], ['#other', 0]]) {
+    await opened([run('a')], { hash });
+    assert.deepEqual([row(), rowShown()], [shown, String(10 * shown)], hash);
+  }
+  await opened([run('a')]);
+  later();
+  windowEvents.fire('keydown', { key: 'ArrowRight', target: element('replay') });
+  windowEvents.fire('keydown', { key: 'ArrowRight', target: element('replay') });
+  assert.equal(location.hash, '');
+  assert.deepEqual([later(), location.hash], [[250], '#step=20']);
+  location.hash = '#step=35';
+  windowEvents.fire('hashchange');
+  assert.deepEqual([row(), element('time').attributes['aria-valuetext']], [3, 'row 30, 0.300 s']);
+});
+
+test('each list of a run is at its place, and leads to its step', async () => {
+  await opened([run('a', { description: 'What it is', inputs: [{ kind: 'grab', frame: 52 }], expect: [{ holds: false, text: 'x' }], provenance: { built_by: 'g++' }, scenario_text: '{}' })]);
+  for (const [id, expected] of [['title', 'Title of a'], ['description', 'What it is'], ['charts-note', 'Drawn from one row of every 10; the comparison covers all. '], ['stage-note', ''], ['inputs-list', 'step 52 grab'],
+    ['coverage', 'ExerciseddragNever touchednothingNot computednothingMargin2 px'], ['expectations', 'does not hold x'],
+    ['made', 'commandreport a.h5reporthyrax-sim 1filea.h5, 41 rowsphysicspaperstate hash of the fileabof this browserabbuilt byg++scenarioSave a.json'],
+    ['contacts', 'StepWallt, sBefore, px/sAfter, px/sOvershoot, pxLate by, msRestitution95 right0.95130.510.75200 to 210ground2680.25––']]) assert.equal(text(id), expected, id);
+  assert.match(text('verdict'), /Contacts2right 1, ground 1/);
+  assert.deepEqual([element('description').hidden, element('inputs').hidden], [false, false]);
+  assert.deepEqual(element('contacts').querySelectorAll('span').filter(each => each.classes.includes('wall')).map(({ attributes }) => attributes.style), ['color: var(--vermilion)', 'color: var(--orange)']);
+  const buttons = ['contacts', 'inputs-list', 'made'].flatMap(id => element(id).querySelectorAll('button'));
+  assert.deepEqual(buttons.map(button => (button.fire('click'), row())), [10, 20, 6, 6]);
+  assert.deepEqual(saved.splice(0).slice(-1), [['a.json', '{}']]);
+  await opened([run('a')]);
+  assert.deepEqual([element('description').hidden, element('inputs').hidden], [true, true]);
+});
+
+test('beside another run it opens on the second around their largest distance', async () => {
+  const far = filed({ x: rows.x.map((x, i) => x + (i < 20 ? i : i === 20 ? 99.5 : i === 30 ? 100 : 0)) });
+  const golden = { agrees: false, class: 'values', first_divergence: { step: 10, field: 'x' } };
+  await opened([run('a', { golden })], { against: { rows: far } });
+  assert.deepEqual([row(), text('stage-note'), 'red' in data(), element('play').attributes['aria-label']], [20, 'Dashed: the golden file.', true, 'Pause']);
+  assert.deepEqual([450, 650, 660].map(time => (frame(time), row())), [24, 25, 15]); // From 1.5 s to 2.5 s.
+  const log = element('replay').getContext().log;
+  assert.match(log.find(line => line.includes('bad 3 dashed')), /^stroke bad 3 dashed: from 20,40 /);
+  assert.match(log.filter(line => line.includes('of 0.4'))[0], /^stroke bad 2 of 0\.4: box 180,60 40,80$/); // x 30 + 15, y 15.
+  assert.ok(element('charts').children[0].id === 'chart-distance');
+  // A replay that differs is beside the rows of the file; a link says which moment is shown.
+  for (const [more, options, note] of [[{ rows: far }, { found: () => ({ stateHash: 'cd', firstDifference: 10 }), hash: '#step=50' }, 'Dashed: the file.'], [{ golden: { agrees: true, rows_compared: 41 } }, { against: { rows: far }, hash: '#step=50' }, '']]) {
+    await opened([run('a', more)], options);
+    assert.deepEqual([text('stage-note'), row(), element('play').attributes['aria-label']], [note, 5, 'Play']);
+  }
+});
+
+test('the playground takes the stage, and gives it back', async () => {
+  await opened([run('a')]);
+  const controls = () => [data().mode, element('replay-controls').hidden, element('fling-controls').hidden, ...['mode-replay', 'mode-fling'].map(id => element(id).attributes['aria-pressed'])];
+  assert.deepEqual(controls(), ['replay', false, true, 'true', 'false']);
+  element('mode-fling').fire('click');
+  assert.deepEqual(controls(), ['fling', true, false, 'false', 'true']);
+  frame(100);
+  frame(116);
+  assert.equal(element('readouts').querySelector('[data-name=x]').textContent, '45.00');
+  assert.match(text('verdict'), /same bits/);
+  element('mode-replay').fire('click');
+  assert.deepEqual(controls(), ['replay', false, true, 'true', 'false']);
+  await opened([run('a')], { start: () => Promise.reject(new Error('no WebAssembly')) });
+  assert.deepEqual([data().replay, element('mode-fling').disabled, text('contacts')], ['none', true, 'None.']);
+  assert.match(text('verdict'), /this browser runs no WebAssembly/);
+});
