@@ -66,7 +66,7 @@ class Errors(DriftTest):
         self.assertEqual(run["whole_why"], "the sprite is larger than its window in row 0")
 
     def test_a_long_rest_is_counted_without_being_played(self):
-        steps = 400_000
+        steps = 60_000
         self.expect(AGREED, "run", self.write("long.json", fling(name="long", steps=steps)))
         live, stored = self.drift("long.json", "long.h5", "--reference", "closed")
         self.assertEqual(self.errors(live), self.errors(stored))

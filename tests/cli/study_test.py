@@ -92,10 +92,15 @@ class Needs(StudyTest):
 class SpeedError(StudyTest):
     """study speed-error."""
 
-    def test_scenarios_are_studied_too(self):
+    def test_scenarios_are_studied_too_and_drawn(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
-        document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--no-figures", "--json").json
+        document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--json").json
         self.assertIn("mine", {answer["problem"] for answer in document["cheapest"]})
+        self.assertEqual([name for name in self.names() if name.endswith(".svg")],
+                         [f"speed-error{part}.svg" for part in ("-fling-starts", "-long-arc", "-mine-starts", "-mine", "")])
+        text = self.text_of("speed-error-long-arc.svg")
+        for part in ("Pareto front", "rk8pd", "cost, ns"):
+            self.assertNotEqual(part in text, "not measured: clock unsteady" in text, part)
 
     def test_one_that_has_no_exact_solution_is_refused(self):
         self.write("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))
@@ -106,18 +111,6 @@ class SpeedError(StudyTest):
     def test_a_name_that_is_taken_is_refused(self):
         self.write("mine.json", fling())
         self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="must differ from the other problems' (found fling)")
-
-
-class Figures(StudyTest):
-    """The pictures."""
-
-    def test_speed_against_error_is_drawn_for_every_problem(self):
-        self.expect(AGREED, "study", "speed-error", "--quick")
-        self.assertEqual([name for name in self.names() if name.endswith(".svg")],
-                         ["speed-error-fling-starts.svg", "speed-error-long-arc.svg", "speed-error.svg"])
-        text = self.text_of("speed-error-long-arc.svg")
-        for part in ("Pareto front", "rk8pd", "cost, ns"):
-            self.assertNotEqual(part in text, "not measured: clock unsteady" in text, part)
 
 
 class Usage(StudyTest):

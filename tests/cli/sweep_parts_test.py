@@ -200,7 +200,7 @@ class Interrupted(FilesTest):
     def test_after_kills_at_random_moments_the_file_is_the_same(self):
         draws = random.Random(SEED)
         begin = time.monotonic()
-        whole = self.whole(document(members=100_000, keep=["final", "contacts"]))
+        whole = self.whole(document(members=66_000, keep=["final", "contacts"]))
         duration_s = time.monotonic() - begin
         kills = 0
         while kills < 20 and not (self.folder / "out.h5").exists():
