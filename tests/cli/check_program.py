@@ -3,14 +3,15 @@
 import shutil
 import tempfile
 
-import h5py
-import numpy
-
 from program import ProgramTest
 
 
 def nudge(path, dataset, row):
     """Moves one value of a file to the next double."""
+    # Not every test of a project reads HDF5, and loading it takes longer than many of them.
+    # pylint: disable=import-outside-toplevel
+    import h5py
+    import numpy
     with h5py.File(path, "r+") as file:
         file[dataset][row] = numpy.nextafter(file[dataset][row], numpy.inf)
 

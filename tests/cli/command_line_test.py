@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Arguments are taken literally, wherever they are; output that cannot be written is an error."""
 
-import itertools
 import os
 import re
 

@@ -6,12 +6,13 @@ import os
 import pty
 import subprocess
 
+from check_program import ProjectTest
 from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 GREEN, RED = "\x1b[32m", "\x1b[31m"
 
 
-class Detail(ProgramTest):
+class Detail(ProjectTest):
     """-q prints errors and verdicts only, -v more, and neither changes a document or an exit code."""
 
     def setUp(self):
@@ -19,9 +20,9 @@ class Detail(ProgramTest):
         self.path, = self.project("fling")
         self.expect(AGREED, "run", self.path)
 
-    def printed(self, *arguments, exit_code=AGREED):
+    def printed(self, *arguments):
         """What is printed by default, with -q and with -v."""
-        return [self.expect(exit_code, *arguments, *option).out for option in ((), ("-q",), ("--verbose",))]
+        return [self.expect(AGREED, *arguments, *option).out for option in ((), ("-q",), ("--verbose",))]
 
     def test_quiet_is_the_verdict_and_verbose_is_more_than_the_default(self):
         for arguments, verdict, more in (
@@ -59,9 +60,9 @@ class Detail(ProgramTest):
 
     def test_a_disagreement_is_a_verdict(self):
         self.write(self.path, fling(start={"x_px": 1, "y_px": 2}))
-        _, run, _ = self.printed("run", self.path, exit_code=DISAGREED)
+        run = self.expect(DISAGREED, "run", self.path, "-q").out
         self.assertEqual(run, "fling: disagreed; written: fling.h5\n")
-        _, check, _ = self.printed("check", exit_code=DISAGREED)
+        check = self.expect(DISAGREED, "check", "-q").out
         self.assertEqual(check, "disagreed: scenarios/fling.json\n1 checked: 0 agreed, 1 disagreed, 0 without golden file, 0 failed\n")
         bless = self.expect(AGREED, "bless", self.path, "--reason", "x", "-q").out
         self.assertEqual(bless, f"{self.path}: blessed, golden/fling.h5\n")
@@ -86,7 +87,7 @@ class Detail(ProgramTest):
             "within_px", "chance", "low", "high", "drawn_part", "starts", "changed", "steps", "seed"})
 
 
-class Colour(ProgramTest):
+class Colour(ProjectTest):
     """Verdicts have a colour on a terminal."""
 
     def shown(self, *arguments, **variables):

@@ -6,6 +6,7 @@ import re
 
 import h5py
 
+from check_program import ProjectTest
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
 
 COUNTS = {"left": int, "right": int, "top": int, "ground": int}
@@ -229,7 +230,7 @@ class Override(ProgramTest):
         self.assertEqual(self.names(), ["fling.json"])
 
 
-class Golden(ProgramTest):
+class Golden(ProjectTest):
     """`run` compares with the golden file if there is one."""
 
     GOLDEN = {"file": str, "status": str}
