@@ -41,6 +41,17 @@ test('it begins in the middle at the top, and plays the frames of the display', 
   playground.end();
 });
 
+test('charts follow twenty times a second, and leave a hand its frames', () => {
+  const shows = isHeld => {
+    const { playground, hand, told } = opened();
+    if (isHeld) hand('pointerdown', 45, 0, 0);
+    for (let i = 0; i <= 100; ++i) frame(6000 + 10 * i);
+    playground.end();
+    return told().filter(line => line === 'show agrees').length;
+  };
+  assert.deepEqual([shows(false), shows(true)], [20, 5]);
+});
+
 test('it sleeps after 90 frames at rest or 200,000, and not in the hand', () => {
   const frames = (state, isHeld) => {
     const { playground, hand } = opened({ x: 45, y: 0, ...state });

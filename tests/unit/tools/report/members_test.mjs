@@ -10,7 +10,7 @@ const loaded = [];
 let start = [];
 Core.start = async () => ({ requireSame() {}, load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
   finish: () => ({ steps: 1, stateHash: 'ab', contacts: { left: 0, right: 2, top: 0, ground: 1 } }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
-  rows: () => ({ step: [0, 1], t: [0, 1], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
+  rows: () => ({ step: [0, 1], t: [0, 2], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
 element('replay').parentElement = { clientWidth: 200 };
 element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
 
@@ -84,6 +84,8 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   const log = element('replay').getContext().log;
   assert.deepEqual(log.slice(1, 6), ['stroke faint 2: from 60,60 100,280', 'stroke faint 2: from 100,60 140,280', 'stroke faint 2: from 60,60 100,280', 'stroke path 3: from 60,60 100,280', 'stroke orange 6: from 52,317 68,317']);
   assert.deepEqual(log.filter(line => line.includes('box') && !line.startsWith('fill')), ['stroke faint 2 of 0.4: box 40,20 40,80', 'stroke faint 2 of 0.4: box 80,20 40,80', 'stroke faint 2 of 0.4: box 40,20 40,80', 'stroke box 2: box 40,20 40,80']);
+  element('forward').fire('click');
+  assert.deepEqual(element('replay').getContext().log.filter(line => line.includes('of 0.4: box')), ['80,240', '120,240', '80,240'].map(at => `stroke faint 2 of 0.4: box ${at} 40,80`));
   const number = choices.querySelector('input');
   assert.equal(number.attributes.max, '16');
   assert.deepEqual(['10', '11', '99'].map(value => (loaded.splice(0), number.fire('change', { target: { value } }), loaded[0])), ['20 5 0 0', '10 5 1 0', '20 5 1 0']);

@@ -77,7 +77,7 @@ test('a contact is a stroke along its wall, as long as the sprite, in the colour
 test('an input is a ring at its row with its name, a hand’s way dots at the row after', () => {
   const of = (...inputs) => layer({ rows, inputs: inputs.map(([frame, kind]) => ({ frame, kind })) }).slice(1);
   assert.deepEqual(of([2, 'grab']), ['stroke ink 3: circle 80,80 r 8', 'text ink: grab left 96,68']);
-  assert.deepEqual(of([3, 'place']), ['fill ink: circle 100,120 r 3']);
+  assert.deepEqual(of([2, 'place']), ['fill ink: circle 100,120 r 3']);
   assert.deepEqual(of([6, 'fling']), ['stroke ink 3: circle 80,120 r 8', 'text ink: fling left 96,108']);
   assert.deepEqual(of([2, 'grab'], [2, 'release'], [4, 'fling']).filter(line => line.startsWith('text')), ['text ink: grab left 96,68', 'text ink: fling left 116,108']);
   assert.deepEqual(of([9, 'grab']), []);
@@ -111,6 +111,8 @@ test('others fly beside it: their paths below it, they as pale as ghosts', () =>
   const painter = new Painter(canvas, () => {}), of = list => (painter.paint(still, { flights: list }), canvas.getContext().log.filter(line => line.startsWith('stroke green')).length);
   painter.setScene({ sizes, inputs: [] });
   assert.deepEqual([of(flights), of([]), of(flights.slice(1)), of(flights)], [1, 0, 0, 1]);
+  document.documentElement.dataset.paper = '';
+  assert.equal(of(flights), 0); // It is drawn again in the colours of paper.
 });
 
 test('a label is above the sprite, below it at the top, and inside the window', () => {

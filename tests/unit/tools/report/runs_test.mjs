@@ -1,7 +1,7 @@
 // The page of runs: which one it opens and at which moment, the address, lists that lead to steps, two runs, the playground.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { base64, element, frame, later, load, reopen, saved, windowEvents } from './stand_in.mjs';
+import Plot, { base64, element, frame, later, load, reopen, resize, saved, windowEvents } from './stand_in.mjs';
 
 const { report } = await load('document');
 Object.assign(report, { program: 'hyrax-sim 1', command: 'report a.h5', core: 'paper', core_fingerprint: 'ab' });
@@ -19,7 +19,8 @@ const run = (name, more) => ({ name, title: `${name}: Title of ${name}`, descrip
   result: { contacts: { left: 0, right: 1, top: 0, ground: 1 }, final: { x_px: 80, y_px: 40 }, at_rest_since_s: null, exercised: ['drag'], never_touched: [], not_computed: [] }, ...more });
 const checked = { every: 10, compared: 41, nonFinite: null, atRestSince: null, errors: null, firstDifference: null, isComplete: true, steps: 400, stateHash: 'ab', contacts: { left: 0, right: 1, top: 0, ground: 1 } };
 
-const body = () => ({ t: 0, x: 45, y: 0, vx: 0, vy: 0, contact: 0, frames: 1 });
+let frames = 0;
+const body = () => ({ t: 0, x: 45, y: 0, vx: 0, vy: 0, contact: 0, frames: ++frames });
 
 /** Opens a page; `found` is what the core comes to, or null where it has no scenario. */
 async function opened(runs, { against, hash = '', found = () => ({}), start } = {}) {
@@ -101,6 +102,24 @@ test('beside another run it opens on the second around their largest distance', 
   }
 });
 
+test('the charts mark where the replay differs first, or else the run from the golden file', async () => {
+  const golden = { agrees: false, class: 'values', first_divergence: { step: 200, field: 'x' } };
+  for (const [found, more, px] of [[{}, {}, null], [{}, { golden }, 100], [{ firstDifference: 100 }, { golden }, 50], [{ firstDifference: 0 }, { golden }, 0], [null, { golden }, 100]]) {
+    await opened([run('a', more)], { found: () => found });
+    const [, mark] = Plot.all.at(-1).over.children;
+    assert.equal(mark?.style.transform ?? null, px === null ? null : `translateX(${px}px)`);
+  }
+});
+
+test('a page of another width is drawn anew', async () => {
+  await opened([run('a')]);
+  element('replay').parentElement.clientWidth = element('ticks').clientWidth = 100;
+  resize();
+  assert.deepEqual(Plot.all.slice(-4).map(({ width }) => width), [200, 200, 200, 200]);
+  assert.deepEqual([element('replay').width, element('replay').getContext().log[0], element('ticks').width, element('ticks').getContext().log.length], [200, 'fill screen: box 0,0 200,160', 200, 2]);
+  element('ticks').clientWidth = 200;
+});
+
 test('the playground takes the stage, and gives it back', async () => {
   await opened([run('a')]);
   const controls = () => [data().mode, element('replay-controls').hidden, element('fling-controls').hidden, ...['mode-replay', 'mode-fling'].map(id => element(id).attributes['aria-pressed'])];
@@ -109,10 +128,13 @@ test('the playground takes the stage, and gives it back', async () => {
   assert.deepEqual(controls(), ['fling', true, false, 'false', 'true']);
   frame(100);
   frame(116);
-  assert.equal(element('readouts').querySelector('[data-name=x]').textContent, '45.00');
+  assert.deepEqual([rowShown(), element('readouts').querySelector('[data-name=x]').textContent], ['1', '45.00']);
   assert.match(text('verdict'), /same bits/);
   element('mode-replay').fire('click');
   assert.deepEqual(controls(), ['replay', false, true, 'true', 'false']);
+  frame(132);
+  frame(148);
+  assert.deepEqual([frames, rowShown()], [1, '0']);
   await opened([run('a')], { start: () => Promise.reject(new Error('no WebAssembly')) });
   assert.deepEqual([data().replay, element('mode-fling').disabled, text('contacts')], ['none', true, 'None.']);
   assert.match(text('verdict'), /this browser runs no WebAssembly/);

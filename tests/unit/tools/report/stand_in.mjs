@@ -225,7 +225,7 @@ export function element(id) {
 
 /** What was saved as a file: name and text. */
 export const saved = [];
-let waiting = [], now = 0;
+let waiting = [], observed = [], now = 0;
 
 /** The time of the display in ms; `frame` moves it, and does what waited for a frame. */
 export function frame(to) {
@@ -246,9 +246,12 @@ export function later() {
 export function reopen() {
   for (const each of [windowEvents, ...known.values()]) Object.assign(each, { listeners: [], ...(['data', 'sprite'].includes(each.id) ? {} : { childNodes: [] }) });
   waiting = [];
+  observed = [];
   html.dataset = {};
   location.hash = '';
 }
+
+export const resize = () => observed.forEach(call => call());
 
 beforeEach(reopen);
 
@@ -265,7 +268,7 @@ Object.assign(globalThis, {
   getComputedStyle: () => ({ getPropertyValue: name => ` ${name.slice(2)}` }),
   matchMedia: () => ({ matches: false, addEventListener() {} }),
   requestAnimationFrame: wait('frame'), cancelAnimationFrame: stop, setTimeout: wait('time'), clearTimeout: stop,
-  ResizeObserver: class { observe() {} }, Image: class { complete = true; naturalWidth = 1; }, Path2D: Path,
+  ResizeObserver: class { constructor(call) { observed.push(call); } observe() {} }, Image: class { complete = true; naturalWidth = 1; }, Path2D: Path,
   Blob: class { constructor([text]) { this.text = text; } }, location: { hash: '' }, history: { replaceState: (_, __, address) => (location.hash = address) },
 });
 Object.assign(URL, { createObjectURL: ({ text }) => text, revokeObjectURL() {} });
@@ -309,7 +312,9 @@ export default class Plot {
     this.ctx.log = [];
     for (const hook of this.options.hooks.draw ?? []) hook(this);
   }
-  setSize() {}
+  setSize({ width }) {
+    this.width = width;
+  }
   destroy() {
     this.isGone = true;
   }
