@@ -113,21 +113,6 @@ class ReportTest(browser.BrowserTest):
             (page,) = self.open({**task, "actions": [["evaluate", browser.CANVAS_FAULTS.replace("at = x", f"at = {place}")]]})
             self.assertNotEqual(page["values"][0][1], [])
 
-    def test_a_jump_by_an_input_is_dashed_and_a_flight_is_not(self):
-        jumps = """(() => {
-          const prototype = Path2D.prototype, {lineTo} = prototype, paths = new Set(), {stroke} = CanvasRenderingContext2D.prototype;
-          let dashed = 0;
-          prototype.lineTo = function (...at) { paths.add(this); return lineTo.apply(this, at); };
-          CanvasRenderingContext2D.prototype.stroke = function (...path) { dashed += paths.has(path[0]) && this.getLineDash().length > 0; return stroke.apply(this, path); };
-          dispatchEvent(new Event('beforeprint'));
-          return dashed;
-        })()"""
-        self.played("flown", program.fling())
-        self.played("placed", program.fling(events=[{"step": 30, "grab": {}}, {"step": 31, "place": {"x_px": 900, "y_px": 80}}, {"step": 40, "release": {"vx_px_per_s": 0, "vy_px_per_s": 0}}]))
-        flown, placed = self.open(*({**self.report(name), "actions": [["evaluate", jumps]]} for name in ("flown", "placed")))
-        self.assertEqual((flown["values"], flown["errors"], placed["errors"]), ([0], [], []))
-        self.assertGreater(placed["values"][0], 0)
-
     def test_a_run_that_becomes_non_finite_says_so_and_marks_the_place(self):
         text = "vx is infinite from step 120 of 600 (2.00 s)"
         run_altered("bounce_explodes", "run", "scenarios/flings/first-fling.json", "-o", self.folder / "broken.h5",
@@ -203,36 +188,6 @@ class ReportTest(browser.BrowserTest):
         rows = (self.folder / "distance.csv").read_text(encoding="utf-8").splitlines()
         self.assertAlmostEqual(float(rows[2].split(",")[2]), 1 / 60, delta=1e-3)
 
-    def test_opens_on_the_second_around_the_largest_distance(self):
-        self.played("golden", program.fling())
-        self.played("fling", program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
-        with h5py.File(self.folder / "golden.h5") as golden, h5py.File(self.folder / "fling.h5") as fling:
-            apart = [math.hypot(*(golden[f"trajectory/{axis}"][row] - fling[f"trajectory/{axis}"][row] for axis in "xy"))
-                     for row in range(golden["trajectory/x"].size)]
-        worst = next(row for row, px in enumerate(apart) if px >= 0.99 * max(apart))
-        row = "Number(document.getElementById('time').value)"
-        passes = f"""(async () => {{
-            const rows = [];
-            for (const end = performance.now() + 2500; performance.now() < end; await new Promise(requestAnimationFrame))
-              rows.push({row});
-            return [Math.min(...rows), Math.max(...rows), rows.some((each, i) => each < rows[i - 1])];
-          }})()"""
-        key = "[...document.querySelectorAll('#chart-{} .swatch')].map(each => each.className.trim())"
-        (page,) = self.open({**self.report("fling", "--against", "golden.h5"), "actions": [
-            ["evaluate", passes], ["click", "#play"], ["evaluate", row], ["evaluate", row],
-            ["evaluate", "document.querySelector('figure').id"],
-            ["evaluate", key.format("position")], ["evaluate", key.format("velocity")]]})
-        (low, high, is_again), _, stopped, later, first, *keys = page["values"]
-        self.assertTrue(worst - 30 <= low <= worst <= high <= min(worst + 30, 300), (low, worst, high))
-        self.assertTrue(is_again)
-        self.assertEqual(stopped, later)
-        self.assertEqual(first, "chart-distance")
-        for series in keys:
-            self.assertEqual([" ".join(each.split()) for each in series],
-                             ["swatch tint-blue", "swatch tint-orange", "swatch dashed tint-blue", "swatch dashed tint-orange"])
-        (page,) = self.open({**self.report("fling", "--against", "golden.h5"), "hash": "#step=7", "actions": [["evaluate", row]]})
-        self.assertEqual(page["values"], [7])
-
     def test_a_failed_check_has_a_page_of_the_worst_run(self):
         path, = self.project("fling")
         self.write(path, program.fling(start={**program.FLING["start"], "vx_px_per_s": 1201}))
@@ -257,16 +212,6 @@ class ReportTest(browser.BrowserTest):
         values = page["values"]
         self.assertEqual([values[at] for at in (0, 2, 4, 6, 8, 10)], ["120", "121", "111", "76", "300", "40"])
         self.assertEqual(page["errors"], [])
-
-    def test_lists_inputs_and_goes_to_them(self):
-        self.hash_of(str(SOURCE / "scenarios/flings/grab-and-throw.json"), "fling.h5")
-        (page,) = self.open({**self.report("fling"), "actions": [
-            ["evaluate", "document.getElementById('inputs-list').innerText"], ["click", "#inputs-list button"],
-            ["evaluate", "document.querySelector('[data-name=row]').textContent"]]})
-        text = page["values"][0]
-        for kind in ("grab", "place", "release", "resize"):
-            self.assertIn(kind, text)
-        self.assertTrue(text.startswith(f"step {page['values'][2]} "), text)
 
     def test_what_is_flung_by_mouse_replays_to_the_same_hash(self):
         self.played("fling", program.fling())
@@ -414,19 +359,6 @@ class ReportTest(browser.BrowserTest):
                 self.assertAlmostEqual(shown[step], value, delta=1e-9)
         self.assertIn("gravity", page["values"][-1])
 
-    def test_drift_by_cause_is_read_off_its_line(self):
-        for name, events in (("even", []), ("uneven", [{"step": 10, "hitch": {"dt_s": 0.2}}])):
-            self.played(name, program.fling(events=events))
-            path = self.folder / "drift.csv"
-            self.open({**self.report(name), "actions": [["download", "#chart-drift button", str(path)]]})
-            rows = [line.split(",") for line in path.read_text(encoding="utf-8").splitlines()][1:]
-            end = next(index for index in range(1, len(rows)) if rows[index][2])
-            (page,) = self.open({**self.report(name), "hash": f"#step={end // 2}", "actions": [
-                ["evaluate", "document.querySelector('#chart-drift output').textContent.replace('−', '-')"]]})
-            expected = float(rows[end][2]) * float(rows[end // 2][1]) / float(rows[end][1])
-            self.assertLess(expected, -1)
-            self.assertAlmostEqual(float(page["values"][0]), expected, delta=0.006, msg=name)
-
     def test_a_million_rows(self):
         self.played("long", program.fling(name="long", steps=1_000_000, clock={
             "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.2, "seed": 3}}))
@@ -542,14 +474,6 @@ class ReportTest(browser.BrowserTest):
         (page,) = self.open({**self.report("fling"), "actions": [["tab", 9]]})
         self.assertEqual(page["values"][0], ["mode-replay", "mode-fling", "replay", "first", "back", "play", "forward",
                                              "speed", "time"])
-
-    def test_saves_a_chart_as_csv(self):
-        self.played("fling", program.fling())
-        target = self.folder / "position.csv"
-        self.open({**self.report("fling"), "actions": [["download", "#chart-position button", str(target)]]})
-        lines = target.read_text(encoding="utf-8").splitlines()
-        self.assertEqual(len(lines), 302)
-        self.assertEqual(lines[:2], ['"step","t_s","x (px)","y (px)"', "0,0,1100,500"])
 
 
 if __name__ == "__main__":

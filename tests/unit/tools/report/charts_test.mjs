@@ -76,6 +76,7 @@ test('each chart has its axes, dashes and points', () => {
   assert.deepEqual(looks, ['distance: vermilion; logarithmic', 'position: blue, orange, blue dashed, orange dashed', 'velocity: blue, orange, blue dashed, orange dashed', 'energy: green',
     'errors: orange, blue, green; logarithmic; with times', 'drift: blue joined, green joined, vermilion joined, purple joined, ink dashed joined; with times', 'contact-time: vermilion points; with times',
     'contact-restitution: purple points; with times', 'dt: blue steps -1; with times']);
+  assert.deepEqual(plots[1].place.querySelectorAll('i').map(({ attributes }) => attributes.class.replace(/ +/, ' ')), ['swatch tint-blue', 'swatch tint-orange', 'swatch dashed tint-blue', 'swatch dashed tint-orange']);
   assert.deepEqual(plots[1].options.axes.map(({ values }) => values(null, [1, 250_000])), [['1 s', '250,000 s'], ['1', '0.25 M']]);
   assert.deepEqual(plots[1].data.map(values => values[4]), [4, 12, 40, 12, 40]);
   plots[0].redraw(); // Contacts of rows at 2 and 4 s on an axis from 40 to 440 px, at its foot of 220 px.
