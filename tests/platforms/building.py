@@ -1,4 +1,4 @@
-"""Builds hyrax-replay for a row."""
+"""Builds the program of a row."""
 
 import os
 import pathlib
@@ -54,6 +54,6 @@ def build(row, folder):
                 "-o", folder / "no_self_test.o")
     succeed("cmake", "--log-level=WARNING", "-S", row.source, "-B", folder, "-G", "Ninja",
             *(f"-D{setting}" for setting in settings_of(row, folder)), timeout=TIMEOUT_S)
-    target = "hyrax_physics" if row.must.kind == "compiles" else "hyrax-replay"
+    target = "hyrax_physics" if row.must.kind == "compiles" else pathlib.Path(row.program).stem
     succeed("ninja", "-C", folder, "-j1", target, timeout=TIMEOUT_S)
     return folder / row.program

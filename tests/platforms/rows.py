@@ -50,7 +50,7 @@ class Variant:
 
 @dataclasses.dataclass(frozen=True)
 class Row:
-    """One build of hyrax-replay."""
+    """One build, of hyrax-replay where `program` names no other."""
 
     name: str
     compiler: str = "g++"
