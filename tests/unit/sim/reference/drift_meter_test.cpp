@@ -219,7 +219,7 @@ TEST(DriftMeter, HasNoErrorsForARunWithoutArcs) {
 // Of a run that repeats itself a meter reads the beginning only, with the same summary.
 TEST(DriftMeter, NeedsNoRowsOfPeriodsWithoutAnArc) {
   for (const double rate_hz : {60.0, 100.0, 240.0}) {
-    Scenario scenario = open_sky({900.0, -900.0}, rate_hz, 100'000);
+    Scenario scenario = open_sky({900.0, -900.0}, rate_hz, 130'000);
     scenario.window = {1920, 1080};
     scenario.start = {300.0, 500.0};
     Measured all;
