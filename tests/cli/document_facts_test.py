@@ -1,6 +1,9 @@
 #!/usr/bin/python3
 """Numbers, options and totals that a document states are those of the source that decides them."""
 
+import collections
+import functools
+import itertools
 import json
 import math
 import pathlib
@@ -195,6 +198,30 @@ def stated(path, words):
     return [value(text) for text in found.groups()] if found else []
 
 
+@functools.cache
+def help_screens():
+    """Of every command."""
+    commands = re.findall(r"^  ([a-z]+) {2,}", run(PROGRAM, "--help", "--all").out or run(PROGRAM, "--help").out, re.MULTILINE)
+    return [run(PROGRAM, command, "--help").out for command in commands]
+
+
+def stems(text):
+    """How words begin, without names and what every sentence has."""
+    words = re.findall(r"[a-z]{4,}", re.sub(r"`[^`]*`", "", text).lower())
+    return {word[:4] for word in words if word not in ("each", "file", "files", "from", "than", "that", "this", "what", "which", "with")}
+
+
+def options_of(text):
+    """(option, stems of what is said after it), of each sentence and of each table of options."""
+    text = re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
+    option = re.compile(r"`(?:[a-z-]+ )?(--[a-z-]+)[^`]*`")
+    for table in text.split("\n\n"):
+        yield [(row[1], stems(row[2])) for row in re.finditer(r"^\| `(--[a-z-]+)(.*)\|$", table, re.MULTILINE)]
+    for sentence in re.split(r"(?<=[.:;])\s|\n\n|\n- |\n\|.*", text):
+        _, *parts = option.split(sentence)
+        yield [(name, stems(re.split("[,)]", said)[0])) for name, said in zip(parts[::2], parts[1::2])]
+
+
 def decided(path, names):
     """The number that each name has."""
     found = [re.search(re.escape(name) + r"(?: = | |\(|\{)" + NUMBER, text_of(path)) for name in names.split(", ")]
@@ -352,13 +379,41 @@ class Facts(unittest.TestCase):
                          [*min(sizes), *max(sizes), min(rates), max(rates)])
 
     def test_every_option_in_a_document_is_one_of_the_programs(self):
-        commands = re.findall(r"^  ([a-z]+) {2,}", run(PROGRAM, "--help", "--all").out or run(PROGRAM, "--help").out, re.MULTILINE)
-        known = set(re.findall(r"--[a-z][a-z-]+", "".join(run(PROGRAM, command, "--help").out for command in commands)))
+        known = set(re.findall(r"--[a-z][a-z-]+", "".join(help_screens())))
         self.assertGreater(len(known), 40)
         for document in DOCUMENTS:
             for line in re.findall(r"hyrax-sim [a-z]+[^`\n|;]*", document.read_text(encoding="utf-8")):
                 with self.subTest(document=str(document.relative_to(SOURCE)), line=line):
                     self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
+
+    def test_no_two_options_are_exchanged(self):
+        """What is said after each of two options, in a sentence or a table, has more words of its own help than of the other's."""
+        helps = collections.defaultdict(set)
+        for option, text in re.findall(r"^  (?:-\w,)?(--[a-z-]+)((?:.*\n)(?: {10,}.*\n)*)", "".join(help_screens()), re.MULTILINE):
+            helps[option] |= stems(text)
+        settled = 0
+        for document in DOCUMENTS:
+            for said in options_of(document.read_text(encoding="utf-8")):
+                for (one, of_one), (other, of_other) in itertools.combinations(said, 2):
+                    only_one, only_other = helps[one] - helps[other], helps[other] - helps[one]
+                    right, wrong = (len(of_one & left) + len(of_other & right)
+                                    for left, right in ((only_one, only_other), (only_other, only_one)))
+                    settled += right > wrong
+                    self.assertGreaterEqual(right, wrong, (str(document.relative_to(SOURCE)), one, other))
+        self.assertGreater(settled, 25)
+
+    def test_what_another_frame_rate_keeps(self):
+        same_time, same_frames, remedy, also = re.search(
+            r"frame rate\. With `(\w+)` it covers the same time; with\s`(\w+)` it plays the same number.*?write `(\w+)`, or set `/(\w+)`",
+            text_of(FORMAT)).groups()
+        self.assertEqual([remedy, also], [same_time, same_frames])
+        start = {key: each for key, each in json.loads(text_of("scenarios/flings/first-fling.json")).items() if key in ("format", "window", "sprite", "start")}
+        with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
+            paths = [pathlib.Path(folder, f"{name}.json") for name in ("time", "frames")]
+            for path, key in zip(paths, (same_time, same_frames)):
+                path.write_text(json.dumps({**start, "clock": {"rate_hz": 60}, key: 2}), encoding="utf-8")
+            kept = run(PROGRAM, "run", *paths, "--set", "/clock/rate_hz=144", "--json", cwd=folder)
+        self.assertEqual([each["steps"] for each in kept.json["runs"]], [288, 2])
 
 
 if __name__ == "__main__":
