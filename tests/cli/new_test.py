@@ -74,10 +74,12 @@ class ClockFrom(NewTest):
     """Recorded frame times as the clock."""
 
     def new(self, text, *options):
-        """The clock made from a CSV file."""
+        """The clock made from a CSV file. `dropped`: how many of its frames were."""
         (self.folder / "frames.csv").write_bytes(text.encode())
-        self.expect(AGREED, "new", "my-fling", "--clock-from", "frames.csv", *options, "--force")
+        written = self.expect(AGREED, "new", "my-fling", "--clock-from", "frames.csv", *options, "--force", "--json").json
         scenario = self.scenario()
+        self.dropped = written.pop("dropped", None)
+        self.assertEqual(written, {"scenario": "my-fling.json", "steps": scenario["steps"]})
         self.assertEqual(scenario["steps"], len(scenario["clock"]["dt_s"]))
         return scenario["clock"]["dt_s"]
 
@@ -108,18 +110,18 @@ class ClockFrom(NewTest):
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "gam",
                     says="frames.csv: no such frame; found: application dwm.exe, ")
         self.assertEqual(self.names(), ["frames.csv"])
-        self.assertEqual(self.new(SEVERAL, "--application", "DWM.exe"), [0.004])
-        self.assertEqual(self.new(SEVERAL, "--process", "43"), [0.016])
-        self.assertEqual(self.new(SEVERAL, "--application", "game.exe", "--process", "42", "--swap-chain", "0xa"), [0.001, 0.008])
+        for picked, dt_s, dropped in ((("--application", "DWM.exe"), [0.004], 0), (("--process", "43"), [0.016], 0), (
+                ("--application", "game.exe", "--process", "42", "--swap-chain", "0xa"), [0.001, 0.008], 1)):
+            self.assertEqual((self.new(SEVERAL, *picked), self.dropped), (dt_s, dropped))
         self.expect(BAD_INPUT, "new", "a", "--clock-from", self.write("dt.csv", "FrameTime\n5\n"), "--process", "42",
                     says="dt.csv: line 1: --process: the file has no column ProcessID")
 
     def test_dropped_frames_are_said(self):
         for text in ("Dropped,FrameTime\n0,5\n1,6\n", "FrameTime,DisplayedTime\n5,5\n6,NA\n"):
-            self.assertEqual(self.new(text), [0.005, 0.006])
-            again = ("new", "my-fling", "--clock-from", "frames.csv", "--force")
-            self.assertIn("\n1 of the 2 frames were dropped: ", self.expect(AGREED, *again).out)
-            self.assertEqual(self.expect(AGREED, *again, "--json").json["dropped"], 1)
+            self.assertEqual((self.new(text), self.dropped), ([0.005, 0.006], 1))
+            self.assertIn("\n1 of the 2 frames were dropped: ",
+                          self.expect(AGREED, "new", "my-fling", "--clock-from", "frames.csv", "--force").out)
+        self.assertEqual((self.new("FrameTime\n5\n"), self.dropped), ([0.005], None))
 
     def test_a_pipe_is_not_waited_for(self):
         os.mkfifo(self.folder / "frames.csv")
