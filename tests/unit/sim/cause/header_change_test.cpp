@@ -123,6 +123,21 @@ TEST(HeaderChanges, ABlockEndsWithItsOwnBrace) {
             (Lines{11, 12, 13}));
 }
 
+TEST(HeaderChanges, LinesAreCountedInWhateverIsAboveThem) {
+  for (const auto& [above, lines] : {std::pair(" \r\n\n", 2),
+                                     {"// one\n", 1},
+                                     {"/* one\n two\n */\n", 3},
+                                     {"#define A 1 \\\n + 2\n", 2},
+                                     {"#define A \"b\\\n c\"\n", 2},
+                                     {"int a =\n    1;\n", 2}}) {
+    std::string current = above + with("1200.0", "1250.0");
+    current.replace(current.find("m_vx *= DRAG;"), 13, "m_vx *=\n 2 *\n DRAG;");
+    EXPECT_EQ(lines_of(above + std::string(kHeader), current),
+              (std::vector<std::int64_t>{4 + lines, 8 + lines}))
+        << above;
+  }
+}
+
 TEST(HeaderLiterals, AreTheNumbersThatAreNotThoseOfConstants) {
   EXPECT_EQ(header_literals(with("m_vx *= DRAG;", "if (dt < 1200) m_vx *= 0.5f * DRAG;")),
             (std::vector{1200.0, 0.5, 0.0, 0.0}));
