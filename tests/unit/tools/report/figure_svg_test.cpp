@@ -292,6 +292,19 @@ TEST(PlotSvg, ABandIsTheAreaBetweenItsEnds) {
   EXPECT_EQ(std::count(corners.begin(), corners.end(), ','), 6);
 }
 
+TEST(PlotSvg, MarksInAnyOrderAreLabelledFromLeftToRight) {
+  Plot plot{.x = {.low = 0.0, .high = 100.0},
+            .y = {.low = 0.0, .high = 100.0},
+            .series = {{.x = {1.0}, .y = {1.0}}},
+            .marks = {{.at = 40.0, .text = "at forty"}, {.at = 41.0, .text = "a little after"}}};
+  const std::string svg = svg_of(plot);
+  EXPECT_NEAR(place_of(svg, "at forty").x, place_of(svg, "40").x, 0.1);
+  EXPECT_GT(box_of(svg, "a little after").value_or(SvgBox{}).left,
+            box_of(svg, "at forty").value_or(SvgBox{}).right);
+  std::ranges::reverse(plot.marks);
+  EXPECT_EQ(svg_of(plot), svg);
+}
+
 TEST(PlotSvg, APointHasItsNameForThePointer) {
   Plot plot{.series = {{.name = "Verlet",
                         .look = {.form = Form::points},
