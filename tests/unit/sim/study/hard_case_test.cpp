@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/hard_cases/hard_case.h"
@@ -31,8 +32,8 @@ const Study& hard_cases() {
   throw std::logic_error("no study hard-cases");
 }
 
-Result studied(std::vector<Scenario> scenarios) {
-  StudyRequest request{.core = shipped_core()};
+Result studied(std::vector<Scenario> scenarios, const Core& core = shipped_core()) {
+  StudyRequest request{.core = core};
   for (Scenario& scenario : scenarios) request.scenarios.push_back({"some.json", std::move(scenario)});
   return hard_cases().run(request);
 }
@@ -134,6 +135,21 @@ TEST(HardCase, AnExpectedFailureIsNotBrokenAndOneThatDoesNotOccurIs) {
   EXPECT_EQ(judged(hard_case, Invariant::mirror), CaseVerdict::held);
   hard_case.expected_failures = {{Invariant::mirror, "known"}};
   EXPECT_EQ(judged(hard_case, Invariant::mirror), CaseVerdict::expected_failure_gone);
+}
+
+TEST(HardCase, TheGateBreaksByWhatIsBrokenAndByAnExpectedFailureThatDoesNotOccur) {
+  Scenario sliding = named("subnormal-speed");
+  sliding.length = std::int64_t{4'000};
+  EXPECT_EQ(studied({sliding}).verdict.broken, std::vector<std::string>{});
+  Constants sticky = *shipped_core().constants, lively = sticky;
+  sticky.ground_friction = 0.0;
+  EXPECT_EQ(
+      studied({sliding}, listing_core(sticky)).verdict.broken,
+      std::vector<std::string>{"subnormal-speed: comes-to-rest holds: its expected failure is out of date"});
+  lively.restitution = 1.5;
+  const std::vector<std::string> broken = studied({fling_at(60.0, 200)}, listing_core(lively)).verdict.broken;
+  ASSERT_EQ(broken.size(), 3u);
+  EXPECT_EQ(broken[1].find("fling: energy-ceiling is broken by "), 0u) << broken[1];
 }
 
 TEST(HardCase, DragInAZeroLengthFrameIsAnExpectedFailureInEveryScenario) {

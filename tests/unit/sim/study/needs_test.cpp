@@ -67,6 +67,11 @@ TEST(Needs, GrowAsTheToleranceShrinks) {
   EXPECT_LT(needed(1.0), needed(0.0));
 }
 
+TEST(Needs, DoNotIncludeAPartThatMovesThePathByTheToleranceItself) {
+  EXPECT_EQ(need_of({.is_same_bits = false, .path_px = 1.0}, 1.0), Need::below);
+  EXPECT_EQ(need_of({.is_same_bits = false, .path_px = std::nextafter(1.0, 2.0)}, 1.0), Need::needed);
+}
+
 // Neither the fling nor the restitution of this scenario is needed alone, but one of them is.
 TEST(Needs, FindPartsThatReplaceEachOther) {
   const ScenarioNeeds needs = needs_of(scenario_named("paper/rest-threshold"));
@@ -142,10 +147,11 @@ TEST(Coverage, IsTheMostThatASceneNeeds) {
   EXPECT_EQ(at("stop"), Need::below);
 }
 
-Result studied(const std::vector<std::string>& names,
-               std::shared_ptr<const StepProgram> core_step = nullptr) {
+Result studied(const std::vector<std::string>& names, std::shared_ptr<const StepProgram> core_step = nullptr,
+               std::optional<double> within_px = {}) {
   StudyRequest request{.core = shipped_core(),
                        .is_quick = true,
+                       .within_px = within_px,
                        .core_step = std::move(core_step),
                        .machine = "some machine",
                        .now_ns = steady_ns};
@@ -189,6 +195,11 @@ TEST(NeedsStudy, CountsThePathsOfTheStepThatScenariosTake) {
                     1),
             "They take 4 of 12 paths of the step.");
   EXPECT_EQ(text_of(studied({"flings/first-fling"}), 1).find("paths"), std::string::npos) << "not recorded";
+}
+
+TEST(NeedsStudy, SaysThatAPathWhichMovesByTheToleranceIsWithinIt) {
+  const auto text = std::get<std::string>(studied({"flings/first-fling"}, nullptr, 0.0).verdict.text.back());
+  EXPECT_NE(text.find("left out at once, the path moves 0 px, within 0 px."), text.npos) << text;
 }
 
 TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
