@@ -15,10 +15,9 @@
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/files/table_text.h"
+#include "tools/hyrax-compare/card_report.h"
 #include "tools/hyrax-compare/core_file.h"
 #include "tools/report/page_file.h"
-#include "tools/report/result_page.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -107,42 +106,14 @@ std::string probed(const CoreFile& file, int number, const CardRequest& request,
   return rows;
 }
 
-// A screen: what was compared, the lines without their table's head, the consequence.
-std::string card_text(const Result& card, const std::string& candidate, const std::string& base) {
-  const auto& table = std::get<Table>(card.verdict.text.front());
-  const std::string lines = aligned_text(table);
-  return fmt::format("{} against {}\n  {}\n{}  {:<15} {}\n", candidate, base, table.long_name,
-                     lines.substr(lines.find('\n') + 1), "consequence", card.verdict.brief);
-}
-
-std::string card_json(const Result& card, const std::string& candidate, const std::string& base) {
-  Json::Object object{{"candidate", candidate}, {"base", base}};
-  add_members(object, card.summary);
-  return to_text(std::move(object), {.depth_indented = 2}) + "\n";
-}
-
-// @param command what made the page. ERRORS: as write_result_page's.
-void write_card_page(const std::string& path, const std::string& command, const Result& card,
-                     const std::string& candidate, const std::string& base) {
-  const auto name = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-  const auto& table = std::get<Table>(card.verdict.text.front());
-  ShownResult shown{.title = name(candidate) == name(base) ? name(base) + ": candidate against base"
-                                                           : name(candidate) + " against " + name(base),
-                    .subtitle = table.long_name,
-                    .verdict = {.text = {card.verdict.brief, table}},
-                    .tables = card.tables,
-                    .figures = card.figures,
-                    .origin = {{"candidate", candidate}, {"base", base}}};
-  write_result_page(path, command, {result_json(shown)});
-}
-
 ExitCode print_card(const Arguments& arguments, const std::string& command) {
   const bool has_candidate = !arguments.headers.empty();
   const bool has_base = arguments.headers.size() > 1;
-  const std::vector<std::string> headers = {
-      has_base ? arguments.headers.back()
-               : accepted_core_folder(arguments.golden.empty() ? "golden" : arguments.golden) + "/physics.h",
-      has_candidate ? arguments.headers.front() : "sim/physics/physics.h"};
+  const BeforeAfter<std::string> headers = {
+      .before = has_base ? arguments.headers.back()
+                         : accepted_core_folder(arguments.golden.empty() ? "golden" : arguments.golden) +
+                               "/physics.h",
+      .after = has_candidate ? arguments.headers.front() : "sim/physics/physics.h"};
   if (!arguments.report.empty()) {
     require_page();
     OutputGuard(arguments.headers, arguments.golden)
@@ -151,23 +122,24 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   CardRequest request = request_of(arguments);
   const TemporaryFolder folder;
   auto base_made = std::async(std::launch::async, [&] {
-    return has_base ? make_core(headers[0], folder, "base")
+    return has_base ? make_core(headers.before, folder, "base")
                     : core_of_golden(built_core_record(),
                                      arguments.golden.empty() ? HYRAX_SOURCE_DIR "/golden" : arguments.golden,
                                      folder, "base");
   });
-  const CoreFile candidate = has_candidate ? make_core(headers[1], folder, "candidate")
+  const CoreFile candidate = has_candidate ? make_core(headers.after, folder, "candidate")
                                            : core_of_project(built_core_record(), folder, "candidate");
   const CoreFile base = base_made.get();
-  request.proof = prove_equal(headers[0], base.core.record(), candidate.core.record());
+  request.proof = prove_equal(headers.before, base.core.record(), candidate.core.record());
   request.changes = header_changes(base.core.header, candidate.core.header);
   const bool is_same = request.proof.is_equal && base.core.header == candidate.core.header;
   if (!has_candidate && is_same && !arguments.is_json && arguments.report.empty()) {
-    print_text(headers[1] + " is the accepted core, " + headers[0] + ": nothing to compare\n");
+    print_text(headers.after + " is the accepted core, " + headers.before + ": nothing to compare\n");
     return ExitCode::agreed;
   }
   const auto in_process = [&](const std::function<std::string(PlayWatch&)>& work) {
-    return in_core_process(headers, static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
+    return in_core_process({headers.before, headers.after},
+                           static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
   };
   request.rows_hash.before = in_process([&](PlayWatch& watch) { return probed(base, 0, request, watch); });
   request.rows_hash.after =
@@ -175,8 +147,9 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   print_text(in_process([&](PlayWatch& watch) {
     const ComparedCore from = load_core(base, 0, watch);
     const Result card = card_result(measure_card(from, load_core(candidate, 1, watch), request));
-    if (!arguments.report.empty()) write_card_page(arguments.report, command, card, headers[1], headers[0]);
-    return (arguments.is_json ? card_json : card_text)(card, headers[1], headers[0]);
+    if (!arguments.report.empty())
+      write_result_page(arguments.report, command, {result_json(shown_card(card, headers))});
+    return (arguments.is_json ? card_json : card_text)(card, headers);
   }));
   return ExitCode::agreed;
 }
