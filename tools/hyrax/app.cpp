@@ -138,7 +138,7 @@ void App::play_frame() {
   pacer_.arm();
   if (playback_) return play_replayed_frame();
   follow_hand();
-  if (clock_ticks() >= next_check_ticks_) check_monitor();
+  if (monitor_checks_.is_due(clock_ticks())) check_monitor();
   if (pet_.is_asleep()) return;
   pet_.frame(clock_ticks());
   const Keyframe& now = pet_.session().now();
@@ -168,9 +168,8 @@ void App::use_monitor(const Monitor& monitor) {
 }
 
 void App::check_monitor() {
-  constexpr std::int64_t kChecksPerSecond = 4;  // A check costs more than a frame.
   if (playback_) return;
-  next_check_ticks_ = clock_ticks() + clock_ticks_per_s() / kChecksPerSecond;
+  monitor_checks_.done(clock_ticks());
   if (const auto desk = desk_of(monitor_.handle)) {
     monitor_.desk = *desk;
   } else {

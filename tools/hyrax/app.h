@@ -15,6 +15,7 @@
 #include "tools/hyrax/options.h"
 #include "tools/hyrax/pet.h"
 #include "tools/hyrax/playback.h"
+#include "tools/hyrax/repeated.h"
 #include "tools/hyrax/window.h"
 
 namespace hyrax {
@@ -45,7 +46,7 @@ class Recorder {
   Pet& pet_;
   std::function<void(const std::string&)> notify_;
   ScenarioSaver saver_;
-  std::int64_t next_save_ticks_ = 0;
+  Repeated saves_{clock_ticks_per_s(), Recording::kSavesPerSecond};
   std::string last_failure_;
 };
 
@@ -95,7 +96,7 @@ class App {
   std::optional<Scenario> scenario_;  // The replayed one.
   std::optional<Playback> playback_;
   std::int64_t end_ticks_;
-  std::int64_t next_check_ticks_ = 0;  // Of the monitor.
+  Repeated monitor_checks_{clock_ticks_per_s(), 4};  // A check costs more than a frame.
   bool is_frame_due_ = true;
   bool is_suspended_ = false;  // The machine is about to sleep, or sleeps.
   std::optional<ExitCode> exit_code_;

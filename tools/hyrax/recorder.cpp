@@ -10,11 +10,6 @@
 namespace hyrax {
 namespace {
 
-// Twice a second, so that every frame is on the disk within a second.
-constexpr std::int64_t kSavesPerSecond = 2;
-
-std::int64_t next_save_ticks() { return clock_ticks() + clock_ticks_per_s() / kSavesPerSecond; }
-
 // "Documents\Hyrax", created if needed; the current folder if the user has no documents.
 std::wstring recordings_folder() {
   PWSTR documents = nullptr;
@@ -43,7 +38,7 @@ Recorder::Recorder(Pet& pet, std::function<void(const std::string&)> notify)
 void Recorder::start(const std::string& path) {
   const AtomicFile probe(path);  // Fails now if the file cannot be written.
   pet_.session().start_recording(path, saver_);
-  next_save_ticks_ = next_save_ticks();
+  saves_.done(clock_ticks());
 }
 
 void Recorder::start_new() {
@@ -74,8 +69,8 @@ void Recorder::save_if_due() {
   if (!pet_.session().is_recording()) return;
   Recording& recording = pet_.session().recording();
   if (recording.is_full()) return continue_in_new_file();
-  if (clock_ticks() < next_save_ticks_ && !pet_.is_asleep()) return;
-  next_save_ticks_ = next_save_ticks();
+  if (!saves_.is_due(clock_ticks()) && !pet_.is_asleep()) return;
+  saves_.done(clock_ticks());
   recording.save();
   const auto failure = saver_.take_failure();
   if (failure && *failure != last_failure_) notify_(last_failure_ = *failure);

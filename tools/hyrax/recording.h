@@ -66,6 +66,7 @@ class ScenarioSaver {
 /// replaced nor removed.
 class Recording {
  public:
+  static constexpr std::int64_t kSavesPerSecond = 2;  ///< So that every frame is on the disk within a second.
   static constexpr std::int64_t kPartFrames = 16'384;  ///< Four and a half minutes of motion at 60 Hz.
   static constexpr std::int64_t kFramesMax = std::int64_t{1} << 20;  ///< About five hours; then `next`.
 

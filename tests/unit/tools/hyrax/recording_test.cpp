@@ -16,6 +16,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax/pet.h"
+#include "tools/hyrax/repeated.h"
 
 namespace hyrax {
 namespace {
@@ -200,6 +201,14 @@ TEST_F(RecordedSession, IsNamedByItsFile) {
   EXPECT_EQ(scenario_name_of("a/My fling_2.json"), "my-fling-2");
   EXPECT_EQ(scenario_name_of("a/"), "recording");
   EXPECT_EQ(scenario_name_of(std::string(99, 'x') + ".json").size(), 64u);
+}
+
+TEST(Repeated, ARecordingIsSavedTwiceASecond) {
+  Repeated saves(1000, Recording::kSavesPerSecond);
+  EXPECT_TRUE(saves.is_due(0));
+  saves.done(7000);
+  EXPECT_FALSE(saves.is_due(7499));
+  EXPECT_TRUE(saves.is_due(7500));
 }
 
 }  // namespace
