@@ -49,6 +49,11 @@ DOCUMENTS = sorted([*SOURCE.glob("*.md"), *(path for folder in FOLDERS for path 
 BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>[^\n]*) -->\n)?"
                    r"^```(?P<info>[^\n`]+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 RUN = {"console", "json", "python"}
+# What documents name in backquotes though no source has it: how it was called before, placeholders, programs of others,
+# what sources put together, and what only tests have.
+NAMED_NOWHERE = set("""cost_lower_quartile cost_upper_quartile steps_astray OTHER-BUILD u_i mpirun pre-commit-config python3-numpy
+    my_physics-replay my_physics-sim data-core data-first-difference data-ready data-replay data-state-hash
+    DCMAKE_PREFIX_PATH hyrax-figures many-bounces fling-2""".split())
 NOT_RUN = {"sh", "cmake", "cpp", "text"}
 RUNS_LONG = "HYRAX_LONG_BLOCKS" in os.environ or "--update" in sys.argv
 
@@ -162,6 +167,22 @@ def words_outside_blocks(document):
     return BLOCK.sub("", document.read_text(encoding="utf-8"))
 
 
+def names_in(text):
+    """Words and names of a text."""
+    return set(re.findall(r"\b[A-Za-z_]\w{2,}(?:-\w+)*", text))
+
+
+def names_of_sources(folders):
+    """Names in sources, and of files and folders."""
+    names = {word for path in SOURCE.glob("*.*") if path.suffix in (".txt", ".json") for word in names_in(path.read_text(encoding="utf-8"))}
+    for folder, folders_in, files in (each for top in folders for each in os.walk(SOURCE / top)):
+        names.update(folders_in, *(name.split(".") for name in files))
+        for path in (pathlib.Path(folder, name) for name in files if not re.search(r"\.(md|h5|svg|png|pyc)$", name)):
+            if not re.search("/(golden|found|scenarios)/|documentation_test.py$", str(path)):
+                names |= names_in(path.read_text(encoding="utf-8", errors="replace"))
+    return names
+
+
 def dead_links_of(document):
     """Targets of links within the project that do not exist, or have no such heading."""
     dead = []
@@ -266,6 +287,18 @@ class Documents(unittest.TestCase):
                     if "FOLDER/" in path:
                         continue
                     self.assertTrue((SOURCE / path).exists(), f"no such file in the project: {path}")
+
+    def test_every_name_exists(self):
+        """A key, column, option, file, command or program in backquotes; of the changelog, in its newest version."""
+        everywhere = names_of_sources(("sim", "tools", "scenarios", "golden", ".ci", ".github"))
+        in_tests, missing = names_of_sources(("tests",)), set()
+        for document in DOCUMENTS:
+            text = words_outside_blocks(document)
+            text = text.split("\n## ")[1] if document.name == "CHANGELOG.md" else text
+            known = everywhere | (in_tests if document.is_relative_to(SOURCE / "tests") else set())
+            known = known.union(*(names_in(f"{block.arguments} {block.body}") for block in blocks_of(document) if block.kind != "text"))
+            missing |= names_in("\n".join(re.findall("`([^`]+)`", text))) - known
+        self.assertEqual(missing, NAMED_NOWHERE)
 
     def test_every_script_exists(self):
         for document in DOCUMENTS:
