@@ -155,6 +155,10 @@ STATED = (
     (FILES, "stays below {} MB (a test)", "tests/cli/goldens_test.py", "BYTES_MAX"),
     (HYRAX, "one file of less than {} MB", "tests/cli/hyrax/executable_test.py", "SIZE_MAX_BYTES"),
     ("tests/README.md", "({} damaged golden files; `--all` tries {})", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS, if _IS_ALL else"),
+    ("tools/test", "{} damaged golden files", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS"),
+    *((document, words, "tools/test", "\n      mutants") for document, words in (
+        ("tools/test", "change {} places of the sources"), ("tests/README.md", "and tries {} mutants\nof the harness"),
+        ("tests/README.md", "`tools/test --nightly`\ndraws {}, with"))),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
     ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
@@ -233,7 +237,7 @@ def options_of(text):
 
 def decided(path, names):
     """The number that each name has."""
-    found = [re.search(re.escape(name) + r"(?: = | |\(|\{)" + NUMBER, text_of(path)) for name in names.split(", ")]
+    found = [re.search(re.escape(name) + r"(?: = |=| |\(|\{)" + NUMBER, text_of(path)) for name in names.split(", ")]
     return [value(each[1]) if each else None for each in found]
 
 
@@ -251,7 +255,7 @@ class Facts(unittest.TestCase):
                 self.assertEqual(stated(document, words), [number for place in printed for number in stated(*place)] or None)
 
     def test_every_exit_code_in_a_document_is_one_of_these(self):
-        for document in {row[0] for row in STATED if not row[0].endswith(".cpp")} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
+        for document in {row[0] for row in STATED if row[0].endswith((".md", ".txt"))} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
             prose = re.sub(r"```.*?```", lambda block: " " * len(block[0]), text_of(document), flags=re.DOTALL)
             spans = [place_of(document, row[1]).span() for row in STATED if row[0] == document]
             for code in re.finditer(r"exit(?: code)? (\d+)", prose):
@@ -262,6 +266,17 @@ class Facts(unittest.TestCase):
         self.assertIn(f"kFramesMax = std::int64_t{{1}} << {exponent:.0f};", text_of("tools/hyrax/recording.h"))
         self.assertEqual([hours], [round(2**exponent / 60 / 3600)])
         self.assertEqual(stated("tools/hyrax/help.txt", "after about {} hours of motion"), [hours])
+        saves, part = decided("tools/hyrax/recording.h", "kSavesPerSecond, kPartFrames")
+        self.assertEqual([saves, round(2 * part / 60 / 60) / 2], [2, 4.5])
+        for document, words in ((HYRAX, "about twice a second"), (HYRAX, "(four and a half minutes of motion at 60 Hz)"),
+                                (HYRAX, "at most the last second is lost"), ("tools/hyrax/help.txt", "At most the last second is lost")):
+            self.assertIn(words, text_of(document))
+
+    def test_how_long_is_fuzzed(self):
+        script, tests = " ".join(text_of("tools/test").split()), " ".join(text_of("tests/README.md").split())
+        for where, words in ((script, "fuzz for half a minute;"), (script, "fuzz for an hour, and"), (script, "=(asan-clang) fuzzing_s=30 "),
+                             (script, "debug) fuzzing_s=3600 "), (tests, "fuzzes for an hour instead of half a minute")):
+            self.assertIn(words, where)
 
     def test_numbers_that_follow_from_the_constants(self):
         names = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
