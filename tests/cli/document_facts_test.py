@@ -410,6 +410,14 @@ class Facts(unittest.TestCase):
                 with self.subTest(document=str(document.relative_to(SOURCE)), line=line):
                     self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
 
+    def test_every_option_of_a_script_in_a_document_is_one_of_its_own_or_of_its_program(self):
+        of_programs = set(re.findall(r"--[a-z][a-z-]+", "".join(help_screens()) + text_of("tools/hyrax-compare/main.cpp")))
+        for document in DOCUMENTS:
+            for script, line in re.findall(r"(tools/(?:run|check|compare|test|package)|tests/\w+/run|\.ci/run)\b([^`\n|;#]*)", document.read_text(encoding="utf-8")):
+                with self.subTest(document=str(document.relative_to(SOURCE)), script=script, line=line):
+                    known = set(re.findall(r"--[a-z][a-z-]+", text_of(script))) | (of_programs if re.search("run|check|compare", script) else set())
+                    self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
+
     def test_every_option_of_a_help_text_is_parsed_and_every_one_that_is_parsed_is_in_it(self):
         for program, sources in (("hyrax", ("options.cpp",)), ("hyrax-replay", ("main.cpp", "check.cpp"))):
             parsed = set(re.findall('"(--[a-z]+)"', "".join(text_of(f"tools/{program}/{source}") for source in sources)))
