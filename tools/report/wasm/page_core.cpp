@@ -16,7 +16,11 @@
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/report/wasm/shown_run.h"
 
+#ifdef __wasm__
 #define HYRAX_EXPORT(name) extern "C" [[clang::export_name(#name)]]
+#else  // A unit test calls them.
+#define HYRAX_EXPORT(name) extern "C"
+#endif
 
 namespace hyrax {
 namespace {

@@ -1,0 +1,207 @@
+// What the page's core hands to the page, compiled for this system: every number at its place and under its
+// name.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/core/shipped_core.h"
+#include "sim/reference/exact_fling.h"
+#include "sim/replay/fingerprint.h"
+#include "tests/unit/sim/reference/test_run.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
+#include "tools/report/wasm/scenario_record.h"
+
+namespace hyrax {
+
+// As tools/report/page/core.js calls them.
+extern "C" {
+double* input_room(std::int32_t count);
+const double* output();
+std::int32_t output_count();
+const char* text();
+std::int32_t text_length();
+void fingerprint();
+void expect_rows(std::int32_t count);
+void expect_blocks(std::int32_t count);
+double load(std::int32_t count);
+double play_to(double step);
+void finish();
+std::int32_t row_column(std::size_t index);
+std::int32_t contact_column(std::size_t index);
+std::int32_t error_column(std::size_t index);
+std::int32_t contact_error_column(std::size_t index);
+std::int32_t cause_column(std::size_t index);
+void live_start();
+void live_grab(std::int32_t x_px, std::int32_t y_px, double ticks);
+void live_drag(std::int32_t x_px, std::int32_t y_px, double ticks);
+void live_release(std::int32_t x_px, std::int32_t y_px, double ticks);
+void live_velocity(double ticks);
+void live_frame(double dt_s);
+void live_scenario();
+void flight(double rate_hz, double duration_s);
+}
+
+namespace {
+
+using Numbers = std::vector<double>;
+using NumbersByName = std::map<std::string, Numbers>;
+
+std::int32_t give(const Numbers& numbers) {
+  const auto count = static_cast<std::int32_t>(numbers.size());
+  std::ranges::copy(numbers, input_room(count));
+  return count;
+}
+Numbers given() { return {output(), output() + output_count()}; }
+std::string given_text() { return {text(), static_cast<std::size_t>(text_length())}; }
+
+NumbersByName columns(std::int32_t (*column)(std::size_t)) {
+  NumbersByName all;
+  for (std::size_t index = 0; column(index) != 0; ++index) all[given_text()] = given();
+  return all;
+}
+
+template <class Record>
+Numbers each(const std::vector<Record>& records, const auto& number) {
+  Numbers numbers;
+  for (const Record& record : records) numbers.push_back(static_cast<double>(std::invoke(number, record)));
+  return numbers;
+}
+
+struct PlayedInPage {
+  explicit PlayedInPage(const Scenario& scenario) {
+    steps = load(give(record_of(scenario)));
+    reached = play_to(steps);
+    finish();
+    came_to = given();
+    hash = given_text();
+  }
+  double steps = 0.0, reached = 0.0;
+  Numbers came_to;
+  std::string hash;
+};
+
+TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
+  Scenario scenario = fling_at(144.0, 700);
+  scenario.start_velocity = {5000.0, -700.0};  // Each wall another number of times.
+  const PlayedInPage played(scenario);
+  TraceSink trace;
+  const RunSummary summary = replay(shipped_core(), scenario, trace);
+  Measured measured(true);
+  measure(scenario, measured);
+  const DriftSummary& errors = measured.summary;
+  EXPECT_EQ(played.steps, 700.0);
+  EXPECT_EQ(played.reached, 700.0);
+  EXPECT_EQ(played.hash, hex(summary.state_hash));
+  ASSERT_EQ(played.came_to.size(), 15u);
+  for (const std::size_t none : {2u, 5u, 6u}) EXPECT_TRUE(std::isnan(played.came_to[none])) << none;
+  EXPECT_EQ(Numbers(played.came_to.begin() + 7, played.came_to.end()),
+            (Numbers{errors.implementation_px->value, errors.truncation_px->value, errors.model_px->value,
+                     errors.energy_drift_rel_max->value, 1.0, 2.0, 0.0, 9.0}));
+  const NumbersByName rows = columns(row_column);
+  for (const RowColumn& column : kRowColumns)
+    EXPECT_EQ(rows.at(std::string(column.name)),
+              each(trace.rows(), [&](const Row& row) { return column.number(row).value(); }))
+        << column.name;
+  EXPECT_EQ(rows.at("step"), each(trace.rows(), &Row::step));
+  EXPECT_EQ(rows.at("contact"), each(trace.rows(), &Row::contact));
+  EXPECT_EQ(columns(contact_column).at("step"), each(trace.contacts(), &Contact::step));
+  const NumbersByName shown = columns(error_column);
+  EXPECT_EQ(shown.at("implementation"), each(measured.rows, &RowErrors::implementation_px));
+  EXPECT_EQ(shown.at("truncation"), each(measured.rows, &RowErrors::truncation_px));
+  EXPECT_EQ(shown.at("model"), each(measured.rows, &RowErrors::model_px));
+  EXPECT_EQ(columns(contact_error_column).at("overshoot"),
+            each(measured.contacts, &ImpactErrors::overshoot_px));
+  const NumbersByName causes = columns(cause_column);
+  EXPECT_NEAR(causes.at("gravity").back(), errors.arc_energy.gravity / 1200.0, 1e-9);
+  EXPECT_NEAR(causes.at("drag").back(), errors.arc_energy.drag / 1200.0, 1e-9);
+  EXPECT_NEAR(causes.at("lift").back(), errors.contact_energy.lift / 1200.0, 1e-9);
+  EXPECT_NEAR(causes.at("bounce").back(), errors.late_bounces_px2_per_s2 / 1200.0, 1e-9);
+}
+
+TEST(PageCore, FindsTheFirstRowOrBlockThatDiffersFromTheFiles) {
+  const Scenario scenario = fling_at(60.0, 4200);
+  TraceSink trace;
+  static_cast<void>(replay(shipped_core(), scenario, trace));
+  const auto difference = [&](std::size_t changed_row, std::size_t changed_block) {
+    Numbers rows, digests;
+    for (const std::size_t step : {0u, 7u, 4199u}) {
+      const Row& row = trace.rows()[step];
+      const double x_px = row.x_px + (step == changed_row ? 1.0 : 0.0);
+      rows.insert(rows.end(), {double(row.step), row.t_s, row.dt_s, x_px, row.y_px, row.vx_px_per_s,
+                               row.vy_px_per_s, double(row.contact)});
+    }
+    for (const TraceSink::BlockSeen& block : trace.blocks())
+      for (const std::uint8_t byte : block.digest) digests.push_back(byte);
+    if (changed_block < 2) digests[16 * changed_block] = 255.0 - digests[16 * changed_block];
+    expect_rows(give(rows));
+    expect_blocks(give(digests));
+    const Numbers found = PlayedInPage(scenario).came_to;
+    EXPECT_EQ(found[3], 3.0) << "rows compared";
+    EXPECT_EQ(found[4], 1.0) << "all of the file was played";
+    return found[2];
+  };
+  EXPECT_TRUE(std::isnan(difference(1, 2)));
+  EXPECT_EQ(difference(7, 2), 7.0);
+  EXPECT_EQ(difference(1, 1), 4096.0);
+  EXPECT_EQ(difference(4199, 1), 4199.0) << "a row says more than its block";
+  EXPECT_EQ(difference(4199, 0), 0.0);
+}
+
+TEST(PageCore, AFlingByHandIsTheScenarioThatItHandsOut) {
+  const Numbers start{300.0, 200.0, 30.0, 40.0, 1000.0, 800.0, 100.0, 50.0};
+  static_cast<void>(give(start));
+  live_start();
+  live_frame(0.016);
+  const State flown =
+      shipped_core().step({300.0, 200.0, 30.0, 40.0}, 0.016, bounds_of({1000, 800}, {100, 50}));
+  EXPECT_EQ(given(),
+            (Numbers{0.016, flown.x_px, flown.y_px, flown.vx_px_per_s, flown.vy_px_per_s, 0.0, 1.0}));
+  live_grab(310, 220, 1'000'000.0);
+  live_drag(350, 200, 1'050'000.0);
+  live_velocity(1'050'000.0);
+  EXPECT_EQ(given(), (Numbers{800.0, -400.0}));
+  live_frame(0.05);
+  live_release(390, 180, 1'100'000.0);
+  EXPECT_EQ(given(), (Numbers{flown.x_px + 80.0, flown.y_px - 40.0, 800.0, -400.0}));
+  live_frame(0.02);
+  const double frames = given().back();
+  live_scenario();
+  const Numbers record = given();
+  const std::string hash = given_text();
+  EXPECT_EQ(frames, 3.0);
+  EXPECT_EQ(load(give(record)), 3.0);
+  play_to(3.0);
+  finish();
+  EXPECT_EQ(given_text(), hash);
+}
+
+TEST(PageCore, FliesAtADisplaysRateOrExactly) {
+  const Numbers start{300.0, 500.0, 2400.0, -700.0, 1920.0, 1080.0, 128.0, 128.0};
+  static_cast<void>(give(start));
+  flight(50.0, 2.0);
+  Numbers expected;
+  TraceSink trace;
+  static_cast<void>(replay(shipped_core(), fling_at(50.0, 100), trace));
+  for (const Row& row : trace.rows()) expected.insert(expected.end(), {row.t_s, row.x_px, row.y_px});
+  EXPECT_EQ(given(), expected);
+  flight(0.0, 0.5);
+  ExactFling exact;
+  exact.start({300.0, 500.0, 2400.0, -700.0}, bounds_of(kDesktopWindow, kHyrax));
+  const State end = exact.at(0.5);
+  ASSERT_EQ(output_count(), 3 * 121);
+  EXPECT_EQ(output()[360], 0.5);
+  EXPECT_NEAR(output()[361], end.x_px, 1e-9);
+  EXPECT_NEAR(output()[362], end.y_px, 1e-9);
+}
+
+TEST(PageCore, RefusesARecordThatIsNoneAndHasTheCoresFingerprint) {
+  EXPECT_EQ(load(give({1.0})), -1.0);
+  fingerprint();
+  EXPECT_EQ(given_text(), hex(fingerprint_of(shipped_core())));
+}
+
+}  // namespace
+}  // namespace hyrax
