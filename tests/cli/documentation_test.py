@@ -267,10 +267,10 @@ class Documents(unittest.TestCase):
                 if block.kind != "json" or json.loads(block.body).get("format") != "hyrax-scenario/1":
                     continue
                 scenarios += 1
-                with self.on_each(document), tempfile.NamedTemporaryFile(suffix=".json") as file:
-                    pathlib.Path(file.name).write_text(block.body, encoding="utf-8")
+                with self.on_each(document), tempfile.TemporaryDirectory(prefix="hyrax-documentation-") as folder:
+                    pathlib.Path(folder, "printed.json").write_text(block.body, encoding="utf-8")
                     for command in ("validate", "run"):
-                        outcome = run(PROGRAM, command, file.name)
+                        outcome = run(PROGRAM, command, "printed.json", cwd=folder)
                         self.assertEqual(outcome.exit_code, 0, outcome)
         self.assertGreater(scenarios, 1, "the scenarios were not found")
 
