@@ -169,6 +169,8 @@ TEST(KnockingRun, OfMoreContactsThanAreRecordedHasTheRestCounted) {
   ASSERT_EQ(kept.contacts_total, kContactsRecordedMax);
   kept.contacts_total += 100;
   EXPECT_TRUE(compare(kept, scenario).agrees);
+  kept.contacts.pop_back();
+  EXPECT_FALSE(compare(kept, scenario).agrees);
 }
 
 }  // namespace
