@@ -7,11 +7,10 @@ import shutil
 
 import h5py
 
-from check_program import ProjectTest
 from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
 
-class Accept(ProjectTest):
+class Accept(ProgramTest):
     """The widest difference that may be blessed."""
 
     def setUp(self):
@@ -230,7 +229,7 @@ class UpdateExpect(Update):
         self.assertIn("scenarios/fling.json: expect updated\n", out)
 
 
-class Prune(ProjectTest):
+class Prune(ProgramTest):
     """`--prune` removes golden files without a scenario."""
 
     def setUp(self):

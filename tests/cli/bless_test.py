@@ -8,7 +8,6 @@ import shutil
 
 import h5py
 
-from check_program import ProjectTest
 from process import run
 from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM,
                      Maybe, ProgramTest, fling, main)
@@ -20,7 +19,7 @@ BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe(
            "summary": Maybe(str), "updates_hash": bool}
 
 
-class Bless(ProjectTest):
+class Bless(ProgramTest):
     """A project with two throws, and one without golden file."""
 
     def setUp(self):

@@ -14,14 +14,13 @@ import h5py
 import numpy
 
 import program
-from check_program import ProjectTest
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
 
-class CauseTest(ProjectTest):
+class CauseTest(ProgramTest):
     """A project with three throws, and the program with a changed core."""
 
     def setUp(self):

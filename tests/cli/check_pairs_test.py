@@ -4,8 +4,8 @@
 import h5py
 import xxhash
 
-from check_program import ProjectTest, nudge
-from program import AGREED, DISAGREED, fling, main
+from check_program import nudge
+from program import AGREED, DISAGREED, ProgramTest, fling, main
 
 START = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
 DT_S = {"dt_s": 1 / 60}
@@ -26,7 +26,7 @@ def seal(h5, txt):
     txt.write_text(txt.read_text().partition("checksums: ")[0] + checksums)
 
 
-class PairTest(ProjectTest):
+class PairTest(ProgramTest):
     """Golden pairs, all of them blessed by one command, and all of them judged by one."""
 
     def pair(self, path):

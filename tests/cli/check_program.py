@@ -1,7 +1,4 @@
-"""Shared by the tests of `check` and `bless`: projects, and a golden file with one value changed."""
-
-import shutil
-import tempfile
+"""Shared by the tests of `check`: a project, and a golden file with one value changed."""
 
 from program import ProgramTest
 
@@ -16,23 +13,7 @@ def nudge(path, dataset, row):
         file[dataset][row] = numpy.nextafter(file[dataset][row], numpy.inf)
 
 
-class ProjectTest(ProgramTest):
-    """Copies a project that was made before, if the folder is empty."""
-
-    _made = {}
-
-    def project(self, *names):
-        if self.names():
-            return super().project(*names)
-        if names not in self._made:
-            self._made[names] = tempfile.TemporaryDirectory(prefix="hyrax-test-project-"), super().project(*names)
-            shutil.copytree(self.folder, self._made[names][0].name, dirs_exist_ok=True)
-        else:
-            shutil.copytree(self._made[names][0].name, self.folder, dirs_exist_ok=True)
-        return self._made[names][1]
-
-
-class CheckTest(ProjectTest):
+class CheckTest(ProgramTest):
     """A project with three throws."""
 
     def setUp(self):

@@ -6,13 +6,12 @@ import os
 import pty
 import subprocess
 
-from check_program import ProjectTest
 from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 GREEN, RED = "\x1b[32m", "\x1b[31m"
 
 
-class Detail(ProjectTest):
+class Detail(ProgramTest):
     """-q prints errors and verdicts only, -v more, and neither changes a document or an exit code."""
 
     def setUp(self):
@@ -87,7 +86,7 @@ class Detail(ProjectTest):
             "within_px", "chance", "low", "high", "drawn_part", "starts", "changed", "steps", "seed"})
 
 
-class Colour(ProjectTest):
+class Colour(ProgramTest):
     """Verdicts have a colour on a terminal."""
 
     def shown(self, *arguments, **variables):

@@ -6,7 +6,6 @@ import re
 
 import h5py
 
-from check_program import ProjectTest
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
 
 COUNTS = {"left": int, "right": int, "top": int, "ground": int}
@@ -230,7 +229,7 @@ class Override(ProgramTest):
         self.assertEqual(self.names(), ["fling.json"])
 
 
-class Golden(ProjectTest):
+class Golden(ProgramTest):
     """`run` compares with the golden file if there is one."""
 
     GOLDEN = {"file": str, "status": str}
