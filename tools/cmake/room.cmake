@@ -29,8 +29,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(hyrax_timed ${hyrax_branching} -fno-tree-slp-vectorize)
 endif()
 
-# What fuzzers run counts for them which ways it takes. It doubles the time of compiling.
-set(hyrax_counted $<$<BOOL:${HYRAX_FUZZERS}>:-fsanitize=fuzzer-no-link>)
+# Measures the coverage of code that fuzzers run, for them. It doubles the time to compile.
+set(hyrax_fuzzed $<$<BOOL:${HYRAX_FUZZERS}>:-fsanitize=fuzzer-no-link>)
 
 # Headers of the standard library that most source files include.
 set(hyrax_standard_headers
@@ -75,7 +75,7 @@ endfunction()
 # The headers are compiled with hyrax_physics, which has the flags of all that computes.
 function(hyrax_compute target)
   hyrax_room(${target})
-  target_compile_options(${target} PRIVATE ${hyrax_counted})
+  target_compile_options(${target} PRIVATE ${hyrax_fuzzed})
   target_precompile_headers(${target} REUSE_FROM hyrax_physics)
 endfunction()
 
