@@ -122,5 +122,6 @@ class ReplayCheckCases:
         self.refuse(BAD_INPUT, "--golden", "a", "--golden", "b", says="--golden: given twice")
         (self.folder / "empty").mkdir()
         self.refuse(BAD_INPUT, "empty", says="empty: no scenario found (*.json)")
+        self.check(BAD_INPUT, "scenarios", "empty")
         shutil.rmtree(self.folder / "scenarios")
         self.refuse(BAD_INPUT, says="scenarios: no such folder in the current one; name the scenarios or folders to check")

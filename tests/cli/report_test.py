@@ -11,6 +11,7 @@ import pathlib
 import re
 import shlex
 import shutil
+import struct
 
 import h5py
 
@@ -122,6 +123,16 @@ class Numbers(ProgramTest):
                 for name, text in rows.items():
                     wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
+
+    def test_members_of_a_part_are_those_of_the_sweep(self):
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 5, "seed": 1,
+                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}})
+        self.expect(AGREED, "sweep", "sweep.json", "--part", "1/2", "-o", "sweep.h5")
+        sweep = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"][0]["sweep"]
+        with h5py.File(self.folder / "sweep.part-1-of-2.h5") as file:
+            wanted = file["inputs/start.vx_px_per_s"][:].astype("<f8").tobytes()
+        self.assertEqual(base64.b64decode(sweep["members"]), struct.pack("<2d", 1, 3))
+        self.assertEqual(base64.b64decode(sweep["inputs"][0]["values"]), wanted)
 
     def test_the_command_in_the_page_writes_it_again(self):
         self.write("scenarios/fling.json", program.fling())

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/card/card.h"
+#include "sim/card/flings.h"
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -44,6 +45,24 @@ TEST(MeasuredCard, IsTheOneApproved) {
   for (const Table& table : result.summary) text += described(table);
   for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/measured.txt", text);
+}
+
+// Each core is timed once, then the base and the candidate, the candidate and the base, and so on: 30,000
+// steps in 1 and 3 ns each.
+TEST(MeasuredCost, IsOfTheCandidateOverTheBaseWhicheverIsTimedFirst) {
+  PlayWatch watch{};
+  const ComparedCore core = compared_core(
+      0, {.counted = shipped_core(), .timed = shipped_core(), .lacking = {}}, shipped_core().record, watch);
+  std::int64_t now_ns = 0, calls = 0;
+  const CostLine cost = measure_cost(core, core, 1, [&] {
+    const std::int64_t sample = calls / 2 % 4;
+    if (calls++ % 2 == 1) now_ns += sample == 1 || sample == 2 ? 30'000 : 90'000;
+    return now_ns;
+  });
+  EXPECT_EQ(cost.step_ns.before.median, 1.0);
+  EXPECT_EQ(cost.step_ns.after.median, 3.0);
+  EXPECT_EQ(cost.ratio.low, 3.0);
+  EXPECT_EQ(cost.ratio.high, 3.0);
 }
 
 }  // namespace
