@@ -58,11 +58,12 @@ TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
       euler{BounceMethod::explicit_euler, 60.0, 0, 500.0, 1.5, 1.7},
       exact{BounceMethod::exact, 0.0, 0, 500.0, 1.0, 1.0 + 1e-10};
   EXPECT_TRUE(bounces_result({paper, euler, exact}).verdict.broken.empty());
-  KeptEnergy changed = exact;
-  changed.ten_minutes = 1.0 - 1e-8;
-  EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u);
-  changed.ten_minutes = std::nan("");
-  EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u);
+  for (double KeptEnergy::*const part : {&KeptEnergy::minute, &KeptEnergy::ten_minutes})
+    for (const double kept : {1.0 - 1e-8, 1.0 + 1e-8, std::nan("")}) {
+      KeptEnergy changed = exact;
+      changed.*part = kept;
+      EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u) << kept;
+    }
 }
 
 }  // namespace
