@@ -14,7 +14,7 @@ What a README may print, by the first word after the fence:
               and those of COPIED_IF_NAMED that the file's blocks name. After the first word:
               exit=N   exit code of the last command that fails (0 if left out)
               core=N   `hyrax-sim` is the altered program, with core N
-              long     not in the everyday set, which has a shorter run of the same
+              long     by hyrax-sim.documentation_all only; an everyday test does the same with less
               A line `<!-- varies: REGEX -->` above the block names what differs from run to run.
     json      is valid; a scenario is valid, too, and its expectations hold. A name after the first word is the
               file's name in the scratch folder.

@@ -28,8 +28,11 @@ class Path {
   arc(x, y, radius) {
     this.shape.push(`circle ${points(this.place(x, y))} r ${short(radius)}`);
   }
-  rect(x, y, width, height) {
-    this.shape.push(`box ${points(this.place(x, y), [this.at[0] * width, this.at[1] * height])}`);
+  box(x, y, width, height) {
+    return points(this.place(x, y), [this.at[0] * width, this.at[1] * height]);
+  }
+  rect(...box) {
+    this.shape.push(`box ${this.box(...box)}`);
   }
 }
 
@@ -73,14 +76,11 @@ class Context extends Path {
   fill() {
     this.#say('fill', this.fillStyle, this.shape.join(' '));
   }
-  #box(x, y, width, height) {
-    return points(this.place(x, y), [this.at[0] * width, this.at[1] * height]);
-  }
   fillRect(...box) {
-    this.#say('fill', this.fillStyle, `box ${this.#box(...box)}`);
+    this.#say('fill', this.fillStyle, `box ${this.box(...box)}`);
   }
   strokeRect(...box) {
-    this.#say('stroke', this.#pen(), `box ${this.#box(...box)}`);
+    this.#say('stroke', this.#pen(), `box ${this.box(...box)}`);
   }
   clearRect() {
     this.log = [];
@@ -94,7 +94,7 @@ class Context extends Path {
   strokeText() {}
   drawImage(image, x, y, width, height) {
     if (width === undefined) this.log.push(...image.getContext().log);
-    else if (image.getContext) this.#say('image', image.getContext().log.join(), this.#box(x, y, width, height));
+    else if (image.getContext) this.#say('image', image.getContext().log.join(), this.box(x, y, width, height));
     else this.log.push(/#(\w+)\{display:inline/.exec(decodeURIComponent(image.src))[1]);
   }
 }
@@ -142,9 +142,6 @@ export class Element {
   }
   after(other) {
     this.next = other;
-  }
-  before(other) {
-    this.previous = other;
   }
   setAttribute(name, value) {
     this.attributes[name] = String(value);
@@ -227,20 +224,18 @@ export function element(id) {
 export const saved = [];
 let waiting = [], observed = [], now = 0;
 
-/** The time of the display in ms; `frame` moves it, and does what waited for a frame. */
+function due(kind) {
+  const calls = waiting.filter(each => each.kind === kind);
+  waiting = waiting.filter(each => each.kind !== kind);
+  return calls;
+}
+/** Sets the time of the display, in ms, and calls what waits for a frame. */
 export function frame(to) {
   now = to;
-  const due = waiting.filter(({ kind }) => kind === 'frame');
-  waiting = waiting.filter(each => !due.includes(each));
-  for (const { call } of due) call(to);
+  for (const { call } of due('frame')) call(to);
 }
-/** Does what waited for a time, and says how long each waited. */
-export function later() {
-  const due = waiting.filter(({ kind }) => kind === 'time');
-  waiting = waiting.filter(each => !due.includes(each));
-  for (const { call } of due) call();
-  return due.map(({ after }) => after);
-}
+/** Calls what waits for a time; returns how long each waits. */
+export const later = () => due('time').map(({ call, after }) => (call(), after));
 
 /** As a page that was just opened: nothing listens, waits or was written into it. */
 export function reopen() {
@@ -315,7 +310,5 @@ export default class Plot {
   setSize({ width }) {
     this.width = width;
   }
-  destroy() {
-    this.isGone = true;
-  }
+  destroy() {}
 }
