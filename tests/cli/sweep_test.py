@@ -45,6 +45,14 @@ class EveryMember(SweepTest):
             run = self.expect(AGREED, "run", f"m{member}.json", "--json").json["runs"][0]
             self.assertEqual(bytes(found["members/state_hash"][member]).hex(), run["state_hash"])
 
+    def test_each_number_of_a_clock_moves_the_event_of_a_time(self):
+        clock = {"rate_hz": 60, "jitter": {"kind": "normal", "sigma_s": 0.004, "seed": 1}}
+        events = [{"at_s": 1.5, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -800}}]
+        for key, rule in (("seed", {"member": True}), ("sigma_s", {"uniform": [0, 0.008]}), ("rate_hz", {"uniform": [50, 70]})):
+            vary = {f"/clock/{'' if key == 'rate_hz' else 'jitter/'}{key}": rule}
+            sweep = document(members=8, keep=ALL[:4], vary=vary, base=base(clock=clock, events=events, steps=120))
+            assert_same_bits(self, self.computed(sweep), Members(self, sweep).columns(), key)
+
     def test_what_is_not_kept_is_not_there(self):
         final = ["members/vx", "members/vy", "members/x", "members/y"]
         for keep, names in ((["final"], final), (["extremes"], ["members/speed_max", "members/x_max", "members/x_min",

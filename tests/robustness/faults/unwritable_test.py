@@ -53,9 +53,25 @@ class Limit(Unwritable):
                     says="fling.h5: cannot be written: File too large", preexec_fn=at_most(3_000_000), env=ENVIRONMENT)
         self.assert_untouched()
 
+    def test_run_to_csv_but_for_the_last_byte(self):
+        self.expect(DISAGREED, "run", "scenarios/fling.json", "-o", "whole.csv")
+        whole = (self.folder / "whole.csv").rename(self.folder / "fling.csv").stat().st_size
+        self.before = self.state_of(".")
+        self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", "-o", "fling.csv", preexec_fn=at_most(whole - 1),
+                    says="fling.csv: cannot be written: File too large")
+        self.assert_untouched()
+
     def test_bless_fails_in_both_files_or_in_none(self):
         for size in (0, 500, 20_000):
             self.bless_fails("golden/fling.", "cannot be written: File too large", preexec_fn=at_most(size))
+
+    def test_where_bless_fails_nothing_is_pruned(self):
+        self.write("scenarios/gone.json", fling(name="gone"))
+        self.bless("scenarios/gone.json")
+        (self.folder / "scenarios/gone.json").unlink()
+        self.before = self.state_of(".")
+        self.expect(CANNOT_ACCESS, "bless", "scenarios", "--prune", "--reason", "x", preexec_fn=at_most(500), env=ENVIRONMENT)
+        self.assert_untouched()
 
     def test_the_table_outlives_a_junit_file_that_cannot_be_written(self):
         outcome = self.expect(CANNOT_ACCESS, "check", "--junit", "report.xml", preexec_fn=at_most(10), env=ENVIRONMENT,

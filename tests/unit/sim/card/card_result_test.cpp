@@ -65,6 +65,8 @@ TEST(CardResult, IsTheOneApproved) {
   card.claims.not_measured = {"one", "two"};
   card.claims.other_numbers = 57;
   card.rest.moved_px = {std::vector(18, 0.5), std::vector(18, 0.25)};
+  card.rest.moved_px.before[3] = 0.75;
+  card.rest.moved_px.after[4] = 0.375;
   const Result result = card_result(card);
   std::string text = described(result.verdict);
   for (const Table& table : result.summary) text += described(table);

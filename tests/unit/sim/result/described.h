@@ -27,8 +27,10 @@ inline std::string six_digits(double value) {
   return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%.6g", value))};
 }
 
-// How many, first .. last, least .. most, mean; NaN is a missing value.
+// How many, and each of a few; of many first .. last, least .. most, the mean and the mean weighted by place,
+// which an exchange of two changes. NaN is a missing value.
 inline std::string described(const std::vector<double>& values) {
+  constexpr std::size_t kShownMax = 8;
   std::vector<double> known;
   std::copy_if(values.begin(), values.end(), std::back_inserter(known),
                [](double value) { return !std::isnan(value); });
@@ -36,12 +38,22 @@ inline std::string described(const std::vector<double>& values) {
   if (known.size() != values.size())
     text += " (" + std::to_string(values.size() - known.size()) + " missing)";
   if (known.empty()) return text;
-  double mean = 0.0;
-  for (const double value : known) mean += value / static_cast<double>(known.size());
+  if (known.size() <= kShownMax) {
+    text += ":";
+    for (const double value : known) text += " " + six_digits(value);
+    return text;
+  }
+  const auto count = static_cast<double>(known.size());
+  double mean = 0.0, by_place = 0.0;
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    mean += known[at] / count;
+    by_place += known[at] / count * (static_cast<double>(at) / count);
+  }
   const auto [least, most] = std::minmax_element(known.begin(), known.end());
   text += ": " + six_digits(known.front()) + " .. " + six_digits(known.back());
   if (*least == *most) return text;
-  return text + " in " + six_digits(*least) + " .. " + six_digits(*most) + ", mean " + six_digits(mean);
+  return text + " in " + six_digits(*least) + " .. " + six_digits(*most) + ", mean " + six_digits(mean) +
+         ", by place " + six_digits(by_place);
 }
 
 // Each text once, in order, with how often it stands there.
