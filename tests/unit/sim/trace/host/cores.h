@@ -19,8 +19,8 @@
 
 namespace hyrax::traced_cores {
 
-inline volatile unsigned kForEver =
-    1;  // Not known to the compiler, which would warn of a recursion without end.
+// Not known to the compiler, which would warn of a recursion without end.
+inline volatile unsigned kForEver = 1;
 
 // What the system sends when the one second that a process may take is over.
 inline void reach_time_limit() {
