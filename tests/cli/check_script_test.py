@@ -7,12 +7,13 @@ CheckScript runs a copy of the scripts in a project whose build folder has a nin
 """
 
 import os
+import pty
 import re
 import signal
 import time
 
 from process import Process, run, skip_unless_installed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 
 SCRIPTS = ("run", "check", "compare", "test", "package")
 
@@ -42,29 +43,17 @@ class CheckScript(ProgramTest):
         """Runs the script."""
         return run("tools/check", *arguments, cwd=self.folder)
 
-    def test_help_builds_nothing(self):
+    def test_help_builds_nothing_and_the_exit_code_is_that_of_check_or_3(self):
         done = self.check("--help")
         self.assertEqual((done.exit_code, done.err), (0, ""))
         for part in ("--watch", "Ctrl-C", "Exit code"):
             self.assertIn(part, done.out)
         self.assertFalse((self.folder / "build/tools/bin").exists())
-
-    def test_it_builds_then_checks(self):
-        first = self.check()
-        self.assertEqual(first.exit_code, AGREED, first)
-        self.assertIn("build hyrax-sim", first.err)
-        self.assertIn("1 agreed", first.out)
-        again = self.check(self.scenario)
-        self.assertEqual((again.exit_code, again.err), (AGREED, ""), "up to date: nothing is built")
-        self.assertEqual(again.out, first.out)
-
-    def test_its_exit_code_is_that_of_check(self):
         self.write(self.scenario, fling(name="one", steps=299))
-        done = self.check("--golden", "golden")
+        done = self.check(self.scenario, "--golden", "golden")
         self.assertEqual(done.exit_code, DISAGREED, done)
+        self.assertIn("build hyrax-sim", done.err)
         self.assertIn("0 agreed, 1 disagreed", done.out)
-
-    def test_a_build_that_fails_is_exit_3(self):
         self.write_build("false")
         done = self.check()
         self.assertEqual((done.exit_code, done.out), (CANNOT_ACCESS, ""), done)
@@ -79,11 +68,13 @@ class CheckScript(ProgramTest):
             self.wait_for(log, "exit code 0; waiting")
             self.write(self.scenario, fling(name="one", steps=299))
             self.wait_for(log, "exit code 1; waiting")
+            self.assertEqual(log.read_text().count("build hyrax-sim"), 1, "up to date: nothing is built")
             self.write("sim/source.txt", "other")
             self.wait_for(log, "exit code 1; waiting", times=2)
             os.killpg(process.id, signal.SIGINT)
             self.assertEqual(process.wait().exit_code, 0)
-        self.assertEqual(log.read_text().count("build hyrax-sim"), 2)
+        for part, times in (("build hyrax-sim", 2), ("1 agreed", 1), ("0 agreed, 1 disagreed", 2)):
+            self.assertEqual(log.read_text().count(part), times, part)
 
     def wait_for(self, log, text, times=1):
         """Until the log contains the text that often."""
@@ -103,33 +94,41 @@ class RunScript(ProgramTest):
         options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
         self.assertIn("--golden", options)
         with_values = [word for option in options for word in (option, "x")]
-        for arguments in (with_values, ("--yes", "--set", "/steps=9", "-o", "a.h5"), ("--figure",)):
-            outcome = run("tools/run", *arguments, cwd=self.folder)
-            self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
-            self.assertIn("tools/run: SCENARIO is missing", outcome.err)
+        outcome = run("tools/run", "--yes", *with_values, "--figure", cwd=self.folder)
+        self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
+        self.assertIn("tools/run: SCENARIO is missing", outcome.err)
         self.assertFalse((self.folder / "build").exists())
 
 
-# A program of its name: it writes its command line into a log, and fails if a pattern of FAILS matches.
-STAND_IN = """#!/bin/sh
-set -f
-line="${0##*/} $*"
-echo "$line" >> "$LOG"
-for fails in $FAILS; do case $line in $fails) exit 8 ;; esac; done
-case $line in
-  dpkg-query*) shift 3 && printf '%s=installed\\n' "$@" ;;
-  cpack*) mkdir -p "$6" && : > "$6/hyrax-$VERSION.deb" ;;
-esac
+# What stands in for a program: it writes its command line into a log, and fails if a pattern of FAILS matches.
+STAND_IN = """{
+  local - line="$*" fails
+  set -f
+  echo "$line" >> "$LOG"
+  for fails in $FAILS; do case $line in $fails) return 8 ;; esac; done
+  case $line in
+    cpack*) mkdir -p "$7" && : > "$7/hyrax-2.deb" ;;
+  esac
+}"""
+# As functions that bash finds in its environment, programs cost no process.
+BY_NAME = {"BASH_FUNC_called%%": f"() {STAND_IN}", **{f"BASH_FUNC_{name}%%": f"() {{ called {name} \"$@\"; }}" for name in ("cmake", "cpack", "ctest", "ninja")}}
+# Instead of functions of setup.sh that Scripts tests by themselves, and that start processes.
+WITHOUT_PROCESSES = """
+project_folder() { echo "$PWD"; }; has_apt() { :; }; missing_packages() { :; }
+logged() { "$@" > "$LOG.printed" 2>&1; }; say_time() { :; }; time_of_change() { :; }; flock() { :; }
 """
 # Functions for a shell that sourced setup.sh; where it calls apt as root, it gives apt an environment first.
 NO_PROGRAMS = """set -uo pipefail; project=$PWD; source tools/setup.sh
 called() { echo "$*" >&3; [[ ! "$*" =~ ${FAILS:-^$} ]] || return 8; }
 for name in cmake ninja apt-get; do eval "$name() { called $name \\"\\$@\\"; }"; done
-as_root() { [[ $1 != env ]] || shift 2; "$@"; }; has_apt() { :; }; sudo() { :; }
+as_root() { [[ $1 != env ]] || shift 2; "$@"; }; has_apt() { :; }; sudo() { :; }; flock() { :; }
+mktemp() { echo printed; }; rm() { [[ $* == "-f -- printed" ]] || command rm "$@"; }
 """
 PLAN, INSTALL, UPDATE = "apt-get install --print-uris --yes --no-install-recommends b c", "apt-get -qq install", "apt-get -qq update"
 SOME = "dpkg-query() { printf 'a=installed\\nb=config-files\\n'; }; ensure_packages a b c"
 CMAKE = "cmake --log-level=WARNING -S PROJECT -B PROJECT/build/x -G Ninja -DA=OFF -DB=long"
+# Answers to the question of setup.sh, as typed. 4 is Ctrl-D.
+ANSWERS, AGREEING = {"enter": "\n", "y": "y\n", "Yes": "Yes\n", "n": "n\n", "other": "x\n", "end": "\4"}, ["enter", "y", "Yes"]
 # Commands of setup.sh; a regex of calls that fail; then exit code, what is printed (regex), and what is called.
 FUNCTIONS = (
     ("timed name true", "", 0, r"name {30} +\d\.\d s\n", []), ("timed name ninja", "ninja", 8, r"name .* s   FAILED \(exit 8\)\n", ["ninja"]),
@@ -157,6 +156,9 @@ FUNCTIONS = (
     ("has_apt() { return 1; }; ensure_packages a b", "", 3, ".*nothing was installed.*\n  a b\n.*", []),
     ("plan_of() { echo 'Need to get 1 kB/2 MB of archives.'; echo 'After this operation, 3 MB of additional disk space will be used.'; }; agree_to a b",
      "", 0, r"Missing packages \(with what they need: 2 MB to download, 3 MB on disk\): a b\n", []),
+    # On the terminal that is their input; where there is none for the question, or `assume_yes` is set, nobody is asked.
+    ("assume_yes=no; plan_of() { :; }; stop() { return 3; }; for answer in " + " ".join(ANSWERS) + "; do agree_to a 2>&0 && called $answer; done", "", 3, "", AGREEING),
+    ("assume_yes=no; plan_of() { :; }; agree_to a 2>&0 < /dev/null && agree_to a && assume_yes=yes && agree_to a 2>&0", "", 0, "Missing packages .*: a\n", []),
 )
 # A command of tools/, a pattern of the programs that fail, the exit code, what is printed.
 EXIT_CODES = (
@@ -176,17 +178,17 @@ class Scripts(ProgramTest):
 
     def add_stand_ins(self):
         """Of the programs that build and test, and of what they build."""
-        self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + "has_apt() { :; }\n")
-        builds = [f"build/{name}/bin/hyrax-sim" for name in ("tools", "asan-clang")]
-        for path in (*builds, "tests/robustness/fuzz/run", *(f"bin/{name}" for name in ("cmake", "cpack", "ctest", "dpkg-query", "ninja"))):
-            (self.folder / self.write(path, STAND_IN)).chmod(0o755)
+        self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + WITHOUT_PROCESSES)
+        for path in ("build/tools/bin/hyrax-sim", "build/asan-clang/bin/hyrax-sim", "tests/robustness/fuzz/run"):
+            self.write(path, f'#!/bin/sh\ncalled() {STAND_IN}\ncalled "${{0##*/}}" "$@"\n')
+            (self.folder / path).chmod(0o755)
 
-    def call(self, command, **variables):
+    def call(self, command, fails=""):
         """Runs one of the scripts; returns the outcome and the command lines of the stand-ins."""
         self.write("log", "")
         script, *arguments = f"tools/{command}".split()
-        outcome = run("bash", script, *arguments, cwd=self.folder, env={
-            **os.environ, "CI": "", "FAILS": "", "LOG": f"{self.folder}/log", "PATH": f"{self.folder}/bin:{os.environ['PATH']}", **variables})
+        outcome = run("bash", script, *arguments, cwd=self.folder,
+                      env={**os.environ, **BY_NAME, "CI": "", "FAILS": fails, "LOG": f"{self.folder}/log"})
         return outcome, (self.folder / "log").read_text().splitlines()
 
     def test_exit_codes(self):
@@ -194,7 +196,7 @@ class Scripts(ProgramTest):
         self.add_stand_ins()
         for command, fails, exit_code, part in EXIT_CODES:
             with self.subTest(command=command, fails=fails):
-                outcome, log = self.call(command, FAILS=fails)
+                outcome, log = self.call(command, fails)
                 self.assertEqual(outcome.exit_code, exit_code, outcome)
                 self.assertIn(part, outcome.err)
                 stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
@@ -214,18 +216,25 @@ class Scripts(ProgramTest):
 
     def test_old_packages_are_neither_copied_nor_listed(self):
         self.add_stand_ins()
-        for version in ("1", "2"):
-            outcome, _ = self.call("package deb", VERSION=version)
-            self.assertEqual((outcome.exit_code, outcome.out.split()[1:]), (0, [f"hyrax-{version}.deb"]), outcome)
+        for path in ("build/package/packages/hyrax-1.deb", "build/packages/hyrax-1.deb", "build/packages/SHA256SUMS"):
+            self.write(path, "")
+        outcome, _ = self.call("package deb")
+        self.assertEqual((outcome.exit_code, outcome.out.split()[1:]), (0, ["hyrax-2.deb"]), outcome)
         self.assertEqual(self.names("build/packages"), ["SHA256SUMS", "hyrax-2.deb"])
 
     def test_functions_of_setup(self):
         """What each returns, prints and calls."""
         cache = f"CMAKE_HOME_DIRECTORY:INTERNAL={self.folder.resolve()}\nA:BOOL=ON\nB:STRING=long\n"
         again = f"[[ -d build/x ]] || mkdir -p build/x; : > build/x/build.ninja; printf %s '{cache}' > build/x/CMakeCache.txt\n"
-        cases = "".join(f"{again * ('/x' in command)}( FAILS='{fails}'; {command} ) 2> err.{number} 3> called.{number}; echo $?\n"
-                        for number, (command, fails, *_) in enumerate(FUNCTIONS))
-        codes = run("bash", "-c", NO_PROGRAMS + cases, cwd=self.folder, env={**os.environ, "assume_yes": "yes"}).out.split()
+        cases = "".join(f"{again * ('/x' in command)}{begin} FAILS='{fails}'; {command}; {end} 2> err.{number} 3> called.{number}; echo $?\n"
+                        for number, (command, fails, exit_code, *_) in enumerate(FUNCTIONS)
+                        for begin, end in ["()" if exit_code == 3 or re.search(r"=|\(\)", command) else "{}"])
+        keyboard, terminal = pty.openpty()
+        os.write(keyboard, "".join(ANSWERS.values()).encode())
+        codes = run("bash", "-c", NO_PROGRAMS + cases, cwd=self.folder, env={**os.environ, "assume_yes": "yes"}, stdin=terminal).out.split()
+        self.assertEqual(os.read(keyboard, 1 << 16).count(b"Install them?"), len(ANSWERS))
+        os.close(keyboard)
+        os.close(terminal)
         for number, (command, fails, exit_code, err, called) in enumerate(FUNCTIONS):
             with self.subTest(command=command, fails=fails):
                 printed, calls = ((self.folder / f"{name}.{number}").read_text() for name in ("err", "called"))
