@@ -58,6 +58,14 @@ STATED = (
          "agreed, disagreed, bad_input, cannot_access"),
         ("tools/hyrax-sim/program.cpp", '"{} golden file missing (or a part of a sweep), {} arithmetic is not strict IEEE-754, {} internal',
          "golden_missing, not_strict_ieee, program_fault"),
+        ("tools/hyrax-compare/main.cpp", "Exit codes: {} printed, whatever differs; {} golden/core is damaged; {} bad usage", "agreed, disagreed, bad_input"),
+        ("tools/hyrax-compare/main.cpp", "; {} cannot read; {} no golden/core; {} arithmetic is not strict IEEE-754; {} \"\n    \"internal",
+         "cannot_access, golden_missing, not_strict_ieee, program_fault"),
+        *((f"tools/{script}", f"; {{}} if {words}", "cannot_access") for script, words in (
+            ("run", "it could not be installed or built."), ("compare", "it could not be built."), ("check", "hyrax-sim could not be built."))),
+        ("tools/hyrax-sim/study.cpp", "exit {} if one of the study's rules", "disagreed"),
+        ("tools/hyrax-sim/shrink.cpp", "the command does not fail here: exit code {} (", "agreed"),
+        ("tools/files/scenario.schema.json", "exit {} where it does not hold", "disagreed"),
         ("tools/hyrax-sim/check.cpp", "unreferenced (exit code {})", "disagreed"),
         ("tools/hyrax-sim/check.cpp", "notices; exit code {} if there is one", "disagreed"),
         (CARD, "The exit code is {} whatever", "agreed"), (CARD, "{}: `golden/core` is damaged; {}: bad usage", "disagreed, bad_input"),
@@ -255,10 +263,12 @@ class Facts(unittest.TestCase):
                 self.assertEqual(stated(document, words), [number for place in printed for number in stated(*place)] or None)
 
     def test_every_exit_code_in_a_document_is_one_of_these(self):
-        for document in {row[0] for row in STATED if row[0].endswith((".md", ".txt"))} | {str(each.relative_to(SOURCE)) for each in DOCUMENTS if each.name == "README.md"}:
+        helps = [each for folder in ("app", "files", "hyrax-compare", "hyrax-sim") for each in (SOURCE / "tools" / folder).rglob("*") if each.suffix in (".cpp", ".json")]
+        for document in {row[0] for row in STATED if row[0].endswith((".md", ".txt"))} | {
+                str(each.relative_to(SOURCE)) for each in (*helps, *DOCUMENTS) if each in helps or each.name == "README.md"}:
             prose = re.sub(r"```.*?```", lambda block: " " * len(block[0]), text_of(document), flags=re.DOTALL)
             spans = [place_of(document, row[1]).span() for row in STATED if row[0] == document]
-            for code in re.finditer(r"exit(?: code)? (\d+)", prose):
+            for code in re.finditer(r"[Ee]xit(?: codes?:?)? (\d+)", prose):
                 self.assertTrue(any(first <= code.start(1) < last for first, last in spans), (document, code[0]))
 
     def test_how_long_a_recording_is(self):

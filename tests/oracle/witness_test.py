@@ -1,19 +1,26 @@
 #!/usr/bin/python3
-"""Compares the C++ replay with the second program: every row and contact of short runs, bit for bit, and the vectors.
+"""Compares the C++ replay with the second program: every row and contact of short runs, bit for bit, and the vectors; and the
+second program with the formulas of the documents.
 
 HYRAX_PRINT_ROWS names the program of print_rows.cpp.
 """
 
 import io
 import json
+import math
 import os
 import pathlib
+import re
 import struct
 import unittest
 
+import xxhash
+
 from process import succeed
 from program import SOURCE
+import clock
 import replay
+import sweep
 import vectors
 
 PRINT_ROWS = os.environ["HYRAX_PRINT_ROWS"]
@@ -48,6 +55,70 @@ def first_difference(expected, actual):
             scenario = [line for line in expected[:number + 1] if line.startswith("scenario")][-1]
             return f"{scenario}\nexpected {a}\nactual   {b}"
     return None if len(expected) == len(actual) else f"{len(expected)} lines expected, {len(actual)} printed"
+
+
+def stated(path, *patterns):
+    """What each pattern's groups have in a document."""
+    text = " ".join((SOURCE / path).read_text(encoding="utf-8").split())
+    return [each for pattern in patterns for each in re.search(pattern, text).groups()]
+
+
+def value(formula, **names):
+    """Of a document's formula."""
+    return eval(formula.replace("^", "**"), {"floor": math.floor}, names)  # pylint: disable=eval-used
+
+
+class Documents(unittest.TestCase):
+    """Who computes by the documents gets the numbers of the second program."""
+
+    def test_the_generator_and_the_jitter(self):
+        state, *mix, unit, uniform, normal, first, last, missed, kept = stated(
+            "scenarios/README.md", r"k of seed s is `mix\((.*?)\)` modulo 2\^64, where `mix` shifts by (\d+), (\d+), (\d+) and multiplies by (0x\w+) and (0x\w+);",
+            r"; u_k = (.*?)\. The", r"\| `uniform` [^`]*`fraction`[^`]* `(.*?)` \|",
+            r"\| `normal` [^`]*`sigma_s`[^`]* `(.*?)`, S the sum of u_(\d+)i \.\. u_12i\+(\d+) from left to right.*?; a result <= 0 becomes 0\.0 ",
+            r"\| `missed_frames` [^`]*`probability`[^`]* `(.*?)` if u_i < probability, else (\w+) \|")
+        for seed, i in ((7, 0), (clock.MASK_64, 5), (1 << 63, 12345)):
+            z = value(state, s=seed, k=i) % 2**64
+            for shift, factor in zip(mix[:3], (*mix[3:], "1")):
+                z = (z ^ z >> int(shift)) * int(factor, 0) % 2**64
+            self.assertEqual((z, value(unit, output=z)), (clock.splitmix64(seed, i), clock.unit(seed, i)))
+            total = sum(clock.unit(seed, int(first) * i + k) for k in range(int(last) + 1))
+            names = {"dt": 1 / 60, "fraction": 0.35, "sigma_s": 0.35, "u_i": clock.unit(seed, i), "S": total}
+            self.assertEqual([value(uniform, **names), max(0.0, value(normal, **names)), value(missed, **names), value(kept, **names)],
+                             [rule(1 / 60, parameter, seed, i) for rule, parameter in (
+                                 (clock.uniform_dt_s, 0.35), (clock.normal_dt_s, 0.35), (clock.missed_frames_dt_s, 1), (clock.missed_frames_dt_s, 0))])
+
+    def test_the_inputs_of_a_sweep(self):
+        draw, real, whole, entry, place, between = stated(
+            "sim/ensemble/README.md", r"sorted by their bytes, k = 0 \.\. K-1, member i draws u = `u_\((.*?)\)` of", r"\| `uniform` \| `(.*?)`; of a whole number `(.*?)` \|",
+            r"\| `choice` \| entry `(.*?)` \|", r"\| `grid` \| with j = \((.*?)\) mod n: `(.*?)`, and `high` at the end")
+        place = place.replace("/", "//").replace("product of the n of all later grids", "later")
+        vary = {"/e": {"uniform": [-7, 11]}, "/a": {"choice": [0, 1, 2]}, "/b": {"grid": [-2, 5, 3]}, "/d/steps": {"uniform": [3, 9]}, "/c": {"grid": [0, 7, 4]}}
+
+        def by(formula, i, k, low, high, n=3, later=1):
+            j = value(place, i=i, later=later) % n
+            u = clock.unit(7, value(draw, i=i, k=k, K=len(vary)))
+            return high if formula == between and j == n - 1 else value(formula, low=low, high=high, n=n, j=j, u=u)
+
+        for i in range(24):
+            self.assertEqual(sweep.inputs({"vary": vary, "seed": 7}, i), {
+                "/a": by(entry, i, 0, 0, 2), "/b": by(between, i, 1, -2, 5, later=4), "/c": by(between, i, 2, 0, 7, n=4),
+                "/d/steps": by(whole, i, 3, 3, 9), "/e": by(real, i, 4, -7, 11)})
+
+    def test_the_state_hash(self):
+        order, fields, block, kind, seed, of_blocks = stated(
+            "golden/README.md", r"A row is 41 bytes: (\w+)-endian binary64 ([\w, ]*?), and the contact byte\.",
+            r"Each block of ([\d,]+) rows .*? is hashed with XXH(\w+-\d+), seed (\d+), in canonical big-endian", r"`state_hash` is the XXH(\w+-\d+) of these hashes in order, as 32 lower-case")
+        state_hash, packed = replay.StateHash(), []
+        for i in range(5000):
+            row = {"t": i / 60, "dt": 1 / 60, "x": i, "y": -i, "vx": 3.5, "vy": 1e-9 * i}
+            names = fields.split(", ")
+            packed.append(struct.pack(("<" if order == "little" else ">") + "d" * len(names) + "B", *map(row.get, names), i % 32))
+            state_hash.add(row["dt"], row["x"], row["y"], row["vx"], row["vy"], i % 32)
+        hashed = {name: getattr(xxhash, f"xxh{name.replace('-', '_')}_digest") for name in (kind, of_blocks)}
+        rows = int(block.replace(",", ""))
+        digests = [hashed[kind](b"".join(packed[i:i + rows]), seed=int(seed)) for i in range(0, len(packed), rows)]
+        self.assertEqual(hashed[of_blocks](b"".join(digests)).hex(), state_hash.hexdigest())
 
 
 class Witness(unittest.TestCase):
