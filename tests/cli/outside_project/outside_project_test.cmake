@@ -19,6 +19,10 @@ run("The installed program" ${WORK}/moved/bin/hyrax-sim --version)
 run("Configuring the outside project"
     ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_PREFIX_PATH=${WORK}/moved -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS} -O3 -march=native")
+file(READ ${WORK}/build/CTestTestfile.cmake tests)
+if(NOT tests MATCHES "hyrax-sim\" \"check\" \"--golden\" \"[^\"]*/outside_project/accepted\" \"[^\"]*/scenarios/nested/deep/file.json\"\\)")
+  message(FATAL_ERROR "The test of a scenario must be a check of its file, with the golden folder:\n${tests}")
+endif()
 run("Building the outside project" ${CMAKE_COMMAND} --build ${WORK}/build)
 run("The fling with hyrax::physics" ${WORK}/build/fling)
 

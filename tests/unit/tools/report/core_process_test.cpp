@@ -1,0 +1,68 @@
+// What a core does to its process reaches neither the card nor the program.
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "sim/card/compared_core.h"
+#include "tools/files/failure.h"
+#include "tools/hyrax-compare/core_file.h"
+
+namespace hyrax {
+namespace {
+
+using Work = std::function<std::string(PlayWatch&)>;
+
+std::string card_of(const Work& work) {
+  return in_core_process({"base.h", "new.h"}, 60, TemporaryFolder(), work);
+}
+
+// The exit code and the message.
+std::pair<ExitCode, std::string> failure_of(const Work& work) {
+  try {
+    return {ExitCode::agreed, card_of(work)};
+  } catch (const Failure& failure) {
+    return {failure.exit_code(), failure.what()};
+  }
+}
+
+TEST(CoreProcess, WhatACorePrintsIsNoPartOfTheCard) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const std::string card = card_of([](PlayWatch&) {
+    for (std::FILE* const stream : {stdout, stderr}) std::fputs("loud\n", stream);
+    std::fflush(nullptr);
+    return std::string("the card\n");
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(card, "the card\n");
+}
+
+TEST(CoreProcess, HowItEndsNamesTheCoreAndThePlace) {
+  const auto playing = [](void (*end)()) {
+    return failure_of([end](PlayWatch& watch) {
+      watch.core = 1;
+      watch.set_place("fling 3");
+      watch.begin_call(40, 10);
+      watch.updates = 2;
+      end();
+      return std::string();
+    });
+  };
+  using Ended = std::pair<ExitCode, std::string>;
+  EXPECT_EQ(playing([] { std::abort(); }),
+            Ended(ExitCode::bad_input, "new.h: refused: crashes in fling 3, step 42: SIGABRT"));
+  EXPECT_EQ(playing([] { std::_Exit(0); }),
+            Ended(ExitCode::bad_input, "new.h: refused: ends the process in fling 3, step 42"));
+  EXPECT_EQ(playing([] { throw CoreRefused(0, "why"); }), Ended(ExitCode::bad_input, "base.h: refused: why"));
+  EXPECT_EQ(playing([] { throw Failure(ExitCode::golden_missing, "none"); }),
+            Ended(ExitCode::golden_missing, "none"));
+  EXPECT_EQ(playing([] { throw std::runtime_error("oops"); }),
+            Ended(ExitCode::program_fault, "hyrax-compare: internal error: oops"));
+}
+
+}  // namespace
+}  // namespace hyrax
