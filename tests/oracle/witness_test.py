@@ -105,6 +105,18 @@ class Documents(unittest.TestCase):
                 "/a": by(entry, i, 0, 0, 2), "/b": by(between, i, 1, -2, 5, later=4), "/c": by(between, i, 2, 0, 7, n=4),
                 "/d/steps": by(whole, i, 3, 3, 9), "/e": by(real, i, 4, -7, 11)})
 
+    def test_the_step(self):
+        items = stated("sim/physics/README.md", "does in this order: 1. (Gravity.*?) 2. (Drag.*?) 3. (Position.*?) 4. (Left.*?) 5. (Top.*?) 6. (Ground.*?) \\| constant")
+        for start, wall, bound in (((300, 200, 50.5, -70), None, {}), ((0.5, 200, -50.5, 70), 3, {"x": 0.0}), ((499, 200, 90, 7), 3, {"x": 500}),
+                                   ((300, 0.25, 50.5, -90), 4, {"y": 0.0}), ((300, 399.5, 50.5, 900), 5, {"y": 400})):
+            names = {"dt": 1 / 60, **dict(zip(("x", "y", "vx", "vy"), start))}
+            for item in (*items[:3], *([items[wall]] if wall else ())):
+                for formula in re.findall("`(.*?)`", item):
+                    exec(re.sub(r"(?<=[\dvxy]) (?=[dv])", " * ", formula), {}, names)  # pylint: disable=exec-used
+            sprite = replay.Sprite(*start)
+            sprite.update(1 / 60, 500, 400)
+            self.assertEqual({**names, **bound}, {"dt": 1 / 60, "x": sprite.x, "y": sprite.y, "vx": sprite.vx, "vy": sprite.vy}, wall)
+
     def test_the_state_hash(self):
         order, fields, block, kind, seed, of_blocks = stated(
             "golden/README.md", r"A row is 41 bytes: (\w+)-endian binary64 ([\w, ]*?), and the contact byte\.",
