@@ -144,6 +144,11 @@ TEST(Ensemble, EqualsTheReplayWithEvents) {
   sweep.vary.push_back(
       {"/events/8/resize/window/width_px", ScenarioNumberKind::integer, UniformDraw{0.0, 2000.0}});
   expect_same_in_all_details(sweep, "events of different frames");
+  sweep.members = 1030;
+  sweep.base.events.back().when = 5.2;  // After the others, however long the hitch is.
+  sweep.base.clock.jitter = eventful_fling().clock.jitter;
+  sweep.vary.push_back({"/clock/jitter/seed", ScenarioNumberKind::seed, MemberNumber{}});
+  expect_same(sweep, "events of different frames, more members than are played together");
 }
 
 TEST(Ensemble, EqualsTheReplayWithJitter) {
