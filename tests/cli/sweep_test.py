@@ -185,9 +185,9 @@ class Outputs(SweepTest):
     def test_the_mode_of_a_replaced_result_is_kept(self):
         self.write("sweep.json", document())
         self.sweep("sweep.json")
-        (self.folder / "sweep.h5").chmod(0o600)
+        (self.folder / "sweep.h5").chmod(0o440)
         self.sweep("sweep.json", "--force")
-        self.assertEqual((self.folder / "sweep.h5").stat().st_mode & 0o777, 0o600)
+        self.assertEqual((self.folder / "sweep.h5").stat().st_mode & 0o777, 0o440)
 
     def test_memory_does_not_grow_with_the_members(self):
         self.write("sweep.json", document(members=400_000, base=base(steps=1)))
