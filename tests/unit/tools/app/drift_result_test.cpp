@@ -68,5 +68,23 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
   expect_approved("tests/unit/tools/app/drift.txt", text);
 }
 
+// A frame's dt is halved, a hitch's is not.
+TEST(HalfDt, IsOfTheRunWithTwiceTheFramesAndItsInputsAtTheirTimes) {
+  const auto fling = [](double rate_hz, std::int64_t frames) {
+    return fling_at(rate_hz, 90 * frames,
+                    {{40 * frames, Hitch{0.05}}, {50 * frames, Fling{{-1500.0, -900.0}}}, {1.005, Stop{}}});
+  };
+  Scenario halved = fling(120.0, 2), scenario = fling(60.0, 1);
+  halved.events.back().when = std::int64_t{118};
+  const DriftRun wanted = measure_drift(shipped_core(), halved);
+  for (const Clock& clock : {Clock{FixedRate{60.0}, {}}, Clock{FixedStep{1.0 / 60.0}, {}}}) {
+    scenario.clock = clock;
+    const HalfDt half = measure_half_dt(shipped_core(), scenario).half.value();
+    EXPECT_EQ(half.steps, 180);
+    EXPECT_EQ(half.summary.model_px->value, wanted.summary.model_px->value);
+    EXPECT_EQ(half.longest_arc->last_step, wanted.longest_arc->last_step);
+  }
+}
+
 }  // namespace
 }  // namespace hyrax
