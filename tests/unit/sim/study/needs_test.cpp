@@ -126,6 +126,15 @@ TEST(Needs, TimesOfPartsAreThoseOfOnePath) {
         << part.part;
 }
 
+// Each run takes 100 us; of a long one, 10,000 frames are run.
+TEST(Needs, TheTimeOfAStepIsThatOfTheFramesTimed) {
+  Scenario scenario = scenario_named("flings/first-fling");
+  for (const auto& [steps, step_ns] : {std::pair{std::int64_t{1'000}, 100.0}, {10'500, 10.0}}) {
+    scenario.length = steps;
+    EXPECT_EQ(needs_of(scenario).step_ns.median, step_ns) << steps;
+  }
+}
+
 TEST(Needs, CountContactsThatMove) {
   const PathDifference difference =
       part_of(needs_of(scenario_named("flings/first-fling")), "right wall").difference;
