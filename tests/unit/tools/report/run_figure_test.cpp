@@ -322,6 +322,24 @@ TEST(RunSvg, OneFastThrowLeavesTheRestItsColours) {
   for (const std::string tick : {"100", "1,000", "10,000", "10⁵"}) EXPECT_TRUE(has_text(svg, tick)) << tick;
 }
 
+TEST(RunSvg, ThePathHasTheColourOfItsSpeedInTheBar) {
+  for (const double fastest : {4e4, 1e5}) {  // An even scale, and a logarithmic one.
+    Columns rows = dropped_rows(60);
+    std::fill(rows.vy_px_per_s.begin(), rows.vy_px_per_s.begin() + 12, 200.0);
+    std::fill(rows.vy_px_per_s.begin() + 12, rows.vy_px_per_s.end(), 1e4);
+    rows.vy_px_per_s[0] = fastest;
+    const std::string svg = run_svg(some_fling(), rows, {}), path = part_of(svg, "path of the centre");
+    const std::string colour = path.substr(path.rfind("stroke=\"#") + 8, 7);
+    std::smatch box;
+    ASSERT_TRUE(std::regex_search(
+        svg, box,
+        std::regex("<rect x=\"[^\"]*\" y=\"([^\"]*)\" width=\"[^\"]*\" height=\"([^\"]*)\" fill=\"" + colour +
+                   "\"/>")));
+    const double height = std::stod(box[2]);
+    EXPECT_NEAR(place_in_picture(svg, "10,000").y, std::stod(box[1]) + height / 2, 1.5 * height) << fastest;
+  }
+}
+
 TEST(RunSvg, ContactsAtRestDoNotPileUp) {
   std::vector<Contact> contacts(20);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
