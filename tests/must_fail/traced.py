@@ -72,11 +72,15 @@ class TracedCore:
         trace()
         return self.why_file.read_text(encoding="utf-8") if self.why_file.exists() else ""
 
-    def run(self, *arguments, env=None, **options):
-        """The program with this core, in the folder of the library. One without a step plays the shipped core's."""
+    @property
+    def environment(self):
+        """What tells the program to play it. One without a step plays the shipped core's."""
         step, why = (SOURCE / "golden/core/step.txt", {"HYRAX_TRACED_WHY": self.why}) if self.why else (self.step, {})
-        environment = {**(env or os.environ), **why, "HYRAX_TRACED_HEADER": str(self.header), "HYRAX_TRACED_STEP": str(step)}
-        return run(TRACED, *arguments, cwd=LIBRARY, env=environment, **options)
+        return {**why, "HYRAX_TRACED_HEADER": str(self.header), "HYRAX_TRACED_STEP": str(step)}
+
+    def run(self, *arguments, env=None, **options):
+        """The program with this core, in the folder of the library."""
+        return run(TRACED, *arguments, cwd=LIBRARY, env={**(env or os.environ), **self.environment}, **options)
 
 
 _UNTRACED = []

@@ -229,8 +229,7 @@ class AcceptedCore(Killed):
         for name in ("a", "b"):
             self.write_before(f"scenarios/{name}.json", fling(name=name))
         self.expect(AGREED, "bless", "scenarios", "--reason", "the first", cwd=self.folder / "before")
-        core = traced(SHIPPED.replace("GRAVITY = 1200.0", "GRAVITY = 1250.0"))
-        os.environ.update(HYRAX_TRACED_HEADER=str(core.header), HYRAX_TRACED_STEP=str(core.step))
+        os.environ.update(traced(SHIPPED.replace("GRAVITY = 1200.0", "GRAVITY = 1250.0")).environment)
         self.addCleanup(setattr, program, "PROGRAM", program.PROGRAM)
         program.PROGRAM = TRACED
 
