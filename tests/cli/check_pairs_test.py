@@ -20,7 +20,7 @@ def set_attribute(h5, place, name, value):
             file[place].attrs[name] = value
 
 
-def seal(h5, txt):
+def renew_checksum(h5, txt):
     """Gives the summary the checksum of the golden file, but not the one of its own lines."""
     checksums = f"checksums: {32 * 'c'} {xxhash.xxh3_128_hexdigest(h5.read_bytes())}\n"
     txt.write_text(txt.read_text().partition("checksums: ")[0] + checksums)
@@ -54,7 +54,7 @@ class OneVerdict(PairTest):
         """The pair as a program would have blessed it that differs in one value, and has the same state hash."""
         def change(h5, txt):
             nudge(h5, dataset, row)
-            seal(h5, txt)
+            renew_checksum(h5, txt)
         return "rounding", {}, {}, change
 
     def zero(self, sigma_s):

@@ -1,21 +1,15 @@
 #!/usr/bin/python3
-"""tools/check builds hyrax-sim and passes on its verdict; --watch repeats that after a change. What tools/run refuses.
+"""tools/check builds hyrax-sim and passes on its verdict; --watch repeats that after a change.
 
-Exit codes of the scripts of tools/, and what the functions of setup.sh return, print and call.
-
-CheckScript runs a copy of the scripts in a project whose build folder has a ninja file of one target: it copies the program.
+Runs a copy of the scripts in a project whose build folder has a ninja file of one target: it copies the program.
 """
 
 import os
-import pty
-import re
 import signal
 import time
 
 from process import Process, run, skip_unless_installed
-from program import BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
-
-SCRIPTS = ("run", "check", "compare", "test", "package")
+from program import CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 
 
 class CheckScript(ProgramTest):
@@ -26,7 +20,7 @@ class CheckScript(ProgramTest):
         super().setUp()
         self.scenario, = self.project("one")
         self.write("tools/check", (SOURCE / "tools/check").read_text())
-        # RunScript has what is replaced here: it starts processes.
+        # What is replaced here starts processes; tools.scripts has it.
         self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + 'project_folder() { echo "$PWD"; }; flock() { :; }\n')
         (self.folder / "tools/check").chmod(0o755)
         self.write("CMakeLists.txt", "")
@@ -83,166 +77,6 @@ class CheckScript(ProgramTest):
         while log.read_text().count(text) < times:
             self.assertLess(time.monotonic(), end, log.read_text())
             time.sleep(0.05)
-
-
-class RunScript(ProgramTest):
-    """tools/run in a project without a build folder."""
-
-    def test_a_missing_scenario_is_reported_before_anything_is_built(self):
-        for script in ("run", "setup.sh"):
-            self.write(f"tools/{script}", (SOURCE / "tools" / script).read_text())
-        (self.folder / "tools/run").chmod(0o755)
-        options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
-        self.assertIn("--golden", options)
-        with_values = [word for option in options for word in (option, "x")]
-        outcome = run("tools/run", "--yes", *with_values, "--figure", cwd=self.folder)
-        self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
-        self.assertIn("tools/run: SCENARIO is missing", outcome.err)
-        self.assertFalse((self.folder / "build").exists())
-
-
-# What stands in for a program: it writes its command line into a log, and fails if a pattern of FAILS matches.
-STAND_IN = """{
-  local - line="$*" fails
-  set -f
-  echo "$line" >> "$LOG"
-  for fails in $FAILS; do case $line in $fails) return 8 ;; esac; done
-  case $line in
-    cpack*) mkdir -p "$7" && : > "$7/hyrax-2.deb" ;;
-  esac
-}"""
-# As functions that bash finds in its environment, programs cost no process.
-BY_NAME = {"BASH_FUNC_called%%": f"() {STAND_IN}", **{f"BASH_FUNC_{name}%%": f"() {{ called {name} \"$@\"; }}" for name in ("cmake", "cpack", "ctest", "ninja")}}
-# Instead of functions of setup.sh that Scripts tests by themselves, and that start processes.
-WITHOUT_PROCESSES = """
-project_folder() { echo "$PWD"; }; has_apt() { :; }; missing_packages() { :; }
-logged() { "$@" > "$LOG.printed" 2>&1; }; say_time() { :; }; time_of_change() { :; }; flock() { :; }
-"""
-# Functions for a shell that sourced setup.sh; where it calls apt as root, it gives apt an environment first.
-NO_PROGRAMS = """set -uo pipefail; project=$PWD; source tools/setup.sh
-called() { echo "$*" >&3; [[ ! "$*" =~ ${FAILS:-^$} ]] || return 8; }
-for name in cmake ninja apt-get; do eval "$name() { called $name \\"\\$@\\"; }"; done
-as_root() { [[ $1 != env ]] || shift 2; "$@"; }; has_apt() { :; }; sudo() { :; }; flock() { :; }
-mktemp() { echo printed; }; rm() { [[ $* == "-f -- printed" ]] || command rm "$@"; }; stat() { :; }
-"""
-PLAN, INSTALL, UPDATE = "apt-get install --print-uris --yes --no-install-recommends b c", "apt-get -qq install", "apt-get -qq update"
-SOME = "dpkg-query() { printf 'a=installed\\nb=config-files\\n'; }; ensure_packages a b c"
-CMAKE = "cmake --log-level=WARNING -S PROJECT -B PROJECT/build/x -G Ninja -DA=OFF -DB=long"
-# Answers to the question of setup.sh, as typed. 4 is Ctrl-D.
-ANSWERS, AGREEING = {"enter": "\n", "Yes": "Yes\n", "x": "x\n", "end": "\4"}, ["enter", "Yes"]
-# Commands of setup.sh; a regex of calls that fail; then exit code, what is printed (regex), and what is called.
-FUNCTIONS = (
-    ("timed name true", "", 0, r"name {30} +\d\.\d s\n", []), ("timed name ninja", "ninja", 8, r"name .* s   FAILED \(exit 8\)\n", ["ninja"]),
-    ("unset EPOCHREALTIME; EPOCHREALTIME=102,360000; say_time name 100000000 0", "", 0, r"name +2\.4 s\n", []),
-    ("logged echo hidden", "", 0, "", []), ("log_lines=1; logged eval 'echo one; echo two >&2; ninja'", "ninja", 8, "two\n", ["ninja"]),
-    ("stop because", "", 3, "because\n", []),
-    *((f"is_configured build/x {settings}", "", code, "", []) for settings, code in (
-        ("", 0), ("A=ON B=long", 0), ("A=O", 1), ("A=OFF", 1), ("A=ON B=lon", 1), ("C=ON", 1))),
-    ("is_configured build", "", 1, "", []), ("project=/other; is_configured build/x", "", 1, "", []),
-    ("configure $project/build/x A=ON", "", 0, "", []), ("configure $project/build/x A=OFF B=long", "", 0, r"configure build/x .* s\n", [CMAKE]),
-    ("configure $project/build/x A=OFF B=long", "cmake", 8, r"configure build/x .*FAILED \(exit 8\)\n", [CMAKE]),
-    ("forget_other_source build/x; [[ -d build/x ]]", "", 0, "", []), ("project=/other; forget_other_source build/x; [[ ! -e build/x ]]", "", 0, "", []),
-    ("build build/x page", "", 0, "", ["ninja --quiet -C build/x page"]), ("build build/x", "ninja", 8, "", ["ninja --quiet -C build/x"]),
-    ("ninja() { echo ninja: no work to do.; echo warning; }; build build/x", "", 0, "warning\n", []),
-    ("build_program build/x", "", 0, "", ["ninja --quiet -C build/x hyrax-sim"]),
-    ("program_name=other; build_program build/x", "ninja", 3, "other could not be built.*", ["ninja --quiet -C build/x other"]),
-    ("project=/other; build_program build/x", "cmake", 3, r"configure .*FAILED \(exit 8\)\nCMake could not configure hyrax-sim.*", [
-        "cmake --log-level=WARNING -S /other -B build/x -G Ninja -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=OFF"]),
-    ("build_program build/x page", "page", 3, ".*The report page could not be built.*", ["ninja --quiet -C build/x page"]),
-    ("dpkg-query() { echo a=installed; }; ensure_packages a", "", 0, "", []),
-    (SOME, "", 0, r"Missing packages .*: b c\npackages .* s\n", [PLAN, PLAN, PLAN, INSTALL]),
-    (SOME, "-uris", 3, r"package lists .*apt cannot install the missing packages.*", [PLAN, UPDATE, PLAN, PLAN]),
-    (SOME, "install --yes", 3, ".*could not be installed.*", [PLAN, PLAN, PLAN, INSTALL, UPDATE, INSTALL]),
-    (SOME, "update|-uris", 3, ".*could not fetch.*", [PLAN, UPDATE]),
-    ("has_apt() { return 1; }; ensure_packages a b", "", 3, ".*nothing was installed.*\n  a b\n.*", []),
-    ("plan_of() { echo 'Need to get 1 kB/2 MB of archives.'; echo 'After this operation, 3 MB of additional disk space will be used.'; }; agree_to a b",
-     "", 0, r"Missing packages \(with what they need: 2 MB to download, 3 MB on disk\): a b\n", []),
-    # On the terminal that is their input; where there is none for the question, or `assume_yes` is set, nobody is asked.
-    ("assume_yes=no; plan_of() { :; }; sed() { :; }; stop() { return 3; }; for answer in " + " ".join(ANSWERS) + "; do agree_to a 2>&0 && called $answer; done", "", 3, "", AGREEING),
-    ("assume_yes=no; plan_of() { :; }; sed() { :; }; agree_to a 2>&0 < /dev/null && agree_to a && assume_yes=yes && agree_to a 2>&0", "", 0, "Missing packages .*: a\n", []),
-)
-# A command of tools/, a pattern of the programs that fail, the exit code, what is printed.
-EXIT_CODES = (
-    ("run a.json", "hyrax-sim*", 8, ""), ("test", "ctest*", 1, ""), ("test --all --yes -R unit", "ctest*asan* run*", 1, "FAILED: asan-clang fuzz\n"),
-    ("package deb", "cpack*", 3, "could not be built"), ("package tar", "", 2, "(found tar)"),
-)
-TESTED = {"test": ["-LE long"], "test --all --yes -R unit": ["-LE nightly -R unit", "-LE long|one_build -R unit"]}
-
-
-class Scripts(ProgramTest):
-    """Scripts of tools/ in a copy of the folder, where they find stand-ins for all programs that they call."""
-
-    def setUp(self):
-        super().setUp()
-        for script in (*SCRIPTS, "setup.sh"):
-            self.write(f"tools/{script}", (SOURCE / "tools" / script).read_text())
-
-    def add_stand_ins(self):
-        """Of the programs that build and test, and of what they build."""
-        self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + WITHOUT_PROCESSES)
-        for path in ("build/tools/bin/hyrax-sim", "build/asan-clang/bin/hyrax-sim", "tests/robustness/fuzz/run"):
-            self.write(path, f'#!/bin/sh\ncalled() {STAND_IN}\ncalled "${{0##*/}}" "$@"\n')
-            (self.folder / path).chmod(0o755)
-
-    def call(self, command, fails=""):
-        """Runs one of the scripts; returns the outcome and the command lines of the stand-ins."""
-        self.write("log", "")
-        script, *arguments = f"tools/{command}".split()
-        outcome = run("bash", script, *arguments, cwd=self.folder,
-                      env={**os.environ, **BY_NAME, "CI": "", "FAILS": fails, "LOG": f"{self.folder}/log"})
-        return outcome, (self.folder / "log").read_text().splitlines()
-
-    def test_exit_codes(self):
-        """A build that fails is 3, a program's own code is passed on, a failed test is 1; the usage names each."""
-        self.add_stand_ins()
-        for command, fails, exit_code, part in EXIT_CODES:
-            with self.subTest(command=command, fails=fails):
-                outcome, log = self.call(command, fails)
-                self.assertEqual(outcome.exit_code, exit_code, outcome)
-                self.assertIn(part, outcome.err)
-                stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
-                self.assertRegex(stated, r"that of hyrax-" if exit_code == 8 else rf"\b{exit_code}\b")
-                tested = [line.split("--no-tests=error ")[1] for line in log if line.startswith("ctest")]
-                self.assertIn(tested[:2], ([], TESTED.get(command)))
-
-    def test_every_option_of_a_usage_is_read_and_every_one_that_is_read_is_in_it(self):
-        for script in SCRIPTS:
-            with self.subTest(script=script):
-                usage, code = re.search(r"<< 'END'\n(.*?)\nEND\n(.*)", (self.folder / "tools" / script).read_text(), re.DOTALL).groups()
-                read = set(re.findall(r"^    (--[a-z-]+)\)", code, re.MULTILINE))
-                of_programs = {"--figure", "--report", "--set", "--verbose", "--json", "--help"}  # To which a script passes them.
-                self.assertEqual(set(re.findall(r"--[a-z-]+", usage)) - of_programs, read)
-                for listed in re.findall("; allowed: (.*)\"", code):
-                    self.assertEqual(set(re.findall("--[a-z-]+", listed)), read | {"--help"})
-
-    def test_old_packages_are_neither_copied_nor_listed(self):
-        self.add_stand_ins()
-        for path in ("build/package/packages/hyrax-1.deb", "build/packages/hyrax-1.deb", "build/packages/SHA256SUMS"):
-            self.write(path, "")
-        outcome, _ = self.call("package deb")
-        self.assertEqual((outcome.exit_code, outcome.out.split()[1:]), (0, ["hyrax-2.deb"]), outcome)
-        self.assertEqual(self.names("build/packages"), ["SHA256SUMS", "hyrax-2.deb"])
-
-    def test_functions_of_setup(self):
-        """What each returns, prints and calls."""
-        cache = f"CMAKE_HOME_DIRECTORY:INTERNAL={self.folder.resolve()}\nA:BOOL=ON\nB:STRING=long\n"
-        again = f"[[ -d build/x ]] || mkdir -p build/x; : > build/x/build.ninja; printf %s '{cache}' > build/x/CMakeCache.txt\n"
-        cases = "".join(f"{again * ('/x' in command)}{begin} FAILS='{fails}'; {command}; {end} 2> err.{number} 3> called.{number}; echo $?\n"
-                        for number, (command, fails, exit_code, *_) in enumerate(FUNCTIONS)
-                        for begin, end in ["()" if exit_code == 3 or re.search(r"=|\(\)", command) else "{}"])
-        keyboard, terminal = pty.openpty()
-        os.write(keyboard, "".join(ANSWERS.values()).encode())
-        codes = run("bash", "-c", NO_PROGRAMS + cases, cwd=self.folder, env={**os.environ, "assume_yes": "yes"}, stdin=terminal).out.split()
-        self.assertEqual(os.read(keyboard, 1 << 16).count(b"Install them?"), len(ANSWERS))
-        os.close(keyboard)
-        os.close(terminal)
-        for number, (command, fails, exit_code, err, called) in enumerate(FUNCTIONS):
-            with self.subTest(command=command, fails=fails):
-                printed, calls = ((self.folder / f"{name}.{number}").read_text() for name in ("err", "called"))
-                self.assertEqual(codes[number], str(exit_code), printed)
-                self.assertRegex(printed, rf"(?s)\A{err}\Z")
-                calls = [re.sub(f"^{INSTALL} .*", INSTALL, line.replace(str(self.folder.resolve()), "PROJECT")) for line in calls.splitlines()]
-                self.assertEqual(calls, called)
 
 
 if __name__ == "__main__":

@@ -167,6 +167,11 @@ def words_outside_blocks(document):
     return BLOCK.sub("", document.read_text(encoding="utf-8"))
 
 
+def text_of(path):
+    """A file of the project."""
+    return (SOURCE / path).read_text(encoding="utf-8")
+
+
 def names_in(text):
     """Words and names of a text."""
     return set(re.findall(r"\b[A-Za-z_]\w{2,}(?:-\w+)*", text))

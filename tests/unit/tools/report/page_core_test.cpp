@@ -1,4 +1,4 @@
-// What the page's core hands to the page, compiled for this system: every number at its place and under its
+// What the page's core gives the page, compiled for this system: every number at its place and under its
 // name.
 #include <gtest/gtest.h>
 
