@@ -41,16 +41,16 @@ def missed_frames_dt_s(dt_s, probability, seed, frame):
     return dt_s * 2.0 if unit(seed, frame) < probability else dt_s
 
 
-JITTERS = {  # kind: (the key of its parameter, the largest value allowed, the rule)
-    "uniform": ("fraction", 1.0, uniform_dt_s),
-    "normal": ("sigma_s", 1e9, normal_dt_s),
-    "missed_frames": ("probability", 1.0, missed_frames_dt_s),
+JITTERS = {  # kind: (the key of its parameter, the rule)
+    "uniform": ("fraction", uniform_dt_s),
+    "normal": ("sigma_s", normal_dt_s),
+    "missed_frames": ("probability", missed_frames_dt_s),
 }
 
 
 def jittered_dts_s(kind, dt_s, parameter, seed):
     """The endless dt sequence of a jittered clock, each within the limit that holds for every dt."""
-    rule = JITTERS[kind][2]
+    rule = JITTERS[kind][1]
     for frame in itertools.count():
         yield min(rule(dt_s, parameter, seed, frame), MAX_DT_S)
 

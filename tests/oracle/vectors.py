@@ -1,6 +1,7 @@
-"""Test vectors for the parts that another program must reproduce before a complete run can agree."""
+"""Test vectors for the parts that another program must reproduce before a complete run can agree: `vectors.py > vectors.json`."""
 
 import itertools
+import json
 
 import numpy
 
@@ -153,7 +154,7 @@ def all_vectors():
     """The complete document."""
     return {
         "format": "hyrax-vectors/1",
-        "about": "Made by `second_program.py vectors`. Every double is exact hexadecimal text; seeds and outputs are 64 bits.",
+        "about": "Made by `vectors.py`. Every double is exact hexadecimal text; seeds and outputs are 64 bits.",
         "splitmix64": splitmix64_vectors(),
         "jitter": jitter_vectors(),
         "time_rule": time_rule_vectors(),
@@ -162,3 +163,7 @@ def all_vectors():
         "at_s": at_s_vectors(),
         "statistics": statistics_vectors(),
     }
+
+
+if __name__ == "__main__":
+    print(json.dumps(all_vectors(), indent=1))

@@ -1,60 +1,49 @@
 #!/usr/bin/python3
-"""Compares the C++ replay with the second program: every row and contact of short runs, bit for bit, and the vectors; and the
-second program with the formulas of the documents.
+"""Compares hyrax-sim with the second program: summary, rows and contacts of every scenario of moderate length, bit for bit, and
+the vectors; and the second program with the formulas of the documents."""
 
-HYRAX_PRINT_ROWS names the program of print_rows.cpp.
-"""
-
-import io
 import json
 import math
-import os
 import pathlib
 import re
 import struct
 import unittest
 
+import h5py
+import numpy
 import xxhash
 
-from process import succeed
-from program import SOURCE
+from program import AGREED, SOURCE, ProgramTest
 import clock
 import replay
 import sweep
 import vectors
 
-PRINT_ROWS = os.environ["HYRAX_PRINT_ROWS"]
 FOLDERS = (SOURCE / "scenarios", SOURCE / "tests/oracle/scenarios")
-
-STEPS_MAX = 3000
-ROW_KEYS = ("t", "dt", "x", "y", "vx", "vy")
-CONTACT_KEYS = ("t", "x", "y", "vx_before", "vy_before", "vx_after", "vy_after", "overshoot")
+STEPS_MAX = 20_000
 
 
-def bits(text):
-    """The 16 digits of a double's bits, from exact text."""
-    return struct.pack(">d", float.fromhex(text)).hex()
+def exact(value):
+    """The value with every number as the digits of its bits, so that -0.0 and 0.0 differ."""
+    if isinstance(value, dict):
+        return {key: exact(inner) for key, inner in value.items()}
+    return value if value is None or isinstance(value, str) else float(value).hex()
 
 
-def lines_of(path, scenario):
-    """The expected output of PRINT_ROWS for a scenario."""
-    run = replay.all_rows(scenario)
-    yield f"scenario {path}"
-    for row in run["rows"]:
-        yield " ".join(["row", str(row["step"]), *(bits(row[key]) for key in ROW_KEYS), str(row["contact"])])
-    for contact in run["contacts"]:
-        numbers = (str(contact[key]) for key in ("step", "last_step", "wall"))
-        yield " ".join(["contact", *numbers, *(bits(contact[key]) for key in CONTACT_KEYS)])
-    yield f"state_hash {replay.summarise(scenario)['state_hash']}"
-
-
-def first_difference(expected, actual):
-    """A message about the first line that differs, or None."""
-    for number, (a, b) in enumerate(zip(expected, actual, strict=True)):
-        if a != b:
-            scenario = [line for line in expected[:number + 1] if line.startswith("scenario")][-1]
-            return f"{scenario}\nexpected {a}\nactual   {b}"
-    return None if len(expected) == len(actual) else f"{len(expected)} lines expected, {len(actual)} printed"
+def difference(played, entry, file):
+    """What the document or the file of a run has otherwise than the second program, or None."""
+    summary, *groups = played
+    for key, number in summary.items():
+        if exact(entry[key]) != exact(number):
+            return f"{key}: {entry[key]} instead of {number}"
+    for group, columns in zip(("trajectory", "contacts"), groups):
+        for name, numbers in columns.items():
+            stored = file[group][name][:]
+            wanted = numpy.array(numbers, stored.dtype)
+            if stored.tobytes() != wanted.tobytes():
+                places = [place for place, pair in enumerate(zip(stored, wanted)) if exact(pair[0]) != exact(pair[1])]
+                return f"/{group}/{name}: {len(stored)} instead of {len(wanted)} numbers, differing at {places[:3]}"
+    return None
 
 
 def stated(path, *patterns):
@@ -133,29 +122,36 @@ class Documents(unittest.TestCase):
         self.assertEqual(hashed[of_blocks](b"".join(digests)).hex(), state_hash.hexdigest())
 
 
-class Witness(unittest.TestCase):
+class Witness(ProgramTest):
     """The second program's opinion of the first."""
 
+    def run_of(self, scenarios):
+        """The entries of `run --json`, with every row in a file, out/NAME.h5 ("output")."""
+        return self.expect(AGREED, "run", *scenarios, "--set", "/record/every=1", "--json", "-o", "out/").json["runs"]
+
     def test_every_row_and_contact_agrees(self):
-        runs = {str(path): replay.Scenario(replay.load(path))
-                for folder in FOLDERS for path in sorted(folder.rglob("*.json"))}
-        short = {path: scenario for path, scenario in runs.items() if scenario.steps <= STEPS_MAX}
-        self.assertGreaterEqual(len(short), 30)
-        expected = [line for path, scenario in short.items() for line in lines_of(path, scenario)]
-        self.assertIsNone(first_difference(expected, succeed(PRINT_ROWS, *short).out.splitlines()))
+        for folder in FOLDERS:
+            scenarios = {path: replay.Scenario(replay.load(path)) for path in sorted(folder.rglob("*.json"))}
+            scenarios = {path: scenario for path, scenario in scenarios.items() if scenario.steps <= STEPS_MAX}
+            self.assertGreaterEqual(len(scenarios), 80 if folder == FOLDERS[0] else 3)
+            for entry, scenario in zip(self.run_of(scenarios), scenarios.values(), strict=True):
+                with h5py.File(self.folder / entry["output"]) as file:
+                    self.assertIsNone(difference(replay.play(scenario), entry, file), entry["scenario"])
 
     def test_a_difference_of_one_bit_is_detected(self):
-        path = sorted(FOLDERS[0].rglob("first-fling.json"))[0]
-        expected = list(lines_of(str(path), replay.Scenario(replay.load(path))))
-        actual = list(expected)
-        actual[7] = actual[7][:-3] + ("0" if actual[7][-3] != "0" else "1") + actual[7][-2:]
-        self.assertIn("row 6", first_difference(expected, actual))
+        path = FOLDERS[0] / "flings/first-fling.json"
+        entry, = self.run_of([path])
+        played = replay.play(replay.Scenario(replay.load(path)))
+        with h5py.File(self.folder / entry["output"]) as file:
+            self.assertIsNone(difference(played, entry, file))
+            for columns, name in ((played[0]["final"], "x_px"), (played[1]["y"], 6), (played[2]["overshoot"], 0)):
+                kept, columns[name] = columns[name], math.nextafter(columns[name], math.inf)
+                self.assertIn("final" if name == "x_px" else f"at [{name}]", difference(played, entry, file))
+                columns[name] = kept
 
     def test_the_vectors_are_what_the_second_program_makes(self):
-        made = io.StringIO()
-        print(json.dumps(vectors.all_vectors(), indent=1), file=made)
         stored = pathlib.Path(__file__).with_name("vectors.json").read_text(encoding="utf-8")
-        self.assertTrue(made.getvalue() == stored, "vectors.json is not what `second_program.py vectors` prints")
+        self.assertTrue(json.dumps(vectors.all_vectors(), indent=1) + "\n" == stored, "vectors.json is not what `vectors.py` prints")
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ struct KnownRow {
   double x, y, vx, vy;
 };
 
-// From `tests/oracle/second_program.py rows`: a row of the first arc, and one after the
+// From tests/oracle/replay.py: a row of the first arc, and one after the
 // right wall and bounces of the ground.
 constexpr KnownRow kKnownRows[] = {
     {60, 0x1.0185d6c710a8ap+10, 0x1.77e86ff360370p+7, 0x1.d6de3dd72ce4ep+9, -0x1.acf019bf71cccp+6},
