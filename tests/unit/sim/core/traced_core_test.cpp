@@ -1,11 +1,12 @@
-// The traced step of the paper's listing, interpreted: the rows and contacts of the shipped core.
+// Contacts and rows of the paper's step, by cores that know nothing of it: those of the shipped core.
 #include "sim/core/traced_core.h"
-#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "sim/core/contact_kernel.h"
+#include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -15,18 +16,38 @@
 namespace hyrax {
 namespace {
 
+void expect_the_runs_of_the_shipped_core(const Core& core) {
+  for (const std::string& path : scenario_files()) {
+    const Scenario scenario = load_scenario(path);
+    TraceSink shipped({.rows_every = 1000, .contacts = true, .blocks = true});
+    TraceSink played({.rows_every = 1000, .contacts = true, .blocks = true});
+    const std::string expected = text_of(replay(shipped_core(), scenario, shipped));
+    ASSERT_EQ(text_of(replay(core, scenario, played)), expected) << path;
+    ASSERT_TRUE(same_trace(played, shipped)) << path;
+  }
+}
+
+// The shipped rows, their contacts told by this step, or without one by the rows.
+Core by_contact_kernel(const std::shared_ptr<const StepProgram>& step) {
+  Core core = shipped_core();
+  core.kernel = std::make_shared<const ContactKernel>(core.kernel, step, core.constants);
+  return core;
+}
+
+TEST(ContactKernel, TellsTheContactsOfTheCoreByItsTracedStep) {
+  expect_the_runs_of_the_shipped_core(
+      by_contact_kernel(make_step_program(canonical(recording::record_listing()))));
+}
+
+TEST(ContactKernel, TellsThemByRowsThatAreThePapers) {
+  expect_the_runs_of_the_shipped_core(by_contact_kernel(nullptr));
+}
+
 TEST(TracedCore, PlaysEveryScenarioAsTheShippedCoreDoes) {
   const std::optional<Core> core = traced_core(canonical(recording::record_listing()));
   ASSERT_TRUE(core);
   EXPECT_FALSE(core->constants);
-  for (const std::string& path : scenario_files()) {
-    const Scenario scenario = load_scenario(path);
-    TraceSink shipped({.rows_every = 1000, .contacts = true, .blocks = true});
-    TraceSink traced({.rows_every = 1000, .contacts = true, .blocks = true});
-    const std::string expected = text_of(replay(shipped_core(), scenario, shipped));
-    ASSERT_EQ(text_of(replay(*core, scenario, traced)), expected) << path;
-    ASSERT_TRUE(same_trace(traced, shipped)) << path;
-  }
+  expect_the_runs_of_the_shipped_core(*core);
 }
 
 // One that no function of the step reads.
