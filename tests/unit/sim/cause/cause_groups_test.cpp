@@ -4,16 +4,21 @@
 #include <deque>
 
 #include "sim/cause/cause_groups.h"
-#include "tests/unit/sim/cause/hand_step.h"
+#include "sim/core/listing_core.h"
+#include "tests/unit/sim/replay/kept_run.h"
+#include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
 namespace {
 
-// A program whose core may be another one than the accepted, which is the listing.
-class Program {
- public:
-  HandStep step;
+Core core_with_gravity(double gravity_px_per_s2) {
+  Constants constants = shipped_core().constants.value();
+  constants.gravity_px_per_s2 = gravity_px_per_s2;
+  return listing_core(constants);
+}
 
+// A program whose core may be another one than the accepted, which is the shipped one.
+struct Program {
   [[nodiscard]] Cause cause_of(const StoredRun& golden, const StoredRun& fresh,
                                const std::string& scenario_change = "", bool is_as_blessed = true) const {
     return group_by_cause({{golden, fresh, scenario_change, is_as_blessed, names_accepted_core}}, base())
@@ -21,21 +26,17 @@ class Program {
         .cause;
   }
   [[nodiscard]] CauseBase base() const {
-    return {.program = program_,
-            .accepted = has_accepted_core ? &accepted_ : nullptr,
+    return {.program = core,
+            .accepted = has_accepted_core ? &shipped_core() : nullptr,
             .why_not_played = "no accepted core",
             .is_same_core = is_same_core,
             .core_change = "GRAVITY 1200 -> 1250"};
   }
 
+  Core core = shipped_core();
   bool is_same_core = false;
   bool has_accepted_core = true;
   bool names_accepted_core = true;
-
- private:
-  HandStep listing_;
-  Core program_ = hand_core(step);
-  Core accepted_ = hand_core(listing_);
 };
 
 std::vector<Scenario> library() {
@@ -47,12 +48,12 @@ std::vector<Scenario> library() {
 
 TEST(Cause, IsTheCoreWhereTheAcceptedOneGivesTheGoldenFile) {
   Program program;
-  program.step.constants.gravity_px_per_s2 = 1250.0;
+  program.core = core_with_gravity(1250.0);
   std::deque<StoredRun> kept;
   std::vector<DifferingRun> runs;
   for (const Scenario& scenario : library()) {
-    const StoredRun& golden = kept.emplace_back(run_of(scenario));
-    runs.push_back({golden, kept.emplace_back(run_of(scenario, program.step)), "", true, true});
+    const StoredRun& golden = kept.emplace_back(kept_run(scenario));
+    runs.push_back({golden, kept.emplace_back(kept_run(scenario, program.core)), "", true, true});
   }
   const std::vector<CauseGroup> groups = group_by_cause(runs, program.base());
   ASSERT_EQ(groups.size(), 1u);
@@ -63,18 +64,18 @@ TEST(Cause, IsTheCoreWhereTheAcceptedOneGivesTheGoldenFile) {
 TEST(Cause, IsUnknownWhereTheCoreIsTheAcceptedOneAndTheProgramIsNot) {
   Program program;
   program.is_same_core = true;
-  program.step.constants.gravity_px_per_s2 = 1250.0;
+  program.core = core_with_gravity(1250.0);
   const Scenario scenario = fling_at(60.0, 300);
-  const Cause cause = program.cause_of(run_of(scenario), run_of(scenario, program.step));
+  const Cause cause = program.cause_of(kept_run(scenario), kept_run(scenario, program.core));
   EXPECT_EQ(cause.kind, CauseKind::unknown);
   EXPECT_TRUE(cause.detail.starts_with("the core is the accepted one")) << cause.detail;
 }
 
 TEST(Cause, IsUnknownWithoutAnAcceptedCore) {
   Program program;
-  program.step.constants.gravity_px_per_s2 = 1250.0;
+  program.core = core_with_gravity(1250.0);
   const Scenario scenario = fling_at(60.0, 300);
-  const StoredRun golden = run_of(scenario), fresh = run_of(scenario, program.step);
+  const StoredRun golden = kept_run(scenario), fresh = kept_run(scenario, program.core);
   program.has_accepted_core = false;
   EXPECT_EQ(program.cause_of(golden, fresh), (Cause{CauseKind::unknown, "no accepted core"}));
   program.has_accepted_core = true;
@@ -89,10 +90,10 @@ TEST(Cause, IsTheClockWhereFrameTimesDiffer) {
     const Scenario scenario = fling_at(60.0, steps);
     Scenario slow = scenario;
     slow.events = {{std::int64_t{0}, Hitch{1.0 / 59.0}}};
-    StoredRun golden = run_of(slow);
+    StoredRun golden = kept_run(slow);
     golden.scenario = scenario;
     golden.inputs.clear();
-    const Cause cause = program.cause_of(golden, run_of(scenario));
+    const Cause cause = program.cause_of(golden, kept_run(scenario));
     EXPECT_EQ(cause.kind, CauseKind::clock) << cause.detail;
   }
 }
@@ -101,10 +102,10 @@ TEST(Cause, IsAnInputThatDiffers) {
   const Program program;
   const auto cause_of = [&program](const Event& blessed, const Event& now, bool has_effect_alone) {
     const Scenario scenario = fling_at(60.0, 300, {now});
-    StoredRun golden = run_of(fling_at(60.0, 300, {blessed}));
+    StoredRun golden = kept_run(fling_at(60.0, 300, {blessed}));
     golden.scenario = scenario;
     if (has_effect_alone) golden.inputs = inputs_of(scenario, 300);
-    return program.cause_of(golden, run_of(scenario));
+    return program.cause_of(golden, kept_run(scenario));
   };
   const Event fling{std::int64_t{40}, Fling{{-1500.0, -900.0}}};
   EXPECT_EQ(cause_of({std::int64_t{41}, fling.action}, fling, false),
@@ -123,23 +124,23 @@ TEST(Cause, IsTheScenariosOwnText) {
   const Scenario scenario = fling_at(60.0, 300);
   Scenario faster = scenario;
   faster.start_velocity.vx_px_per_s += 1.0;
-  const StoredRun golden = run_of(scenario);
-  EXPECT_EQ(program.cause_of(golden, run_of(faster), "/start/vx_px_per_s 2400 -> 2401"),
+  const StoredRun golden = kept_run(scenario);
+  EXPECT_EQ(program.cause_of(golden, kept_run(faster), "/start/vx_px_per_s 2400 -> 2401"),
             (Cause{CauseKind::scenario, "/start/vx_px_per_s 2400 -> 2401"}));
   for (const std::int64_t steps : {299, 301}) {
     Scenario other = scenario;
     other.length = steps;
-    EXPECT_EQ(program.cause_of(golden, run_of(other), "/steps 300 -> other").kind, CauseKind::scenario);
+    EXPECT_EQ(program.cause_of(golden, kept_run(other), "/steps 300 -> other").kind, CauseKind::scenario);
   }
-  program.step.constants.gravity_px_per_s2 = 1250.0;  // It changes the run by itself, whatever the core does.
-  EXPECT_EQ(program.cause_of(golden, run_of(faster, program.step), "/start/vx_px_per_s 2400 -> 2401").kind,
+  program.core = core_with_gravity(1250.0);  // It changes the run by itself, whatever the core does.
+  EXPECT_EQ(program.cause_of(golden, kept_run(faster, program.core), "/start/vx_px_per_s 2400 -> 2401").kind,
             CauseKind::scenario);
 }
 
 TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
   const Program program;
   const Scenario scenario = fling_at(60.0, 300);
-  const StoredRun golden = run_of(scenario);
+  const StoredRun golden = kept_run(scenario);
   const auto run = [&](const char* scenario_change, bool is_repeated) {
     return DifferingRun{golden, golden, scenario_change, true, true, is_repeated};
   };
@@ -156,13 +157,13 @@ TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
 TEST(Cause, IsAGoldenFileThatWasChanged) {
   Program program;
   const Scenario scenario = fling_at(60.0, 300);
-  StoredRun golden = run_of(scenario);
+  StoredRun golden = kept_run(scenario);
   golden.rows.x_px[200] += 1.0;
   golden.state_hash.front() = golden.state_hash.front() == 'a' ? 'b' : 'a';
-  const StoredRun fresh = run_of(scenario);
+  const StoredRun fresh = kept_run(scenario);
   EXPECT_EQ(program.cause_of(golden, fresh, "", false).kind, CauseKind::golden);
   EXPECT_EQ(program.cause_of(golden, fresh).kind, CauseKind::golden) << "its checksums were made to agree";
-  StoredRun renamed = run_of(scenario);
+  StoredRun renamed = kept_run(scenario);
   renamed.scenario.start_velocity.vx_px_per_s += 1.0;
   EXPECT_EQ(program.cause_of(renamed, fresh, "/start/vx_px_per_s 2401 -> 2400", false).kind,
             CauseKind::golden);

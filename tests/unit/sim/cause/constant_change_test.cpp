@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/traced_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trace/step_text.h"
-#include "tests/unit/sim/cause/hand_step.h"
+#include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
 namespace {
@@ -18,11 +19,11 @@ Digest hash_of(const Core& core) { return replay(core, eventful_fling()).state_h
 
 TEST(WithConstant, PlaysAsTheListingWithThatConstant) {
   for (const double gravity : {1250.0, -1200.0, 0.0, -0.0}) {
-    HandStep step;
-    step.constants.gravity_px_per_s2 = gravity;
+    Constants constants = shipped_core().constants.value();
+    constants.gravity_px_per_s2 = gravity;
     const std::optional<Core> core = traced_core(with_constant(shipped_step(), 1200.0, gravity));
     ASSERT_TRUE(core);
-    EXPECT_EQ(hash_of(*core), hash_of(hand_core(step))) << gravity;
+    EXPECT_EQ(hash_of(*core), hash_of(listing_core(constants))) << gravity;
   }
 }
 

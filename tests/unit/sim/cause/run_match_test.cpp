@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/sim/cause/hand_step.h"
+#include "tests/unit/sim/replay/kept_run.h"
+#include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
 namespace {
@@ -12,15 +13,13 @@ constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
 
 class StoredRuns : public testing::Test {
  protected:
-  [[nodiscard]] RunMatch match_of(const StoredRun& run) const { return match(core, scenario, run); }
+  [[nodiscard]] RunMatch match_of(const StoredRun& run) const { return match(shipped_core(), scenario, run); }
 
-  HandStep listing;
-  Core core = hand_core(listing);
   Scenario scenario = fling_at(60.0, 300);
 };
 
 TEST_F(StoredRuns, MatchInRowsTimesAndContacts) {
-  const StoredRun whole = run_of(scenario);
+  const StoredRun whole = kept_run(scenario);
   EXPECT_TRUE(match_of(whole).is_whole());
   for (const std::size_t row : {0U, 1U, 150U, 299U, 300U}) {
     StoredRun run = whole;
@@ -45,7 +44,7 @@ TEST_F(StoredRuns, MatchInRowsTimesAndContacts) {
 TEST_F(StoredRuns, MatchInBlocksHoweverTheyAreCounted) {
   for (const std::int64_t steps : {kRows - 1, kRows, 5 * kRows - 1, 5 * kRows + 7}) {
     scenario = fling_at(60.0, steps);
-    const StoredRun whole = run_of(scenario);
+    const StoredRun whole = kept_run(scenario);
     EXPECT_TRUE(match_of(whole).is_whole()) << steps;
     for (std::size_t block = 0; block < whole.blocks.size(); ++block) {
       StoredRun run = whole;
@@ -64,13 +63,13 @@ TEST_F(StoredRuns, ShowTheStepsAroundTheFirstDifference) {
   for (const std::int64_t frame : {std::int64_t{3}, kRows, 2 * kRows - 2, 2 * kRows - 1, 4 * kRows + 5}) {
     Scenario flung = even;
     flung.events = {{frame, Fling{{-900.0, -900.0}}}};
-    const std::vector<ObservedStep> steps = observed_steps(run_of(flung), run_of(even), core);
+    const std::vector<ObservedStep> steps = observed_steps(kept_run(flung), kept_run(even), shipped_core());
     const std::int64_t block = (frame + 1) / kRows;  // Of the first row that differs.
     EXPECT_EQ(steps.front().step, std::max<std::int64_t>(0, block - 1) * kRows + 1) << frame;
     EXPECT_GE(steps.back().step, std::min((block + 1) * kRows - 1, 4 * kRows + 9)) << frame;
     EXPECT_EQ(std::ranges::count(steps, true, &ObservedStep::follows_input), 1) << frame;
     flung.events = {{frame, Resize{Size{1900, 1060}, {}}}, {frame, Hitch{0.1}}};  // They set no state.
-    EXPECT_EQ(std::ranges::count(observed_steps(run_of(flung), run_of(even), core), true,
+    EXPECT_EQ(std::ranges::count(observed_steps(kept_run(flung), kept_run(even), shipped_core()), true,
                                  &ObservedStep::follows_input),
               0);
   }

@@ -10,16 +10,10 @@
 #include <string_view>
 
 #include "sim/compare/run_comparer.h"
-#include "sim/core/core.h"
-#include "sim/core/shipped_core.h"
-#include "sim/replay/replay.h"
-#include "sim/scenario/frame_clock.h"
-#include "sim/scenario/schedule.h"
+#include "tests/unit/sim/replay/kept_run.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
-
-inline constexpr std::string_view kSomePhysics = "hyrax-physics/1";
 
 /// The fields that a fault can be put into; all are doubles except the contact byte.
 inline const std::map<std::string_view, double Row::*> kFaultyFields = {
@@ -93,22 +87,6 @@ class FaultySink : public RowSink {
   Fault fault_;
 };
 
-/// The run as a golden file keeps it.
-inline StoredRun kept_run(const Scenario& scenario) {
-  RunRecorder recorder(step_count(scenario));
-  const RunSummary summary = replay(shipped_core(), scenario, recorder);
-  StoredRun run = recorder.take();
-  run.scenario = scenario;
-  run.physics = kSomePhysics;
-  run.constants = *shipped_core().constants;
-  run.steps = summary.steps;
-  run.state_hash = hex(summary.state_hash);
-  run.final = summary.final;
-  run.contacts_total = static_cast<std::int64_t>(run.contacts.size());
-  run.inputs = inputs_of(scenario, summary.steps);
-  return run;
-}
-
 /// Plays a kept block again, as the program does.
 inline RowBlock expand(const Scenario& scenario, const StoredBlock& kept) {
   struct TakeBlock : RowSink {
@@ -130,7 +108,7 @@ struct Playing {
   std::optional<Fault> fault = {};
   bool can_expand = true;  ///< Else as with a changed core, which does not give the kept rows again.
   bool skips_repetition = true;
-  std::string_view physics = kSomePhysics;
+  std::string_view physics = kPhysicsModel;
 };
 
 inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const Playing& playing = {}) {
