@@ -7,13 +7,10 @@
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/schedule.h"
-#include "sim/search/run_check.h"
 #include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
-
-double zero_or_less(bool holds) { return holds ? 0.0 : -1.0; }
 
 // 0 if the sprite has settled with both speeds 0; else below 0, by the speed that is left.
 double rest_slack(const RunSummary& summary, double speed_px_per_s) {
@@ -34,15 +31,15 @@ RunErrors errors_of(const Core& core, const Scenario& scenario, std::int64_t ste
           value_of(drift.energy_drift_rel_max)};
 }
 
-void judge_expectations(const Core& core, const HardCase& hard_case, const RunSummary& summary,
-                        HardCaseResult& result) {
-  const std::optional<Expect>& expect = hard_case.scenario.expect;
+void judge_expectations(const Core& core, const Scenario& scenario, HardCaseResult& result) {
+  const std::optional<Expect>& expect = scenario.expect;
   if (!expect) return;
+  const std::int64_t steps = result.summary.steps;
   std::optional<RunErrors> errors;
-  if (bounds_errors(*expect)) errors = errors_of(core, hard_case.scenario, summary.steps);
-  for (const Expectation& expectation : judge(*expect, summary, errors)) {
-    result.measures[static_cast<std::size_t>(Invariant::expectations)].add(zero_or_less(expectation.holds),
-                                                                           summary.steps);
+  if (bounds_errors(*expect)) errors = errors_of(core, scenario, steps);
+  for (const Expectation& expectation : judge(*expect, result.summary, errors)) {
+    result.measures[static_cast<std::size_t>(Invariant::expectations)].add(expectation.holds ? 0.0 : -1.0,
+                                                                           steps);
     if (!expectation.holds && result.broken_expectation.empty())
       result.broken_expectation = expectation.rule + ": wanted " + expectation.wanted;
   }
@@ -53,23 +50,16 @@ void judge_expectations(const Core& core, const HardCase& hard_case, const RunSu
 HardCaseResult play_hard_case(const Core& core, const HardCase& hard_case,
                               const std::function<void(std::int64_t)>& report_steps) {
   const Scenario& scenario = hard_case.scenario;
-  const CheckedRun run = check_run(core, scenario, usual_stops(scenario), report_steps);
-  HardCaseResult result{.measures = run.measures,
-                        .state_hash = run.summary.state_hash,
-                        .steps = run.summary.steps,
-                        .knife_edges = run.knife_edges,
-                        .broken_expectation = {}};
+  HardCaseResult result{check_run(core, scenario, usual_stops(scenario), report_steps)};
   if (hard_case.must_come_to_rest)
     result.measures[static_cast<std::size_t>(Invariant::comes_to_rest)].add(
-        rest_slack(run.summary, run.last_speed_px_per_s), run.summary.steps);
-  judge_expectations(core, hard_case, run.summary, result);
+        rest_slack(result.summary, result.last_speed_px_per_s), result.summary.steps);
+  judge_expectations(core, scenario, result);
   return result;
 }
 
 CaseVerdict judge(const HardCase& hard_case, const HardCaseResult& result, Invariant invariant) {
-  const bool is_known =
-      std::any_of(hard_case.expected_failures.begin(), hard_case.expected_failures.end(),
-                  [&](const ExpectedFailure& failure) { return failure.invariant == invariant; });
+  const bool is_known = invariant == Invariant::comes_to_rest && !hard_case.never_at_rest.empty();
   const bool holds = result.measures[static_cast<std::size_t>(invariant)].holds;
   // The listing itself applies drag in a zero-length frame, in the user's own scenarios as well.
   const bool is_expected_failure = is_known || is_broken_by_listing(invariant, hard_case.scenario);

@@ -10,16 +10,9 @@
 
 #include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
-#include "sim/search/invariant.h"
-#include "sim/trajectory/state_hash.h"
+#include "sim/search/run_check.h"
 
 namespace hyrax {
-
-/// An invariant that the paper's listing itself breaks in a case.
-struct ExpectedFailure {
-  Invariant invariant;
-  std::string what;  ///< What happens, in one sentence without its full stop.
-};
 
 struct HardCase {
   std::string name;       ///< The scenario's, or of a member of a family: "any-frame/dt-1e-09".
@@ -27,8 +20,10 @@ struct HardCase {
   std::string why;        ///< Why it is hard.
   Scenario scenario;
   bool must_come_to_rest = false;  ///< Left alone so long that it must end at zero speed.
-  bool is_long = false;            ///< Takes longer than all others together.
-  std::vector<ExpectedFailure> expected_failures;
+  /// How the listing itself fails to, in one sentence without its full stop: an expected failure. Empty: it
+  /// does not.
+  std::string never_at_rest = {};
+  bool is_long = false;  ///< Takes longer than all others together.
 };
 
 /// The cases made from a scenario: itself with its expected failures, and the families of what it does
@@ -37,14 +32,10 @@ struct HardCase {
 
 enum class CaseVerdict { held, expected_failure, broken, expected_failure_gone };
 
-/// What was measured of a case.
-struct HardCaseResult {
-  InvariantMeasures measures{};
-  Digest state_hash{};
-  std::int64_t steps = 0;
-  std::int64_t knife_edges = 0;
+/// What was measured of a case; `measures` with the invariants that are a case's own.
+struct HardCaseResult : CheckedRun {
   /// The first of the scenario's own expectations that does not hold.
-  std::string broken_expectation;
+  std::string broken_expectation = {};
 };
 
 /// Plays the case with every step checked, then once more, and once more stopped and resumed twice.

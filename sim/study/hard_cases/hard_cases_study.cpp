@@ -42,74 +42,49 @@ std::vector<PlayedCase> play(std::vector<HardCase> cases, const StudyRequest& re
   return played;
 }
 
-// The columns of a judgement that do not depend on where it is printed.
-Column invariant_column(const std::vector<Judgement>& judgements) {
-  return column_of("invariant", "", "what must hold", judgements,
-                   [](const Judgement& judgement) { return judgement.text().name; });
-}
-Column verdict_column(const std::vector<Judgement>& judgements) {
-  return column_of("verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)",
-                   judgements, [](const Judgement& judgement) { return name_of(judgement.verdict); });
-}
-Column slack_column(const std::vector<Judgement>& judgements) {
-  return column_of("margin", "", "smallest margin to the bound, below 0 if broken", judgements,
-                   [](const Judgement& judgement) { return judgement.measure().slack; });
-}
-Column worst_step_column(const std::vector<Judgement>& judgements) {
-  return column_of("worst_step", "1", "row number of the smallest margin", judgements,
-                   [](const Judgement& judgement) { return judgement.measure().worst_step; });
-}
-
 Table verdict_table(const std::vector<Judgement>& judgements) {
+  using J = const Judgement&;
   return {"verdicts",
           "every case against every invariant that was checked in it",
-          {column_of("case", "", "case", judgements,
-                     [](const Judgement& judgement) { return judgement.played->hard_case.name; }),
-           invariant_column(judgements), verdict_column(judgements), slack_column(judgements),
-           column_of("margin_unit", "", "unit of the margin", judgements,
-                     [](const Judgement& judgement) { return judgement.text().unit; }),
-           worst_step_column(judgements)}};
+          {column_of("case", "", "case", judgements, [](J j) { return j.played->hard_case.name; }),
+           column_of("invariant", "", "what must hold", judgements, [](J j) { return j.text().name; }),
+           column_of("verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)",
+                     judgements, [](J j) { return name_of(j.verdict); }),
+           column_of("margin", "", "smallest margin to the bound, below 0 if broken", judgements,
+                     [](J j) { return j.measure().slack; }),
+           column_of("margin_unit", "", "unit of the margin", judgements, [](J j) { return j.text().unit; }),
+           column_of("worst_step", "1", "row number of the smallest margin", judgements,
+                     [](J j) { return j.measure().worst_step; })}};
 }
 
 using PlayedRef = const PlayedCase&;
-
-Column case_column(const std::vector<PlayedCase>& cases) {
-  return column_of("case", "", "case", cases, [](PlayedRef played) { return played.hard_case.name; });
-}
-Column origin_column(const std::vector<PlayedCase>& cases) {
-  return column_of("made_from", "", "scenario it is, or was made from", cases,
-                   [](PlayedRef played) { return played.hard_case.made_from; });
-}
-Column step_column(const std::vector<PlayedCase>& cases) {
-  return column_of("steps", "1", "steps played and checked", cases,
-                   [](PlayedRef played) { return played.result.steps; });
-}
-Column knife_edge_column(const std::vector<PlayedCase>& cases) {
-  return column_of("knife_edges", "1", "decisions about a wall within rounding", cases,
-                   [](PlayedRef played) { return played.result.knife_edges; });
-}
 
 Table case_table(const std::vector<PlayedCase>& cases) {
   return {
       "cases",
       "the cases",
-      {case_column(cases), origin_column(cases),
+      {column_of("case", "", "case", cases, [](PlayedRef played) { return played.hard_case.name; }),
+       column_of("made_from", "", "scenario it is, or was made from", cases,
+                 [](PlayedRef played) { return played.hard_case.made_from; }),
        column_of("why", "", "why it is hard", cases, [](PlayedRef played) { return played.hard_case.why; }),
-       step_column(cases), knife_edge_column(cases)}};
+       column_of("steps", "1", "steps played and checked", cases,
+                 [](PlayedRef played) { return played.result.summary.steps; }),
+       column_of("knife_edges", "1", "decisions about a wall within rounding", cases,
+                 [](PlayedRef played) { return played.result.knife_edges; })}};
 }
 
+// The members of the JSON document.
 Table summary_of(const std::vector<PlayedCase>& cases) {
-  return {"cases",
-          "",
-          {case_column(cases), origin_column(cases), step_column(cases), knife_edge_column(cases),
-           column_of("invariants", "", "", cases, [](PlayedRef played) {
-             const std::vector<Judgement> judgements = judgements_of({&played, 1});
-             return Table{"invariants",
-                          "",
-                          {invariant_column(judgements), verdict_column(judgements), slack_column(judgements),
-                           worst_step_column(judgements)},
-                          JsonShape::by_first};
-           })}};
+  Table summary = case_table(cases);
+  std::erase_if(summary.columns, [](const Column& column) { return column.name == "why"; });
+  summary.columns.push_back(column_of("invariants", "", "", cases, [](PlayedRef played) {
+    Table verdicts = verdict_table(judgements_of({&played, 1}));
+    std::erase_if(verdicts.columns,
+                  [](const Column& column) { return column.name == "case" || column.name == "margin_unit"; });
+    verdicts.shape = JsonShape::by_first;
+    return verdicts;
+  }));
+  return summary;
 }
 
 Table invariant_table(const std::vector<Judgement>& judgements) {
@@ -137,8 +112,7 @@ Table invariant_table(const std::vector<Judgement>& judgements) {
 // What the listing itself breaks in any scenario (is_broken_by_listing) is known without the case's saying
 // so.
 std::string expected_failure_text(const Judgement& judgement) {
-  for (const ExpectedFailure& failure : judgement.played->hard_case.expected_failures)
-    if (failure.invariant == judgement.invariant) return failure.what;
+  if (judgement.invariant == Invariant::comes_to_rest) return judgement.played->hard_case.never_at_rest;
   return judgement.invariant == Invariant::mirror
              ? "the sprite is wider than the window: both side walls clamp it, and the left one always wins"
              : "drag acts once a frame, even in a zero-length frame";
@@ -176,7 +150,7 @@ std::string broken_sentence(const Judgement& judgement) {
 Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judgement>& judgements) {
   std::int64_t steps = 0, knife_edges = 0;
   for (const PlayedCase& played : cases) {
-    steps += played.result.steps;
+    steps += played.result.summary.steps;
     knife_edges += played.result.knife_edges;
   }
   Verdict verdict{
@@ -202,7 +176,7 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
     const auto known =
         std::find_if(origins.begin(), origins.end(), [&](const auto& each) { return each.first == origin; });
     (known == origins.end() ? origins.emplace_back(origin, 0) : *known).second += 1;
-    steps += played.result.steps;
+    steps += played.result.summary.steps;
   }
   Grid grid;
   InvariantCount all;

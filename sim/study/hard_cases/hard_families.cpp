@@ -38,17 +38,13 @@ std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario) 
   HardCase itself{.name = scenario.name,
                   .made_from = scenario.name,
                   .why = scenario.description.value_or(""),
-                  .scenario = scenario,
-                  .expected_failures = {}};
+                  .scenario = scenario};
   Family family(scenario);
   const ScenarioForm& form = family.form();
-  const char* const never_at_rest = is_larger_than_window(scenario)   ? kNeverStill
-                                    : slides_to_subnormal_speed(form) ? kNeverZero
-                                                                      : nullptr;
-  if (never_at_rest != nullptr) {
-    itself.must_come_to_rest = true;
-    itself.expected_failures = {{Invariant::comes_to_rest, never_at_rest}};
-  }
+  itself.never_at_rest = is_larger_than_window(scenario)   ? kNeverStill
+                         : slides_to_subnormal_speed(form) ? kNeverZero
+                                                           : "";
+  itself.must_come_to_rest = !itself.never_at_rest.empty();
   itself.is_long = form.length > 1'000'000;
   for (MakeFamily* const make : kFamilies) make(core, form, family);
   std::vector<HardCase> cases = family.take();

@@ -3,6 +3,8 @@
 #include <limits>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "sim/core/core.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_family.h"
@@ -67,7 +69,7 @@ void grazing_family(const Core& core, const ScenarioForm& form, Family& family) 
   for (const double off_px : {-1e-3, -1e-9, -1e-13, 0.0, 1e-13, 1e-9, 1e-3}) {
     Scenario scenario = form.scenario;
     scenario.start.y_px = off_px - highest_px;
-    family.add("off-" + text_of(off_px) + "-px",
+    family.add(fmt::format("off-{:g}-px", off_px),
                "the ceiling is met with no speed left: a root of even order", scenario);
   }
 }
@@ -111,7 +113,7 @@ void any_speed_family(const Core&, const ScenarioForm& form, Family& family) {
        {4.9406564584124654e-324, 1e-310, 1e-300, 1e-150, 1e-9, 1.0, 1e4, 1e6, 1e9, kSpeedMax_px_per_s}) {
     Scenario scenario = form.scenario;
     scenario.start_velocity = {speed_px_per_s, -speed_px_per_s};
-    family.add("v-" + text_of(speed_px_per_s), "a speed far from that of any throw", scenario);
+    family.add(fmt::format("v-{:g}", speed_px_per_s), "a speed far from that of any throw", scenario);
   }
   constexpr double kFast_px_per_s = 1e4;
   Scenario narrow = form.scenario;
@@ -136,9 +138,9 @@ void far_outside_family(const Core&, const ScenarioForm& form, Family& family) {
       Scenario scenario = form.scenario;
       const double sign = side % 2 == 0 ? -1.0 : 1.0;
       (side < 2 ? scenario.start.x_px : scenario.start.y_px) = sign * away_px;
-      family.add(std::string(side < 2 ? (side == 0 ? "left" : "right") : (side == 2 ? "above" : "below")) +
-                     "-" + text_of(away_px) + "-px",
-                 "a start far outside the window", scenario);
+      constexpr const char* kSides[] = {"left", "right", "above", "below"};
+      family.add(fmt::format("{}-{:g}-px", kSides[side], away_px), "a start far outside the window",
+                 scenario);
     }
 }
 

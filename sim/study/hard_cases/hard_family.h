@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <variant>
@@ -58,11 +57,8 @@ class Family {
   /// Of the scenario without `expect`.
   [[nodiscard]] const ScenarioForm& form() const { return form_; }
   HardCase& add(const std::string& what, const std::string& why, const Scenario& scenario) {
-    HardCase member{.name = base_.name + "/" + what,
-                    .made_from = base_.name,
-                    .why = why,
-                    .scenario = scenario,
-                    .expected_failures = {}};
+    HardCase member{
+        .name = base_.name + "/" + what, .made_from = base_.name, .why = why, .scenario = scenario};
     member.scenario.name = base_.name;
     cases_.push_back(std::move(member));
     return cases_.back();
@@ -74,13 +70,6 @@ class Family {
   ScenarioForm form_{base_};
   std::vector<HardCase> cases_;
 };
-
-/// "1e-09"
-[[nodiscard]] inline std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
 
 /// Adds the members of a family where the scenario is of the form that they are made from.
 using MakeFamily = void(const Core& core, const ScenarioForm& form, Family& family);
