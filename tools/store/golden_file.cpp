@@ -80,30 +80,23 @@ void read_checks(const TrajectoryFile& file, const std::vector<std::uint8_t>& ch
 // The state at each block's first row is in /trajectory. False if the file could not be written.
 bool write_blocks(hid_t file, const std::vector<StoredBlock>& blocks) {
   const h5::Handle group = h5::create_group(file, "blocks");
-  std::vector<std::int64_t> counts;
-  std::vector<Digest> digests;
-  std::vector<RowCheck> checks;
+  Codes digests, checks;
   for (const StoredBlock& block : blocks) {
-    counts.push_back(block.count);
-    digests.push_back(block.digest);
-    checks.insert(checks.end(), block.checks.begin(), block.checks.end());
+    digests.codes.insert(digests.codes.end(), block.digest.begin(), block.digest.end());
+    for (const RowCheck& check : block.checks)
+      checks.codes.insert(checks.codes.end(), check.begin(), check.end());
   }
-  const auto write = [&](const char* name, hid_t type, hid_t memory_type, std::size_t length,
-                         const void* data) {
-    const h5::Handle dataset = h5::create_dataset(group, name, type, {length});
-    return dataset.is_open() && (length == 0 || h5::write_rows(dataset, memory_type, 0, length, data) >= 0);
-  };
-  bool is_written =
-      write("count", H5T_STD_I64LE, H5T_NATIVE_INT64, counts.size(), counts.data()) &&
-      write("digest", H5T_STD_U8LE, H5T_NATIVE_UINT8, digests.size() * sizeof(Digest), digests.data()) &&
-      write("row_check", H5T_STD_U8LE, H5T_NATIVE_UINT8, checks.size() * sizeof(RowCheck), checks.data());
-  for (const KeyframeColumn& column : kKeyframeColumns) {
-    std::vector<double> values;
-    for (const StoredBlock& block : blocks) values.push_back(column.get(block.keyframe));
-    is_written =
-        is_written && write(column.name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
-  }
-  return is_written && h5::share_axis(group, "count");
+  std::vector<Column> columns = {column_of("count", "", "", blocks, &StoredBlock::count),
+                                 {"digest", "", "", std::move(digests)},
+                                 {"row_check", "", "", std::move(checks)}};
+  for (const KeyframeColumn& column : kKeyframeColumns)
+    columns.push_back(column_of(column.name, "", "", blocks,
+                                [&](const StoredBlock& block) { return column.get(block.keyframe); }));
+  return std::ranges::all_of(columns,  // Of different lengths.
+                             [&](const Column& column) {
+                               return h5::ColumnWriter(group, {column}, length(column)).append({column});
+                             }) &&
+         h5::share_axis(group, "count");
 }
 
 // Reads the blocks and the final row. REQUIRES: the file has /blocks; `run.steps` is set.
