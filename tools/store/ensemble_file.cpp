@@ -33,7 +33,7 @@ void write_head(hid_t file, const EnsembleHead& head) {
     h5::write_attribute(file, "part", head.part.index);
     h5::write_attribute(file, "parts", head.part.count);
   }
-  write_provenance(file, own_provenance());
+  write_provenance(file);
 }
 
 // Nothing if the file is no result file of a sweep.
@@ -145,24 +145,21 @@ void EnsembleWriter::open(const EnsembleHead& head) {
 
 void EnsembleWriter::write(const EnsembleRows& rows) {
   assert(rows.first_row == rows_done_);
-  write_columns(rows.count, [&](std::size_t column) {
-    buffer_.resize(columns_[column].row_bytes() * static_cast<std::size_t>(rows.count));
-    columns_[column].fill(rows, buffer_.data());
-    return buffer_.data();
-  });
-}
-
-void EnsembleWriter::write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count) {
-  write_columns(count, [&](std::size_t column) { return columns[column].data(); });
+  std::vector<std::vector<std::byte>> columns;
+  for (const EnsembleColumn& column : columns_) {
+    columns.emplace_back(column.row_bytes() * static_cast<std::size_t>(rows.count));
+    column.fill(rows, columns.back().data());
+  }
+  write(columns, rows.count);
 }
 
 // The rows are in the file before it says so.
-void EnsembleWriter::write_columns(std::int64_t count,
-                                   const std::function<const std::byte*(std::size_t column)>& bytes_of) {
+void EnsembleWriter::write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count) {
   errno = 0;
   for (std::size_t column = 0; column < columns_.size(); ++column)
     if (h5::write_rows(datasets_[column], memory_type(columns_[column].type),
-                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(count), bytes_of(column)) < 0)
+                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(count),
+                       columns[column].data()) < 0)
       fail();
   rows_done_ += count;
   if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0 || H5Awrite(done_, H5T_NATIVE_INT64, &rows_done_) < 0 ||

@@ -86,7 +86,6 @@ class EnsembleWriter {
 
  private:
   void open(const EnsembleHead& head);
-  void write_columns(std::int64_t count, const std::function<const std::byte*(std::size_t column)>& bytes_of);
   [[noreturn]] void fail() const;
 
   std::string path_;
@@ -95,7 +94,6 @@ class EnsembleWriter {
   std::vector<h5::Handle> datasets_;
   h5::Handle done_;  // The attribute that holds rows_done_; not open in a complete file.
   std::int64_t rows_done_ = 0;
-  std::vector<std::byte> buffer_;
 };
 
 /// Reads a complete result file.

@@ -5,21 +5,14 @@
 
 namespace hyrax {
 
-Provenance own_provenance() {
+void write_provenance(hid_t file) {
   const BuildInfo build = build_info();
-  const auto text = [](std::string_view view) { return std::string(view); };
-  return {.program = "hyrax-sim " + text(build.version),
-          .compiler = text(build.compiler),
-          .flags = text(build.flags),
-          .target = text(build.target),
-          .instruction_set = text(build.instruction_set),
-          .self_test = text(kStrictArithmetic)};
-}
-
-void write_provenance(hid_t file, const Provenance& provenance) {
+  const std::string program = "hyrax-sim " + std::string(build.version);
+  const std::array<std::string_view, kProvenanceNames.size()> values = {
+      program, build.compiler, build.flags, build.target, build.instruction_set, kStrictArithmetic};
   const h5::Handle group = h5::create_group(file, "provenance");
-  for (const ProvenanceField& field : kProvenanceFields)
-    if (const auto& value = provenance.*field.value) h5::write_attribute(group, field.name, *value);
+  for (std::size_t index = 0; index < values.size(); ++index)
+    h5::write_attribute(group, kProvenanceNames[index], values[index]);
 }
 
 Provenance read_provenance(hid_t file) {
@@ -27,8 +20,8 @@ Provenance read_provenance(hid_t file) {
   if (H5Lexists(file, "provenance", H5P_DEFAULT) <= 0) return provenance;
   const h5::Handle group(H5Gopen2(file, "provenance", H5P_DEFAULT), H5Gclose);
   if (!group.is_open()) return provenance;
-  for (const ProvenanceField& field : kProvenanceFields)
-    provenance.*field.value = h5::read_text_attribute(group, field.name);
+  for (std::size_t index = 0; index < provenance.size(); ++index)
+    provenance[index] = h5::read_text_attribute(group, kProvenanceNames[index]);
   return provenance;
 }
 

@@ -9,34 +9,16 @@
 
 namespace hyrax {
 
-/// The attributes of /provenance; nothing where a file lacks one.
-struct Provenance {
-  std::optional<std::string> program;
-  std::optional<std::string> compiler;
-  std::optional<std::string> flags;
-  std::optional<std::string> target;
-  std::optional<std::string> instruction_set;  ///< Of the build, not of the machine.
-  std::optional<std::string> self_test;        ///< The result of the test of its arithmetic.
-};
+/// The attributes of /provenance: the instruction set is that of the build, not of the machine; the self-test
+/// is that of arithmetic.
+inline constexpr std::array kProvenanceNames = {"program", "compiler",        "flags",
+                                                "target",  "instruction_set", "self_test"};
 
-struct ProvenanceField {
-  const char* name;
-  std::optional<std::string> Provenance::*value;
-};
-
-inline constexpr std::array<ProvenanceField, 6> kProvenanceFields = {{
-    {"program", &Provenance::program},
-    {"compiler", &Provenance::compiler},
-    {"flags", &Provenance::flags},
-    {"target", &Provenance::target},
-    {"instruction_set", &Provenance::instruction_set},
-    {"self_test", &Provenance::self_test},
-}};
+/// Their values; nothing where a file lacks one.
+using Provenance = std::array<std::optional<std::string>, kProvenanceNames.size()>;
 
 /// Of this program.
-[[nodiscard]] Provenance own_provenance();
-
-void write_provenance(hid_t file, const Provenance& provenance);
+void write_provenance(hid_t file);
 [[nodiscard]] Provenance read_provenance(hid_t file);
 
 }  // namespace hyrax

@@ -44,7 +44,7 @@ bool write_all(hid_t file, const StudyHead& head, const std::vector<Table>& tabl
   h5::write_attribute(file, "study", head.study);
   h5::write_attribute(file, "long_name", head.long_name);
   h5::write_attribute(file, "tables", names_of(tables));
-  write_provenance(file, own_provenance());
+  write_provenance(file);
   return std::all_of(tables.begin(), tables.end(),
                      [file](const Table& table) { return write_table(file, table); });
 }

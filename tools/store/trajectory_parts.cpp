@@ -123,7 +123,7 @@ bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inpu
   if (head.constants) h5::write_attribute(file, "constants", numbers_of(*head.constants));
   h5::write_attribute(file, "NX_class", "NXroot");
   h5::write_attribute(file, "default", "trajectory");
-  write_provenance(file, own_provenance());
+  write_provenance(file);
   std::vector<InputRecord> records;
   for (const Input& input : inputs) records.push_back(record_of(input));
   return write_inputs(file, records);

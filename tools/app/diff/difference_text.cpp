@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
@@ -72,19 +71,6 @@ std::string list_text(const char* what, const List& list, std::size_t count_max,
   return text;
 }
 
-bool both_recorded(const Provenance& a, const Provenance& b, const ProvenanceField& field) {
-  return a.*field.value && b.*field.value;
-}
-
-bool differs(const Provenance& a, const Provenance& b, const ProvenanceField& field) {
-  return both_recorded(a, b, field) && a.*field.value != b.*field.value;
-}
-
-// The program's version is no setting of its build.
-bool setting_differs(const Provenance& a, const Provenance& b, const ProvenanceField& field) {
-  return field.value != &Provenance::program && differs(a, b, field);
-}
-
 std::string_view meaning(DifferenceClass difference, bool builds_differ) {
   if (difference == DifferenceClass::shape)
     return "not explained by the build: the files are not two intact runs of one scenario with the same "
@@ -131,16 +117,17 @@ std::string difference_text(const Comparison& comparison, bool lists_all) {
 
 std::string build_text(const Provenance& a, const Provenance& b,
                        const std::optional<DifferenceClass>& difference) {
-  const auto any = [&](const auto& holds) {
-    return std::ranges::any_of(kProvenanceFields, [&](const auto& field) { return holds(a, b, field); });
-  };
-  const bool builds_differ = any(setting_differs);
-  std::string text = fmt::format("  build settings: {}{}\n", builds_differ ? "differ" : "identical",
-                                 any(std::not_fn(both_recorded)) ? " where recorded" : "");
-  for (const ProvenanceField& field : kProvenanceFields)
-    if (differs(a, b, field))
-      text +=
-          fmt::format("             {}: '{}' and '{}'\n", field.name, *(a.*field.value), *(b.*field.value));
+  bool builds_differ = false, is_recorded = true;
+  std::string changes;
+  for (std::size_t index = 0; index < a.size(); ++index) {
+    is_recorded = is_recorded && a[index] && b[index];
+    if (!a[index] || !b[index] || a[index] == b[index]) continue;
+    // The program's version is no setting of its build.
+    builds_differ = builds_differ || kProvenanceNames[index] != std::string_view("program");
+    changes += fmt::format("             {}: '{}' and '{}'\n", kProvenanceNames[index], *a[index], *b[index]);
+  }
+  const std::string text = fmt::format("  build settings: {}{}\n{}", builds_differ ? "differ" : "identical",
+                                       is_recorded ? "" : " where recorded", changes);
   return difference ? text + fmt::format("  meaning    {}\n", meaning(*difference, builds_differ)) : text;
 }
 

@@ -118,8 +118,8 @@ Json input_json(const Input& input) {
 
 Json provenance_json(const Provenance& provenance) {
   Json::Object object;
-  for (const ProvenanceField& field : kProvenanceFields)
-    if (const auto& value = provenance.*field.value) object.emplace_back(field.name, *value);
+  for (std::size_t index = 0; index < provenance.size(); ++index)
+    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
   return object;
 }
 

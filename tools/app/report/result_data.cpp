@@ -26,8 +26,8 @@ namespace {
 using Origin = std::vector<std::pair<std::string, std::string>>;
 
 void add_provenance(Origin& origin, const Provenance& provenance) {
-  for (const ProvenanceField& field : kProvenanceFields)
-    if (const auto& value = provenance.*field.value) origin.emplace_back(field.name, *value);
+  for (std::size_t index = 0; index < provenance.size(); ++index)
+    if (provenance[index]) origin.emplace_back(kProvenanceNames[index], *provenance[index]);
 }
 
 void set_member(Json& object, std::string_view key, Json value) {
