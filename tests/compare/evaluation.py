@@ -2,26 +2,22 @@
 closed forms of flight. Shares no code with the program.
 """
 
-import contextlib
 import fractions
 import math
 import types
+import unittest.mock
 
 import clock
+import flings
 import replay
 
 LEFT, RIGHT, TOP, GROUND, REST = replay.LEFT, replay.RIGHT, replay.TOP, replay.GROUND, replay.REST
 G, K = 1200.0, -60.0 * math.log(0.999)  # The paper's gravity, and its drag as a rate at 60 Hz.
-SLIDE = -60.0 * math.log(0.8)
 RATES = [24, 25, 30, 48, 50, 60, 72, 75, 90, 100, 120, 144, 165, 200, 240, 360, 500, 1000]
 RIGHT_PX, BOTTOM_PX = 1920.0 - 128.0, 1080.0 - 128.0
 
 
-class Listing(replay.Sprite):
-    """The paper's step."""
-
-
-class Stepped(Listing):
+class Stepped(replay.Sprite):
     """A step with walls that are noted as they are met: the contact is that of its comparisons."""
 
     __slots__ = ("met",)
@@ -94,14 +90,14 @@ class ImpactSolved(Stepped):
 
 # Candidates by name: constants of the oracle, or another step.
 CORES = {
-    "same": (Listing, {}),
-    "gravity_by_one_ulp": (Listing, {"GRAVITY_PX_PER_S2": 1200.0000000000002}),
-    "gravity_stronger": (Listing, {"GRAVITY_PX_PER_S2": 1250.0}),
-    "bounce_softer": (Listing, {"RESTITUTION": 0.55}),
-    "friction_wrong": (Listing, {"GROUND_FRICTION": 0.7}),
-    "friction_none": (Listing, {"GROUND_FRICTION": 1.0}),
-    "rest_threshold_8": (Listing, {"REST_THRESHOLD_PX_PER_S": 8.0}),
-    "no_rest_rule": (Listing, {"REST_THRESHOLD_PX_PER_S": 0.0}),
+    "same": (replay.Sprite, {}),
+    "gravity_by_one_ulp": (replay.Sprite, {"GRAVITY_PX_PER_S2": 1200.0000000000002}),
+    "gravity_stronger": (replay.Sprite, {"GRAVITY_PX_PER_S2": 1250.0}),
+    "bounce_softer": (replay.Sprite, {"RESTITUTION": 0.55}),
+    "friction_wrong": (replay.Sprite, {"GROUND_FRICTION": 0.7}),
+    "friction_none": (replay.Sprite, {"GROUND_FRICTION": 1.0}),
+    "rest_threshold_8": (replay.Sprite, {"REST_THRESHOLD_PX_PER_S": 8.0}),
+    "no_rest_rule": (replay.Sprite, {"REST_THRESHOLD_PX_PER_S": 0.0}),
     "drag_by_time": (DragByTime, {}),
     "position_first": (PositionFirst, {}),
     "fused": (Fused, {}),
@@ -109,19 +105,10 @@ CORES = {
 }
 
 
-@contextlib.contextmanager
 def core(name):
     """While it lasts, the oracle plays this core."""
     sprite, constants = CORES[name]
-    changed = {"Sprite": sprite, **constants}
-    before = {key: getattr(replay, key) for key in changed}
-    for key, value in changed.items():
-        setattr(replay, key, value)
-    try:
-        yield
-    finally:
-        for key, value in before.items():
-            setattr(replay, key, value)
+    return unittest.mock.patch.multiple(replay, Sprite=sprite, **constants)
 
 
 def play(scenario):
@@ -133,20 +120,12 @@ def play(scenario):
 
 
 def contacts(rows):
-    """{wall: {(first row, last row)}}"""
+    """{wall: {(first row, row after the last)}}"""
     found = {}
     for wall in (LEFT, RIGHT, TOP, GROUND):
-        steps = [step for step, row in enumerate(rows) if row[6] & wall]
-        runs, first = [], None
-        for step in steps:
-            if first is None or step != last + 1:
-                if first is not None:
-                    runs.append((first, last))
-                first = step
-            last = step
-        if first is not None:
-            runs.append((first, last))
-        found[wall] = set(runs)
+        met = [False, *(bool(row[6] & wall) for row in rows), False]
+        ends = [step for step in range(len(rows) + 1) if met[step] != met[step + 1]]
+        found[wall] = set(zip(ends[::2], ends[1::2]))
     return found
 
 
@@ -178,16 +157,7 @@ def compare(before, after):
 
 def band(values):
     """Median, 10 % and 90 % as the card has them; None of nothing."""
-    if not values:
-        return None
-    values = sorted(values)
-
-    def quantile(part):
-        place = part * (len(values) - 1)
-        low = int(place)
-        high = min(low + 1, len(values) - 1)
-        return values[low] + (place - low) * (values[high] - values[low])
-    return {"samples": len(values), "median": quantile(0.5), "p10": quantile(0.1), "p90": quantile(0.9)}
+    return {"samples": len(values), **dict(zip(("median", "p10", "p90"), flings.band(values)))} if values else None
 
 
 # --- random flings
@@ -296,43 +266,6 @@ def at_walls(rows):
 
 
 def exact_motion(start, times_s):
-    """Positions of the exact motion at increasing times: impacts found by scanning and bisection."""
-    x, y, vx, vy = start
-    t0_s, slides, found = 0.0, False, []
-
-    def at(t_s):
-        rate = K + (SLIDE if slides else 0.0)
-        dx, vx_now = flown(vx, 0.0, rate, t_s - t0_s)
-        if slides:
-            return x + dx, y, vx_now, 0.0
-        dy, vy_now = flown(vy, G, rate, t_s - t0_s)
-        return x + dx, y + dy, vx_now, vy_now
-
-    def outside(t_s):
-        px, py, pvx, pvy = at(t_s)
-        return ((px < 0.0 and pvx < 0.0) or (px > RIGHT_PX and pvx > 0.0) or
-                (py < 0.0 and pvy < 0.0) or (py > BOTTOM_PX and pvy > 0.0))
-    step_s = 1e-3
-    for time_s in times_s:
-        now_s = t0_s
-        while now_s < time_s:
-            next_s = min(now_s + step_s, time_s)
-            if not outside(next_s):
-                now_s = next_s
-                continue
-            low_s, high_s = now_s, next_s
-            while high_s - low_s > 1e-15 * high_s and low_s < (low_s + high_s) / 2.0 < high_s:
-                middle_s = (low_s + high_s) / 2.0
-                low_s, high_s = (low_s, middle_s) if outside(middle_s) else (middle_s, high_s)
-            x, y, vx, vy = at(high_s)
-            t0_s = now_s = high_s
-            if x < 0.0 or x > RIGHT_PX:
-                x, vx = min(max(x, 0.0), RIGHT_PX), -0.6 * vx
-            if y < 0.0:
-                y, vy = 0.0, -0.6 * vy
-            elif y > BOTTOM_PX:
-                y, vy, vx = BOTTOM_PX, -0.6 * vy, 0.8 * vx
-                if abs(vy) < 5.0:
-                    vy, slides = 0.0, True
-        found.append(at(time_s)[:2])
-    return found
+    """Positions of the exact motion at increasing times."""
+    motion = flings.ExactFling(*start)
+    return [motion.at(time_s)[:2] for time_s in times_s]
