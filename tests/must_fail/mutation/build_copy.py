@@ -66,10 +66,10 @@ class BuildCopy:
         if "no work to do" not in printed("ninja", "-C", self.folder, "-n", *build.programs):
             raise CannotBuild(f"{self.folder}: the copied build differs from {build.folder}")
 
-    def try_out(self, mutant, batches, subject=None, scenarios=""):
+    def try_out(self, mutant, batches, subject=None):
         """The verdict on a mutant by these lists of tests, one after the other.
 
-        Where a subject is given, its units are compiled again, and `check` of the scenarios is asked first.
+        Where a subject is given, its units are compiled again, and `check` is asked first.
         """
         path = self.source / mutant.path
         units = subject.units_for(mutant) if subject else (mutant.path,)
@@ -82,7 +82,7 @@ class BuildCopy:
             if not self.rebuild({PROGRAM} if subject else objects):
                 return Verdict("refused")
             if subject:
-                return self.check(scenarios) or self._fate(batches)
+                return self.check() or self._fate(batches)
             if all(self.folder.joinpath(name).read_bytes() == self._original.folder.joinpath(name).read_bytes()
                    for name in objects):
                 return Verdict("equivalent", difference="same code")
@@ -92,9 +92,9 @@ class BuildCopy:
         finally:
             self._restore()
 
-    def check(self, scenarios):
-        """How `check` of the scenarios disagrees; None if it agrees."""
-        done = self._run(self.folder / PROGRAM, "check", "--json", "--jobs", "1", scenarios, cpu_s=_CHECK_S_MAX)
+    def check(self):
+        """How `check` disagrees; None if it agrees."""
+        done = self._run(self.folder / PROGRAM, "check", "--json", "--jobs", "1", "scenarios", cpu_s=_CHECK_S_MAX)
         if done.returncode == 0:
             return None
         if done.returncode < 0:

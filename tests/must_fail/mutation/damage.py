@@ -21,26 +21,17 @@ def some_flips(content, count, seed):
     return [(place, draws.randrange(8)) for place in places]
 
 
-def regions(content):
-    """{name: [(begin, end)]}: where a golden file holds the elements of its groups; the rest is structure."""
-    found = {}
+def spans_of_rows(content):
+    """[(begin, end)]: where a golden file holds the elements of /trajectory."""
+    spans = []
     with h5py.File(io.BytesIO(content)) as file:
-        def visit(name, item):
-            if not isinstance(item, h5py.Dataset):
-                return
-            spans = found.setdefault(name.partition("/")[0], [])
+        for item in file["trajectory"].values():
             if item.id.get_offset() is not None:
                 spans.append((item.id.get_offset(), item.id.get_offset() + item.id.get_storage_size()))
-            elif item.chunks:
+            else:
                 chunks = [item.id.get_chunk_info(number) for number in range(item.id.get_num_chunks())]
                 spans.extend((chunk.byte_offset, chunk.byte_offset + chunk.size) for chunk in chunks)
-        file.visititems(visit)
-    return found
-
-
-def region_of(known, place):
-    """The name of the region that contains a byte."""
-    return next((name for name, spans in known.items() for begin, end in spans if begin <= place < end), "structure")
+    return spans
 
 
 def _drop(values, row):

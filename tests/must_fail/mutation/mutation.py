@@ -51,7 +51,6 @@ def options():
     parser.add_argument("--source", type=pathlib.Path, default=here.parents[2], help="the project")
     parser.add_argument("--reasons", type=pathlib.Path, default=here / "reasons.json", help="why some cannot be caught")
     parser.add_argument("--core", action="store_true", help="changes the core, the clock and the events")
-    parser.add_argument("--scenarios", default="scenarios", help="what is checked of the core (scenarios)")
     parser.add_argument("--count", type=int, default=100, metavar="N", help="mutants to draw of other sources (100)")
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 32), help="repeats a draw")
     parser.add_argument("--only", type=re.compile, default=re.compile(""), metavar="REGEX",
@@ -85,7 +84,7 @@ def run(asked):
         os.chmod(folder, 0o755)  # Some tests run the programs as another user.
         copies = [BuildCopy(build, pathlib.Path(folder, str(number)), asked.test_seconds, deadline_s)
                   for number in range(asked.jobs)]
-        trials = Trials(build, copies, reasons, asked.scenarios if asked.core else None).run(mutants)
+        trials = Trials(build, copies, reasons, asked.core).run(mutants)
     report = report_of(trials, reasons,
                        lambda mutant: mutant.path if asked.core else "/".join(mutant.path.split("/")[:2]))
     print(report)

@@ -28,13 +28,10 @@ def batches_of(mutant, tests, seconds):
 
 
 class Trials:
-    """Tries mutants in several copies of a build at a time.
+    """Tries mutants in several copies of a build at a time. Those of the core are shown to `check` first."""
 
-    scenarios: what `check` is asked, if the mutants are the core's; else None.
-    """
-
-    def __init__(self, build, copies, reasons, scenarios=None):
-        self._build, self._copies, self._reasons, self._scenarios = build, copies, reasons, scenarios
+    def __init__(self, build, copies, reasons, are_of_core):
+        self._build, self._copies, self._reasons, self._are_of_core = build, copies, reasons, are_of_core
         self._free = queue.SimpleQueue()
         self._seconds = {}
         for copy in copies:
@@ -58,7 +55,7 @@ class Trials:
     def _tests_of(self, mutant):
         """Of a mutant of the core only the unit tests of its folder, where a reason says that they catch it."""
         tests = self._build.tests_of(mutant.path)
-        if self._scenarios is None:
+        if not self._are_of_core:
             return tests
         reason = self._reasons.get((mutant.path, mutant.name))
         path = pathlib.PurePath(mutant.path)
@@ -66,8 +63,8 @@ class Trials:
 
     def _measure(self, mutants):
         """Every test must pass in a copy without a change, or mutants would be caught for no reason."""
-        if self._scenarios and (found := self._copies[0].check(self._scenarios)):
-            raise CannotBuild(f"the unchanged program disagrees with {self._scenarios}: {found.difference}")
+        if self._are_of_core and (found := self._copies[0].check()):
+            raise CannotBuild(f"the unchanged program disagrees: {found.difference}")
         tests = {test.name: test for mutant in mutants for test in self._tests_of(mutant)}
         outcomes = self._copies[0].outcomes(tests.values(), "-j", str(len(self._copies))) if tests else []
         self._seconds = {name: seconds for name, outcome, seconds in outcomes if outcome in PASSED}
@@ -80,11 +77,8 @@ class Trials:
         begin_s = time.monotonic()
         batches = batches_of(mutant, self._tests_of(mutant), self._seconds)
         try:
-            if self._scenarios is None:
-                verdict = copy.try_out(mutant, batches)
-            else:
-                subject = next(subject for subject in SUBJECTS if subject.path == mutant.path)
-                verdict = copy.try_out(mutant, batches, subject, self._scenarios)
+            subject = next(subject for subject in SUBJECTS if subject.path == mutant.path) if self._are_of_core else None
+            verdict = copy.try_out(mutant, batches, subject)
             seconds = time.monotonic() - begin_s
             print(f"{mutant.path}:{mutant.line}: {verdict.fate} {verdict.caught_by} {seconds:.0f} s", file=sys.stderr)
             return verdict, seconds
