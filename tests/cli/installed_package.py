@@ -1,0 +1,60 @@
+"""The package of `cmake --install`, and projects that use nothing else of hyrax.
+
+HYRAX_BUILD is the folder of a build; HYRAX_CXX, HYRAX_CXX_FLAGS and HYRAX_GENERATOR are its own.
+"""
+
+import os
+import pathlib
+import shutil
+import tempfile
+
+import program
+from process import run, succeed
+from program import ProgramTest
+
+PLAIN = """cmake_minimum_required(VERSION 3.25)
+project(plain LANGUAGES {language})
+find_package(hyrax 0.2 REQUIRED)
+hyrax_add_scenarios({arguments})
+"""
+
+
+class InstalledPackage(ProgramTest):
+    """The package, installed and moved: it must not remember where it was made."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.root = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
+        cls.addClassCleanup(shutil.rmtree, cls.root)
+        environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
+        succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", cls.root / "first", env=environment)
+        cls.package = (cls.root / "first").rename(cls.root / "package")
+
+    @classmethod
+    def configure(cls, source, *options):
+        """Runs cmake in SOURCE/build."""
+        return run("cmake", "-S", source, "-B", source / "build", "-G", os.environ["HYRAX_GENERATOR"],
+                   f"-DCMAKE_PREFIX_PATH={cls.package}", f"-DCMAKE_CXX_COMPILER={os.environ['HYRAX_CXX']}",
+                   f"-DCMAKE_CXX_FLAGS={os.environ['HYRAX_CXX_FLAGS']}", *options)
+
+    def ctest(self, source, exit_code):
+        """Runs the project's tests, which must end with this exit code; returns {name: is passed} of the scenarios'."""
+        tests = self.all_tests(source, exit_code)
+        return {name: is_passed for name, is_passed in tests.items() if not name.endswith(".accepted_core")}
+
+    def all_tests(self, source, exit_code):
+        """Those of ctest and the one of the accepted core."""
+        outcome = run("ctest", "--test-dir", source / "build", "--output-on-failure")
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
+        lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line]
+        return {line[3]: "Passed" in line for line in lines}
+
+    def expect_refused(self, arguments, says, language="NONE"):
+        """A project that cannot be configured."""
+        source = self.folder / "refused"
+        shutil.rmtree(source, ignore_errors=True)
+        self.write("refused/scenarios/fling.json", program.fling())
+        self.write("refused/CMakeLists.txt", PLAIN.format(arguments=arguments, language=language))
+        outcome = self.configure(source)
+        self.assertNotEqual(outcome.exit_code, 0, outcome)
+        self.assertIn(says, " ".join(outcome.err.split()))

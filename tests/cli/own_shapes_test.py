@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+"""Cores of the paper's shape with constants of their own, and cores of other shapes, in a project that uses the package."""
+
+import json
+import re
+import sys
+import unittest.mock
+
+import h5py
+import numpy as np
+
+import program
+from installed_package import PLAIN, InstalledPackage
+from process import succeed
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, main
+
+sys.path.insert(0, str(SOURCE / "tests/oracle"))
+import replay  # noqa: E402 pylint: disable=wrong-import-position
+
+HYRAX_SIM = program.PROGRAM
+
+SHIPPED = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
+# Constants of its own, under names of its own.
+MOON = {"GRAVITY": ("PULL", 980.0), "RESTITUTION": ("BOUNCE", 0.75), "AIR_DRAG": ("AIR", 0.9985),
+        "GROUND_FRICTION": ("FLOOR", 0.65), "REST_THRESHOLD": ("STILL", 12.0)}
+WALLS = """    m_x += m_vx * dt;
+    m_y += m_vy * dt;
+"""
+# The cores of other shapes: what is written for what, and the first expression that is not the paper's.
+SHAPES = {
+    "spin": (WALLS, "    m_vx += m_spin * dt;\n    m_spin *= 0.99;\n" + WALLS, "dt * member_5"),
+    "shelf": ("  }\n\n  double x()", "    if (m_y > 500.0 && m_x < 200.0) m_vy = -m_vy;\n  }\n\n  double x()", "> 500"),
+    "halves": (WALLS, "    for (int half = 0; half < 2; ++half) {\n      m_x += m_vx * (0.5 * dt);\n      m_y += m_vy * (0.5 * dt);\n    }\n",
+               "dt * 0.5"),
+}
+
+
+def moon_header():
+    header = SHIPPED
+    for name, (own_name, value) in MOON.items():
+        header = re.sub(rf"double {name} = [0-9.]+", f"double {own_name} = {value}", header)
+        header = re.sub(rf"\b{name}\b", own_name, header)
+    return header
+
+
+def moon_rows(steps, rate_hz, state, bounds):
+    """The second program with the constants of MOON: x, y, vx, vy of each row."""
+    constants = {next(each for each in vars(replay) if each.startswith(name)): value for name, (_, value) in MOON.items()}
+    sprite, rows = replay.Sprite(*state), [state]
+    with unittest.mock.patch.multiple(replay, **constants):
+        for _ in range(steps):
+            sprite.update(1.0 / rate_hz, *bounds)
+            rows.append((sprite.x, sprite.y, sprite.vx, sprite.vy))
+    return np.array(rows)
+
+
+class Shapes(InstalledPackage):
+    """Cores of the paper's shape, and of others: what each gets."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        project = cls.root / "shapes"
+        project.mkdir()
+        headers = {"moon": moon_header()}
+        # A further member that counts, and that nothing of x, y, vx and vy reads.
+        headers["counted"] = moon_header().replace("      m_y = bottomBound;\n", "      m_y = bottomBound;\n      ++m_bounces;\n").replace(
+            "  double m_vx, m_vy;\n", "  double m_vx, m_vy;\n  int m_bounces = 0;\n")
+        for name, (old, new, _) in SHAPES.items():
+            headers[name] = SHIPPED.replace(old, new)
+            assert headers[name] != SHIPPED
+        headers["leak"] = SHIPPED.replace("m_x > rightBound)", "m_x > rightBound + 40.0)")
+        headers["spin"] = headers["spin"].replace("  double m_vx, m_vy;\n", "  double m_vx, m_vy;\n  double m_spin = 3.0;\n")
+        for name, header in headers.items():
+            (project / f"{name}.h").write_text(header, encoding="utf-8")
+        (project / "scenarios").mkdir()
+        (project / "scenarios/fling.json").write_text(json.dumps(cls.fling()), encoding="utf-8")
+        calls = ")\nhyrax_add_scenarios(".join(f"scenarios PHYSICS {name}.h" for name in headers)
+        (project / "CMakeLists.txt").write_text(PLAIN.format(arguments=calls, language="CXX"), encoding="utf-8")
+        assert cls.configure(project).exit_code == 0
+        succeed("cmake", "--build", project / "build")
+        cls.build = project / "build"
+
+    @staticmethod
+    def fling():
+        """One that meets all walls."""
+        return program.fling(name="fling", window={"width_px": 1920, "height_px": 1080}, steps=600,
+                             sprite={"width_px": 128, "height_px": 128},
+                             start={"x_px": 350.25, "y_px": 251, "vx_px_per_s": 1401.5, "vy_px_per_s": -903.25})
+
+    def setUp(self):
+        super().setUp()
+        self.write("fling.json", self.fling())
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": "fling.json", "members": 300, "seed": 3, "vary": {
+            "/start/vx_px_per_s": {"uniform": [-2000, 2000]}, "/clock/rate_hz": {"choice": [60, 144]}}})
+
+    def tearDown(self):
+        program.PROGRAM = HYRAX_SIM
+
+    def use(self, name):
+        program.PROGRAM = self.build / f"{name}-sim"
+
+    def expect_sweep_as_runs(self):
+        """A member of the sweep has the bits of its own run. Returns the steps computed and all steps."""
+        document = self.expect(AGREED, "sweep", "sweep.json", "--json").json
+        for member in (0, 7, 299):
+            self.expect(AGREED, "sweep", "sweep.json", "--member", str(member), "-o", "m.json", "--force")
+            final = self.expect(AGREED, "run", "m.json", "-o", "m.h5", "--json").json["runs"][0]["final"]
+            with h5py.File(self.folder / "sweep.h5") as file:
+                for column, key in (("x", "x_px"), ("y", "y_px"), ("vx", "vx_px_per_s"), ("vy", "vy_px_per_s")):
+                    self.assertEqual(file[f"members/{column}"][member], final[key], (member, column))
+        return document["steps_computed"], document["steps"]
+
+    def expect_page(self, path):
+        """Its page is no fault, though that has no copy of the core. A program without pages says so."""
+        outcome = self.hyrax_sim("report", path, "-o", "page.html")
+        self.assertEqual(outcome.exit_code, CANNOT_ACCESS if "HYRAX_PAGE" in outcome.err else AGREED, outcome)
+
+    def test_the_same_shape_has_everything_with_its_constants(self):
+        self.use("moon")
+        constants = [value for _, value in MOON.values()]
+        rows = moon_rows(600, 60, (350.25, 251.0, 1401.5, -903.25), (1792.0, 952.0))
+        self.assertIn(f"reference and energy ({program.PROGRAM} drift)", self.expect(AGREED, "run", "fling.json").out)
+        self.expect(AGREED, "run", "fling.json", "-o", "run.h5", "--drift")
+        with h5py.File(self.folder / "run.h5") as file:
+            stored = np.column_stack([file[f"trajectory/{name}"] for name in ("x", "y", "vx", "vy")])
+            self.assertEqual(stored.tobytes(), rows.tobytes())
+            np.testing.assert_array_equal(file.attrs["constants"], constants)
+        drift = self.expect(AGREED, "drift", "fling.json", "--json").json["runs"][0]
+        self.assertLess(drift["worst"]["implementation_px"], 1e-9)
+        self.assertEqual(self.expect(AGREED, "drift", "run.h5", "--json").json["runs"][0]["worst"], drift["worst"])
+        self.assertIn("the model's is 0.75", self.expect(AGREED, "drift", "fling.json").out)
+        self.expect_page("run.h5")
+        # Another program measures the file by its constants, and replays it with them where rows are missing.
+        self.write("seldom.json", {**self.fling(), "record": {"every": 100}})
+        self.expect(AGREED, "run", "seldom.json", "-o", "seldom.h5")
+        program.PROGRAM = HYRAX_SIM
+        for path in ("run.h5", "seldom.h5"):
+            outcome = self.expect(AGREED, "drift", path, "--json")
+            self.assertEqual(outcome.json["runs"][0]["worst"], drift["worst"], path)
+        self.assertNotIn("STATE HASH DIFFERS", self.expect(AGREED, "drift", "seldom.h5").out)
+        self.use("moon")
+        # The control: with other constants in the file, its rows are not those of the laws.
+        with h5py.File(self.folder / "run.h5", "r+") as file:
+            file.attrs["constants"] = np.array([1200.0] + constants[1:])
+        self.assertGreater(self.expect(AGREED, "drift", "run.h5", "--json").json["runs"][0]["worst"]["implementation_px"], 1.0)
+        computed, steps = self.expect_sweep_as_runs()
+        self.assertLess(computed, steps)  # The kernels leave steps at rest out.
+        self.assertIn("all invariants hold", self.expect(AGREED, "fuzz", "--runs", "300").out)
+        rest = self.expect(AGREED, "study", "rest", "--quick", "--no-figures", "--gate").out
+        self.assertIn("zero speed above, two-cycle below    61.158", rest)  # (1 + e a) a G / threshold; the paper's: 191.8.
+        self.expect(AGREED, "study", "needs", "fling.json", "--quick", "--no-figures", "--within", "1px")
+        self.expect(BAD_INPUT, "study", "paper", says="is about the paper's own constants (found the core moon)")
+        self.assertIn("the paper's step with constants of its own", self.expect(AGREED).out)
+        self.expect(AGREED, "bless", "fling.json", "--golden", "golden", "--reason", "x")
+        self.expect(AGREED, "check", "fling.json", "--golden", "golden")
+
+    def test_a_further_member_that_nothing_reads_keeps_the_shape(self):
+        self.use("counted")
+        drift = self.expect(AGREED, "drift", "fling.json", "--json").json["runs"][0]
+        self.assertLess(drift["worst"]["implementation_px"], 1e-9)
+        self.expect_sweep_as_runs()
+
+    def test_another_shape_is_refused_by_its_first_expression_and_has_the_rest(self):
+        for name, (_, _, expression) in SHAPES.items():
+            with self.subTest(name):
+                self.use(name)
+                for arguments in (("drift", "fling.json"), ("study", "needs"), ("run", "fling.json", "--drift")):
+                    outcome = self.expect(BAD_INPUT, *arguments, says="needs the paper's step, with any constants")
+                    self.assertRegex(outcome.err, rf"\(found in the core {name}: .*{re.escape(expression)}\)\n")
+                computed, steps = self.expect_sweep_as_runs()
+                self.assertGreater(computed, 0)
+                self.assertLessEqual(computed, steps)
+                self.assertIn("all invariants hold", self.expect(AGREED, "fuzz", "--runs", "100").out)
+                golden = f"golden-{name}"
+                self.expect(AGREED, "bless", "fling.json", "--golden", golden, "--reason", "x")
+                self.expect(AGREED, "check", "fling.json", "--golden", golden)
+                self.expect(AGREED, "run", "fling.json", "-o", f"{name}.h5")
+                self.expect(AGREED, "diff", f"{golden}/fling.h5", f"{name}.h5")
+                self.expect_page(f"{name}.h5")
+                with h5py.File(self.folder / f"{name}.h5") as file:
+                    self.assertNotIn("constants", file.attrs)
+                self.expect(AGREED, "shrink", "fling.json", "--fails", "false {}", "-o", f"small-{name}.json")
+
+    def test_control_fuzz_finds_a_core_that_leaves_the_window(self):
+        self.use("leak")
+        outcome = self.expect(DISAGREED, "fuzz", "--runs", "200")
+        self.assertIn("breaks an invariant: in-bounds", outcome.out)
+        self.assertIn(f"\n  {program.PROGRAM} run ", outcome.out)  # No study of hard cases for this shape.
+
+
+if __name__ == "__main__":
+    main()
