@@ -6,25 +6,6 @@
 #include "sim/scenario/split_mix64.h"
 
 namespace hyrax {
-namespace {
-
-double uniform_dt_s(double dt_s, double fraction, std::uint64_t seed, std::uint64_t frame) {
-  return dt_s * (1.0 + fraction * (2.0 * split_mix64_unit(seed, frame) - 1.0));
-}
-
-// Irwin-Hall: the sum of twelve uniform draws has mean 6 and variance 1.
-double normal_dt_s(double dt_s, double sigma_s, std::uint64_t seed, std::uint64_t frame) {
-  double sum = 0.0;
-  for (std::uint64_t draw = 0; draw < 12; ++draw) sum += split_mix64_unit(seed, 12 * frame + draw);
-  const double jittered_s = dt_s + sigma_s * (sum - 6.0);
-  return jittered_s <= 0.0 ? 0.0 : jittered_s;
-}
-
-double missed_frames_dt_s(double dt_s, double probability, std::uint64_t seed, std::uint64_t frame) {
-  return split_mix64_unit(seed, frame) < probability ? dt_s * 2.0 : dt_s;
-}
-
-}  // namespace
 
 double base_dt_s(const Clock& clock) {
   assert(!std::holds_alternative<RecordedSteps>(clock.base));
@@ -34,16 +15,21 @@ double base_dt_s(const Clock& clock) {
 
 double jittered_dt_s(double dt_s, const Jitter& jitter, std::int64_t frame) {
   const auto index = static_cast<std::uint64_t>(frame);
+  const auto draw = [&](std::uint64_t k) { return split_mix64_unit(jitter.seed, k); };
   double jittered_s = dt_s;
   switch (jitter.kind) {
     case Jitter::Kind::uniform:
-      jittered_s = uniform_dt_s(dt_s, jitter.amount, jitter.seed, index);
+      jittered_s = dt_s * (1.0 + jitter.amount * (2.0 * draw(index) - 1.0));
       break;
-    case Jitter::Kind::normal:
-      jittered_s = normal_dt_s(dt_s, jitter.amount, jitter.seed, index);
+    case Jitter::Kind::normal: {  // Irwin-Hall: the sum of twelve uniform draws has mean 6 and variance 1.
+      double sum = 0.0;
+      for (std::uint64_t k = 0; k < 12; ++k) sum += draw(12 * index + k);
+      jittered_s = dt_s + jitter.amount * (sum - 6.0);
+      if (jittered_s <= 0.0) jittered_s = 0.0;
       break;
+    }
     case Jitter::Kind::missed_frames:
-      jittered_s = missed_frames_dt_s(dt_s, jitter.amount, jitter.seed, index);
+      if (draw(index) < jitter.amount) jittered_s = dt_s * 2.0;
       break;
   }
   return jittered_s > kFrameMax_s ? kFrameMax_s : jittered_s;

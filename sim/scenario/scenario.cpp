@@ -1,25 +1,13 @@
 #include "sim/scenario/scenario.h"
 
-#include <cassert>
-#include <utility>
-
 #include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
-namespace {
-
-template <std::size_t... kKinds>
-Action make_action_of(std::size_t kind, std::index_sequence<kKinds...>) {
-  constexpr std::array<Action (*)(), sizeof...(kKinds)> kMakers = {
-      [] { return Action(std::in_place_index<kKinds>); }...};
-  return kMakers[kind]();
-}
-
-}  // namespace
 
 Action make_action(std::size_t kind) {
-  assert(kind < kActionNames.size());
-  return make_action_of(kind, std::make_index_sequence<kActionNames.size()>());
+  static const std::array<Action, kActionNames.size()> kActions = {Fling(), Place(), Stop(),   Resize(),
+                                                                   Hitch(), Grab(),  Release()};
+  return kActions.at(kind);
 }
 
 Scenario without_texts(Scenario scenario) {

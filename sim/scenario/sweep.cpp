@@ -71,16 +71,9 @@ struct ExtremesOf {
   }
 };
 
-// REQUIRES: the number is of the field's type.
 void set(const NumberField& field, const SweepNumber& number) {
-  if (auto* const* real = std::get_if<double*>(&field.at))
-    **real = std::get<double>(number);
-  else if (auto* const* side = std::get_if<std::int32_t*>(&field.at))
-    **side = static_cast<std::int32_t>(std::get<std::int64_t>(number));
-  else if (auto* const* integer = std::get_if<std::int64_t*>(&field.at))
-    **integer = std::get<std::int64_t>(number);
-  else
-    **std::get_if<std::uint64_t*>(&field.at) = std::get<std::uint64_t>(number);
+  std::visit([](auto* at, auto value) { *at = static_cast<std::remove_pointer_t<decltype(at)>>(value); },
+             field.at, number);
 }
 
 // Without events, frames depend on one another only in their number, which a duration gives.
