@@ -77,23 +77,13 @@ export class Core {
     for (let column = 0; call(column); ++column) columns[this.#text()] = this.#output();
     return columns;
   }
-  rows() {
-    return this.#columns(this.calls.row_column);
-  }
-  contacts() {
-    return this.#columns(this.calls.contact_column);
-  }
-  errors() {
-    return this.#columns(this.calls.error_column);
-  }
+  rows = () => this.#columns(this.calls.row_column);
+  contacts = () => this.#columns(this.calls.contact_column);
+  errors = () => this.#columns(this.calls.error_column);
   /** Of the contacts that end an arc. */
-  contactErrors() {
-    return this.#columns(this.calls.contact_error_column);
-  }
+  contactErrors = () => this.#columns(this.calls.contact_error_column);
   /** Energy so far by cause, px of height, at the ends of arcs and at contacts. */
-  causes() {
-    return this.#columns(this.calls.cause_column);
-  }
+  causes = () => this.#columns(this.calls.cause_column);
 
   #giveStart({ x, y, vx, vy, window, sprite }) {
     this.#give([x, y, vx, vy, ...window, ...sprite]);

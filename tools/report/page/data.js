@@ -28,24 +28,17 @@ export function rangeOf(values) {
   return low > high ? [null, null] : [low, high];
 }
 
-/** The first index whose value is at least `wanted`; values rise. */
-export function firstAtLeast(values, wanted) {
+// The first index whose value is past a place; values rise.
+function firstPast(values, isPast) {
   let low = 0, high = values.length;
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (values[middle] < wanted) low = middle + 1;
-    else high = middle;
+    if (isPast(values[middle])) high = middle;
+    else low = middle + 1;
   }
   return low;
 }
-
+/** The first index whose value is at least `wanted`; values rise. */
+export const firstAtLeast = (values, wanted) => firstPast(values, value => !(value < wanted));
 /** The last index whose value is at most `wanted`; values rise. */
-export function lastAtMost(values, wanted) {
-  let low = 0, high = values.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (values[middle] <= wanted) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
-}
+export const lastAtMost = (values, wanted) => firstPast(values, value => !(value <= wanted)) - 1;

@@ -14,9 +14,10 @@ function energyOf({ run, rows }, sizes) {
   });
 }
 
-// Values that only some rows have, as a list over all rows; null draws a gap.
-function spread(rows, steps, values, isShown = () => true) {
-  const list = new Array(rows.step.length).fill(null);
+// Values that only some rows have, in order of steps, as a list over all rows: null draws a gap, undefined a line that
+// goes straight on, for a series with `known.isJoined`.
+function spread(rows, steps, values, absent, isShown = () => true) {
+  const list = new Array(rows.step.length).fill(absent);
   let row = 0;
   for (let i = 0; i < steps.length; ++i) {
     while (row < list.length && rows.step[row] < steps[i]) ++row;
@@ -24,24 +25,15 @@ function spread(rows, steps, values, isShown = () => true) {
   }
   return list;
 }
-
-// Points between which the line goes straight on, for a series with `known.isJoined`.
-function joined(rows, steps, values) {
-  const list = new Array(rows.step.length).fill(undefined);
-  for (let i = 0; i < steps.length; ++i) {
-    const row = firstAtLeast(rows.step, steps[i]);
-    if (row < list.length && rows.step[row] === steps[i]) list[row] = values[i];
-  }
-  return list;
-}
+const joined = (rows, steps, values) => spread(rows, steps, values, undefined);
 
 /** What the charts show: title, unit, series. A series is {name, color, values, dash, points, steps}; of one
 // with `known` only these rows have a value; between those of one that is joined it changes evenly. */
 export function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
-  const overlay = (name, tint, values) => (other ? [{ name, color: tint, dash: true, values: spread(rows, other.rows.step, values) }] : []);
+  const overlay = (name, tint, values) => (other ? [{ name, color: tint, dash: true, values: spread(rows, other.rows.step, values, null) }] : []);
   const positive = value => value > 0;
-  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], positive) });
+  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], null, positive) });
   const label = other?.label;
   const charts = [
     { id: 'position', title: 'Position', unit: 'px', decimals: 1, series: [
@@ -96,7 +88,7 @@ function distanceChart({ other }) {
 
 /** Of each row its distance from the row of the same step of another run; null where that has none. */
 export function distancesFrom(other, rows) {
-  const [x, y] = [other.x, other.y].map(values => spread(rows, other.step, values));
+  const [x, y] = [other.x, other.y].map(values => spread(rows, other.step, values, null));
   return x.map((at, i) => (at === null ? null : Math.hypot(at - rows.x[i], y[i] - rows.y[i])));
 }
 
@@ -107,7 +99,7 @@ function driftCharts({ rows, causes, contactErrors: contacts }) {
   if (contacts.step.length === 0) return charts;
   const point = (name, tint, key, scale) => {
     const values = contacts[key].map(value => value * scale);
-    return { name, color: tint, points: true, values: spread(rows, contacts.step, values, Number.isFinite), known: { steps: contacts.step, values } };
+    return { name, color: tint, points: true, values: spread(rows, contacts.step, values, null, Number.isFinite), known: { steps: contacts.step, values } };
   };
   return [...charts,
     { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, range: aroundZero, series: [point('late by', 'vermilion', 'time_error', 1000)] },
