@@ -1,13 +1,26 @@
-// Writes a report page: the template of its kind with its data.
+// The report pages: templates without data, and a page written from one.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "tools/files/json.h"
-#include "tools/report/page_template.h"
 
 namespace hyrax {
+
+/// Each page carries only what it shows.
+enum class PageKind {
+  runs,     ///< Replays trajectories: the core as WebAssembly, charts over time.
+  results,  ///< Verdicts, tables and figures: of studies.
+  sweeps    ///< The same, and the members of sweeps, which it replays.
+};
+
+/// The page with an empty place for its data; empty if this program was built without it (the CMake option
+/// HYRAX_PAGE).
+[[nodiscard]] std::string_view page_template(PageKind kind);
+
+/// fingerprint_of the core that the page of runs replays, as text. REQUIRES: the program has that page.
+[[nodiscard]] std::string_view page_core_fingerprint();
 
 /// Throws Failure(cannot_access) if this program was built without the pages, and says how to build them.
 void require_page();

@@ -1,4 +1,4 @@
-#include "tools/report/page_template.h"
+#include "tools/report/page_file.h"
 
 #ifdef HYRAX_PAGE_FOLDER
 // The assembler copies the files' bytes, so that no compiler has to parse them.

@@ -12,7 +12,7 @@
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/temporary_folder.h"
 #include "tools/report/figure_svg.h"
-#include "tools/report/page_template.h"
+#include "tools/report/page_file.h"
 
 namespace hyrax {
 namespace {
