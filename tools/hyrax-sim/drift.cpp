@@ -13,6 +13,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
 #include "tools/report/drift_figures.h"
+#include "tools/report/figure_svg.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/trajectory_file.h"
 
@@ -97,7 +98,10 @@ void measure_one(const Core& own_core, const DriftRequest& request, const std::o
   report(request, input.path, measured, outcomes);
   if (request.figures.empty()) return;
   outcomes.attempt_after([&] {
-    const auto files = draw_drift_figures(request.figures, run);
+    make_folder(request.figures, "cannot be created");
+    const std::vector<std::string> files = drift_figure_paths(request.figures, run.scenario.name);
+    const std::vector<Figure> figures = drift_figures(run);
+    for (std::size_t index = 0; index < files.size(); ++index) draw_figure(files[index], figures[index]);
     if (!request.printing.is_json)
       for (const std::string& file : files) print_error("written: " + file);
   });

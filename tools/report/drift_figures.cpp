@@ -12,8 +12,6 @@
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "tools/files/failure.h"
-#include "tools/report/figure_svg.h"
 #include "tools/report/look.h"
 
 namespace hyrax {
@@ -338,16 +336,6 @@ std::vector<std::string> drift_figure_paths(const std::string& folder, const std
   std::vector<std::string> paths;
   for (const std::string_view suffix : kSuffixes)
     paths.push_back((std::filesystem::path(folder) / fmt::format("{}{}.svg", name, suffix)).string());
-  return paths;
-}
-
-std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftRun& run) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Failure(ExitCode::cannot_access, folder + ": cannot be created: " + error.message());
-  std::vector<std::string> paths = drift_figure_paths(folder, run.scenario.name);
-  const std::vector<Figure> figures = drift_figures(run);
-  for (std::size_t index = 0; index < figures.size(); ++index) draw_figure(paths[index], figures[index]);
   return paths;
 }
 

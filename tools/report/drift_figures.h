@@ -15,11 +15,7 @@ namespace hyrax {
 /// -whole, -energy, -errors, -restitution, -drift-causes.
 [[nodiscard]] std::vector<Figure> drift_figures(const DriftRun& run);
 
-/// The paths of the figures that draw_drift_figures writes for a scenario of that name.
+/// Their files in a folder, for a scenario of that name.
 [[nodiscard]] std::vector<std::string> drift_figure_paths(const std::string& folder, const std::string& name);
-
-/// Draws FOLDER/NAME + suffix + .svg, with the scenario's name; creates the folder. Returns the paths.
-/// ERRORS: those of draw_figure (figure_svg.h).
-std::vector<std::string> draw_drift_figures(const std::string& folder, const DriftRun& run);
 
 }  // namespace hyrax

@@ -1,18 +1,9 @@
 // The groups /reference and /drift of a trajectory file that was measured against the reference.
+// sim/reference/README.md describes them, sim/reference/drift_columns.h defines the columns.
 //
-//   /reference               attributes solution, checked_by
-//   /reference/{x,y,vx,vy,energy}                              float64 [N], on request
-//   /reference/arcs/{first_step,last_step,...}                 [A]
-//   /drift                   attributes differing_steps, reference_faults (int64)
-//   /drift/{implementation,truncation,model,energy,energy_drift} float64 [N], on request
-//   /drift/arcs/{first_step,last_step,ended_by,...}            [A], attributes total, skipped (int64)
-//   /drift/contacts/{step,wall,...}                            [M], attribute total (int64)
-//
-// N is the number of rows of /trajectory, whose step and t are linked into both groups. A row outside of all
-// arcs of two steps or more is NaN. A row that ends one arc and begins the next, as before an input, has the
-// errors of the arc that it ends. A and M are at most 100,000; `total` counts all. A missing value of an arc
-// or a contact is NaN. Every dataset has long_name, and units unless it holds row numbers or codes.
-// sim/reference/drift_columns.h defines the columns.
+// The step and t of /trajectory are linked into both groups. A row outside of all arcs of two steps or more
+// is NaN; one that ends an arc and begins the next, as before an input, has the errors of the arc that it
+// ends.
 #pragma once
 
 #include <cstdint>
