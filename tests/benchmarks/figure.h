@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/benchmarks/stopwatch.h"
+
 namespace hyrax::bench {
 
 struct Figure {
@@ -15,6 +17,20 @@ struct Figure {
   bool is_at_least = true;  ///< The goal is a floor; else a ceiling.
   std::string unit;
 };
+
+enum class Goal { at_least, at_most };
+
+/// One time as a multiple of another, times `scale`.
+[[nodiscard]] inline Figure ratio(std::string what, const Timing& above, const Timing& below, Goal kind,
+                                  double goal, double scale = 1.0) {
+  return {std::move(what),
+          scale * above.median() / below.median(),
+          scale * above.quantile(0.25) / below.quantile(0.75),
+          scale * above.quantile(0.75) / below.quantile(0.25),
+          goal,
+          kind == Goal::at_least,
+          ""};
+}
 
 /// Stepping, replay, hash and rows, in this process.
 [[nodiscard]] std::vector<Figure> core_figures();

@@ -2,9 +2,8 @@
 
 namespace hyrax::bench {
 
-void naive_step(physics& body, double dt, int screen_width, int screen_height, int obj_width,
-                int obj_height) {
-  body.update(dt, screen_width, screen_height, obj_width, obj_height);
+void naive_step(physics& body, double dt_s, Size window) {
+  body.update(dt_s, window.width_px, window.height_px, kSprite_px, kSprite_px);
 }
 
 }  // namespace hyrax::bench

@@ -1,10 +1,27 @@
 // The yardstick of speed: physics::update out of line, one call a step, state in memory.
 #pragma once
 
+#include "sim/motion/state.h"
 #include "sim/physics/physics.h"
+#include "tests/benchmarks/stopwatch.h"
 
 namespace hyrax::bench {
 
-void naive_step(physics& body, double dt, int screen_width, int screen_height, int obj_width, int obj_height);
+inline constexpr double kDt_s = 1.0 / 60.0;
+inline constexpr int kSprite_px = 128;
+inline constexpr Size kDesktop{1920, 1080};
+
+[[nodiscard]] inline physics body_at(const State& start) {
+  return {start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s};
+}
+
+void naive_step(physics& body, double dt_s, Size window);
+
+/// So many steps at 60 Hz.
+inline void step_naively(const State& start, std::int64_t steps, Size window = kDesktop) {
+  physics body = body_at(start);
+  for (std::int64_t step = 0; step < steps; ++step) naive_step(body, kDt_s, window);
+  keep(body);
+}
 
 }  // namespace hyrax::bench

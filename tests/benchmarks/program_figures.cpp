@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "tests/benchmarks/figure.h"
-#include "tests/benchmarks/stopwatch.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/text_file.h"
@@ -52,7 +51,7 @@ Figure of(std::string what, const Timing& timing, double scale, double goal, std
 // A temporary folder, removed with this object.
 struct Workplace {
   fs::path folder = fs::temp_directory_path() / ("hyrax-figures-" + std::to_string(getpid()));
-  Workplace() { fs::create_directories(folder / "scenarios"); }
+  Workplace() { fs::create_directories(folder); }
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
   ~Workplace() {
@@ -61,95 +60,92 @@ struct Workplace {
   }
 };
 
-std::vector<Figure> check_figures(const std::string& program, const std::string& scenario_path) {
-  const Workplace workplace;
-  const std::string scenarios = (workplace.folder / "scenarios").string();
+// A thousand scenarios with their golden files.
+void bless_flings(const std::string& program, const std::string& scenario_path, const fs::path& folder) {
+  fs::create_directories(folder);
   Scenario scenario = load_scenario(scenario_path);
   scenario.expect.reset();
   for (int index = 0; index < 1000; ++index) {
     scenario.name = "fling-" + std::to_string(index);
     scenario.start_velocity.vx_px_per_s = 900.0 + 0.37 * index;
-    write_text_file(scenarios + "/" + scenario.name + ".json", scenario_file_text(scenario));
+    write_text_file((folder / (scenario.name + ".json")).string(), scenario_file_text(scenario));
   }
-  run({program, "bless", scenarios, "--reason", "figures"});
-  const auto timings = time_side_by_side({[&] { run({program, "check", scenarios, "--jobs", "1"}); }}, 9);
-  // Of 1000 scenarios in s is of one in ms; in microseconds a thousand times that.
-  return {of("check of one scenario of 600 steps", timings[0], 1e3, 300.0, "us")};
-}
-
-Figure run_figure(const std::string& program, const std::string& scenario_path) {
-  const Workplace workplace;
-  const std::string output = (workplace.folder / "run.h5").string();
-  const auto timings = time_side_by_side({[&] { run({program, "run", scenario_path, "-o", output}); }}, 201);
-  return of("run of 600 steps, process start to exit", timings[0], 1e3, 3.5, "ms");
-}
-
-Figure start_figure() {
-  const auto timings = time_side_by_side({[] { run({"/bin/true", ""}); }}, 201);
-  return of("(fork and exec of /bin/true, for comparison)", timings[0], 1e3, 3.5, "ms");
-}
-
-Figure library_figure(const std::string& program, const std::string& scenarios) {
-  const auto timings = time_side_by_side({[&] { run({program, "check", scenarios}); }}, 9);
-  return of("all scenarios of the library checked", timings[0], 1.0, 1.0, "s");
-}
-
-Figure memory_figure(const std::string& program, const std::string& scenario_path) {
-  const Workplace workplace;
-  const double megabytes =
-      run({program, "run", scenario_path, "-o", (workplace.folder / "run.h5").string(), "--set",
-           "/steps=1000000000", "--set", "/record={\"every\": 1000000}", "--set", "/expect={}"});
-  return {"memory of 1e9 steps with record.every 1e6", megabytes, megabytes, megabytes, 100.0, false, "MB"};
+  run({program, "bless", folder.string(), "--reason", "figures"});
 }
 
 // A sweep of throws that keeps their ends.
-std::vector<std::string> sweep_command(const std::string& program, const Workplace& workplace,
+std::vector<std::string> sweep_command(const std::string& program, const fs::path& folder,
                                        const std::string& scenario_path, std::int64_t members,
                                        const std::string& threads) {
-  const std::string path = (workplace.folder / "sweep.json").string();
+  const std::string path = (folder / "sweep.json").string();
   write_text_file(path, fmt::format(R"({{"format": "hyrax-sweep/1", "base": "{}", "members": {}, "seed": 1,
     "vary": {{"/start/vx_px_per_s": {{"uniform": [-2000, 2000]}}}}, "keep": ["final"]}})",
                                     fs::absolute(scenario_path).string(), members));
-  return {program,     "sweep", path,     "-o", (workplace.folder / "sweep.h5").string(),
-          "--threads", threads, "--quiet"};
-}
-
-Figure thread_figure(const std::string& program, const std::string& scenario_path) {
-  const Workplace workplace;
-  const auto play = [&](const std::string& threads) {
-    run(sweep_command(program, workplace, scenario_path, 4'000'000, threads));
-  };
-  const auto timings = time_side_by_side({[&] { play("1"); }, [&] { play("2"); }}, 5);
-  return {"sweep of 4e6 members, two threads, times faster than one",
-          timings[0].median() / timings[1].median(),
-          timings[0].quantile(0.25) / timings[1].quantile(0.75),
-          timings[0].quantile(0.75) / timings[1].quantile(0.25),
-          1.9,
-          true,
-          ""};
-}
-
-std::vector<Figure> large_sweep_figures(const std::string& program, const std::string& scenario_path) {
-  const Workplace workplace;
-  double megabytes = 0.0;
-  const auto timings = time_side_by_side(
-      {[&] { megabytes = run(sweep_command(program, workplace, scenario_path, 10'000'000, "2")); }}, 1);
-  return {of("sweep of 1e7 members of 10 s, two threads, with its file", timings[0], 1.0, 30.0, "s"),
-          {"memory of a sweep of 1e7 members", megabytes, megabytes, megabytes, 200.0, false, "MB"}};
+  const std::string output = (folder / "sweep.h5").string();
+  return {program, "sweep", path, "-o", output, "--threads", threads, "--quiet"};
 }
 
 }  // namespace
 
 std::vector<Figure> program_figures(const std::string& program, const std::string& scenarios) {
   const std::string first = scenarios + "/flings/first-fling.json";
-  std::vector<Figure> figures = check_figures(program, first);
-  figures.push_back(run_figure(program, first));
-  figures.push_back(start_figure());
-  figures.push_back(library_figure(program, scenarios));
-  figures.push_back(memory_figure(program, first));
-  figures.push_back(thread_figure(program, first));
-  for (Figure& figure : large_sweep_figures(program, first)) figures.push_back(std::move(figure));
-  return figures;
+  const Workplace workplace;
+  const std::string blessed = (workplace.folder / "scenarios").string();
+  const std::string output = (workplace.folder / "run.h5").string();
+  bless_flings(program, first, blessed);
+  double sweep_MB = 0.0;
+  const auto sweep = [&](std::int64_t members, const char* threads) {
+    return [&, members, threads] {
+      sweep_MB = run(sweep_command(program, workplace.folder, first, members, threads));
+    };
+  };
+  const auto timed = [](const std::function<void()>& work, int rounds) {
+    return time_side_by_side({work}, rounds)[0];
+  };
+  const auto memory = [](std::string what, double megabytes, double goal) {
+    return Figure{std::move(what), megabytes, megabytes, megabytes, goal, false, "MB"};
+  };
+  const auto by_threads = time_side_by_side({sweep(4'000'000, "1"), sweep(4'000'000, "2")}, 5);
+  return {
+      // Of 1000 scenarios in s is of one in ms; in microseconds a thousand times that.
+      of("check of one scenario of 600 steps",
+         timed(
+             [&] {
+               run({program, "check", blessed, "--jobs", "1"});
+             },
+             9),
+         1e3, 300.0, "us"),
+      of("run of 600 steps, process start to exit",
+         timed(
+             [&] {
+               run({program, "run", first, "-o", output});
+             },
+             201),
+         1e3, 3.5, "ms"),
+      of("(fork and exec of /bin/true, for comparison)",
+         timed(
+             [] {
+               run({"/bin/true", ""});
+             },
+             201),
+         1e3, 3.5, "ms"),
+      of("all scenarios of the library checked",
+         timed(
+             [&] {
+               run({program, "check", scenarios});
+             },
+             9),
+         1.0, 1.0, "s"),
+      memory("memory of 1e9 steps with record.every 1e6",
+             run({program, "run", first, "-o", output, "--set", "/steps=1000000000", "--set",
+                  "/record={\"every\": 1000000}", "--set", "/expect={}"}),
+             100.0),
+      ratio("sweep of 4e6 members, two threads, times faster than one", by_threads[0], by_threads[1],
+            Goal::at_least, 1.9),
+      of("sweep of 1e7 members of 10 s, two threads, with its file", timed(sweep(10'000'000, "2"), 1), 1.0,
+         30.0, "s"),
+      memory("memory of a sweep of 1e7 members", sweep_MB, 200.0),
+  };
 }
 
 }  // namespace hyrax::bench
