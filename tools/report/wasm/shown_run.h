@@ -1,6 +1,7 @@
 // A run as the page plays it: what is drawn, and what of the file it is held to.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/energy_causes.h"
 #include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/schedule.h"
 
 namespace hyrax {
 
@@ -26,9 +29,16 @@ class ShownRows final : public RowSink {
   explicit ShownRows(std::int64_t steps) : every_(1 + steps / kRowsShownMax) {}
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = every_, .contacts = true}; }
-  void rows(const Columns& batch) override;
-  void contact_began(const Contact& contact) override;
-  void contact_ended(std::int64_t index, std::int64_t last_step) override;
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size(); ++index) columns_.append(batch.row(index));
+  }
+  void contact_began(const Contact& contact) override {
+    if (contacts_.size() < kContactsShownMax) contacts_.push_back(contact);
+  }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    if (static_cast<std::size_t>(index) < contacts_.size())
+      contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+  }
 
   [[nodiscard]] std::int64_t every() const { return every_; }
   [[nodiscard]] const Columns& columns() const { return columns_; }
@@ -45,12 +55,30 @@ class EvidenceCheck final : public RowSink {
  public:
   explicit EvidenceCheck(FileEvidence evidence) : evidence_(std::move(evidence)) {}
 
-  [[nodiscard]] Wants wants() const override;
-  void rows(const Columns& batch) override;
-  void block(const Block& block, std::int64_t count) override;
+  [[nodiscard]] Wants wants() const override {
+    return {.rows_every = next_row_ < evidence_.rows.size() ? 1 : 0, .blocks = !evidence_.blocks.empty()};
+  }
+  void rows(const Columns& batch) override {
+    for (std::size_t index = 0; index < batch.size() && next_row_ < evidence_.rows.size(); ++index) {
+      const Row kept = evidence_.rows.row(next_row_);
+      if (batch.step[index] < kept.step) continue;
+      if (!row_ && (batch.step[index] != kept.step || !is_same_row(kept, batch.row(index)))) row_ = kept.step;
+      ++next_row_;
+    }
+  }
+  void block(const Block& block, std::int64_t count) override {
+    for (; count > 0 && next_block_ < evidence_.blocks.size(); --count, ++next_block_)
+      if (!block_ && evidence_.blocks[next_block_] != block.digest)
+        block_ = static_cast<std::int64_t>(next_block_ * kBlockRows);
+  }
 
   /// The first row that differs; of a block of which no row is known, its first.
-  [[nodiscard]] std::optional<std::int64_t> first_difference() const;
+  [[nodiscard]] std::optional<std::int64_t> first_difference() const {
+    if (!row_ || !block_) return row_ ? row_ : block_;
+    // A row of the block that differs says more than the block.
+    const bool is_in_block = *row_ >= *block_ && *row_ < *block_ + static_cast<std::int64_t>(kBlockRows);
+    return is_in_block ? *row_ : std::min(*row_, *block_);
+  }
   [[nodiscard]] std::int64_t rows_compared() const { return static_cast<std::int64_t>(next_row_); }
   /// Whether every row and block of the file was played.
   [[nodiscard]] bool is_complete() const {
@@ -58,6 +86,11 @@ class EvidenceCheck final : public RowSink {
   }
 
  private:
+  static bool is_same_row(const Row& a, const Row& b) {
+    return same_bits(state_of(a), state_of(b)) && same_bits(a.t_s, b.t_s) && same_bits(a.dt_s, b.dt_s) &&
+           a.contact == b.contact;
+  }
+
   FileEvidence evidence_;
   std::size_t next_row_ = 0;
   std::size_t next_block_ = 0;
@@ -103,12 +136,22 @@ class ShownRun {
   /// Longer runs are not measured against the reference.
   static constexpr std::int64_t kStepsMeasuredMax = 200'000;
 
-  ShownRun(const Core& core, const Scenario& scenario, FileEvidence evidence);
+  ShownRun(const Core& core, const Scenario& scenario, FileEvidence evidence)
+      : scenario_(scenario),
+        shown_(step_count(scenario_)),
+        check_(std::move(evidence)),
+        replay_(core, scenario_, sinks()) {}
 
   [[nodiscard]] std::int64_t steps() const { return replay_.steps(); }
   /// Plays up to row `step`; returns the row reached, which is less if the state became non-finite.
-  std::int64_t play_to(std::int64_t step);
-  void finish();
+  std::int64_t play_to(std::int64_t step) {
+    replay_.play_to(std::min(step, steps()));
+    return replay_.keyframe().row.step;
+  }
+  void finish() {
+    summary_ = replay_.finish();
+    if (meter_) errors_ = meter_->finish();
+  }
 
   [[nodiscard]] const ShownRows& shown() const { return shown_; }
   [[nodiscard]] const EvidenceCheck& check() const { return check_; }
@@ -119,7 +162,13 @@ class ShownRun {
   [[nodiscard]] const DriftSummary& errors() const { return errors_; }
 
  private:
-  [[nodiscard]] std::vector<RowSink*> sinks();
+  [[nodiscard]] std::vector<RowSink*> sinks() {
+    std::vector<RowSink*> sinks = {&shown_, &check_};
+    const std::int64_t steps = step_count(scenario_);
+    if (steps <= kStepsMeasuredMax)
+      sinks.push_back(&meter_.emplace(scenario_, inputs_of(scenario_, steps), drift_));
+    return sinks;
+  }
 
   Scenario scenario_;
   ShownRows shown_;
