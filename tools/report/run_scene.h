@@ -79,11 +79,6 @@ struct Throw {
   Velocity velocity;
 };
 
-/// In order of time; those in rows that are not recorded are left out.
-/// @param frames the frame of each of the scenario's events.
-[[nodiscard]] std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::int64_t>& frames,
-                                           const Columns& rows, const SizesInForce& sizes);
-
 /// What the picture labels with its time: an input of any kind.
 struct TimedInput {
   std::string_view what;
@@ -91,13 +86,6 @@ struct TimedInput {
   double x_px = 0.0;  ///< The sprite's centre; of a window its right edge,
   double y_px = 0.0;  ///< and half its height.
 };
-
-/// In order of time; those in rows that are not recorded are left out, and of many of one kind all but the
-/// first and the last.
-/// @param frames the frame of each of the scenario's events.
-[[nodiscard]] std::vector<TimedInput> timed_inputs_of(const Scenario& scenario,
-                                                      const std::vector<std::int64_t>& frames,
-                                                      const Columns& rows, const SizesInForce& sizes);
 
 [[nodiscard]] double speed_px_per_s(const Velocity& velocity);
 
