@@ -1,7 +1,6 @@
 #include "tools/hyrax-replay/check.h"
 
 #include <exception>
-#include <utility>
 
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/expect/judged_run.h"
@@ -13,16 +12,10 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
-#include "tools/files/unknown_word.h"
 #include "tools/files/unreferenced_golden.h"
 
 namespace hyrax {
 namespace {
-
-struct CheckArguments {
-  std::vector<std::string> files;
-  std::string golden_folder;  // Empty if none was given.
-};
 
 struct ScenarioVerdict {
   std::string path;
@@ -31,30 +24,6 @@ struct ScenarioVerdict {
   ExitCode exit_code;
   bool is_folder = false;  // That failed; it is no scenario.
 };
-
-[[noreturn]] void refuse(const std::string& what) {
-  refuse_input("hyrax-replay check: " + what + "; see `hyrax-replay --help`");
-}
-
-CheckArguments parsed(const std::vector<std::string>& arguments) {
-  CheckArguments request;
-  bool only_files = false;  // Behind "--".
-  for (std::size_t index = 0; index < arguments.size(); ++index) {
-    const std::string& argument = arguments[index];
-    if (argument == "--" && !std::exchange(only_files, true)) continue;
-    if (only_files || !argument.starts_with('-')) {
-      if (argument.empty()) refuse("SCENARIO or DIR: must not be empty");
-      request.files.push_back(argument);
-      continue;
-    }
-    if (argument != "--golden") refuse(unknown_word("option", argument, {"--golden", "--help"}));
-    if (!request.golden_folder.empty()) refuse("--golden: given twice");
-    if (index + 1 == arguments.size()) refuse("--golden: value is missing: DIR");
-    request.golden_folder = arguments[++index];
-    if (request.golden_folder.empty()) refuse("--golden: must not be empty");
-  }
-  return request;
-}
 
 // What is wrong with the summary, or differs from it; empty: it has this state hash.
 std::string difference_from(const std::string& txt_path, const std::string& state_hash) {
@@ -120,13 +89,11 @@ ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
 
 }  // namespace
 
-ExitCode check(const Core& core, const std::vector<std::string>& arguments) {
-  CheckArguments request = parsed(arguments);
-  set_default_folders(request.files, request.golden_folder);
+ExitCode check(const Core& core, std::vector<std::string> files, std::string golden_folder) {
+  set_default_folders(files, golden_folder);
   std::vector<UnlistedFolder> unlisted;
-  const std::vector<std::string> paths = list_scenarios(request.files, unlisted);
-  const std::vector<UnreferencedGolden> unreferenced =
-      find_unreferenced(request.files, request.golden_folder);
+  const std::vector<std::string> paths = list_scenarios(files, unlisted);
+  const std::vector<UnreferencedGolden> unreferenced = find_unreferenced(files, golden_folder);
   if (paths.empty() && unreferenced.empty()) throw unlisted.front().failure;
   std::vector<CheckStatus> statuses;
   std::int64_t folders_failed = 0;
@@ -141,7 +108,7 @@ ExitCode check(const Core& core, const std::vector<std::string>& arguments) {
       print_text(printable(verdict.path) + ": " + std::string(name_of(verdict.status)) + ": " +
                  printable(verdict.sentence) + "\n");
   };
-  for (const std::string& path : paths) report(verdict_on(core, path, request.golden_folder));
+  for (const std::string& path : paths) report(verdict_on(core, path, golden_folder));
   for (const UnlistedFolder& folder : unlisted) {
     print_error(folder.failure.what());
     exit_code = more_serious(exit_code, folder.failure.exit_code());

@@ -1,5 +1,4 @@
 // hyrax-replay: the state hash of scenarios, without HDF5 and GSL, so that it builds for every target.
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,16 +46,13 @@ ExitCode replay_file(const Core& core, const std::string& path) try {
 
 void print_version() {
   const BuildInfo info = build_info();
-  const auto print = [](const char* name, std::string_view value) {
+  for (const auto& [name, value] : {std::pair("version", info.version), std::pair("compiler", info.compiler),
+                                    std::pair("flags", info.flags), std::pair("target", info.target),
+                                    std::pair("instruction_set", info.instruction_set)}) {
     std::string line(name);
-    line.resize(std::max<std::size_t>(line.size(), 15), ' ');
+    line.resize(15, ' ');
     print_text(line.append(" ").append(value).append("\n"));
-  };
-  print("version", info.version);
-  print("compiler", info.compiler);
-  print("flags", info.flags);
-  print("target", info.target);
-  print("instruction_set", info.instruction_set);
+  }
 }
 
 void require_strict_arithmetic() {
@@ -75,16 +71,37 @@ bool print_information(const std::vector<std::string>& arguments) {
   return false;
 }
 
-ExitCode print_hashes(const Core& core, const std::vector<std::string>& arguments) {
+struct Arguments {
   std::vector<std::string> files;
+  std::string golden_folder;  // Of a check; empty if none was given.
+};
+
+Arguments parsed(const std::vector<std::string>& words, bool is_check) {
+  const auto refuse = [&](const std::string& what) {
+    refuse_input(is_check ? "hyrax-replay check: " + what + "; see `hyrax-replay --help`"
+                          : "hyrax-replay: " + what);
+  };
+  Arguments arguments;
   bool only_files = false;  // Behind "--".
-  for (const std::string& argument : arguments) {
-    if (argument == "--" && !std::exchange(only_files, true)) continue;
-    if (argument.empty()) refuse_input("hyrax-replay: SCENARIO: must not be empty");
-    if (!only_files && argument.starts_with('-'))
-      refuse_input("hyrax-replay: " + unknown_word("option", argument, {"--help", "--version"}));
-    files.push_back(argument);
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (*word == "--" && !std::exchange(only_files, true)) continue;
+    if (word->empty())
+      refuse(is_check ? "SCENARIO or DIR: must not be empty" : "SCENARIO: must not be empty");
+    if (only_files || !word->starts_with('-')) {
+      arguments.files.push_back(*word);
+      continue;
+    }
+    if (!is_check) refuse(unknown_word("option", *word, {"--help", "--version"}));
+    if (*word != "--golden") refuse(unknown_word("option", *word, {"--golden", "--help"}));
+    if (!arguments.golden_folder.empty()) refuse("--golden: given twice");
+    if (word + 1 == words.end()) refuse("--golden: value is missing: DIR");
+    arguments.golden_folder = *++word;
+    if (arguments.golden_folder.empty()) refuse("--golden: must not be empty");
   }
+  return arguments;
+}
+
+ExitCode print_hashes(const Core& core, const std::vector<std::string>& files) {
   if (files.empty())
     refuse_input(
         "hyrax-replay: SCENARIO is missing; for example `hyrax-replay scenarios/flings/first-fling.json`");
@@ -95,11 +112,13 @@ ExitCode print_hashes(const Core& core, const std::vector<std::string>& argument
   return exit_code;
 }
 
-ExitCode run(const Core& core, const std::vector<std::string>& arguments) {
-  if (print_information(arguments)) return ExitCode::agreed;
-  if (arguments.empty() || arguments.front() != "check") return print_hashes(core, arguments);
+ExitCode run(const Core& core, std::vector<std::string> words) {
+  if (print_information(words)) return ExitCode::agreed;
+  if (words.empty() || words.front() != "check") return print_hashes(core, parsed(words, false).files);
   require_strict_arithmetic();
-  return check(core, {arguments.begin() + 1, arguments.end()});
+  words.erase(words.begin());
+  Arguments arguments = parsed(words, true);
+  return check(core, arguments.files, arguments.golden_folder);
 }
 
 }  // namespace

@@ -13,38 +13,6 @@ namespace {
   throw Failure(ExitCode::bad_input, "hyrax: " + sentence + "; see `hyrax --help`");
 }
 
-// Reads the arguments one by one; a value follows its option, as the next argument or after `=`.
-class Arguments {
- public:
-  explicit Arguments(const std::vector<std::string>& arguments) : arguments_(arguments) {}
-
-  bool next() {
-    if (++at_ > arguments_.size()) return false;
-    const std::string& argument = arguments_[at_ - 1];
-    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
-    option_ = argument.substr(0, equals);
-    value_.reset();
-    if (equals != std::string::npos) value_ = argument.substr(equals + 1);
-    return true;
-  }
-  const std::string& option() const { return option_; }
-  std::string value() {
-    if (!value_ && at_ < arguments_.size()) value_ = arguments_[at_++];
-    if (!value_ || value_->empty()) refuse(option_ + " needs a value");
-    return *value_;
-  }
-  bool flag() const {
-    if (value_) refuse(option_ + " takes no value (found " + *value_ + ")");
-    return true;
-  }
-
- private:
-  const std::vector<std::string>& arguments_;
-  std::size_t at_ = 0;
-  std::string option_;
-  std::optional<std::string> value_;
-};
-
 double seconds_of(const std::string& text) {
   constexpr double kSecondsMax = 1e9;
   char* end = nullptr;
@@ -54,37 +22,45 @@ double seconds_of(const std::string& text) {
   return seconds;
 }
 
-void check(const PetOptions& options) {
-  if (options.only_exits && !options.replay_path) refuse("--exit needs --replay FILE");
-  if (options.record_path && options.replay_path)
-    refuse("--record is not allowed with --replay: a replay is recorded already");
-}
-
 }  // namespace
 
 PetOptions parse_options(const std::vector<std::string>& arguments) {
   PetOptions options;
-  for (Arguments given(arguments); given.next();) {
-    const std::string& option = given.option();
+  for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
+    const std::size_t equals = argument->starts_with("--") ? argument->find('=') : std::string::npos;
+    const std::string option = argument->substr(0, equals);
+    std::optional<std::string> given;  // The value, after `=` or as the next argument.
+    if (equals != std::string::npos) given = argument->substr(equals + 1);
+    const auto value = [&] {
+      if (!given && argument + 1 != arguments.end()) given = *++argument;
+      if (!given || given->empty()) refuse(option + " needs a value");
+      return *given;
+    };
+    const auto flag = [&] {
+      if (given) refuse(option + " takes no value (found " + *given + ")");
+      return true;
+    };
     if (option == "--record")
-      options.record_path = given.value();
+      options.record_path = value();
     else if (option == "--replay")
-      options.replay_path = given.value();
+      options.replay_path = value();
     else if (option == "--log")
-      options.log_path = given.value();
+      options.log_path = value();
     else if (option == "--seconds")
-      options.seconds = seconds_of(given.value());
+      options.seconds = seconds_of(value());
     else if (option == "--exit")
-      options.only_exits = given.flag();
+      options.only_exits = flag();
     else if (option == "--help" || option == "-h")
-      options.wants_help = given.flag();
+      options.wants_help = flag();
     else if (option == "--version")
-      options.wants_version = given.flag();
+      options.wants_version = flag();
     else
       refuse(unknown_word("option", option,
                           {"--record", "--replay", "--log", "--seconds", "--exit", "--help", "--version"}));
   }
-  check(options);
+  if (options.only_exits && !options.replay_path) refuse("--exit needs --replay FILE");
+  if (options.record_path && options.replay_path)
+    refuse("--record is not allowed with --replay: a replay is recorded already");
   return options;
 }
 

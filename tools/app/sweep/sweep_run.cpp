@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <csignal>
 #include <exception>
@@ -138,8 +137,6 @@ class ChunkPool {
 }  // namespace
 
 SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob& job) {
-  using std::chrono::steady_clock;
-  const steady_clock::time_point start = steady_clock::now();
   PartialResult partial(job.output, job.head, sweep, job.existing);
   EnsembleWriter writer(partial.partial(), job.head, sweep);
   SweepOutcome outcome;
@@ -159,7 +156,6 @@ SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob&
   }
   writer.finish();
   partial.commit();
-  outcome.elapsed_s = std::chrono::duration<double>(steady_clock::now() - start).count();
   return outcome;
 }
 

@@ -55,7 +55,6 @@ struct SweepOutcome {
   std::int64_t rows = 0;
   std::int64_t rows_resumed = 0;  ///< Done by an earlier process.
   StepTally tally;                ///< Of the rows computed now.
-  double elapsed_s = 0.0;
 };
 
 /// Computes what is not done yet; the same file whatever the threads and however often it was resumed.
