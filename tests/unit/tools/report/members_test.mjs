@@ -12,7 +12,6 @@ Core.start = async () => ({ requireSame() {}, load: record => loaded.push((start
   finish: () => ({ steps: 1, stateHash: 'ab', contacts: { left: 0, right: 2, top: 0, ground: 1 } }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
   rows: () => ({ step: [0, 1], t: [0, 2], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
 element('replay').parentElement = { clientWidth: 200 };
-element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
 
 const input = (name, place, is_grid, values) => ({ name, place, is_grid, is_seed: false, values: base64(values) });
 // Every third member of 18.

@@ -1,16 +1,12 @@
-// What the pages compute from a report, without a browser: verdicts, lists, series of charts, cells of a sweep, sizes, files,
-// numbers.
+// What the pages compute from a report: verdicts, lists, series of charts, cells of a sweep, sizes, files, numbers.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { base64, count, load } from './stand_in.mjs';
 
-const page = new URL('../../../../tools/report/page/', import.meta.url);
-const load = name => import(new URL(`${name}.js`, page));
 const [cells, csv, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { judgementOf, verdictOf }] =
   await Promise.all(['cells', 'csv', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict'].map(load));
 
-const base64 = values => Buffer.from(Float64Array.from(values).buffer).toString('base64');
-const count = length => Array.from({ length }, (_, i) => i);
 
 // Five rows, of which every second step is recorded; the window and the sprite grow in step 5.
 const rows = { step: [0, 2, 4, 6, 8], t: [0, 0.5, 1, 2, 3], dt: [0, 0.25, 0.25, 0.5, 0.5], x: [0, 3, 6, 9, 12], y: [0, 10, 20, 30, 40],

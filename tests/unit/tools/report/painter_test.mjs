@@ -1,9 +1,8 @@
 // What the stage draws, by colour and place. The canvas has 4 px for each px of the window, on a display of 2 px to the point.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { base64, element, load, windowEvents } from './stand_in.mjs';
+import { element, load, windowEvents } from './stand_in.mjs';
 
-element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
 const { color, followLook, Painter, wallColors } = await load('painter');
 
 const canvas = element('replay');

@@ -1,12 +1,11 @@
 // The replay's controls: what each key and button shows, at which speed it plays, where its ticks are.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { element, frame, load, windowEvents } from './stand_in.mjs';
+import { count, element, frame, load, windowEvents } from './stand_in.mjs';
 
 const [{ Moment }, { Player, showReadouts }] = await Promise.all(['moment', 'player'].map(load));
 
 // Every second step is recorded.
-const count = length => Array.from({ length }, (_, i) => i);
 const rows = { step: count(21).map(i => 2 * i), t: count(21).map(i => i / 10) };
 for (const name of ['x', 'y', 'vx', 'vy', 'contact']) rows[name] = rows.t;
 const contacts = { step: [7, 12, 30], wall: [1, 2, 8] };

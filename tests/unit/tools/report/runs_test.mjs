@@ -1,15 +1,13 @@
 // The page of runs: which one it opens and at which moment, the address, lists that lead to steps, two runs, the playground.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import Plot, { base64, element, frame, later, load, reopen, resize, saved, windowEvents } from './stand_in.mjs';
+import Plot, { base64, count, element, frame, later, load, reopen, resize, saved, windowEvents } from './stand_in.mjs';
 
 const { report } = await load('document');
 Object.assign(report, { program: 'hyrax-sim 1', command: 'report a.h5', core: 'paper', core_fingerprint: 'ab' });
 const [{ Core }, { rowFields }, { showRuns }] = await Promise.all(['core', 'data', 'runs'].map(load));
 
-element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
 // One row of every ten, for 4 s.
-const count = length => Array.from({ length }, (_, i) => i);
 const rows = { step: count(41).map(i => 10 * i), t: count(41).map(i => i / 10) };
 Object.assign(rows, { dt: rows.t.map(() => 0.01), x: count(41).map(i => 2 * i), y: count(41).map(i => i), vx: rows.t.map(() => 20), vy: rows.t.map(() => 10), contact: rows.t.map(() => 0) });
 const contacts = { step: [95, 200], wall: [2, 8], last_step: [95, 210], t: [0.95, 2], vx_before: [1, 2], vx_after: [3, 4], vy_before: [5, 6], vy_after: [7, 8], overshoot: [0.5, 0.25], x: [18, 40], y: [9, 20] };

@@ -8,6 +8,7 @@ register(`data:text/javascript,${encodeURIComponent(resolve)}`);
 
 export const page = new URL('../../../../tools/report/page/', import.meta.url);
 export const load = name => import(new URL(`${name}.js`, page));
+export const count = length => Array.from({ length }, (_, i) => i);
 export const base64 = values => Buffer.from(Float64Array.from(values).buffer).toString('base64');
 
 const short = number => Math.round(100 * number) / 100;
@@ -269,6 +270,7 @@ Object.assign(globalThis, {
 Object.assign(URL, { createObjectURL: ({ text }) => text, revokeObjectURL() {} });
 Object.defineProperty(globalThis, 'performance', { value: { now: () => now, mark() {} } });
 element('data').textContent = '{}';
+element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
 
 /** In place of uPlot. Its axes are linear, 200 px by 100; on the canvas, with room at the left and top, twice as large. */
 export default class Plot {
