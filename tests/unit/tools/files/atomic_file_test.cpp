@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <set>
 
 #include <sys/stat.h>
-#include <unistd.h>
 
+#include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
 
@@ -18,24 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Names = std::vector<std::string>;
+
 class AtomicFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.at(name); }
   std::string old_file(const std::string& name) const {
-    std::ofstream(path(name)) << "old";
+    write_bytes(path(name), "old");
     return path(name);
-  }
-  // Names of all that is in the folder.
-  std::set<std::string> names() const {
-    std::set<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder_)) found.insert(entry.path().filename().string());
-    return found;
   }
   static std::string refusal(const std::string& path) {
     try {
@@ -47,8 +35,7 @@ class AtomicFileTest : public testing::Test {
     }
   }
 
- private:
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("hyrax-atomic-file-" + std::to_string(getpid()));
+  const TempFolder folder_;
 };
 
 TEST_F(AtomicFileTest, KeepsTheModeOfTheFileThatItReplaces) {
@@ -75,30 +62,21 @@ TEST_F(AtomicFileTest, WritesACompleteFileAndReplacesAnOldOne) {
     write_text_file(file, text);
     EXPECT_EQ(read_text_file(file), text);
   }
-  EXPECT_EQ(names(), (std::set<std::string>{"new.txt", "old.txt"}));
+  EXPECT_EQ(folder_.names(), (Names{"new.txt", "old.txt"}));
 }
 
 TEST_F(AtomicFileTest, AcceptsANewNameOnly) {
-  AtomicFile fresh(path("new.txt"));
-  fresh.write("new");
-  fresh.commit_as_new();
-  EXPECT_EQ(read_text_file(path("new.txt")), "new");
-  AtomicFile late(old_file("old.txt"));
-  late.write("new");
-  EXPECT_THROW(late.commit_as_new(), Failure);
-  EXPECT_EQ(read_text_file(path("old.txt")), "old");
-}
-
-TEST_F(AtomicFileTest, LeavesNoPartOfAFileWhoseNameIsTaken) {
-  {
-    AtomicFile file(path("taken.txt"));
+  for (const std::string name : {"new.txt", "taken.txt"}) {
+    AtomicFile file(path(name));
     file.write("new");
-    old_file("taken.txt");
-    EXPECT_THROW(file.commit_as_new(), Failure);
+    if (name == "new.txt")
+      file.commit_as_new();
+    else
+      EXPECT_THROW((old_file(name), file.commit_as_new()), Failure);
   }
-  EXPECT_EQ(names(), std::set<std::string>{"taken.txt"});
-  AtomicFile(path("other.txt")).commit_as_new();
-  EXPECT_EQ(names(), (std::set<std::string>{"other.txt", "taken.txt"}));
+  EXPECT_EQ(read_text_file(path("new.txt")), "new");
+  EXPECT_EQ(read_text_file(path("taken.txt")), "old");
+  EXPECT_EQ(folder_.names(), (Names{"new.txt", "taken.txt"}));
 }
 
 TEST_F(AtomicFileTest, IsReadableForOthersAsAnyNewFile) {
@@ -128,7 +106,7 @@ TEST_F(AtomicFileTest, LeavesTheOldFileWhereItIsGivenUp) {
   } catch (const std::runtime_error&) {
   }
   EXPECT_EQ(read_text_file(path("a.txt")), "old");
-  EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+  EXPECT_EQ(folder_.names(), Names{"a.txt"});
 }
 
 TEST_F(AtomicFileTest, LeavesNothingWhenAFolderTakesItsNameMeanwhile) {
@@ -138,7 +116,7 @@ TEST_F(AtomicFileTest, LeavesNothingWhenAFolderTakesItsNameMeanwhile) {
     fs::create_directories(path("a") + "/b");
     EXPECT_THROW(file.commit(), Failure);
   }
-  EXPECT_EQ(names(), std::set<std::string>{"a"});
+  EXPECT_EQ(folder_.names(), Names{"a"});
 }
 
 TEST_F(AtomicFileTest, KeepsTwoWritersApart) {
@@ -150,7 +128,7 @@ TEST_F(AtomicFileTest, KeepsTwoWritersApart) {
   second.commit();
   first.commit();
   EXPECT_EQ(read_text_file(path("a.txt")), "first");
-  EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+  EXPECT_EQ(folder_.names(), Names{"a.txt"});
 }
 
 TEST_F(AtomicFileTest, FollowsALinkToItsFile) {
@@ -178,7 +156,7 @@ TEST_F(AtomicFileTest, RefusesWhatCannotBeAFile) {
                                      {old_file("a.txt") + "/b.txt", "Not a directory"},
                                      {path(std::string(300, 'a')), "File name too long"}})
     EXPECT_EQ(refusal(file), file + ": cannot be written: " + reason);
-  EXPECT_EQ(names(), (std::set<std::string>{"a.txt", "folder"}));
+  EXPECT_EQ(folder_.names(), (Names{"a.txt", "folder"}));
 }
 
 TEST_F(AtomicFileTest, RefusesAPipeAndLeavesItThere) {

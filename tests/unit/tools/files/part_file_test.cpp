@@ -6,11 +6,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
-#include <unistd.h>
-
+#include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 
 namespace hyrax {
@@ -20,15 +18,9 @@ namespace fs = std::filesystem;
 
 class PartFileTest : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return folder_.at(name); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  // As a writer leaves it that is killed.
-  void abandon(const std::string& name) const { std::ofstream(path(name)) << "half of a file"; }
-
- private:
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("hyrax-part-file-" + std::to_string(getpid()));
+  const TempFolder folder_;
 };
 
 TEST_F(PartFileTest, IsAnotherForEveryWriter) {
@@ -42,8 +34,7 @@ TEST_F(PartFileTest, IsAnotherForEveryWriter) {
 }
 
 TEST_F(PartFileTest, IsAHiddenFileNextToItsTargetAlsoWhereAWriterWasKilled) {
-  abandon(".a.h5.part");
-  abandon(".b.h5.part");
+  for (const char* const name : {".a.h5.part", ".b.h5.part"}) write_bytes(path(name), "half of a file");
   const AtomicFile part(path("a.h5"));
   EXPECT_EQ(part.part_path(), path(".a.h5.part"));
   EXPECT_EQ(fs::file_size(part.part_path()), 0u);
@@ -51,7 +42,7 @@ TEST_F(PartFileTest, IsAHiddenFileNextToItsTargetAlsoWhereAWriterWasKilled) {
 }
 
 TEST_F(PartFileTest, IsRemovedByASignalThatEndsTheProgram) {
-  std::ofstream(path("a.h5")) << "old";
+  write_bytes(path("a.h5"), "old");
   const auto end_by = [&](int signal) {
     const AtomicFile part(path("a.h5"));
     part.write("half");
@@ -84,7 +75,7 @@ TEST_F(PartFileTest, IsAnothersAfterItsCommit) {
     AtomicFile part(path("a.h5"));
     const std::string part_path = part.part_path();
     part.commit();
-    std::ofstream(part_path) << "another's";
+    write_bytes(part_path, "another's");
     std::raise(SIGTERM);
   };
   EXPECT_EXIT(end_after_commit(), testing::KilledBySignal(SIGTERM), "");
@@ -94,7 +85,7 @@ TEST_F(PartFileTest, IsAnothersAfterItsCommit) {
 TEST_F(PartFileTest, SkipsNamesThatAreNotItsPartFiles) {
   fs::create_directory(path(".a.h5.part"));
   fs::create_symlink("victim", path(".a.h5.2.part"));
-  std::ofstream(path("victim")) << "somebody else's";
+  write_bytes(path("victim"), "somebody else's");
   const AtomicFile part(path("a.h5"));
   EXPECT_EQ(part.part_path(), path(".a.h5.3.part"));
   EXPECT_EQ(fs::file_size(path("victim")), 15u);

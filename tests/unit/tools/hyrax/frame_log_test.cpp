@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include <unistd.h>
-
+#include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
 
@@ -15,8 +12,8 @@ namespace {
 
 // On a second monitor, of which no side is 0.
 TEST(FrameLog, HasEachNumberUnderItsName) {
-  const std::string path = testing::TempDir() + "hyrax-frames-" + std::to_string(getpid());
-  std::filesystem::remove(path);
+  const TempFolder folder;
+  const std::string path = folder.at("frames");
   Keyframe now;
   now.row = {8, 1.5, 0.25, 2.0, 3.0, -4.0, 5.0, 0};
   now.is_held = true;
@@ -33,7 +30,6 @@ TEST(FrameLog, HasEachNumberUnderItsName) {
       R"("held": true, "window_rect_px": [-1918, 33, -1790, 129], "work_area_px": [-1920, 30, -20, 1030], )"
       R"("sprite_px": [128, 96], "inputs": ["grab", "resize-window", "resize-sprite"] })"
       "\n{ \"asleep_after_frame\": 7 }\n");
-  std::filesystem::remove(path);
 }
 
 }  // namespace

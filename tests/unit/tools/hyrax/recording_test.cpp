@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <new>
-
-#include <unistd.h>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
@@ -31,10 +29,7 @@ Keyframe start() {
 
 class RecordedSession : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + name; }
+  std::string path(const std::string& name) const { return folder_.at(name); }
   // A throw every hundred frames.
   void play(std::int64_t frames) {
     for (std::int64_t frame = 0; frame < frames; ++frame) {
@@ -46,13 +41,7 @@ class RecordedSession : public testing::Test {
     session.recording().save();
     saver.wait();
   }
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
-      names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
+  std::vector<std::string> names() const { return folder_.names(); }
   // Frames of a file that replays to its own state hash.
   static std::int64_t good_frames(const std::string& path) {
     const Scenario scenario = load_scenario(path);
@@ -61,11 +50,9 @@ class RecordedSession : public testing::Test {
     return summary.steps;
   }
 
+  const TempFolder folder_;
   ScenarioSaver saver;
   Session session{shipped_core(), start()};
-
- private:
-  const std::string folder_ = testing::TempDir() + "hyrax-recording-" + std::to_string(getpid()) + "/";
 };
 
 TEST_F(RecordedSession, IsCompleteAfterEverySave) {

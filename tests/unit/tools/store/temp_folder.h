@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 namespace hyrax {
 
@@ -23,11 +25,12 @@ class TempFolder {
 
   [[nodiscard]] std::string at(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Names of all that is in it, hidden part files too.
+  /// Names of all that is in it, hidden part files too, in order.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_))
       names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
     return names;
   }
 
