@@ -37,20 +37,11 @@ struct MeasuredRun : DriftRun {
   }
 };
 
-const std::vector<Plot>& plots_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body); }
-const Plot& plot_of(const Figure& figure) { return plots_of(figure).front(); }
+const Plot& plot_of(const Figure& figure) { return std::get<std::vector<Plot>>(figure.body).front(); }
 
 Figure energy_of(const MeasuredRun& run) { return drift_figures(run)[1]; }
-Series energy_drift_of(const MeasuredRun& run) { return plots_of(energy_of(run)).at(1).series.at(0); }
 Figure errors_of(const MeasuredRun& run) { return drift_figures(run)[2]; }
 Figure restitution_of(const MeasuredRun& run) { return drift_figures(run)[3]; }
-
-// The value of a series at a place.
-double value_at(const Series& series, double x) {
-  for (std::size_t row = 0; row < series.x.size(); ++row)
-    if (std::fabs(series.x[row] - x) < 1e-9 && !std::isnan(series.y[row])) return series.y[row];
-  return std::nan("");
-}
 
 TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
   MeasuredRun run(1);
@@ -67,19 +58,6 @@ TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
 
 TEST(EnergyFigure, MarksNoMoreArcsThanReadersCanDistinguish) {
   EXPECT_TRUE(plot_of(energy_of(MeasuredRun(500))).top_dots.empty());
-}
-
-TEST(EnergyDriftFigure, IsInPercentOfTheArcsEnergyAndBreaksBetweenArcs) {
-  const Series series = energy_drift_of(MeasuredRun(2));
-  EXPECT_NEAR(value_at(series, 0.15), -0.9, 1e-12);
-  ASSERT_EQ(series.y.size(), 21u);
-  EXPECT_TRUE(std::isnan(series.y[10])) << "the gap";
-}
-
-TEST(EnergyDriftFigure, IsInPercentOfTheScaleOfTheArc) {
-  MeasuredRun run(1);
-  run.arcs[0].energy_scale_px2_per_s2 = 1200.0;
-  EXPECT_NEAR(value_at(energy_drift_of(run), 0.15), -750.0, 1e-9);
 }
 
 TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {
@@ -106,21 +84,6 @@ TEST(EnergyFigure, IsLogarithmicUnlessEnergyIsNegative) {
   EXPECT_TRUE(plot_of(energy_of(run)).y.is_logarithmic);
   run.rows[3].errors.energy_px2_per_s2 = -1.0;
   EXPECT_FALSE(plot_of(energy_of(run)).y.is_logarithmic);
-}
-
-TEST(DriftFigures, MarkEachInputButWhereAHandLeads) {
-  MeasuredRun run(2);
-  EXPECT_TRUE(plot_of(errors_of(run)).marks.empty());
-  run.scenario.clock.base = FixedRate{60};
-  run.scenario.length = std::int64_t{20};
-  run.scenario.events = {
-      {std::int64_t{6}, Hitch{0.5}}, {std::int64_t{9}, Place{{1, 2}}}, {std::int64_t{12}, Stop{}}};
-  const Figure figure = errors_of(run);
-  const Plot& plot = plot_of(figure);
-  ASSERT_EQ(plot.marks.size(), 2u);
-  EXPECT_EQ(plot.marks[0].text, "hitch");
-  EXPECT_DOUBLE_EQ(plot.marks[0].at, 0.1);
-  EXPECT_EQ(plot.marks[1].text, "stop");
 }
 
 TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
