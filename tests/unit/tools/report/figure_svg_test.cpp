@@ -20,18 +20,6 @@ bool has(const std::string& svg, const std::string& part) { return svg.find(part
 
 std::string svg_of(Plot plot) { return figure_svg({.title = "t", .body = std::vector{std::move(plot)}}); }
 
-std::optional<SvgBox> box_of(const std::string& svg, const std::string& text) {
-  for (const ShownText& shown : texts_in(svg))
-    if (shown.text == text) return shown.box;
-  return std::nullopt;
-}
-
-SvgPoint place_of(const std::string& svg, const std::string& text) {
-  const std::optional<SvgBox> box = box_of(svg, text);
-  EXPECT_TRUE(box) << text;
-  return box.value_or(SvgBox{}).centre();
-}
-
 // The parts of lines of that colour, each from its own M.
 std::vector<std::string> lines_of_colour(const std::string& svg, Tone tone) {
   std::vector<std::string> lines;
@@ -248,19 +236,13 @@ TEST(PlotSvg, BarsGoFromTheLowEndOfTheAxisInTheirColour) {
                  {.look = {.form = Form::bars, .tone = Tone::orange}, .x = {1e-3}, .y = {1.0}}};
   plot.texts = {{1e-3, 1.0, "below"}};
   const std::string svg = svg_of(plot);
-  const auto bar = [&](Tone tone) {
-    std::smatch found;
-    EXPECT_TRUE(
-        std::regex_search(svg, found,
-                          std::regex("<rect x=\"([0-9.]+)\" y=\"([0-9.]+)\" width=\"([0-9.]+)\"[^>]*fill=\"" +
-                                     colour_of(tone) + "\"")));
-    return std::array{std::stod(found[1]), std::stod(found[2]), std::stod(found[3])};
-  };
-  EXPECT_EQ(bar(Tone::blue)[0], bar(Tone::orange)[0]);
-  EXPECT_GT(bar(Tone::blue)[2], 700.0);
-  EXPECT_EQ(bar(Tone::orange)[2], 0.0) << "no bar left of the axis";
-  EXPECT_GT(box_of(svg, "below")->left, bar(Tone::orange)[0]) << "no label left of the axis";
-  EXPECT_LT(bar(Tone::blue)[1], bar(Tone::orange)[1]) << "the first category is on top";
+  const SvgBox blue = rectangle_of(svg, colour_of(Tone::blue)),
+               orange = rectangle_of(svg, colour_of(Tone::orange));
+  EXPECT_EQ(blue.left, orange.left);
+  EXPECT_GT(blue.width(), 700.0);
+  EXPECT_EQ(orange.width(), 0.0) << "no bar left of the axis";
+  EXPECT_GT(box_of(svg, "below")->left, orange.left) << "no label left of the axis";
+  EXPECT_LT(blue.top, orange.top) << "the first category is on top";
   EXPECT_TRUE(has(svg, ">Runge-Kutta</text>")) << "a hyphen is no minus";
 }
 
@@ -269,15 +251,11 @@ TEST(PlotSvg, ATextThatHasNoRoomBesideItsBarIsBelowIt) {
   plot.series = {{.look = {.form = Form::bars, .tone = Tone::blue}, .x = {8.0}, .y = {0.0}}};
   plot.texts = {{8.0, 0.0, "941 px, 11 contacts moved"}};
   const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
-  const std::regex bar(
-      "<rect x=\"([0-9.]+)\" y=\"([0-9.]+)\" width=\"([0-9.]+)\" height=\"([0-9.]+)\"[^>]*fill=\"" +
-      colour_of(Tone::blue) + "\"");
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(html, found, bar));
-  const std::optional<SvgBox> text = box_of(html, plot.texts[0].text);  // Of the narrow picture.
+  const SvgBox bar = rectangle_of(html, colour_of(Tone::blue));  // Of the narrow picture.
+  const std::optional<SvgBox> text = box_of(html, plot.texts[0].text);
   ASSERT_TRUE(text);
-  EXPECT_LT(text->left, std::stod(found[1]) + std::stod(found[3])) << "there was room beside it";
-  EXPECT_GT(text->top, std::stod(found[2]) + std::stod(found[4]));
+  EXPECT_LT(text->left, bar.right) << "there was room beside it";
+  EXPECT_GT(text->top, bar.bottom);
 }
 
 TEST(PlotSvg, ABandIsTheAreaBetweenItsEnds) {

@@ -2,9 +2,12 @@
 // read.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -37,6 +40,32 @@ inline std::vector<ShownText> texts_in(const std::string& sheet) {
                      (*found)[8].str().find("rotate") != std::string::npos});
   }
   return texts;
+}
+
+/// Where the first of these texts is.
+inline std::optional<SvgBox> box_of(const std::string& svg, const std::string& text) {
+  for (const ShownText& shown : texts_in(svg))
+    if (shown.text == text) return shown.box;
+  return std::nullopt;
+}
+
+/// Its middle; fails the test if it is missing.
+inline SvgPoint place_of(const std::string& svg, const std::string& text) {
+  const std::optional<SvgBox> box = box_of(svg, text);
+  EXPECT_TRUE(box) << text;
+  return box.value_or(SvgBox{}).centre();
+}
+
+/// The first rectangle of that colour; fails the test if there is none.
+inline SvgBox rectangle_of(const std::string& svg, const std::string& colour) {
+  const std::regex rectangle(
+      "<rect x=\"([-0-9.]+)\" y=\"([-0-9.]+)\" width=\"([0-9.]+)\" height=\"([0-9.]+)\"[^>]*fill=\"" +
+      colour + "\"");
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(svg, found, rectangle)) << colour;
+  if (found.empty()) return {};
+  const double x = std::stod(found[1]), y = std::stod(found[2]);
+  return {x, y, x + std::stod(found[3]), y + std::stod(found[4])};
 }
 
 /// The relative luminance of "#rrggbb" by WCAG 2.
