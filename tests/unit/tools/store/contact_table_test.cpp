@@ -72,18 +72,5 @@ TEST_F(Contacts, AreTheSameBytesEachTime) {
   EXPECT_TRUE(first == bytes_of(path_));
 }
 
-TEST_F(Contacts, OfARunWithManyOfThemAreThePlayedOnes) {
-  // Room for little: a ground contact every other step at a dt with which the sprite bounces forever.
-  Scenario scenario = fling_at(60.0, 12'000);
-  scenario.window = {200, 130};
-  scenario.start = {10.0, 0.0};
-  scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.5, 5};
-  write_run(path_, scenario);
-  TraceSink played({.contacts = true});
-  static_cast<void>(replay(shipped_core(), scenario, played));
-  ASSERT_GT(std::ssize(played.contacts()), 10);
-  EXPECT_TRUE(same_contacts(TrajectoryFile(path_).contacts(), played.contacts()));
-}
-
 }  // namespace
 }  // namespace hyrax

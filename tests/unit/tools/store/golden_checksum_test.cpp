@@ -89,15 +89,6 @@ TEST(ContentsChecksum, IgnoresNamesAndDescriptions) {
   EXPECT_EQ(unseen(run, texts), texts.size());
 }
 
-TEST(FileChecksum, DoesNotDependOnTheSizeOfPieces) {
-  const TempFolder folder;
-  std::string bytes;
-  for (std::size_t place = 0; place < 200'001; ++place) bytes += static_cast<char>(place * place >> 7);
-  write_bytes(folder.at("long"), bytes);
-  EXPECT_EQ(file_checksum(folder.at("long")),
-            hex(digest(std::as_bytes(std::span(bytes.data(), bytes.size())))));
-}
-
 TEST(FileChecksum, OfWhatIsNoFileCannotBeHad) {
   const TempFolder folder;
   EXPECT_THROW(static_cast<void>(file_checksum(folder.at("missing"))), Failure);
@@ -111,6 +102,10 @@ TEST(FileChecksum, IsThatOfTheBytes) {
   write_bytes(folder.at("one"), "a golden file");
   write_bytes(folder.at("two"), "a golden fild");
   EXPECT_NE(file_checksum(folder.at("one")), file_checksum(folder.at("two")));
+  std::string bytes;  // More than are read at once.
+  for (std::size_t place = 0; place < 200'001; ++place) bytes += static_cast<char>(place * place >> 7);
+  write_bytes(folder.at("long"), bytes);
+  EXPECT_EQ(file_checksum(folder.at("long")), hex(digest(std::as_bytes(std::span(bytes)))));
 }
 
 }  // namespace

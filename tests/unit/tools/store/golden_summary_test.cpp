@@ -102,11 +102,6 @@ TEST(GoldenSummary, ShowsFirstAndLastOfManyContacts) {
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 60);
 }
 
-TEST(GoldenSummary, GivesItsReasonBack) {
-  const std::string text = text_of(some_run(), some_summary(), "a longer throw", "wide");
-  EXPECT_EQ(summary_reason(text), "a longer throw");
-}
-
 TEST(GoldenSummary, HasTheChecksumsOfItsContentsAndFile) {
   const std::string text = text_of(some_run(), some_summary(), "a longer throw", "wide");
   EXPECT_TRUE(has_checksums(text, kContents, kFile));

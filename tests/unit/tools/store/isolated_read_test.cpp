@@ -28,10 +28,6 @@ class IsolatedRead : public testing::Test {
   const std::string path_ = folder_.at("run.h5");
 };
 
-TEST_F(IsolatedRead, OfAnUndamagedFileReportsNothing) {
-  EXPECT_EQ(message_of([] {}), "");
-}
-
 TEST_F(IsolatedRead, LeavesARefusalToTheReadingThatFollows) {
   EXPECT_EQ(message_of([] { throw Failure(ExitCode::bad_input, "refused"); }), "");
 }

@@ -143,10 +143,5 @@ TEST_F(StudyTables, WithTextOfMoreThan64MiBInAColumnAreRefused) {
   EXPECT_EQ(refusal(), path_ + ": empty/text: is damaged: cannot be read");
 }
 
-TEST_F(StudyTables, IsCompleteOrMissing) {
-  EXPECT_THROW(write_study_file(folder_.at("none/study.h5"), kHead, some_tables()), Failure);
-  EXPECT_TRUE(folder_.names().empty());
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -56,14 +56,6 @@ TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
   EXPECT_EQ(in_place, steps + 1);
 }
 
-TEST_F(StoredRunFile, HoldsInputsOfEveryKind) {
-  Scenario scenario = eventful_fling();
-  write_run(path_, scenario);
-  std::vector<bool> is_seen(input_kind_names().size());
-  for (const Input& input : TrajectoryFile(path_).inputs()) is_seen.at(record_of(input).kind) = true;
-  EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(input_kind_names()));
-}
-
 TEST_F(StoredRunFile, HoldsEmptyListsAsDatasetsOfLengthZero) {
   Scenario scenario = fling_at(60.0, 3);
   scenario.start_velocity = {};
@@ -113,23 +105,6 @@ TEST_F(StoredRunFile, DoesNotExistBeforeItIsComplete) {
     EXPECT_EQ(folder_.names().size(), 1u);
   }
   EXPECT_TRUE(folder_.names().empty()) << "an unfinished part file is left behind";
-}
-
-TEST_F(StoredRunFile, StaysAsItWasWhenItsReplacementIsGivenUp) {
-  write_bytes(path_, "what was there before");
-  { TrajectoryWriter writer(path_, fling_at(60.0, 10), 10); }
-  EXPECT_EQ(bytes_of(path_), "what was there before");
-}
-
-TEST_F(StoredRunFile, CannotBeWrittenWhereItsFolderIsMissing) {
-  try {
-    TrajectoryWriter writer(folder_.at("no/such/folder/run.h5"), fling_at(60.0, 10), 10);
-    FAIL() << "should have refused";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
-    EXPECT_NE(std::string(failure.what()).find("no/such/folder/run.h5: cannot be written"),
-              std::string::npos);
-  }
 }
 
 }  // namespace
