@@ -84,12 +84,15 @@ TEST(SweepLimits, OfClocksAreTheReaders) {
   expect_same_limits(fixed, "/clock/dt_s/1");
 }
 
-TEST(SweepNames, AreCutToWhatAScenarioMayHave) {
-  const std::string stem(70, 'a');
-  const std::string text = R"({"format": "hyrax-sweep/1", "members": 1000000, "seed": 1,
-    "vary": {"/start/x_px": {"uniform": [0, 1]}}, "base": {"format": "hyrax-scenario/1",
+std::string sweep_text(std::int64_t members, const std::string& x_px) {
+  return R"({"format": "hyrax-sweep/1", "members": )" + std::to_string(members) +
+         R"(, "seed": 1, "vary": {"/start/x_px": )" + x_px + R"(}, "base": {"format": "hyrax-scenario/1",
     "window": {"width_px": 8, "height_px": 6}, "sprite": {"width_px": 6, "height_px": 3},
     "start": {"x_px": 1, "y_px": 2}, "clock": {"rate_hz": 60}, "steps": 1}})";
+}
+
+TEST(SweepNames, AreCutToWhatAScenarioMayHave) {
+  const std::string stem(70, 'a'), text = sweep_text(1'000'000, R"({"uniform": [0, 1]})");
   const SweepFile file = parse_sweep(text, "folder/" + stem + ".json");
   EXPECT_EQ(member_scenario(file.sweep, 7).name, std::string(64 - 9, 'a') + "-member-7");
   EXPECT_EQ(member_scenario(file.sweep, 999'999).name, std::string(64 - 14, 'a') + "-member-999999");
@@ -98,14 +101,9 @@ TEST(SweepNames, AreCutToWhatAScenarioMayHave) {
 
 // Its last member alone is beyond the limit of a position.
 std::string refusal_of_grid(std::int64_t members) {
-  const std::string count = std::to_string(members);
-  const std::string text = R"({"format": "hyrax-sweep/1", "members": )" + count + R"(, "seed": 1,
-    "vary": {"/start/x_px": {"grid": [0, 1000000100000, )" +
-                           count + R"(]}}, "base": {"format": "hyrax-scenario/1",
-    "window": {"width_px": 8, "height_px": 6}, "sprite": {"width_px": 6, "height_px": 3},
-    "start": {"x_px": 1, "y_px": 2}, "clock": {"rate_hz": 60}, "steps": 1}})";
+  const std::string grid = R"({"grid": [0, 1000000100000, )" + std::to_string(members) + "]}";
   try {
-    static_cast<void>(parse_sweep(text, "far.json"));
+    static_cast<void>(parse_sweep(sweep_text(members, grid), "far.json"));
   } catch (const Failure& failure) {
     return failure.what();
   }
