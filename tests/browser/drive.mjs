@@ -1,10 +1,10 @@
 // node drive.mjs PACKAGES_FOLDER: opens pages in one Chromium, one after another. Reads lists of tasks from standard
 // input and prints the list of their results, each list as JSON in one line.
 //
-// A task is {file, hash, bypass_csp, plain (without JavaScript), scheme, size, actions}; an action is ["evaluate", expression], ["click", selector],
+// A task is {file, hash, bypass_csp, plain (without JavaScript), size, scheme, actions}; an action is ["evaluate", expression], ["click", selector],
 // ["press", key], ["mouse", selector, [[x, y]...]] (a drag along points given as fractions of the element),
 // ["touch", selector, [[x, y]...]] (the same with a finger), ["download", selector, path], ["wait", expression],
-// ["paper"] (as it is printed), ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
+// ["look", {size, scheme}] (from now on), ["paper"] (as it is printed), ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -61,7 +61,16 @@ async function focused(page, count) {
   return names;
 }
 
+async function look(page, { size: [width, height] = [1280, 900], scheme = 'light' }) {
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ colorScheme: scheme });
+}
+
 const actions = {
+  look: async (page, wanted) => {
+    await look(page, wanted);
+    await page.waitForTimeout(300); // It is laid out and drawn again.
+  },
   paper: async page => {
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     await page.emulateMedia({ media: 'print' });
@@ -83,9 +92,9 @@ const actions = {
 
 async function perform(task) {
   const seen = { errors: [], requests: [], values: [] };
-  const [width, height] = task.size ?? [1280, 900];
-  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, viewport: { width, height }, colorScheme: task.scheme ?? 'light', hasTouch: true, javaScriptEnabled: !task.plain });
+  const context = await browser.newContext({ acceptDownloads: true, bypassCSP: task.bypass_csp ?? false, hasTouch: true, javaScriptEnabled: !task.plain });
   const page = await context.newPage();
+  await look(page, task);
   page.on('pageerror', error => seen.errors.push(String(error)));
   // But what Chromium advises a test that reads a canvas.
   page.on('console', message => message.text().includes('willReadFrequently') || seen.errors.push(message.text()));
