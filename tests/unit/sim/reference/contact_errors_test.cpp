@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/core/shipped_core.h"
 #include "sim/result/estimate.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tests/unit/sim/reference/wide.h"
@@ -64,26 +63,6 @@ TEST(ContactErrors, OfTimeAreWithinAFrameAndAHalf) {
     const double error_s = first_contact(fall(height_px, 60.0)).time_error_s.value();
     EXPECT_GT(error_s, -0.6 / 60.0);
     EXPECT_LT(error_s, 1.1 / 60.0);
-  }
-}
-
-TEST(ContactErrors, HaveTheOvershootOfTheClamp) {
-  const Scenario scenario = fling();
-  struct Contacts : RowSink {
-    Wants wants() const override { return {.contacts = true}; }
-    void contact_began(const Contact& contact) override { all.push_back(contact); }
-    std::vector<Contact> all;
-  } core;
-  replay(shipped_core(), scenario, core);
-  Measured measured;
-  measure(scenario, measured);
-  ASSERT_FALSE(measured.contacts.empty());
-  for (const ImpactErrors& contact : measured.contacts) {
-    const auto of_core = std::find_if(core.all.begin(), core.all.end(), [&](const Contact& c) {
-      return c.step == contact.step && c.wall == contact.wall;
-    });
-    ASSERT_NE(of_core, core.all.end()) << contact.step;
-    EXPECT_DOUBLE_EQ(contact.overshoot_px, of_core->overshoot_px);
   }
 }
 

@@ -1,4 +1,5 @@
-// Every scenario, including the hard ones and those far from the origin, against the reference.
+// Every scenario, including the hard ones and those far from the origin, and random ones against the
+// reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,11 +32,8 @@ void expect_followed(const ArcErrors& arc) {
   EXPECT_LT(arc.exact_law_px_per_s, speed_rounding_px_per_s(arc));
 }
 
-class EveryScenario : public testing::TestWithParam<std::string> {};
-
 // The parts of an energy are the model's own operations, the sum is that of the run's rows.
-TEST_P(EveryScenario, FollowsItsReferencesAndHasEnergyPartsThatAddUp) {
-  const Scenario scenario = load_scenario(GetParam());
+void expect_followed_with_energy_parts_that_add_up(const Scenario& scenario) {
   Measured run;  // Live, so that ten million rows are never held.
   GslFlight gsl;
   DriftMeter meter(scenario, inputs_of(scenario), run, &gsl);
@@ -56,6 +54,24 @@ TEST_P(EveryScenario, FollowsItsReferencesAndHasEnergyPartsThatAddUp) {
                 1e-9 + 1e-12 * largest)
         << contact.step;
   }
+}
+
+TEST(RandomRuns, FollowTheirReferencesAndHaveEnergyPartsThatAddUp) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Scenario scenario = any_fling(seed, 1000);
+    const double dt_s = base_dt_s(scenario.clock);
+    if (seed % 4 == 1) scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 1.0, seed};
+    if (seed % 4 == 2) scenario.clock.jitter = Jitter{Jitter::Kind::normal, dt_s, seed};  // Many of length 0.
+    if (seed % 4 == 3) scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.3, seed};
+    expect_followed_with_energy_parts_that_add_up(scenario);
+  }
+}
+
+class EveryScenario : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScenario, FollowsItsReferencesAndHasEnergyPartsThatAddUp) {
+  expect_followed_with_energy_parts_that_add_up(load_scenario(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, EveryScenario, testing::ValuesIn(scenario_files()), [](const auto& test) {
