@@ -16,13 +16,11 @@ using namespace recording;
 constexpr Constants kShipped = {physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
                                 physics::GROUND_FRICTION, physics::REST_THRESHOLD};
 
-// The shape of the listing as a test changes it. Made in a call, so that its numbers are of one recording.
+// The shape of the listing as a test changes it.
 StepShape shape_with(const std::function<void(Listing&)>& change) {
-  return shape_of(canonical(record([&](Body& body, const Frame& frame) {
-    Listing listing;
-    change(listing);
-    listing(body, frame);
-  })));
+  Listing listing;
+  change(listing);
+  return shape_of(canonical(record(listing)));
 }
 
 std::string difference_with(const std::function<void(Listing&)>& change) {

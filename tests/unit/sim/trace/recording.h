@@ -1,141 +1,70 @@
-// A small recording number, so that tests write steps as C++: each function is called once a path.
+// Steps that tests write as C++, recorded by the numbers that a core's header is compiled with.
 #pragma once
 
-#include <cmath>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "sim/physics/physics.h"
-#include "sim/trace/operations.h"
+#include "sim/trace/host/explorer.h"
+#include "sim/trace/host/number_functions.h"
 #include "sim/trace/step_text.h"
 
 namespace hyrax::recording {
 
-/// The step being recorded, and the outcomes that the present call shall have.
-struct Recorder {
-  TracedStep step;
-  std::vector<StepOutcome> path;
-  std::vector<bool> plan;
-  static Recorder& now() {
-    static Recorder recorder;
-    return recorder;
-  }
+using trace::Real;
+using trace::Single;
+using trace::Whole;
 
-  std::int32_t add(const Expression& expression) {
-    for (std::size_t index = 0; index < step.expressions.size(); ++index)
-      if (step.expressions[index] == expression) return static_cast<std::int32_t>(index);
-    step.expressions.push_back(expression);
-    return static_cast<std::int32_t>(step.expressions.size() - 1);
-  }
-  bool decide(const StepComparison& comparison) {
-    const Expression& left = step.expressions[static_cast<std::size_t>(comparison.left)];
-    const Expression& right = step.expressions[static_cast<std::size_t>(comparison.right)];
-    if (left.op == Operator::constant && right.op == Operator::constant)
-      return holds(comparison.relation, left.value, right.value);
-    std::size_t index = 0;
-    while (index < step.comparisons.size() && !(step.comparisons[index] == comparison)) ++index;
-    if (index == step.comparisons.size()) step.comparisons.push_back(comparison);
-    for (const StepOutcome& outcome : path)
-      if (outcome.comparison == static_cast<std::int32_t>(index)) return outcome.holds;
-    const bool holds = path.size() < plan.size() && plan[path.size()];
-    path.push_back({static_cast<std::int32_t>(index), holds});
-    return holds;
-  }
-};
-
-template <NumberKind kKind>
-struct Number {
-  std::int32_t id = -1;
-  Number() = default;
-  Number(double value)  // NOLINT: converts as a number does.
-      : id(Recorder::now().add({.op = Operator::constant, .kind = kKind, .value = value})) {}
-  static Number of(Operator op, std::array<std::int32_t, 3> operands, const std::string& name = {}) {
-    Number number;
-    number.id = Recorder::now().add({.op = op, .kind = kKind, .operands = operands, .name = name});
-    return number;
-  }
-  static Number argument(const std::string& name) { return of(Operator::argument, {-1, -1, -1}, name); }
-
-  friend Number operator-(Number a) { return of(Operator::negate, {a.id, -1, -1}); }
-  friend Number operator+(Number a, Number b) { return of(Operator::add, {a.id, b.id, -1}); }
-  friend Number operator-(Number a, Number b) { return a + -b; }
-  friend Number operator*(Number a, Number b) { return of(Operator::multiply, {a.id, b.id, -1}); }
-  friend Number operator/(Number a, Number b) { return of(Operator::divide, {a.id, b.id, -1}); }
-  friend Number operator%(Number a, Number b) { return of(Operator::remainder, {a.id, b.id, -1}); }
-  friend bool operator<(Number a, Number b) { return Recorder::now().decide({Relation::less, a.id, b.id}); }
-  friend bool operator<=(Number a, Number b) {
-    return Recorder::now().decide({Relation::less_or_equal, a.id, b.id});
-  }
-  friend bool operator>(Number a, Number b) { return b < a; }
-  friend bool operator>=(Number a, Number b) { return b <= a; }
-  friend bool operator==(Number a, Number b) { return Recorder::now().decide({Relation::equal, a.id, b.id}); }
-};
-using Real = Number<NumberKind::real>;
-using Single = Number<NumberKind::single>;
-using Whole = Number<NumberKind::whole>;
-
-inline Real to_real(Whole a) { return Real::of(Operator::to_real, {a.id, -1, -1}); }
-inline Real to_real(Single a) { return Real::of(Operator::to_real, {a.id, -1, -1}); }
-inline Single to_single(Real a) { return Single::of(Operator::to_single, {a.id, -1, -1}); }
-inline Whole to_whole(Real a) { return Whole::of(Operator::to_whole, {a.id, -1, -1}); }
-inline Real fabs(Real a) { return Real::of(Operator::call, {a.id, -1, -1}, "fabs"); }
-inline Real sqrt(Real a) { return Real::of(Operator::call, {a.id, -1, -1}, "sqrt"); }
-inline Real pow(Real a, Real b) { return Real::of(Operator::call, {a.id, b.id, -1}, "pow"); }
-inline Real fma(Real a, Real b, Real c) { return Real::of(Operator::call, {a.id, b.id, c.id}, "fma"); }
+inline Real to_real(const Whole& a) { return a; }
+inline Real to_real(const Single& a) { return a; }
+inline Single to_single(const Real& a) { return a; }
+inline Whole to_whole(const Real& a) { return a; }
 
 /// A body and what a frame gives it.
 struct Body {
-  Real x = Real::argument("x"), y = Real::argument("y"), vx = Real::argument("vx"), vy = Real::argument("vy");
+  Real x, y, vx, vy;
 };
 struct Frame {
-  Real dt = Real::argument("dt");
-  Whole window_width = Whole::argument("window_width"), window_height = Whole::argument("window_height"),
-        sprite_width = Whole::argument("sprite_width"), sprite_height = Whole::argument("sprite_height");
+  Real dt;
+  Whole window_width, window_height, sprite_width, sprite_height;
 };
 
-using Update = std::function<void(Body&, const Frame&)>;
+template <class AnyBody>
+using UpdateOf = std::function<void(AnyBody&, const Frame&)>;
+using Update = UpdateOf<Body>;
 
-/// Records `update`, with the paper's constructor and setters.
-inline TracedStep record(const Update& update) {
-  Recorder& recorder = Recorder::now();
-  recorder.step = {.members = std::vector<NumberKind>(4, NumberKind::real)};
-  const auto members = [](const Body& body) {
-    return std::vector<std::int32_t>{body.x.id, body.y.id, body.vx.id, body.vy.id};
-  };
-  const auto once = [&](CoreFunction function, const std::function<void(Body&)>& call) {
-    Body body;
-    call(body);
-    recorder.step.paths[static_cast<std::size_t>(function)].push_back({recorder.path, members(body)});
-  };
-  recorder.path.clear();
-  once(CoreFunction::construct, [](Body& body) {
-    body = {Real::argument("start_x"), Real::argument("start_y"), Real::argument("start_vx"),
-            Real::argument("start_vy")};
-  });
-  once(CoreFunction::set_position, [](Body& body) {
-    body.x = Real::argument("new_x");
-    body.y = Real::argument("new_y");
-  });
-  once(CoreFunction::set_velocity, [](Body& body) {
-    body.vx = Real::argument("new_vx");
-    body.vy = Real::argument("new_vy");
-  });
-  once(CoreFunction::reset_velocity, [](Body& body) { body.vx = body.vy = Real(0.0); });
-  std::vector<std::vector<bool>> plans = {{}};
-  while (!plans.empty()) {
-    recorder.plan = plans.back();
-    plans.pop_back();
-    recorder.path.clear();
-    once(CoreFunction::update, [&](Body& body) { update(body, Frame()); });
-    for (std::size_t turn = recorder.plan.size(); turn < recorder.path.size(); ++turn) {
-      std::vector<bool>& plan = plans.emplace_back();
-      for (std::size_t before = 0; before < turn; ++before) plan.push_back(recorder.path[before].holds);
-      plan.push_back(true);
-    }
+/// What is traced: an update, with the paper's constructor and setters.
+/// @tparam AnyBody a Body, perhaps with further members.
+template <class AnyBody>
+class Core {
+ public:
+  static inline const UpdateOf<AnyBody>* recorded = nullptr;
+
+  Core(Real x, Real y, Real vx, Real vy) {
+    setPos(x, y);
+    setVelocity(vx, vy);
   }
-  return recorder.step;
+  void update(Real dt, Whole window_width, Whole window_height, Whole sprite_width, Whole sprite_height) {
+    (*recorded)(body_, {dt, window_width, window_height, sprite_width, sprite_height});
+  }
+  [[nodiscard]] Real x() const { return body_.x; }
+  [[nodiscard]] Real y() const { return body_.y; }
+  [[nodiscard]] Real vx() const { return body_.vx; }
+  [[nodiscard]] Real vy() const { return body_.vy; }
+  void setPos(Real x, Real y) { body_.x = x, body_.y = y; }
+  void setVelocity(Real vx, Real vy) { body_.vx = vx, body_.vy = vy; }
+  void resetVelocity() { setVelocity(0.0, 0.0); }
+
+ private:
+  AnyBody body_;
+};
+
+/// Not canonical.
+template <class AnyBody>
+TracedStep record_of(const UpdateOf<AnyBody>& update) {
+  Core<AnyBody>::recorded = &update;
+  return trace::trace_core(trace::calls_of<Core<AnyBody>, Real, Whole>());
 }
+inline TracedStep record(const Update& update) { return record_of(update); }
 
 /// The listing, with places at which a test changes it.
 struct Listing {
@@ -175,9 +104,7 @@ struct Listing {
   }
 };
 
-/// The listing of the paper. Recorded in a call, so that its constants are of the same recording.
-inline TracedStep record_listing() {
-  return record([](Body& body, const Frame& frame) { Listing()(body, frame); });
-}
+/// The listing of the paper.
+inline TracedStep record_listing() { return record(Listing()); }
 
 }  // namespace hyrax::recording

@@ -24,10 +24,11 @@ struct MovingFrame {
 double to_real(int a) { return a; }
 double to_real(float a) { return static_cast<double>(a); }
 float to_single(double a) { return static_cast<float>(a); }
+using recording::to_real;
+using recording::to_single;
 using std::fabs;
 using std::fma;
 using std::pow;
-using std::sqrt;
 
 // The counters: what the branches of the present step did.
 struct Met {
@@ -212,16 +213,6 @@ struct Verlet {
     fall(b, f.dt * 0.5);
   }
 };
-struct QuadraticDrag {
-  void operator()(auto& b, const auto& f) const {
-    fall(b, f.dt);
-    const auto drag = sqrt(b.vx * b.vx + b.vy * b.vy) * f.dt * -0.0002 + 1.0;
-    b.vx = b.vx * drag;
-    b.vy = b.vy * drag;
-    move(b, f.dt);
-    meet_walls(b, f);
-  }
-};
 struct WallsFirst {
   static constexpr bool kTellsVelocity = false;  // What it falls with comes later.
   void operator()(auto& b, const auto& f) const {
@@ -274,44 +265,11 @@ struct AllInside {
     meet_y(b, f);
   }
 };
-struct DragAtTheEnd {
-  static constexpr bool kTellsVelocity = false;
-  void operator()(auto& b, const auto& f) const {
-    fly(b, f);
-    meet_walls(b, f);
-    b.vx = b.vx * 0.999;
-    b.vy = b.vy * 0.999;
-  }
-};
-struct StickyFloor {
-  void operator()(auto& b, const auto& f) const {
-    fly(b, f);
-    meet_x(b, f);
-    if (b.y > bottom_of(f)) {
-      turn_y(b, Wall::ground, bottom_of(f), 0.0);
-      if (fabs(b.vx) < 50.0) b.vx = 0.0;
-    }
-  }
-};
-struct TimedFriction {
-  void operator()(auto& b, const auto& f) const {
-    fly(b, f);
-    meet_x(b, f);
-    if (b.y < 0.0) {
-      turn_y(b, Wall::top, 0.0, -b.vy * 0.6);
-    } else if (b.y > bottom_of(f)) {
-      turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
-      b.vx = b.vx * pow(decltype(b.vx)(0.8), f.dt * 60.0);
-    }
-  }
-};
-
 template <class Core>
 class ContactsOf : public testing::Test {};
 using Cores = testing::Types<HalfMoves, ExactFlight, TimedDrag, YFirst, InFloat, Fused, Reflected, SubSteps,
                              WallsOnTheBound, NeverNegativeBounds, SnapsToTheLeft, SpeedLimit, Verlet,
-                             QuadraticDrag, WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside,
-                             DragAtTheEnd, StickyFloor, TimedFriction>;
+                             WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {

@@ -174,61 +174,11 @@ TEST(StepPlayerOfOtherKinds, CalculatesFloatsAsFloats) {
 TEST(StepPlayerOfOtherKinds, SaysWhatItCannotPlay) {
   EXPECT_TRUE(is_playable(canonical(record_listing())));
   EXPECT_FALSE(is_playable(canonical(record([](Body& body, const Frame&) {
-    body.x = Real::of(Operator::call, {body.x.id, -1, -1}, "lgamma");
+    body.x = Real::of(trace::record_call("lgamma", NumberKind::real, body.x.index()));
   }))));
   TracedStep cut = canonical(record_listing());
   cut.paths[1].pop_back();
   EXPECT_FALSE(is_playable(cut));
-}
-
-// The contact byte of one update.
-std::uint8_t contact_of(const Update& update, const State& from, const Size& window = {1000, 1000}) {
-  const auto program = make_step_program(canonical(record(update)));
-  TracedBody body(*program, from);
-  body.update(0.25, window.width_px, window.height_px, 100, 100);
-  return body.contact();
-}
-
-TEST(StepContacts, AreThoseOfTheStepsOwnComparisons) {
-  const auto bit = [](Wall wall) { return static_cast<std::uint8_t>(wall); };
-  const auto right = [](const Frame& frame) { return to_real(frame.window_width - frame.sprite_width); };
-  // Not the listing's flight: two half moves, the wall met where it is written.
-  const Update halves = [&](Body& body, const Frame& frame) {
-    body.x = body.x + body.vx * (frame.dt * Real(0.5));
-    body.x = body.x + body.vx * (frame.dt * Real(0.5));
-    if (body.x >= right(frame)) body.vx = -body.vx;
-    if (!(body.x > 0.0)) body.vx = -body.vx;
-  };
-  EXPECT_EQ(contact_of(halves, {890, 5, 41, 0}), bit(Wall::right));
-  EXPECT_EQ(contact_of(halves, {890, 5, 40, 0}), bit(Wall::right));
-  EXPECT_EQ(contact_of(halves, {890, 5, 39, 0}), 0);
-  EXPECT_EQ(contact_of(halves, {10, 5, -40, 0}), bit(Wall::left));
-  const Update single = [&](Body& body, const Frame& frame) {
-    const Single y = to_single(body.y) + to_single(body.vy) * to_single(frame.dt);
-    if (y > to_single(to_real(frame.window_height - frame.sprite_height))) body.vy = 0.0;
-    body.y = to_real(y);
-  };
-  EXPECT_EQ(contact_of(single, {0, 890, 0, 41}), bit(Wall::ground) | kRestBit);
-  EXPECT_EQ(contact_of(single, {0, 890, 0, 39}), 0);
-  // The right wall is at 0 where the sprite is larger than the window.
-  const Update never_negative = [&](Body& body, const Frame& frame) {
-    Real bound = right(frame);
-    if (bound < 0.0) bound = 0.0;
-    body.x = body.x + body.vx * frame.dt;
-    if (body.x < 0.0) body.x = 0.0;
-    if (body.x > bound) body.x = bound;
-  };
-  EXPECT_EQ(contact_of(never_negative, {10, 5, 4, 0}, {50, 1000}), bit(Wall::right));
-  EXPECT_EQ(contact_of(never_negative, {10, 5, 4, 0}), 0);
-  EXPECT_EQ(contact_of(never_negative, {10, 5, -44, 0}), bit(Wall::left));
-  // Conditions on speeds and sizes, and on a place that is no wall.
-  const Update no_walls = [&](Body& body, const Frame& frame) {
-    body.x = body.x + body.vx * frame.dt;
-    if (body.x > 500.0) body.vx = body.vx * Real(0.5);
-    if (body.x * body.vx < 0.0) body.vy = 1.0;
-    if (fabs(body.vy) > right(frame)) body.vy = 2.0;
-  };
-  EXPECT_EQ(contact_of(no_walls, {890, 5, 4000, 4000}), 0);
 }
 
 }  // namespace

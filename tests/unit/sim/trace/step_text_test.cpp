@@ -1,5 +1,4 @@
 #include "sim/trace/step_text.h"
-#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
@@ -106,10 +105,6 @@ TEST(StepText, DoesNotDependOnHowTheStepWasRecorded) {
   EXPECT_EQ(listing.paths_of(CoreFunction::update).size(), 12u);
   for (std::uint64_t seed = 1; seed <= 50; ++seed)
     ASSERT_EQ(step_text(canonical(shuffled(listing, seed))), text) << seed;
-}
-
-TEST(StepText, OfTheShippedHeaderIsThatOfTheListing) {
-  EXPECT_EQ(shipped_core().record.step, step_text(canonical(record_listing())));
 }
 
 TEST(StepText, IsOneForStepsOfTheSameBits) {
