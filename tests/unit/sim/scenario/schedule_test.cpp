@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/split_mix64.h"
+#include "sim/search/draws.h"
 #include "tests/oracle/vectors.h"
 
 namespace hyrax {
@@ -263,36 +263,26 @@ Schedule walk_plainly(const Scenario& scenario, std::int64_t steps) {
   return result;
 }
 
-class Draws {
- public:
-  explicit Draws(std::uint64_t seed) : seed_(seed) {}
-  std::uint64_t below(std::uint64_t end) { return split_mix64(seed_, k_++) % end; }
-  double unit() { return split_mix64_unit(seed_, k_++); }
-  template <class Value>
-  Value one_of(std::initializer_list<Value> values) {
-    return values.begin()[below(values.size())];
-  }
-
- private:
-  std::uint64_t seed_;
-  std::uint64_t k_ = 0;
-};
+template <class Value>
+Value one_of(Draws& draws, std::initializer_list<Value> values) {
+  return values.begin()[draws.below(values.size())];
+}
 
 Clock any_clock(Draws& draws, std::int64_t steps) {
-  const double dt_s = draws.one_of({1.0, 0.1, 1.0 / 60.0, 1e-9, 0.0, 3e-7});
+  const double dt_s = one_of(draws, {1.0, 0.1, 1.0 / 60.0, 1e-9, 0.0, 3e-7});
   switch (draws.below(5)) {
     case 0:
       return {FixedStep{dt_s}, {}};
     case 1:
-      return {FixedStep{dt_s}, Jitter{Jitter::Kind::uniform, draws.unit(), draws.below(99)}};
+      return {FixedStep{dt_s}, Jitter{Jitter::Kind::uniform, draws.between(0.0, 1.0), draws.below(99)}};
     case 2:
-      return {FixedStep{dt_s}, Jitter{Jitter::Kind::normal, draws.unit() * dt_s, draws.below(99)}};
+      return {FixedStep{dt_s}, Jitter{Jitter::Kind::normal, draws.between(0.0, 1.0) * dt_s, draws.below(99)}};
     case 3:
-      return {FixedStep{dt_s}, Jitter{Jitter::Kind::missed_frames, draws.unit(), draws.below(99)}};
+      return {FixedStep{dt_s}, Jitter{Jitter::Kind::missed_frames, draws.between(0.0, 1.0), draws.below(99)}};
     default:
       RecordedSteps trace;
       for (std::int64_t frame = 0; frame < steps; ++frame)
-        trace.dt_s.push_back(draws.one_of({dt_s, 0.1, 0.0, 1e-3, 1.0}));
+        trace.dt_s.push_back(one_of(draws, {dt_s, 0.1, 0.0, 1e-3, 1.0}));
       return {trace, {}};
   }
 }
@@ -304,10 +294,10 @@ std::vector<Event> any_events(Draws& draws, const Clock& clock, std::int64_t ste
   std::vector<Event> events;
   for (std::int64_t frame = 0; frame < steps; ++frame) {
     const double allowance_s = 1e-9 * frames.nominal_dt_s(frame);
-    double at_s = timeline.time_s() + draws.one_of({0.0, allowance_s, -allowance_s});
+    double at_s = timeline.time_s() + one_of(draws, {0.0, allowance_s, -allowance_s});
     for (std::uint64_t ulps = draws.below(4); ulps > 0; --ulps) at_s = std::nextafter(at_s, kInfinity);
     const Action action =
-        draws.below(3) == 0 ? Action(Hitch{draws.one_of({0.0, 0.1, 1e9, 0.3})}) : Action(Stop{});
+        draws.below(3) == 0 ? Action(Hitch{one_of(draws, {0.0, 0.1, 1e9, 0.3})}) : Action(Stop{});
     if (draws.below(4) == 0)
       events.push_back(draws.below(2) == 0 ? at_step(frame, action) : at_time(at_s, action));
     const auto* hitch = std::get_if<Hitch>(&action);
