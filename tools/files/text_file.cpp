@@ -15,32 +15,31 @@ namespace {
 // A recorded clock of ten million frames takes half of it; a device may never end.
 constexpr std::size_t kTextMax = 256 << 20;
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
-
 [[noreturn]] void fail_to_read(const std::string& path, int error_number) {
   throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(error_number));
 }
 
 }  // namespace
 
+void read_pieces(const std::string& path, const std::function<void(std::string_view piece)>& take) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) fail_to_read(path, errno);
+  if (is_folder(path)) fail_to_read(path, EISDIR);
+  char piece[65536];
+  while (const std::size_t size = std::fread(piece, 1, sizeof piece, file.get())) take({piece, size});
+  if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
+}
+
 std::string read_text_file(const std::string& path) {
   // Nobody may ever write into a named pipe. Those of a shell, as in `<(command)`, have a writer.
   if (is_device_or_pipe(path) && !path.starts_with("/dev/") && !path.starts_with("/proc/"))
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: is a pipe or a device");
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail_to_read(path, errno);
-  if (is_folder(path)) fail_to_read(path, EISDIR);
   std::string text;
-  char part[65536];
-  for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, file.get())) > 0;) {
-    text.append(part, size);
+  read_pieces(path, [&](std::string_view piece) {
+    text.append(piece);
     if (text.size() > kTextMax)
       throw Failure(ExitCode::bad_input, path + ": is too large; a text file has at most 256 MiB");
-  }
-  if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
+  });
   return text;
 }
 

@@ -1,12 +1,16 @@
 // Reads text files, and writes them atomically.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace hyrax {
 
-/// ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON"; Failure(bad_input) beyond 256 MiB.
+/// Reads any file from its begin to its end. ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON".
+void read_pieces(const std::string& path, const std::function<void(std::string_view piece)>& take);
+
+/// ERRORS: as read_pieces'; Failure(bad_input) beyond 256 MiB.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` is then unchanged.

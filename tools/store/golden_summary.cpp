@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
-#include "tools/files/failure.h"
 #include "tools/files/json.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
 #include "tools/store/input_record.h"
 #include "tools/store/trajectory_format.h"
 
@@ -155,17 +151,8 @@ std::string contents_checksum(const StoredRun& run) {
 }
 
 std::string file_checksum(const std::string& path) {
-  const auto fail = [&path] {
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
-  };
-  std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) fail();
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> closed_at_end(file, std::fclose);
   ByteHash hash;
-  std::vector<char> piece(std::size_t{1} << 16);
-  while (const std::size_t bytes = std::fread(piece.data(), 1, piece.size(), file))
-    hash.add(std::as_bytes(std::span(piece.data(), bytes)));
-  if (std::ferror(file) != 0) fail();
+  read_pieces(path, [&hash](std::string_view piece) { hash.add(std::as_bytes(std::span(piece))); });
   return hex(hash.value());
 }
 
