@@ -1,7 +1,6 @@
 #include "tools/files/scenario_members.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/scenario/numbers.h"
 #include "sim/scenario/schedule.h"

@@ -8,7 +8,6 @@
 #include "tools/files/json_pointer.h"
 #include "tools/files/json_reader.h"
 #include "tools/files/path.h"
-#include "tools/files/printable.h"
 #include "tools/files/scenario_members.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"

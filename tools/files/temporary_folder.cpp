@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include <unistd.h>
 
 #include "tools/files/failure.h"
 #include "tools/files/signal_cleanup.h"
-#include "tools/files/text_file.h"
 
 namespace hyrax {
 
@@ -23,7 +23,8 @@ TemporaryFolder::TemporaryFolder() {
 
 std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
   const std::string path = path_ + "/" + name;
-  write_text_file(path, text);
+  std::ofstream file(path, std::ios::binary);
+  if (!(file << text).flush()) throw Failure(ExitCode::cannot_access, path + ": cannot be written");
   return path;
 }
 

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"
 
 namespace hyrax {

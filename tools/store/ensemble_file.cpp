@@ -13,7 +13,6 @@
 #include "tools/files/sweep_reader.h"
 #include "tools/store/isolated_read.h"
 #include "tools/store/provenance.h"
-#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
