@@ -155,17 +155,6 @@ class Bless(ProgramTest):
             self.assertFalse((self.folder / f"x.{'txt' if name == 'x.h5' else 'h5'}").exists())
             (self.folder / name).unlink()
 
-    def test_it_needs_no_folder_for_temporary_files(self):
-        original = self.state_of("golden")
-        with h5py.File(self.folder / "golden/fling.h5", "r+") as file:
-            file["trajectory/x"].attrs["units"] = "m"
-        environment = {**os.environ, "TMPDIR": str(self.folder / "no/such")}
-        self.expect(DISAGREED, "check", "scenarios/fling.json", env=environment)
-        self.expect(AGREED, "bless", "scenarios", "--reason", "for the test", env=environment)
-        self.expect(AGREED, "check", env=environment)
-        now = self.state_of("golden")
-        self.assertEqual({name: now[name][0] for name in original}, {name: original[name][0] for name in original})
-
     def test_a_new_name_is_taken_into_both_files(self):
         self.write("scenarios/fling.json", fling(name="renamed", start={**fling()["start"], "vx_px_per_s": 1200}))
         self.expect(AGREED, "check", "scenarios/fling.json")

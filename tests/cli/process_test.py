@@ -71,9 +71,9 @@ class Running(unittest.TestCase):
 
     def test_the_memory_of_a_program_is_measured(self):
         allocate = "bytearray(int(__import__('sys').argv[1]))"
-        (_, little), (_, much) = (run_measured("/usr/bin/python3", "-c", allocate, size) for size in (1, 50_000_000))
-        self.assertLess(little, 40_000_000)
-        self.assertGreater(much, 50_000_000)
+        (_, little), (_, much) = (run_measured("/usr/bin/python3", "-S", "-E", "-c", allocate, size) for size in (1, 25_000_000))
+        self.assertLess(little, 20_000_000)
+        self.assertGreater(much, 25_000_000)
 
 
 if __name__ == "__main__":

@@ -62,7 +62,7 @@ class Parts(FilesTest):
 
     def test_parts_give_the_file_of_one_process(self):
         whole = self.whole(document(members=70, keep=ALL))
-        for parts in (1, 12):
+        for parts in (1, 8):
             self.assertTrue(self.merged(parts) == whole, f"{parts} parts")
 
     def test_many_members_are_merged_in_pieces(self):

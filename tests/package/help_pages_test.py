@@ -12,10 +12,10 @@ from program import PROGRAM, SOURCE, ProgramTest, main
 
 MAKER = SOURCE / "tools/cmake/help_pages.py"
 
-# hyrax-sim with one more command, which has an option of its own.
-LONGER = r"""#!/bin/sh
+# hyrax-sim with another command alone, which has an option of its own.
+OTHER = r"""#!/bin/sh
 case "$*" in
-  --help) {program} --help | sed 's/^  info .*/&\n  juggle    throw several at once/' ;;
+  --help) {program} --help | sed 's/^  info .*/  juggle    throw several at once/; /^  juggle /! { /^  [a-z]* \{2,\}[a-z]/d }' ;;
   'juggle --help') {program} new --help | sed 's/hyrax-sim new/hyrax-sim juggle/; s/--column/--how-many/' ;;
   *) exec {program} "$@" ;;
 esac
@@ -91,23 +91,18 @@ class HelpPages(ProgramTest):
             self.assertIn(part, page)
 
     def test_a_new_command_and_option_is_in_both(self):
-        longer = self.file("longer", LONGER.replace("{program}", shlex.quote(str(PROGRAM))))
-        longer.chmod(0o755)
-        options = options_in_help(longer)
+        other = self.file("other", OTHER.replace("{program}", shlex.quote(str(PROGRAM))))
+        other.chmod(0o755)
+        options = options_in_help(other)
+        self.assertEqual(list(options), ["juggle"])
         self.assertIn("--how-many", options["juggle"])
-        self.assertNotEqual(self.options, options)
-        self.assert_complete(self.made(longer, self.folder / "pages"), options)
+        self.assert_complete(self.made(other, self.folder / "pages"), options)
 
     def test_words_are_completed_from_their_beginning(self):
         lines = {("hyrax-sim", "sch"): {"schema"}, ("hyrax-sim", "check", "--ju"): {"--junit"},
                  ("hyrax-sim", "run", "--reference", ""): {"closed", "gsl"},
                  ("hyrax-sim", "run", "scen"): set()}  # bash completes file names.
         self.assertEqual(self.completed(self.pages, *lines), list(lines.values()))
-
-    def test_the_same_program_gives_the_same_bytes(self):
-        before, after = ({path.name: path.read_bytes() for path in pages.iterdir()}
-                         for pages in (self.pages, self.made(PROGRAM, self.folder / "again")))
-        self.assertEqual(after, before)
 
     def test_a_program_that_fails_gives_no_pages(self):
         outcome = run("/usr/bin/python3", "-B", MAKER, "/bin/false", self.folder / "none")
