@@ -1,12 +1,9 @@
 """The report page in Chromium: it replays what hyrax-sim played, bit for bit, and shows where a file differs."""
 
-import base64
 import json
-import math
 import os
 import pathlib
 import re
-import struct
 
 import h5py
 
@@ -39,18 +36,6 @@ EACH_RUN = """(async found => {
   }
   return found;
 })([])"""
-
-# How many pixels of a canvas have the colour of what is wrong.
-MARKED = """(() => {{
-  const canvas = document.getElementById('{}'), probe = document.createElement('canvas').getContext('2d');
-  probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--bad').trim();
-  probe.fillRect(0, 0, 1, 1);
-  const wanted = probe.getImageData(0, 0, 1, 1).data;
-  const found = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-  let count = 0;
-  for (let i = 0; i < found.length; i += 4) count += wanted.every((value, byte) => found[i + byte] === value);
-  return count;
-}})()"""
 
 
 def run_altered(core, *arguments):
@@ -98,15 +83,6 @@ class ReportTest(browser.BrowserTest):
             self.assertEqual([found_hash, *found[:len(verdict)]], [state_hash, *verdict], name)
         self.assertEqual((page["attributes"]["replay"], page["errors"], page["requests"]), ("differs", [], []))
 
-    def rewritten(self, task, change):
-        """Changes the data in a page: change(data)."""
-        path = pathlib.Path(task["file"])
-        before, data, after = re.split(r'(?<=id="data">)(.*?)(?=</script>)', path.read_text(encoding="utf-8"), maxsplit=1)
-        data = json.loads(data)
-        change(data)
-        path.write_text(before + json.dumps(data).replace("<", "\\u003c") + after, encoding="utf-8")
-        return task
-
     def test_a_page_of_another_core_says_so_and_report_fails(self):
         self.played("fling", program.fling())
         looks = {"actions": [["evaluate", "document.getElementById('other-core').checkVisibility()"], ["axe"]]}
@@ -135,25 +111,11 @@ class ReportTest(browser.BrowserTest):
             (page,) = self.open({**task, "actions": [["evaluate", browser.CANVAS_FAULTS.replace("at = x", f"at = {place}")]]})
             self.assertNotEqual(page["values"][0][1], [])
 
-    def test_a_run_that_becomes_non_finite_says_so_and_marks_the_place(self):
-        text = "vx is infinite from step 120 of 600 (2.00 s)"
+    def test_a_run_that_becomes_non_finite_says_so(self):
         run_altered("bounce_explodes", "run", "scenarios/flings/first-fling.json", "-o", self.folder / "broken.h5",
                     "--report", self.folder / "broken.html")
-        self.assertIn(f'"non_finite":"{text}"', (self.folder / "broken.html").read_text(encoding="utf-8").replace(": ", ":"))
-
-        def make_infinite(data):
-            played, = data["runs"]
-            record = base64.b64decode(played["record"])
-            played["record"] = base64.b64encode(record.replace(struct.pack("<d", 1357), struct.pack("<d", math.inf))).decode()
-            played.update(non_finite=text, steps=121)
-        self.played("fling", program.fling(events=[{"step": 120, "fling": {"vx_px_per_s": 1357, "vy_px_per_s": 0}}]))
-        looks = {"actions": [["evaluate", MARKED.format(canvas)] for canvas in ("replay", "ticks")] +
-                            [["evaluate", "document.getElementById('verdict').innerText"]]}
-        (page,) = self.open({**self.report("fling"), **looks})
-        self.assertEqual(page["values"][:2], [0, 0])
-        (page,) = self.open({**self.rewritten(self.report("fling"), make_infinite), **looks})
-        self.assertGreater(min(page["values"][:2]), 10)
-        self.assertTrue(page["values"][2].startswith(f"{text}; the run ended there\n"), page["values"][2])
+        (page,) = self.open({"file": str(self.folder / "broken.html"), "actions": [["evaluate", "document.querySelector('.cause').textContent"]]})
+        self.assertEqual(page["values"], ["vx is infinite from step 120 of 600 (2.00 s); the run ended there"])
         self.assertEqual(page["errors"], [])
 
     def test_a_failed_check_has_a_page_of_the_worst_run(self):
