@@ -230,8 +230,10 @@ TEST(RunSvg, HasNamesForPeopleAndEndsItsParts) {
             std::string::npos);
   for (const std::string name : {"window", "path of the centre", "sprite at contacts", "contact: ground"})
     EXPECT_FALSE(part_of(svg, name).empty()) << name;
-  for (const std::int64_t count : {0, 1})
-    EXPECT_TRUE(has_text(run_svg(some_fling(), colourful_rows(count), {}), "start")) << count;
+  for (const std::int64_t count : {0, 1}) {
+    const std::string few = run_svg(some_fling(), colourful_rows(count), {});
+    EXPECT_EQ(count_of(few, "<g"), count_of(few, "</g>")) << count;
+  }
 }
 
 TEST(RunSvg, TheWordAtTheStartKeepsOffThePath) {
