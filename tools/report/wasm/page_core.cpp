@@ -27,58 +27,26 @@ namespace {
 
 constexpr std::int64_t kTicksPerSecond = 1'000'000;
 
+constexpr ScreenPoint kOrigin{};  // The window's corner.
+
 // The reader's own fling: a hand on the hyrax, frames of any length, and what a replay of them needs. Points
 // are in px of the window.
-class Playground {
- public:
-  explicit Playground(const Keyframe& start) : player_(shipped_core(), start), tape_(start) {}
-
-  /// REQUIRES: not held.
-  void grab(ScreenPoint hand, std::int64_t ticks) {
-    assert(!hold_);
-    apply(Grab{});
-    hold_.emplace(kTicksPerSecond, hand, ticks, Position{now().row.x_px, now().row.y_px}, kOrigin);
-  }
-  /// REQUIRES: held; ticks do not go backwards.
-  void drag(ScreenPoint hand, std::int64_t ticks) {
-    assert(hold_);
-    hold_->move(hand, ticks);
-  }
-  /// It flies with the hand's velocity. REQUIRES: held.
-  void release(ScreenPoint hand, std::int64_t ticks) {
-    drag(hand, ticks);
-    follow_hand();
-    apply(Release{hold_->velocity(ticks)});
-    hold_.reset();
-  }
-  /// What it would fly with if it were released now. REQUIRES: held; ticks do not go backwards.
-  [[nodiscard]] Velocity hand_velocity(std::int64_t ticks) const { return hold_->velocity(ticks); }
-  /// REQUIRES: 0 <= dt_s <= kFrameMax_s.
-  void frame(double dt_s) {
-    follow_hand();
-    player_.advance(dt_s);
-    tape_.add_frame(now().row);
-  }
-
-  [[nodiscard]] const Keyframe& now() const { return player_.now(); }
-  [[nodiscard]] const Tape& tape() const { return tape_; }
-
- private:
-  static constexpr ScreenPoint kOrigin{};  // The window's corner.
+struct Playground {
+  explicit Playground(const Keyframe& start) : player(shipped_core(), start), tape(start) {}
 
   void apply(const Action& action) {
-    player_.apply(action);
-    tape_.add_input(action);
+    player.apply(action);
+    tape.add_input(action);
   }
   // One `place` a frame, however often the hand moved.
   void follow_hand() {
-    if (!hold_) return;
-    if (const auto corner = hold_->follow(kOrigin)) apply(Place{*corner});
+    if (!hold) return;
+    if (const auto corner = hold->follow(kOrigin)) apply(Place{*corner});
   }
 
-  FramePlayer player_;
-  Tape tape_;
-  std::optional<Hold> hold_;
+  FramePlayer player;
+  Tape tape;
+  std::optional<Hold> hold;
 };
 
 struct Page {
@@ -245,39 +213,53 @@ HYRAX_EXPORT(live_start) void live_start() {
   start.sprite = given.sprite;
   page().playground.emplace(start);
 }
+/// REQUIRES: not held; ticks of a clock that does not go backwards.
 HYRAX_EXPORT(live_grab) void live_grab(std::int32_t x_px, std::int32_t y_px, double ticks) {
-  page().playground->grab({x_px, y_px}, static_cast<std::int64_t>(ticks));
+  Playground& playground = *page().playground;
+  assert(!playground.hold);
+  playground.apply(Grab{});
+  const Row& row = playground.player.now().row;
+  playground.hold.emplace(kTicksPerSecond, ScreenPoint{x_px, y_px}, static_cast<std::int64_t>(ticks),
+                          Position{row.x_px, row.y_px}, kOrigin);
 }
+/// REQUIRES: held.
 HYRAX_EXPORT(live_drag) void live_drag(std::int32_t x_px, std::int32_t y_px, double ticks) {
-  page().playground->drag({x_px, y_px}, static_cast<std::int64_t>(ticks));
+  page().playground->hold->move({x_px, y_px}, static_cast<std::int64_t>(ticks));
 }
-/// The output is the state that it flies from: x, y, vx, vy.
+/// It flies with the hand's velocity. The output is the state that it flies from: x, y, vx, vy. REQUIRES:
+/// held.
 HYRAX_EXPORT(live_release) void live_release(std::int32_t x_px, std::int32_t y_px, double ticks) {
-  page().playground->release({x_px, y_px}, static_cast<std::int64_t>(ticks));
-  const Row& row = page().playground->now().row;
+  Playground& playground = *page().playground;
+  live_drag(x_px, y_px, ticks);
+  playground.follow_hand();
+  playground.apply(Release{playground.hold->velocity(static_cast<std::int64_t>(ticks))});
+  playground.hold.reset();
+  const Row& row = playground.player.now().row;
   page().output = {row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s};
 }
 /// The hand's velocity, vx and vy. REQUIRES: held.
 HYRAX_EXPORT(live_velocity) void live_velocity(double ticks) {
-  const Velocity hand = page().playground->hand_velocity(static_cast<std::int64_t>(ticks));
+  const Velocity hand = page().playground->hold->velocity(static_cast<std::int64_t>(ticks));
   page().output = {hand.vx_px_per_s, hand.vy_px_per_s};
 }
-/// Plays a frame; then the output is t, x, y, vx, vy, contact, frames.
+/// Plays a frame of 0 .. kFrameMax_s; then the output is t, x, y, vx, vy, contact, frames.
 HYRAX_EXPORT(live_frame) void live_frame(double dt_s) {
   Playground& playground = *page().playground;
-  playground.frame(dt_s);
-  const Row& row = playground.now().row;
+  playground.follow_hand();
+  playground.player.advance(dt_s);
+  const Row& row = playground.player.now().row;
+  playground.tape.add_frame(row);
   page().output = {row.t_s,
                    row.x_px,
                    row.y_px,
                    row.vx_px_per_s,
                    row.vy_px_per_s,
                    double(row.contact),
-                   static_cast<double>(playground.tape().frames())};
+                   static_cast<double>(playground.tape.frames())};
 }
 /// The scenario of what happened as a record, and its state hash as text. REQUIRES: a frame was played.
 HYRAX_EXPORT(live_scenario) void live_scenario() {
-  const Scenario scenario = page().playground->tape().scenario("fling");
+  const Scenario scenario = page().playground->tape.scenario("fling");
   page().output = record_of(scenario);
   page().text = *scenario.expect->state_hash;
 }
