@@ -15,16 +15,6 @@
 namespace hyrax {
 namespace {
 
-// What was read of a sweep document, before any member was looked at.
-struct SweepDraft {
-  Json base;  // Without `expect`.
-  std::string base_path;
-  std::optional<std::int64_t> members;
-  std::optional<std::uint64_t> seed;
-  std::vector<VariedKey> vary;
-  KeepSet keep;
-};
-
 constexpr std::string_view kVariations[] = {"uniform", "choice", "grid", "member"};
 
 // A number of a key: whole where the key's numbers are whole.
@@ -163,24 +153,25 @@ std::string name_from(std::string_view stem) {
   return name.empty() ? "sweep" : name;
 }
 
-void read_base(const JsonPlace& here, const std::string& source, SweepDraft& draft) {
-  if (!here.is_there()) return;
+// The base without `expect`; sets its path.
+Json read_base(const JsonPlace& here, const std::string& source, std::string& base_path) {
+  if (!here.is_there()) return {};
+  Json base = *here.json();
   if (const auto* const path = here.json()->get<std::string>()) {
     const bool is_absolute = path->starts_with('/');
-    draft.base_path = (is_absolute ? "" : std::string(file_name(source).folder)) + *path;
-    draft.base = parse_json(read_text_file(draft.base_path), draft.base_path);
-  } else {
-    draft.base = *here.json();
+    base_path = (is_absolute ? "" : std::string(file_name(source).folder)) + *path;
+    base = parse_json(read_text_file(base_path), base_path);
   }
-  auto* const object = draft.base.get<Json::Object>();
+  auto* const object = base.get<Json::Object>();
   if (object == nullptr) {
     here.wrong("must be a scenario, or the path of one");
-    return;
+    return base;
   }
   std::erase_if(*object, [](const auto& member) { return member.first == "expect"; });
-  if (draft.base.find("name") == nullptr)
-    object->emplace_back("name", draft.base_path.empty() ? name_from(file_name(source).stem)
-                                                         : std::string(file_name(draft.base_path).stem));
+  if (base.find("name") == nullptr)
+    object->emplace_back("name", base_path.empty() ? name_from(file_name(source).stem)
+                                                   : std::string(file_name(base_path).stem));
+  return base;
 }
 
 // Members for which one value of a grid repeats, and with that the product of all counts.
@@ -199,30 +190,31 @@ std::int64_t set_repeats(const JsonPlace& vary, std::vector<VariedKey>& keys) {
   return product;
 }
 
-void read_members(const JsonPlace& document, SweepDraft& draft) {
-  const std::int64_t product = set_repeats(document.member("vary"), draft.vary);
+void read_members(const JsonPlace& document, Sweep& sweep) {
+  const std::int64_t product = set_repeats(document.member("vary"), sweep.vary);
   const JsonPlace members = document.member("members");
-  draft.members = members.is_there() ? members.integer(1, kMembersMax) : product;
-  if (members.is_there() && draft.members && *draft.members % product != 0)
+  sweep.members = members.is_there() ? members.integer(1, kMembersMax).value_or(0) : product;
+  if (sweep.members % product != 0)
     members.breaks_rule("must be a multiple of the grids' combinations, " + std::to_string(product));
 }
 
-SweepDraft read_draft(const JsonPlace& document, const std::string& source) {
-  SweepDraft draft;
-  if (!document.is_object_of({"$schema", "format", "base", "members", "seed", "vary", "keep"})) return draft;
+// What a sweep document says, before any member is looked at: the base, and in `file` all else.
+Json read_sweep(const JsonPlace& document, const std::string& source, SweepFile& file) {
+  if (!document.is_object_of({"$schema", "format", "base", "members", "seed", "vary", "keep"})) return {};
   const auto format = document.required("format").text();
   if (format && *format != kSweepFormat)
     document.member("format").wrong(unknown_word("format", *format, {kSweepFormat}));
-  read_base(document.required("base"), source, draft);
-  draft.vary = read_vary(document.required("vary"));
-  read_members(document, draft);
-  const bool is_drawn = std::any_of(draft.vary.begin(), draft.vary.end(), [](const VariedKey& key) {
+  Json base = read_base(document.required("base"), source, file.base_path);
+  Sweep& sweep = file.sweep;
+  sweep.vary = read_vary(document.required("vary"));
+  read_members(document, sweep);
+  const bool is_drawn = std::any_of(sweep.vary.begin(), sweep.vary.end(), [](const VariedKey& key) {
     return std::holds_alternative<UniformDraw>(key.variation) ||
            std::holds_alternative<ChoiceDraw>(key.variation);
   });
-  draft.seed = (is_drawn ? document.required("seed") : document.member("seed")).seed();
-  draft.keep = read_keep(document.member("keep"));
-  return draft;
+  sweep.seed = (is_drawn ? document.required("seed") : document.member("seed")).seed().value_or(0);
+  sweep.keep = read_keep(document.member("keep"));
+  return base;
 }
 
 Json json_of(const SweepNumber& number) {
@@ -329,23 +321,18 @@ std::string canonical_text(const Sweep& sweep, const Json& base) {
 SweepFile parse_sweep(std::string_view text, const std::string& source, SweepCheck check) {
   const Json document = parse_json(text, source);
   JsonProblems problems;
-  SweepDraft draft = read_draft(JsonPlace(&document, "", problems), source);
-  problems.throw_if_any(source);
   SweepFile file;
+  const Json base = read_sweep(JsonPlace(&document, "", problems), source, file);
+  problems.throw_if_any(source);
   Sweep& sweep = file.sweep;
-  sweep.members = draft.members.value();
-  sweep.seed = draft.seed.value_or(0);
-  sweep.vary = std::move(draft.vary);
-  sweep.keep = draft.keep;
-  const MemberReader reader(draft.base, sweep, source);
+  const MemberReader reader(base, sweep, source);
   sweep.base = reader.read(0);
   check_keys(sweep, source);
   if (check == SweepCheck::all_members) {
     check_limits(sweep, reader);
     if (const auto member = first_inconsistent_member(sweep)) static_cast<void>(reader.read(*member));
   }
-  file.text = canonical_text(sweep, draft.base);
-  file.base_path = std::move(draft.base_path);
+  file.text = canonical_text(sweep, base);
   return file;
 }
 
