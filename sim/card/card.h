@@ -105,7 +105,7 @@ struct DisplayLine {
 };
 
 /// How far a sprite still moves up and down in the 20th second after it was dropped from 100 px, on each of
-/// the displays (kDisplayRates_hz).
+/// the displays (kLandingRates_hz).
 struct RestLine {
   BeforeAfter<std::vector<double>> moved_px = {};
 };

@@ -217,13 +217,13 @@ void add_rest(const RestLine& line, Lines& lines) {
   const auto moved = [&](auto display) {
     const auto at = static_cast<std::size_t>(display);
     return fmt::format("{} -> {} px at {:g} Hz", rounded(line.moved_px.before[at], 3),
-                       rounded(line.moved_px.after[at], 3), kDisplayRates_hz[at]);
+                       rounded(line.moved_px.after[at], 3), kLandingRates_hz[at]);
   };
   const std::vector<double>& after = line.moved_px.after;
   lines.add("rest", fmt::format("a dropped sprite still moves after 19 s by {}, at most by {}",
-                                moved(std::ranges::find(kDisplayRates_hz, 60.0) - kDisplayRates_hz.begin()),
+                                moved(std::ranges::find(kLandingRates_hz, 60.0) - kLandingRates_hz.begin()),
                                 moved(std::ranges::max_element(after) - after.begin())));
-  const std::vector<double> rates_hz(kDisplayRates_hz.begin(), kDisplayRates_hz.end());
+  const std::vector<double> rates_hz(kLandingRates_hz.begin(), kLandingRates_hz.end());
   lines.json.push_back(one("rest", {member("rate", "Hz", rates_hz), member("moved", "px", line.moved_px)}));
 }
 

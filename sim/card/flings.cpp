@@ -190,11 +190,11 @@ std::optional<double> landing_x_px(const Core& core, const State& start, double 
 }
 
 // On each display.
-using Landings = std::array<std::optional<double>, kDisplayRates_hz.size()>;
+using Landings = std::array<std::optional<double>, kLandingRates_hz.size()>;
 Landings landings_of(const ComparedCore& compared, const State& start, const std::string& place) {
   const Core& core = compared.at(place + " on displays of 24 to 1000 Hz");
   Landings landings_px;
-  std::transform(kDisplayRates_hz.begin(), kDisplayRates_hz.end(), landings_px.begin(),
+  std::transform(kLandingRates_hz.begin(), kLandingRates_hz.end(), landings_px.begin(),
                  [&](double rate_hz) { return landing_x_px(core, start, rate_hz); });
   return landings_px;
 }
@@ -245,7 +245,7 @@ RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate) {
     return high_px - low_px;
   };
   RestLine line;
-  for (const double rate_hz : kDisplayRates_hz) {
+  for (const double rate_hz : kLandingRates_hz) {
     line.moved_px.before.push_back(moved_px(base, rate_hz));
     line.moved_px.after.push_back(moved_px(candidate, rate_hz));
   }
