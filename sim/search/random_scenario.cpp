@@ -21,7 +21,7 @@ class Maker {
   Maker(std::uint64_t seed, const std::optional<Constants>& constants)
       : draws_(seed), constants_(constants), features_(draws_.bits()) {}
 
-  [[nodiscard]] const Features& features() const { return features_; }
+  [[nodiscard]] std::bitset<kFeatureCount> features() const { return features_; }
 
   Scenario scenario() {
     Scenario scenario;
@@ -45,7 +45,7 @@ class Maker {
   }
 
  private:
-  [[nodiscard]] bool has(Feature feature) const { return features_.has(feature); }
+  [[nodiscard]] bool has(Feature feature) const { return features_[static_cast<std::size_t>(feature)]; }
 
   // Half of all numbers are whole: sums that round seldom hide what sums that round often show.
   double number(double low, double high) {
@@ -223,7 +223,7 @@ class Maker {
 
   Draws draws_;
   std::optional<Constants> constants_;
-  Features features_;
+  std::bitset<kFeatureCount> features_;
   std::int64_t steps_ = 0;
   Size window_;  // In force after the events so far.
   Size sprite_;

@@ -4,9 +4,8 @@
 // features reach what runs with all of them hide.
 #pragma once
 
-#include <array>
+#include <bitset>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "sim/core/core.h"
@@ -34,22 +33,12 @@ enum class Feature : std::uint8_t {
   long_run,      ///< Once in eight such runs up to 2,000 frames, so that states repeat; else up to 80.
 };
 
-class Features {
- public:
-  Features() = default;
-  explicit Features(std::uint64_t bits) : bits_(bits) {}
-  [[nodiscard]] bool has(Feature feature) const {
-    return (bits_ >> static_cast<unsigned>(feature) & 1u) != 0;
-  }
-
- private:
-  std::uint64_t bits_ = 0;
-};
+inline constexpr std::size_t kFeatureCount = 16;
 
 struct RandomRun {
   Scenario scenario;
-  std::vector<std::int64_t> stops;  ///< Two rows, in order: where the run is stopped and resumed.
-  Features features;
+  std::vector<std::int64_t> stops;      ///< Two rows, in order: where the run is stopped and resumed.
+  std::bitset<kFeatureCount> features;  ///< By Feature.
 };
 
 /// Run `run` of a seed: the same on every machine for cores of the same constants, whichever runs come before

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/replay/replay.h"
+#include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "sim/search/step_watch.h"
@@ -23,22 +24,6 @@ class DigestSink : public RowSink {
   StateHash hash_;
 };
 
-// Passes rows on and reports how many have passed.
-class ProgressSink : public RowSink {
- public:
-  ProgressSink(RowSink& sink, const std::function<void(std::int64_t)>& report_steps)
-      : sink_(sink), report_steps_(report_steps) {}
-  [[nodiscard]] Wants wants() const override { return sink_.wants(); }
-  void rows(const Columns& batch) override {
-    sink_.rows(batch);
-    if (report_steps_ && batch.size() > 0) report_steps_(batch.row(batch.size() - 1).step);
-  }
-
- private:
-  RowSink& sink_;
-  const std::function<void(std::int64_t)>& report_steps_;
-};
-
 Digest resumed_digest(const Core& core, const Scenario& scenario, std::span<const std::int64_t> stops) {
   DigestSink sink;
   std::optional<Replay> run(std::in_place, core, scenario, sink);
@@ -54,15 +39,12 @@ Digest resumed_digest(const Core& core, const Scenario& scenario, std::span<cons
 }
 
 bool is_ever_wider_than_window(const Scenario& scenario) {
-  Size window = scenario.window;
-  Size sprite = scenario.sprite;
-  bool is_wider = sprite.width_px > window.width_px;
-  for (const Event& event : scenario.events)
-    if (const auto* const resize = std::get_if<Resize>(&event.action)) {
-      window = resize->window.value_or(window);
-      sprite = resize->sprite.value_or(sprite);
-      is_wider |= sprite.width_px > window.width_px;
-    }
+  World world{.state = {}, .window = scenario.window, .sprite = scenario.sprite};
+  bool is_wider = world.bounds().right_px < 0.0;
+  for (const Event& event : scenario.events) {
+    apply(event.action, world);
+    is_wider |= world.bounds().right_px < 0.0;
+  }
   return is_wider;
 }
 
@@ -82,13 +64,11 @@ std::vector<std::int64_t> usual_stops(const Scenario& scenario) {
 
 CheckedRun check_run(const Core& core, const Scenario& scenario, std::span<const std::int64_t> stops,
                      const std::function<void(std::int64_t)>& report_steps) {
-  StepWatch watch(core, scenario);
-  ProgressSink counted(watch, report_steps);
-  CheckedRun run{
-      .summary = replay(core, scenario, counted, {.skips_repetition = false, .checks_bounds = true}),
-      .measures = watch.measures(),
-      .last_speed_px_per_s = watch.last_speed_px_per_s(),
-      .knife_edges = watch.knife_edges()};
+  StepWatch watch(core, scenario, report_steps);
+  CheckedRun run{.summary = replay(core, scenario, watch, {.skips_repetition = false, .checks_bounds = true}),
+                 .measures = watch.measures(),
+                 .last_speed_px_per_s = watch.last_speed_px_per_s(),
+                 .knife_edges = watch.knife_edges()};
   const auto record_equal = [&run](Invariant invariant, const Digest& hash) {
     const double slack = hash == run.summary.state_hash ? 0.0 : -1.0;
     run.measures[static_cast<std::size_t>(invariant)].add(slack, run.summary.steps);

@@ -39,12 +39,10 @@ bool are_good(const std::vector<Event>& events, std::int64_t steps) {
     frame = frame_of(event);
     const auto* const resize = std::get_if<Resize>(&event.action);
     if (resize != nullptr && !resize->window && !resize->sprite) return false;
-    if (std::holds_alternative<Grab>(event.action)
-            ? is_held
-            : !is_held && std::holds_alternative<Release>(event.action))
-      return false;
-    if (std::holds_alternative<Grab>(event.action)) is_held = true;
-    if (std::holds_alternative<Release>(event.action)) is_held = false;
+    const bool is_grab = std::holds_alternative<Grab>(event.action);
+    const bool is_release = std::holds_alternative<Release>(event.action);
+    if ((is_grab && is_held) || (is_release && !is_held)) return false;
+    is_held = is_grab || (is_held && !is_release);
   }
   return true;
 }
@@ -133,18 +131,11 @@ namespace {
 
 // The significant digits of a decimal text: those of its mantissa, without zeros at either end.
 std::int64_t significant_digits(std::string_view text) {
-  std::int64_t digits = 0;
-  std::int64_t zeros = 0;  // Since the last other digit.
-  for (const char letter : text.substr(0, text.find('e'))) {
-    if (letter < '0' || letter > '9') continue;
-    if (letter == '0') {
-      zeros += digits > 0 ? 1 : 0;
-    } else {
-      digits += zeros + 1;
-      zeros = 0;
-    }
-  }
-  return digits;
+  std::string mantissa(text.substr(0, text.find('e')));
+  std::erase_if(mantissa, [](char letter) { return letter < '0' || letter > '9'; });
+  const std::size_t first = mantissa.find_first_not_of('0');
+  return first == std::string::npos ? 0
+                                    : static_cast<std::int64_t>(mantissa.find_last_not_of('0') - first + 1);
 }
 
 template <class Value>

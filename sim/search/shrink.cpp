@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/scenario_edit.h"
@@ -147,11 +146,6 @@ class Shrinker {
 };
 
 }  // namespace
-
-bool operator<(const Complexity& a, const Complexity& b) {
-  return std::tie(a.steps, a.events, a.extras, a.clock, a.digits) <
-         std::tie(b.steps, b.events, b.extras, b.clock, b.digits);
-}
 
 Complexity complexity_of(const Scenario& scenario) {
   return {.steps = step_count(scenario),

@@ -4,6 +4,7 @@
 // Software Engineering 28:183-200, 2002: parts are removed in chunks that become smaller by half.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 
@@ -16,13 +17,11 @@ namespace hyrax {
 struct Complexity {
   std::int64_t steps = 0;
   std::int64_t events = 0;
-  std::int64_t extras = 0;  ///< `expect`, and `record` where it is not 1.
-  std::int64_t clock = 0;   ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
-  std::int64_t digits = 0;  ///< Of all numbers, in decimal.
-  bool operator==(const Complexity&) const = default;
+  std::int64_t extras = 0;                              ///< `expect`, and `record` where it is not 1.
+  std::int64_t clock = 0;                               ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
+  std::int64_t digits = 0;                              ///< Of all numbers, in decimal.
+  auto operator<=>(const Complexity&) const = default;  ///< The simpler is less.
 };
-/// Whether `a` is simpler.
-[[nodiscard]] bool operator<(const Complexity& a, const Complexity& b);
 /// REQUIRES: a plain scenario (scenario_edit.h).
 [[nodiscard]] Complexity complexity_of(const Scenario& scenario);
 

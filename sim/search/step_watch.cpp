@@ -22,13 +22,16 @@ double minus_difference(double a, double b) {
 
 }  // namespace
 
-StepWatch::StepWatch(const Core& core, const Scenario& scenario)
+StepWatch::StepWatch(const Core& core, const Scenario& scenario,
+                     const std::function<void(std::int64_t)>& report_steps)
     : core_(core),
+      report_steps_(report_steps),
       constants_(core.constants.value_or(Constants())),
       inputs_(scenario, inputs_of(scenario, step_count(scenario))) {}
 
 void StepWatch::rows(const Columns& batch) {
   for (std::size_t row = 0; row < batch.size(); ++row) check(batch.row(row));
+  if (report_steps_ && batch.size() > 0) report_steps_(before_.step);
 }
 
 void StepWatch::check(const Row& row) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "sim/core/core.h"
@@ -16,8 +17,9 @@ namespace hyrax {
 /// checks only that it stays finite and inside.
 class StepWatch : public RowSink {
  public:
-  /// Refers to the core and the scenario.
-  StepWatch(const Core& core, const Scenario& scenario);
+  /// Refers to the core and the scenario. @param report_steps see check_run.
+  StepWatch(const Core& core, const Scenario& scenario,
+            const std::function<void(std::int64_t)>& report_steps = {});
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   void rows(const Columns& batch) override;
@@ -60,6 +62,7 @@ class StepWatch : public RowSink {
   void mirror(const State& body, Bounds bounds);
 
   const Core& core_;
+  std::function<void(std::int64_t)> report_steps_;
   Constants constants_;
   InputPlayback inputs_;
   InvariantMeasures measures_{};
